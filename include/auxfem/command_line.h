@@ -1,0 +1,37 @@
+#ifndef auxfem_command_line_h
+#define auxfem_command_line_h
+
+#include <string>
+#include <vector>
+
+namespace auxfem
+{
+  /** What the user asked for on the command line. */
+  struct CommandLine
+  {
+    enum class Action
+    {
+      run,
+      check,
+      print_parameters,
+      print_parameters_markdown,
+      help,
+      version
+    };
+    Action                   action = Action::help;
+    std::string              file;
+    /** `Subsection/Parameter=value`, in the order given. */
+    std::vector<std::string> overrides;
+  };
+
+  /**
+   * Reads the arguments after the program's name. Throws InputError for what
+   * it does not understand.
+   */
+  CommandLine read_command_line(const std::vector<std::string> &arguments);
+
+  /** The text of --help. */
+  std::string usage();
+} // namespace auxfem
+
+#endif

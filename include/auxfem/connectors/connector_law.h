@@ -1,0 +1,90 @@
+#ifndef auxfem_connectors_connector_law_h
+#define auxfem_connectors_connector_law_h
+
+#include <auxfem/parameters/registry.h>
+
+namespace auxfem
+{
+  /** What happens to one connector in a step, as its law needs it (SI). */
+  struct ConnectorMotion
+  {
+    /** Extension at the end of the step (m). */
+    double extension;
+    /** Rate of extension at the end of the step (m/s). */
+    double rate;
+    /** Extension at the start of the step (m). */
+    double previous_extension;
+    /** Length of the step (s); infinity: all viscous processes have come to rest. */
+    double dt;
+  };
+
+  /** Answer of a law for one connector at the end of a step. */
+  struct ConnectorResponse
+  {
+    /** Force (N), positive in tension. */
+    double force;
+    /** d force / d extension (N/m), at fixed rate. */
+    double stiffness;
+    /** d force / d rate (N s/m), at fixed extension. */
+    double damping;
+  };
+
+  /** Energies of one connector, evaluated once a step is accepted (J). */
+  struct ConnectorEnergy
+  {
+    /** Energy in the springs at the end of the step. */
+    double stored;
+    /** Energy lost in the dashpots during the step. */
+    double dissipated;
+  };
+
+  /**
+   * The law of a connector: extension history to force. One object serves all
+   * connectors of a group and holds parameters only. Internal variables lie in
+   * a flat array, n_history() numbers a connector, all zero at rest.
+   */
+  class ConnectorLaw
+  {
+  public:
+    virtual ~ConnectorLaw() = default;
+
+    /** Internal variables a connector needs; 0 for laws without Maxwell elements. */
+    virtual unsigned int n_history() const
+    {
+      return 0;
+    }
+
+    /** Whether the law has a dashpot at all. */
+    virtual bool is_viscous() const = 0;
+
+    /**
+     * Force and tangents for @p n connectors at once (one virtual call a group).
+     * @p committed holds n * n_history() internal variables from the start of
+     * the step; @p trial receives those of its end.
+     */
+    virtual void evaluate(unsigned int           n,
+                          const ConnectorMotion *motion,
+                          const double          *committed,
+                          double                *trial,
+                          ConnectorResponse     *response) const = 0;
+
+    /** Energies of one connector over the step described by the same data. */
+    virtual ConnectorEnergy energy(const ConnectorMotion &motion,
+                                   const double          *committed,
+                                   const double          *trial) const = 0;
+
+    /**
+     * The law with every dashpot gone and all Maxwell elements relaxed: the
+     * spring that remains (N/m). Used when the scene leaves viscosity out.
+     */
+    virtual double long_time_stiffness() const = 0;
+  };
+
+  /** All laws the program knows (connectors/register.cc). */
+  const Registry<ConnectorLaw> &connector_law_registry();
+
+  /** A plain linear spring, the stand-in when viscosity is left out. */
+  std::unique_ptr<ConnectorLaw> make_spring_law(double stiffness);
+} // namespace auxfem
+
+#endif

@@ -1,0 +1,67 @@
+#ifndef auxfem_connectors_maxwell_element_h
+#define auxfem_connectors_maxwell_element_h
+
+#include <auxfem/connectors/connector_law.h>
+
+#include <vector>
+
+namespace auxfem
+{
+  /**
+   * A spring and a dashpot in series,
+   *
+   *   dF/dt + F / tau = k du/dt,   tau = c / k,
+   *
+   * with its force F (N) as internal variable. All functions below take the
+   * extension u to be linear in the step; for such motion they are exact for
+   * every step length from zero to infinity and every relaxation time >= 0
+   * (zero: the dashpot offers no resistance and F = 0).
+   */
+  struct MaxwellElement
+  {
+    /** Stiffness k of the spring (N/m), > 0. */
+    double stiffness;
+
+    /** Relaxation time tau (s), >= 0. */
+    double relaxation_time;
+
+    /** What a step makes of the force: F_new = decay F_old + stiffness du. */
+    struct Step
+    {
+      /** e^(-a), with a = dt / tau. */
+      double decay;
+      /** k (1 - e^(-a)) / a (N/m): the algorithmic tangent dF/du. */
+      double stiffness;
+    };
+
+    /** Coefficients of a step of length @p dt (s). */
+    Step step(double dt) const;
+
+    /** Energy in the spring (J) under @p force (N): F^2 / (2 k). */
+    double stored_energy(double force) const;
+
+    /**
+     * Energy lost in the dashpot (J), the integral of F^2 / c over a step of
+     * length @p dt (s) that starts with @p force (N) and adds
+     * @p extension_increment (m).
+     */
+    double dissipated_energy(double force,
+                             double extension_increment,
+                             double dt) const;
+  };
+
+  /**
+   * A spring (possibly of zero stiffness) side by side with Maxwell elements,
+   *
+   *   F = Kinf u + sum_i F_i,   dF_i/dt + F_i / tau_i = k_i du/dt,
+   *
+   * (Prony series of the relaxation function). With one element this is the
+   * standard linear solid, without the spring the Maxwell law. The internal
+   * variables of a connector are the forces F_i in the order of @p elements.
+   */
+  std::unique_ptr<ConnectorLaw>
+  make_generalized_maxwell_law(double                      long_time_stiffness,
+                               std::vector<MaxwellElement> elements);
+} // namespace auxfem
+
+#endif

@@ -1,0 +1,157 @@
+#ifndef auxfem_dofs_numbering_h
+#define auxfem_dofs_numbering_h
+
+#include <auxfem/mesh/strut_mesh.h>
+
+#include <Epetra_Import.h>
+#include <Epetra_Map.h>
+#include <Epetra_MpiComm.h>
+
+#include <array>
+#include <memory>
+
+namespace auxfem
+{
+  /** What is released and tied beyond the rigid joints. */
+  struct Ties
+  {
+    /** For every strut: whether the rotation of its first, second end is free of the joint. */
+    std::vector<std::array<bool, 2>> released;
+
+    /** Pairs of joints whose motions act on each other through a connector. */
+    std::vector<JointPair> connected;
+  };
+
+  /** Kinds of unknowns, measured apart in convergence tests. */
+  enum class UnknownKind : unsigned char
+  {
+    translation,
+    rotation,
+    prescribed
+  };
+
+  /**
+   * Numbering of the unknowns of a planar lattice: u_x, u_y and the rotation at
+   * every node. The ends of all struts at a joint share its two displacements,
+   * those not released also its rotation, so a joint is one set of unknowns and
+   * no constraint equation is needed.
+   *
+   * Each rank owns a contiguous range of global numbers and stores ("local")
+   * its owned unknowns first, then the ghosts that its elements and connectors
+   * touch. Elements are kept on every rank that owns one of their unknowns, so
+   * owned rows of residual and tangent are complete without communication.
+   */
+  class DofNumbering
+  {
+  public:
+    /** Unknowns a node: u_x, u_y, rotation. */
+    static constexpr unsigned int n_components = 3;
+
+    /** An element kept on this rank. */
+    struct Element
+    {
+      StrutMesh::Place place;
+      /** Rank that counts the element's energy and writes it to files. */
+      unsigned int owner;
+    };
+
+    DofNumbering(const Lattice   &lattice,
+                 const StrutMesh &mesh,
+                 unsigned int     order,
+                 const Ties      &ties,
+                 MPI_Comm         communicator);
+
+    unsigned int order() const;
+
+    /** Global number of unknowns, prescribed ones included. */
+    unsigned int n_unknowns() const;
+
+    unsigned int n_owned() const;
+    unsigned int n_local() const;
+    unsigned int rank() const;
+    unsigned int n_ranks() const;
+
+    const Epetra_MpiComm &communicator() const;
+
+    /** Rows this rank owns; global numbers. */
+    const Epetra_Map &owned_map() const;
+
+    /** Owned rows, then ghosts. The same as owned_map() on one rank. */
+    const Epetra_Map &local_map() const;
+
+    /** Brings owned values to the ghosts of other ranks. */
+    const Epetra_Import &importer() const;
+
+    /** Elements kept on this rank. */
+    const std::vector<Element> &elements() const;
+
+    bool is_owned(const Element &element) const;
+
+    /** Whether a local unknown is this rank's own; false for -1. */
+    bool is_owned(int local) const;
+
+    /** Whether a local unknown is a rotation, prescribed or not. */
+    bool is_rotation(unsigned int local) const;
+
+    /**
+     * Local numbers of the (order + 1) * 3 unknowns of element @p e, node by node
+     * in the node order of FE_Q (both ends, then the inner nodes).
+     */
+    const int *element_unknowns(unsigned int e) const;
+
+    /**
+     * Local number of a joint's unknown (component 0, 1: displacement, 2: rotation);
+     * -1 if it does not exist (all struts released) or is not kept on this rank.
+     */
+    int joint_unknown(unsigned int joint, unsigned int component) const;
+
+    /** Whether a joint has this unknown at all, known on every rank. */
+    bool joint_has(unsigned int joint, unsigned int component) const;
+
+    /** Local number of the rotation of a strut's end, released or not; -1 if not on this rank. */
+    int end_rotation(unsigned int strut, unsigned int end) const;
+
+    /** Kind of a local unknown; prescribed once prescribe() was called for it. */
+    UnknownKind kind(unsigned int local) const;
+
+    /** Marks a local unknown as prescribed. */
+    void prescribe(unsigned int local);
+
+    /** Number of unknowns that are not prescribed, over all ranks. */
+    unsigned int n_free() const;
+
+    /**
+     * Words for a local unknown, e.g. `rotation of joint 12 at (0.01, 0.02)`;
+     * for nodes inside a strut that strut is named.
+     */
+    std::string describe(unsigned int local) const;
+
+  private:
+    void number_unknowns(const StrutMesh &mesh, const Ties &ties);
+    void collect_local(const StrutMesh &mesh, const Ties &ties);
+
+    const Lattice &lattice;
+    unsigned int   polynomial_order;
+    Epetra_MpiComm comm;
+
+    /** Global number of each joint's three unknowns; -1: does not exist. */
+    std::vector<std::array<int, 3>> joint_numbers;
+    /** Global number of both end rotations of each strut. */
+    std::vector<std::array<int, 2>> end_rotation_numbers;
+    /** Global numbers of all elements' unknowns, in the order of active cells; emptied after set-up. */
+    std::vector<int> cell_numbers;
+    /** Global numbers owned by rank r: [first_owned[r], first_owned[r+1]). */
+    std::vector<int> first_owned;
+
+    std::unique_ptr<Epetra_Map>    owned;
+    std::unique_ptr<Epetra_Map>    local;
+    std::unique_ptr<Epetra_Import> import;
+
+    std::vector<Element>     element_list;
+    std::vector<int>         element_numbers;
+    std::vector<UnknownKind> kinds;
+    std::vector<bool>        rotations;
+  };
+} // namespace auxfem
+
+#endif

@@ -1,0 +1,308 @@
+#ifndef auxfem_elements_beam_2d_h
+#define auxfem_elements_beam_2d_h
+
+#include <auxfem/elements/beam_shape.h>
+
+#include <cmath>
+
+namespace auxfem
+{
+  /**
+   * The planar geometrically exact beam of Reissner (1972) and Simo & Vu-Quoc (1986).
+   * Axis r(s), rotation phi(s) of the section. With t, n the section's normal and
+   * in-plane direction, turned by phi from their place t0, n0 at rest,
+   *
+   *     axial strain    epsilon = r'.t - r0'.t0        N = EA  epsilon
+   *     shear strain    gamma   = r'.n - r0'.n0        Q = kGA gamma
+   *     curvature       kappa   = phi'                 M = EI  kappa
+   *
+   * and the virtual work is N d(epsilon) + Q d(gamma) + M d(kappa) with
+   * d(epsilon) = dr'.t + (r'.n) dphi, d(gamma) = dr'.n - (r'.t) dphi.
+   * The small-displacement form is the same with t, n and r' at rest.
+   * Unknowns of an element: u_x, u_y, phi node by node.
+   */
+  namespace Beam2D
+  {
+    /** Undeformed axis at a Gauss point. */
+    struct Frame
+    {
+      double cosine, sine;  ///< section normal t0 = (cosine, sine)
+      double axial, shear;  ///< r0' in components along t0, n0: (1, 0) for a straight strut
+    };
+
+    /** Section stiffness (N, N, N m2) and the retardation time of stiffness-proportional damping (s). */
+    struct Stiffness
+    {
+      double axial, shear, bending;
+      double damping_time;
+    };
+
+    /** Strains at a point, with what forces and tangents need of the kinematics. */
+    struct Kinematics
+    {
+      double epsilon, gamma, kappa;
+      double stretch, slip;  ///< r'.t, r'.n
+      double cosine, sine;   ///< of t in the global frame
+    };
+
+    /** Derivatives by s of displacement, rotation and its derivative at a Gauss point. */
+    struct Gradient
+    {
+      double ux, uy, phi, kappa;
+    };
+
+    template <int order>
+    inline Gradient interpolate(const BeamShape<order> &shape,
+                                const int               g,
+                                const double            inverse_jacobian,
+                                const double           *u)
+    {
+      Gradient d{0, 0, 0, 0};
+      for (int a = 0; a <= order; ++a)
+        {
+          d.ux += shape.derivative[g][a] * u[3 * a];
+          d.uy += shape.derivative[g][a] * u[3 * a + 1];
+          d.kappa += shape.derivative[g][a] * u[3 * a + 2];
+          d.phi += shape.value[g][a] * u[3 * a + 2];
+        }
+      d.ux *= inverse_jacobian;
+      d.uy *= inverse_jacobian;
+      d.kappa *= inverse_jacobian;
+      return d;
+    }
+
+    /**
+     * Strains from the displacement gradient. Written with 1 - cos(phi) = 2 sin^2(phi/2)
+     * so that small strains are not differences of numbers near one.
+     */
+    template <bool large_rotation>
+    inline Kinematics kinematics(const Frame &frame, const Gradient &d)
+    {
+      const double p = frame.cosine * d.ux + frame.sine * d.uy,
+                   q = frame.cosine * d.uy - frame.sine * d.ux;
+      Kinematics k;
+      k.kappa = d.kappa;
+      if (large_rotation)
+        {
+          const double half_sine = std::sin(d.phi / 2), half_cosine = std::cos(d.phi / 2);
+          const double s = 2 * half_sine * half_cosine;
+          const double versine = 2 * half_sine * half_sine, c = 1 - versine;
+          k.epsilon = p * c + q * s - frame.axial * versine + frame.shear * s;
+          k.gamma   = q * c - p * s - frame.axial * s - frame.shear * versine;
+          k.cosine  = frame.cosine * c - frame.sine * s;
+          k.sine    = frame.sine * c + frame.cosine * s;
+          k.stretch = k.epsilon + frame.axial;
+          k.slip    = k.gamma + frame.shear;
+        }
+      else
+        {
+          k.epsilon = p + frame.shear * d.phi;
+          k.gamma   = q - frame.axial * d.phi;
+          k.cosine  = frame.cosine;
+          k.sine    = frame.sine;
+          k.stretch = frame.axial;
+          k.slip    = frame.shear;
+        }
+      return k;
+    }
+
+    /** Strain rates from the velocity gradient @p v. */
+    inline void strain_rates(const Kinematics &k,
+                             const Gradient   &v,
+                             double           &epsilon,
+                             double           &gamma)
+    {
+      epsilon = k.cosine * v.ux + k.sine * v.uy + k.slip * v.phi;
+      gamma   = k.cosine * v.uy - k.sine * v.ux - k.stretch * v.phi;
+    }
+
+    /** Strain energy (J) and power lost to damping (W) of an element. */
+    struct EnergyRate
+    {
+      double strain = 0, dissipation = 0;
+    };
+
+    /**
+     * Internal force of an element.
+     * @param frames order Gauss points
+     * @param jacobian half the element's length (m)
+     * @param u displacements of the element, 3 (order + 1)
+     * @param v velocities, used only if @p damped
+     * @param force receives 3 (order + 1) nodal forces and moments
+     */
+    template <int order, bool large_rotation, bool damped>
+    inline EnergyRate internal_force(const BeamShape<order> &shape,
+                                     const Frame            *frames,
+                                     const double            jacobian,
+                                     const Stiffness        &stiffness,
+                                     const double           *u,
+                                     const double           *v,
+                                     double                 *force)
+    {
+      EnergyRate   energy;
+      const double inverse_jacobian = 1 / jacobian;
+      for (int i = 0; i < 3 * (order + 1); ++i)
+        force[i] = 0;
+      for (int g = 0; g < order; ++g)
+        {
+          const Kinematics k = kinematics<large_rotation>(
+            frames[g], interpolate(shape, g, inverse_jacobian, u));
+          double axial   = stiffness.axial * k.epsilon,
+                 shear   = stiffness.shear * k.gamma,
+                 bending = stiffness.bending * k.kappa;
+          const double weight = shape.weight[g] * jacobian;
+          energy.strain +=
+            weight / 2 * (axial * k.epsilon + shear * k.gamma + bending * k.kappa);
+          if (damped)
+            {
+              const Gradient rate = interpolate(shape, g, inverse_jacobian, v);
+              double         epsilon_rate, gamma_rate;
+              strain_rates(k, rate, epsilon_rate, gamma_rate);
+              const double N = stiffness.damping_time * stiffness.axial * epsilon_rate,
+                           Q = stiffness.damping_time * stiffness.shear * gamma_rate,
+                           M = stiffness.damping_time * stiffness.bending * rate.kappa;
+              energy.dissipation +=
+                weight * (N * epsilon_rate + Q * gamma_rate + M * rate.kappa);
+              axial += N;
+              shear += Q;
+              bending += M;
+            }
+          const double w  = shape.weight[g];
+          const double fx = w * (k.cosine * axial - k.sine * shear),
+                       fy = w * (k.sine * axial + k.cosine * shear),
+                       m  = w * jacobian * (axial * k.slip - shear * k.stretch);
+          bending *= w;
+          for (int a = 0; a <= order; ++a)
+            {
+              force[3 * a] += shape.derivative[g][a] * fx;
+              force[3 * a + 1] += shape.derivative[g][a] * fy;
+              force[3 * a + 2] +=
+                shape.derivative[g][a] * bending + shape.value[g][a] * m;
+            }
+        }
+      return energy;
+    }
+
+    /**
+     * Tangent of the section forces by (r'.t, r'.n, phi) at a Gauss point, in that
+     * order along rows and columns, in the frame of the turned section.
+     */
+    template <bool large_rotation, bool damped>
+    inline void section_tangent(const Kinematics &k,
+                                const Stiffness  &stiffness,
+                                const Gradient   &velocity,
+                                const double      stiffness_factor,
+                                const double      damping_factor,
+                                double (&G)[3][3])
+    {
+      const double beta = damped ? stiffness.damping_time : 0.;
+      const double material = stiffness_factor + beta * damping_factor;
+      // Variations of N and Q by r'.t, r'.n, phi.
+      double dN[3] = {stiffness.axial * material, 0, stiffness.axial * material * k.slip};
+      double dQ[3] = {0, stiffness.shear * material, -stiffness.shear * material * k.stretch};
+      double N = stiffness.axial * k.epsilon, Q = stiffness.shear * k.gamma;
+      if (damped)
+        {
+          double epsilon_rate, gamma_rate;
+          strain_rates(k, velocity, epsilon_rate, gamma_rate);
+          N += beta * stiffness.axial * epsilon_rate;
+          Q += beta * stiffness.shear * gamma_rate;
+          if (large_rotation)
+            {
+              const double vt = k.cosine * velocity.ux + k.sine * velocity.uy,
+                           vn = k.cosine * velocity.uy - k.sine * velocity.ux,
+                           omega = velocity.phi;
+              const double a = beta * stiffness_factor * stiffness.axial,
+                           s = beta * stiffness_factor * stiffness.shear;
+              dN[1] += a * omega;
+              dN[2] += a * (vn - omega * k.stretch);
+              dQ[0] -= s * omega;
+              dQ[2] -= s * (vt + omega * k.slip);
+            }
+        }
+      for (int j = 0; j < 3; ++j)
+        {
+          G[0][j] = dN[j];
+          G[1][j] = dQ[j];
+          G[2][j] = dN[j] * k.slip - dQ[j] * k.stretch;
+        }
+      if (large_rotation)
+        {
+          G[0][2] -= stiffness_factor * Q;
+          G[1][2] += stiffness_factor * N;
+          G[2][0] -= stiffness_factor * Q;
+          G[2][1] += stiffness_factor * N;
+          G[2][2] -= stiffness_factor * (N * k.stretch + Q * k.slip);
+        }
+    }
+
+    /**
+     * Tangent stiffness_factor * dF/du + damping_factor * dF/dv of the internal
+     * force, row by row into @p matrix (3 (order + 1) squared).
+     */
+    template <int order, bool large_rotation, bool damped>
+    inline void tangent(const BeamShape<order> &shape,
+                        const Frame            *frames,
+                        const double            jacobian,
+                        const Stiffness        &stiffness,
+                        const double           *u,
+                        const double           *v,
+                        const double            stiffness_factor,
+                        const double            damping_factor,
+                        double                 *matrix)
+    {
+      constexpr int n                = 3 * (order + 1);
+      const double  inverse_jacobian = 1 / jacobian;
+      for (int i = 0; i < n * n; ++i)
+        matrix[i] = 0;
+      for (int g = 0; g < order; ++g)
+        {
+          const Kinematics k = kinematics<large_rotation>(
+            frames[g], interpolate(shape, g, inverse_jacobian, u));
+          const Gradient rate =
+            damped ? interpolate(shape, g, inverse_jacobian, v) : Gradient{0, 0, 0, 0};
+          double G[3][3];
+          section_tangent<large_rotation, damped>(
+            k, stiffness, rate, stiffness_factor, damping_factor, G);
+          const double bending =
+            stiffness.bending *
+            (stiffness_factor +
+             (damped ? stiffness.damping_time * damping_factor : 0.));
+
+          // The same in the global frame: x = (t, -n)-components turned back.
+          const double c = k.cosine, s = k.sine;
+          const double T[2][3] = {{c * G[0][0] - s * G[1][0],
+                                   c * G[0][1] - s * G[1][1],
+                                   c * G[0][2] - s * G[1][2]},
+                                  {s * G[0][0] + c * G[1][0],
+                                   s * G[0][1] + c * G[1][1],
+                                   s * G[0][2] + c * G[1][2]}};
+          const double xx = c * T[0][0] - s * T[0][1], xy = s * T[0][0] + c * T[0][1],
+                       yx = c * T[1][0] - s * T[1][1], yy = s * T[1][0] + c * T[1][1],
+                       zx = c * G[2][0] - s * G[2][1], zy = s * G[2][0] + c * G[2][1];
+          const double w = shape.weight[g];
+          for (int a = 0; a <= order; ++a)
+            for (int b = 0; b <= order; ++b)
+              {
+                const double dd = w * inverse_jacobian * shape.derivative[g][a] *
+                                  shape.derivative[g][b],
+                             dv = w * shape.derivative[g][a] * shape.value[g][b],
+                             vd = w * shape.value[g][a] * shape.derivative[g][b],
+                             vv = w * jacobian * shape.value[g][a] * shape.value[g][b];
+                double *block = matrix + 3 * a * n + 3 * b;
+                block[0] += dd * xx;
+                block[1] += dd * xy;
+                block[2] += dv * T[0][2];
+                block[n] += dd * yx;
+                block[n + 1] += dd * yy;
+                block[n + 2] += dv * T[1][2];
+                block[2 * n] += vd * zx;
+                block[2 * n + 1] += vd * zy;
+                block[2 * n + 2] += vv * G[2][2] + dd * bending;
+              }
+        }
+    }
+  } // namespace Beam2D
+} // namespace auxfem
+
+#endif

@@ -1,0 +1,85 @@
+#ifndef auxfem_mesh_cell_h
+#define auxfem_mesh_cell_h
+
+#include <auxfem/mesh/lattice.h>
+#include <auxfem/parameters/registry.h>
+
+namespace auxfem
+{
+  /** One strut of a unit cell and the strut set it belongs to. */
+  struct UnitStrut
+  {
+    unsigned int first, second;
+    /** Rise of the arc over the chord (m), signed as Strut::sagitta. */
+    double sagitta = 0;
+    /** Name of the strut set, e.g. `edges`, `stubs`; empty for none. */
+    std::string set = {};
+  };
+
+  /**
+   * One unit cell about its own centre. Repeated with its period, joints that
+   * coincide with those of a neighbour become one.
+   */
+  struct UnitCell
+  {
+    /** Positions about the cell's centre (m). */
+    std::vector<dealii::Point<3>> joints;
+
+    std::vector<UnitStrut> struts;
+
+    /** Pairs of joints offered for connectors, by name. */
+    std::map<std::string, std::vector<std::pair<unsigned int, unsigned int>>>
+      pairs;
+
+    /** Distances between cell centres along x, y, z (m); 0: cannot be repeated
+     * that way. */
+    dealii::Tensor<1, 3> period;
+
+    /** For a direction without period, the reason as a sentence to be shown to
+     * the user; may be empty. */
+    std::array<std::string, 3> why_no_period;
+
+    /**
+     * Joints through which cells meet, by side (`left`, `right`, `bottom`,
+     * `top`, `back`, `front`); on the array's boundary they form the set of
+     * that name. Empty: the sets are the joints on the faces of the bounding
+     * box.
+     */
+    std::map<std::string, std::vector<unsigned int>> ports;
+
+    /** Further named joints, collected over all cells, e.g. `tips`. */
+    std::map<std::string, std::vector<unsigned int>> joint_sets;
+  };
+
+  /** A kind of unit cell: parameters to joints and struts. */
+  class Cell
+  {
+  public:
+    virtual ~Cell() = default;
+
+    /** Builds the unit cell. The constructor has already refused impossible
+     * shapes. */
+    virtual UnitCell build() const = 0;
+  };
+
+  /** All kinds of cells the program knows (mesh/cells/register.cc). */
+  const Registry<Cell> &cell_registry();
+
+  /**
+   * Repeats @p cell @p n_cells times along x, y, z; cell (i, j, k) has its
+   * centre at (i, j, k) times the period and the number i + nx * (j + ny * k).
+   * Joints of different cells that lie closer than 1e-8 of the cell's size
+   * become one, and of struts or pairs that then coincide the first is kept.
+   * Joints of one and the same cell are never merged.
+   *
+   * Fills the joint sets `all`, `bottom`, `top`, `left`, `right` (in space also
+   * `back`, `front`) and those of the cell, the strut sets `all` and those of
+   * the cell, and the pair sets.
+   * Throws InputError if a number of cells is zero or a direction without
+   * period is repeated.
+   */
+  Lattice make_array(const UnitCell                    &cell,
+                     const std::array<unsigned int, 3> &n_cells);
+} // namespace auxfem
+
+#endif

@@ -1,0 +1,19 @@
+#ifndef auxfem_mesh_cells_entries_h
+#define auxfem_mesh_cells_entries_h
+
+#include <auxfem/mesh/cell.h>
+
+namespace auxfem
+{
+  /** The symmetric star cell (mesh/cells/star.cc). */
+  RegistryEntry<Cell> star_cell_entry();
+
+  /** The star cell with free widths, notches and stubs
+   * (mesh/cells/general_star.cc). */
+  RegistryEntry<Cell> general_star_cell_entry();
+
+  /** Joints and struts given one by one (mesh/cells/frame.cc). */
+  RegistryEntry<Cell> frame_cell_entry();
+} // namespace auxfem
+
+#endif

@@ -1,0 +1,46 @@
+#ifndef auxfem_mesh_sets_h
+#define auxfem_mesh_sets_h
+
+#include <auxfem/mesh/lattice.h>
+#include <auxfem/parameters/scene.h>
+
+namespace auxfem
+{
+  /**
+   * Joints named by @p text: the name of a joint set; several names joined by
+   * `+`; numbers `3, 5, 7`; `nearest: x, y` (the joint next to a point, lengths
+   * with or without unit words); or a condition in x, y, z (m) with xmin, xmax,
+   * ymin, ymax (and the scene's constants), e.g. `y > ymax - 1e-6 && x < 0.02`.
+   * Throws InputError naming @p path: unknown set (with the nearest known names), no such joint
+   * number, empty result.
+   */
+  std::vector<unsigned int> select_joints(const Lattice      &lattice,
+                                          const std::string  &text,
+                                          const SceneContext &context,
+                                          const std::string  &path);
+
+  /** As select_joints(), for struts; conditions are tested at the strut's
+   * middle. */
+  std::vector<unsigned int> select_struts(const Lattice      &lattice,
+                                          const std::string  &text,
+                                          const SceneContext &context,
+                                          const std::string  &path);
+
+  /**
+   * Connector pairs named by `between`: a pair set of the cell, `3 5; 7 9`, or
+   * `ground: JOINTS`.
+   */
+  std::vector<JointPair> select_pairs(const Lattice      &lattice,
+                                      const std::string  &text,
+                                      const SceneContext &context,
+                                      const std::string  &path);
+
+  /**
+   * Builds the scene's lattice: the array, the user's sets, a section for every
+   * strut (later definitions win; a strut without section is an InputError
+   * naming it).
+   */
+  Lattice build_lattice(const Scene &scene);
+} // namespace auxfem
+
+#endif

@@ -1,0 +1,101 @@
+#ifndef auxfem_output_console_h
+#define auxfem_output_console_h
+
+#include <optional>
+#include <ostream>
+#include <string>
+
+namespace auxfem
+{
+  /** How far a run has come, for one line. */
+  struct Progress
+  {
+    unsigned long step     = 0;
+    unsigned long n_steps  = 0; ///< expected in all
+    double        time     = 0; ///< s
+    double        end_time = 0; ///< s
+    double        dt       = 0; ///< s
+
+    unsigned int iterations        = 0;
+    unsigned int retries           = 0;
+    double       relative_residual = 0;
+
+    /** Error of the energy balance over the largest energy so far, where known.
+     */
+    std::optional<double> relative_balance;
+
+    double seconds = 0; ///< wall time since the first step was begun (s)
+
+    /** Part of the time that is done, in [0, 1]. */
+    double fraction() const;
+  };
+
+  /**
+   * One line of fewer than 100 characters: step, time, time step, iterations,
+   * residual, energy balance, time left.
+   */
+  std::string format_progress(const Progress &progress);
+
+  /** A time such as `0:07`, `12:30`, `3:05:00` (minutes and seconds; from one
+   * hour on with hours). */
+  std::string format_duration(double seconds);
+
+  /** Characters a line of standard output holds; 0 if that is not a terminal.
+   */
+  unsigned int terminal_width();
+
+  /**
+   * Screen and log of a run. On a terminal the progress is one line rewritten
+   * in place, at most ten times a second; else it is a plain line for each
+   * twentieth of the time. The log has those plain lines in both cases, and
+   * every step that had to be repeated. To be made on one rank only.
+   */
+  class Console
+  {
+  public:
+    /**
+     * @param screen where lines are shown.
+     * @param terminal_width characters a line of @p screen holds if it is a
+     *   terminal, see terminal_width(); 0 if it is none.
+     * @param log the log; both streams must outlive the console.
+     */
+    Console(std::ostream &screen,
+            unsigned int  terminal_width,
+            std::ostream &log);
+
+    /** Ends a progress line that is still open. */
+    ~Console();
+
+    Console(const Console &)            = delete;
+    Console &operator=(const Console &) = delete;
+
+    /** Shows and logs @p text, adding a line break. */
+    void print(const std::string &text);
+
+    /** Logs @p text, adding a line break. */
+    void print_to_log(const std::string &text);
+
+    /** Shows and logs the progress of a finished step if it is time to. */
+    void progress(const Progress &progress);
+
+    /** Shows and logs the progress last given, unless that was done. */
+    void end_progress();
+
+  private:
+    void rewrite(const std::string &text);
+    void close_line();
+
+    std::ostream      &screen;
+    std::ostream      &log;
+    const unsigned int terminal_width;
+
+    std::optional<Progress> latest;
+    bool                    latest_on_screen = true;
+    bool                    latest_in_log    = true;
+    int                     twentieth        = -1;
+    double                  last_rewrite     = 0;
+    std::size_t             line_length      = 0; ///< of the open progress line
+  };
+} // namespace auxfem
+
+#endif

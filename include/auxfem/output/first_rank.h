@@ -1,0 +1,60 @@
+#ifndef auxfem_output_first_rank_h
+#define auxfem_output_first_rank_h
+
+#include <auxfem/parameters/errors.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <string>
+
+namespace auxfem
+{
+  /**
+   * Runs @p action on rank 0 of @p communicator only; if it throws, all ranks
+   * throw the same (InputError, or ComputationError for all else), so that none
+   * waits for another for ever. Collective.
+   */
+  template <typename Action>
+  void on_first_rank(const MPI_Comm communicator, const Action &action)
+  {
+    if (dealii::Utilities::MPI::n_mpi_processes(communicator) == 1)
+      {
+        action();
+        return;
+      }
+
+    enum Outcome : int
+    {
+      done,
+      input_error,
+      computation_error
+    };
+    int         outcome = done;
+    std::string message;
+    if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+      try
+        {
+          action();
+        }
+      catch (const InputError &error)
+        {
+          outcome = input_error;
+          message = error.what();
+        }
+      catch (const std::exception &error)
+        {
+          outcome = computation_error;
+          message = error.what();
+        }
+
+    outcome = dealii::Utilities::MPI::broadcast(communicator, outcome);
+    if (outcome == done)
+      return;
+    message = dealii::Utilities::MPI::broadcast(communicator, message);
+    if (outcome == input_error)
+      throw InputError(message);
+    throw ComputationError(message);
+  }
+} // namespace auxfem
+
+#endif

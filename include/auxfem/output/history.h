@@ -1,0 +1,107 @@
+#ifndef auxfem_output_history_h
+#define auxfem_output_history_h
+
+#include <auxfem/output/csv_table.h>
+#include <auxfem/parameters/scene.h>
+#include <auxfem/system/system.h>
+
+#include <optional>
+
+namespace auxfem
+{
+  /** Energies of a run as its history has seen them so far (J). */
+  struct EnergyRecord
+  {
+    Energies latest;
+    double   balance         = 0; ///< the latest error of the balance
+    double   largest_balance = 0; ///< the largest |balance|
+    double   largest_energy  = 0; ///< of mechanical, dissipated energy and work
+
+    /** Takes note of @p energies; the first ones are those the balance starts from. */
+    void add(const Energies &energies);
+
+    /** @p energy over the largest energy; 0 as long as there is no energy. */
+    double relative(double energy) const;
+
+  private:
+    std::optional<double> start;
+  };
+
+  /**
+   * `history.csv`: a row for each recorded state. Columns: `time`; for a probe
+   * P `P.ux`, `P.uy`, `P.phi` (if all its joints rotate) and in dynamics
+   * `P.vx`, `P.vy`, means over its joints; for a support S `S.rx`, `S.ry`,
+   * `S.m`, force and moment of the support on the lattice summed over its
+   * joints (forces have no part in `S.m`); for a group of connectors C
+   * `C.force`, `C.extension`, `C.dissipated`, sums over the group; `kinetic`,
+   * `strain`, `stored`, `dissipated`, `external`, and `balance`, which should
+   * be zero. Units and meaning are in `history.units.csv`.
+   */
+  class History
+  {
+  public:
+    /**
+     * Finds the probes and writes the headers. Throws InputError for a probe
+     * whose joints do not exist and for files that cannot be written.
+     * Collective.
+     * @param system must outlive the history.
+     */
+    History(const Scene       &scene,
+            const System      &system,
+            const std::string &folder,
+            MPI_Comm           communicator);
+
+    /**
+     * Appends the row of @p state, which must be the last given to
+     * System::residual(). Throws ComputationError if the disk takes no more.
+     * Collective: one reduction besides that of System::energies().
+     */
+    void write(const State &state);
+
+    /** Energies up to the last row. */
+    const EnergyRecord &energies() const;
+
+    /** Largest |rotation| (rad) in all rows so far, of unknowns of this rank.
+     */
+    double largest_rotation() const;
+
+  private:
+    enum class Quantity
+    {
+      displacement,
+      velocity,
+      residual
+    };
+
+    /** A column that is a weighted sum over unknowns. */
+    struct UnknownSum
+    {
+      Quantity         quantity;
+      std::vector<int> unknowns; ///< local numbers, owned by this rank
+      double           factor;
+    };
+
+    void define_probe(const ProbeDefinition &probe,
+                      const SceneContext    &context);
+    void define_support(const Support &support);
+    void define_connectors(const ConnectorForces &group);
+    void define_energies();
+
+    /** Sums of this rank from column @p column on; returns the column after them. */
+    unsigned int add_unknown_sums(const State &state, unsigned int column);
+    unsigned int add_connector_sums(const State &state, unsigned int column);
+
+    const System           &system;
+    MPI_Comm                communicator;
+    std::vector<Column>     columns;
+    std::vector<UnknownSum> sums;
+    std::vector<double>     row;
+    EnergyRecord            record;
+    std::vector<int>        rotations; ///< local numbers, owned by this rank
+    double                  rotation_so_far = 0;
+    /** On rank 0. */
+    std::optional<CsvTable> table;
+  };
+} // namespace auxfem
+
+#endif

@@ -1,0 +1,113 @@
+#ifndef auxfem_output_line_graphics_h
+#define auxfem_output_line_graphics_h
+
+#include <deal.II/base/data_out_base.h>
+#include <deal.II/base/mpi.h>
+
+#include <string>
+#include <vector>
+
+namespace auxfem
+{
+  /** What is stored at each point of a graphics file. */
+  struct GraphicsField
+  {
+    std::string  name;
+    unsigned int n_components = 1; ///< 1: scalar, 3: vector
+    std::string  unit;             ///< empty: none
+  };
+
+  /**
+   * Lines in space with fields, for the writers of deal.II: what its DataOut
+   * cannot draw, as it is no mesh (connectors) or lies on a curve (arcs).
+   */
+  class LineGraphics : public dealii::DataOutInterface<1, 3>
+  {
+  public:
+    explicit LineGraphics(const std::vector<GraphicsField> &fields);
+
+    /** Numbers stored at each point. */
+    unsigned int n_components() const;
+
+    /**
+     * Adds a line through @p points (m), at least two.
+     * @param values n_components() numbers for the first point in the order of
+     *   the fields, then those for the second, ...
+     */
+    void add_line(const std::vector<dealii::Point<3>> &points,
+                  const std::vector<float>            &values);
+
+    /** Marks the files with a time (s) and the number of the file. */
+    void set_time(double time, unsigned int number);
+
+  private:
+    using Patch = dealii::DataOutBase::Patch<1, 3>;
+
+    const std::vector<Patch> &get_patches() const override;
+    std::vector<std::string>  get_dataset_names() const override;
+    std::vector<std::tuple<
+      unsigned int,
+      unsigned int,
+      std::string,
+      dealii::DataComponentInterpretation::DataComponentInterpretation>>
+    get_nonscalar_data_ranges() const override;
+
+    std::vector<GraphicsField> fields;
+    std::vector<Patch>         patches;
+  };
+
+  /**
+   * A series of graphics files in time: `NAME/NAME_00000.pvtu` with a `.vtu`
+   * for each rank, and `NAME.pvd`, which lists them with their times and is
+   * whole at any moment. All in one folder, with relative paths.
+   */
+  class GraphicsSeries
+  {
+  public:
+    /** Makes the subfolder. Throws InputError if it cannot be made. Collective.
+     */
+    GraphicsSeries(const std::string &folder,
+                   const std::string &name,
+                   MPI_Comm           communicator);
+
+    /**
+     * Writes the files for one more time (s). Throws ComputationError on all
+     * ranks if one cannot write. Collective.
+     */
+    void write(LineGraphics &graphics, double time);
+
+  private:
+    void write_record() const;
+
+    std::string                                 folder;
+    std::string                                 name;
+    MPI_Comm                                    communicator;
+    std::vector<std::pair<double, std::string>> times_and_files;
+  };
+
+  /** When to write graphics: at the times next to the multiples of an interval.
+   */
+  class GraphicsSchedule
+  {
+  public:
+    /** @param interval (s); 0: never. */
+    explicit GraphicsSchedule(double interval);
+
+    /**
+     * Whether to write at @p time (s): it is the first within half a step of
+     * the next multiple, or past it. To be asked once after every step from
+     * time 0 on.
+     */
+    bool is_due(double time);
+
+  private:
+    double interval;
+    double next;
+    double previous = 0;
+  };
+
+  /** @p name with everything but letters, digits, `-` and `_` replaced by `_`. */
+  std::string field_name(const std::string &name);
+} // namespace auxfem
+
+#endif

@@ -1,0 +1,81 @@
+#ifndef auxfem_output_summary_h
+#define auxfem_output_summary_h
+
+#include <auxfem/output/history.h>
+#include <auxfem/parameters/scene.h>
+#include <auxfem/system/system.h>
+#include <auxfem/time/step_report.h>
+
+namespace auxfem
+{
+  /** Totals of a run, for summary.json and the last lines of the console. */
+  struct RunTotals
+  {
+    unsigned long steps = 0, iterations = 0, factorizations = 0, retries = 0;
+    PhaseTimes    wall;
+  };
+
+  /** Sizes of a scene over all ranks. */
+  struct Counts
+  {
+    unsigned int joints        = 0;
+    unsigned int struts        = 0;
+    unsigned int elements      = 0;
+    unsigned int connectors    = 0;
+    unsigned int unknowns      = 0;
+    unsigned int free_unknowns = 0;
+    unsigned int ranks         = 1;
+  };
+
+  /** Counts of @p system. Collective. */
+  Counts count(const System &system);
+
+  /** What a run took from the machine. */
+  struct Resources
+  {
+    unsigned long largest_memory =
+      0;                            ///< peak of the rank that used most (bytes)
+    unsigned long memory       = 0; ///< sum of the ranks' peaks (bytes)
+    double        cpu_seconds  = 0; ///< over all ranks
+    double        wall_seconds = 0; ///< of the slowest rank
+    PhaseTimes    wall;             ///< of the slowest rank in each phase
+  };
+
+  /**
+   * Resources of all ranks since their start. Collective.
+   * @param wall_seconds, wall times of this rank.
+   */
+  Resources gather_resources(double            wall_seconds,
+                             const PhaseTimes &wall,
+                             MPI_Comm          communicator);
+
+  /** All that summary.json says about a run. */
+  struct Summary
+  {
+    Counts       counts;
+    RunTotals    totals;
+    Resources    resources;
+    EnergyRecord energies;
+    double       largest_rotation = 0; ///< rad
+    double       time             = 0; ///< reached (s)
+    std::string  exit_state;           ///< `completed` or the reason it was not
+  };
+
+  /** Version, revision and build type of the program, e.g. `0.1.0 (1a2b3c4,
+   * Release)`. */
+  std::string version_text();
+
+  /** The text of summary.json, with the date of now. */
+  std::string summary_json(const Scene &scene, const Summary &summary);
+
+  /** Counts, then the effects simulated and left out, each with its reason;
+   * lines without the last line break. */
+  std::string overview_text(const Scene                       &scene,
+                            const Counts                      &counts,
+                            const std::vector<EffectDecision> &decisions);
+
+  /** The last lines of a run on the screen, without the last line break. */
+  std::string closing_text(const Summary &summary, const std::string &folder);
+} // namespace auxfem
+
+#endif

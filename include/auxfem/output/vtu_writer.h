@@ -1,0 +1,66 @@
+#ifndef auxfem_output_vtu_writer_h
+#define auxfem_output_vtu_writer_h
+
+#include <auxfem/output/line_graphics.h>
+#include <auxfem/parameters/scene.h>
+#include <auxfem/system/system.h>
+
+#include <optional>
+
+namespace auxfem
+{
+  /**
+   * Files for ParaView: `solution.pvd` with the struts, several straight pieces
+   * an element, and `connectors.pvd` with the connectors if the scene has any.
+   * The geometry is that at rest; `displacement` is the vector for Warp By
+   * Vector, `radius` the one for Tube. Every element and connector is written
+   * by one rank.
+   *
+   * Fields of struts: displacement (m), velocity (m/s, in dynamics), rotation
+   * (rad), axial_force, shear_force (N), bending_moment (N m),
+   * strain_energy_density (J/m), radius (m), numbers of strut, cell, section
+   * and mpi_rank, and `set_NAME`, 1 inside and 0 outside, for the user's strut
+   * sets. Fields of connectors: displacement (m), force (N), extension (m),
+   * dissipated_energy (J), numbers of group and cell.
+   */
+  class VtuWriter
+  {
+  public:
+    /**
+     * Makes the subfolders `solution` and `connectors` of @p folder. Throws
+     * InputError if that fails. Collective, as are the other functions.
+     * @param scene, system must outlive the writer.
+     */
+    VtuWriter(const Scene       &scene,
+              const System      &system,
+              const std::string &folder,
+              MPI_Comm           communicator);
+
+    /**
+     * Writes the struts at @p state. Throws ComputationError if the disk takes
+     * no more.
+     */
+    void write_struts(const State &state);
+
+    /**
+     * As write_struts(), for connectors; nothing without any. @p state must be
+     * the last given to System::residual(), to which connectors report.
+     */
+    void write_connectors(const State &state);
+
+  private:
+    using SetMembers = std::vector<bool>; ///< by strut
+
+    std::vector<GraphicsField> strut_fields() const;
+
+    const System      &system;
+    const unsigned int n_segments;
+
+    std::vector<std::string>      set_names;
+    std::vector<SetMembers>       sets;
+    GraphicsSeries                strut_series;
+    std::optional<GraphicsSeries> connector_series;
+  };
+} // namespace auxfem
+
+#endif

@@ -1,0 +1,67 @@
+#ifndef auxfem_parameters_parameter_file_h
+#define auxfem_parameters_parameter_file_h
+
+#include <string>
+#include <vector>
+
+namespace auxfem
+{
+  /** Where the user wrote something. */
+  struct FilePlace
+  {
+    /** Name of the file, or `command line`. */
+    std::string file;
+    /** Line number from 1; 0 if there are no lines. */
+    unsigned int line = 0;
+
+    /** `lattice.prm:12` or `command line`. */
+    std::string text() const;
+  };
+
+  /** `set NAME = VALUE` as found; nothing is known yet about what it means. */
+  struct ParameterEntry
+  {
+    std::string name;
+    std::string value;
+    FilePlace   place;
+  };
+
+  /** `subsection NAME ... end` as found. Parts of equal name are one. */
+  struct ParameterSubsection
+  {
+    std::string                      name;
+    FilePlace                        place;
+    std::vector<ParameterEntry>      entries;
+    std::vector<ParameterSubsection> subsections;
+
+    /** The entry of that name, or nullptr. */
+    const ParameterEntry *find_entry(const std::string &name) const;
+    ParameterEntry       *find_entry(const std::string &name);
+
+    /** The subsection of that name, or nullptr. */
+    const ParameterSubsection *find_subsection(const std::string &name) const;
+    ParameterSubsection       *find_subsection(const std::string &name);
+  };
+
+  /**
+   * Reads the parameter file @p file (deal.II's .prm syntax: `subsection NAME`,
+   * `set NAME = VALUE`, `end`, `include FILE` relative to the including file,
+   * comments from `#`, a line continued by a `\` at its end). Throws InputError
+   * with all mistakes: a file that cannot be opened, a line not understood, an
+   * entry given twice, a missing or superfluous `end`.
+   */
+  ParameterSubsection read_parameter_file(const std::string &file);
+
+  /** As read_parameter_file(), for text in memory that is called @p name. */
+  ParameterSubsection parse_parameter_text(const std::string &text,
+                                           const std::string &name);
+
+  /**
+   * Sets one entry from the command line, written `Subsection/Parameter=value`,
+   * replacing the one in @p root or making a new one. Throws InputError if
+   * @p assignment is not of that form.
+   */
+  void apply_override(ParameterSubsection &root, const std::string &assignment);
+} // namespace auxfem
+
+#endif

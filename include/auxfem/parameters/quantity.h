@@ -1,0 +1,59 @@
+#ifndef auxfem_parameters_quantity_h
+#define auxfem_parameters_quantity_h
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace auxfem
+{
+  /** A unit of measurement, reduced to SI. */
+  struct Unit
+  {
+    /** Exponents of length, mass, time, angle. */
+    std::array<int, 4> dimension = {{0, 0, 0, 0}};
+    /** Value of one unit in m, kg, s, rad. */
+    double factor = 1;
+  };
+
+  /** A number as the user wrote it, with its unit word. */
+  struct ParsedQuantity
+  {
+    /** The number before its unit word. */
+    double number;
+    /** The unit word, empty if there was none. */
+    std::string unit;
+  };
+
+  /**
+   * Reads a unit expression such as `N s/m`, `N*s/m`, `kg/m3`, `mm^4`, `1/s`,
+   * `%`, `1`: products by blank or `*`, each `/` divides by the one factor
+   * after it, powers by a trailing whole number with or without `^`. Throws
+   * InputError naming the symbol that is not known and those that are.
+   */
+  Unit parse_unit(const std::string &expression);
+
+  /**
+   * Splits @p text into a decimal number and the rest as unit word (not yet
+   * looked at). Throws InputError if it does not begin with a finite number.
+   */
+  ParsedQuantity split_quantity(const std::string &text);
+
+  /**
+   * SI value of @p text (`10 mm`, `70 GPa`, `0.3`) for a quantity with unit
+   * @p unit, which is also the unit of a number without unit word. Throws
+   * InputError if it is no number or the unit word does not fit.
+   */
+  double parse_quantity(const std::string &text, const std::string &unit);
+
+  /**
+   * Splits `1, 2 mm, 3` at the commas, or `1 2 mm 3` before each number.
+   * Empty text gives an empty list.
+   */
+  std::vector<std::string> split_quantity_list(const std::string &text);
+
+  /** Unit expressions a user may write where @p unit is declared, @p unit first. */
+  std::vector<std::string> fitting_units(const std::string &unit);
+} // namespace auxfem
+
+#endif

@@ -1,0 +1,56 @@
+#ifndef auxfem_parameters_registry_h
+#define auxfem_parameters_registry_h
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace auxfem
+{
+  struct SceneContext;
+
+  /**
+   * One line of the explicit table of a kind (connector laws, cells, loads,
+   * time integrators): everything the program needs to offer a choice to the
+   * user. The parameter reference in doc/ is generated from these tables.
+   */
+  template <class Product>
+  struct RegistryEntry
+  {
+    /** The word the user writes, e.g. `kelvin-voigt`. */
+    std::string name;
+
+    /** One sentence for the parameter reference. */
+    std::string description;
+
+    /** Declares the parameters of this choice in the current subsection. */
+    void (*declare)(dealii::ParameterHandler &prm);
+
+    /**
+     * Makes the object from the values of the current subsection. Throws
+     * InputError for values that are each allowed but contradict each other.
+     */
+    std::unique_ptr<Product> (*make)(dealii::ParameterHandler &prm,
+                                     const SceneContext       &context);
+  };
+
+  template <class Product>
+  using Registry = std::vector<RegistryEntry<Product>>;
+
+  /** What a maker may need of the scene besides its own subsection. */
+  struct SceneContext
+  {
+    /** Folder of the parameter file; relative file names start from it. */
+    std::string directory = ".";
+
+    /** Constants for expressions, `name -> value`, as the scene defines them. */
+    std::vector<std::pair<std::string, double>> constants;
+
+    /** Path of the subsection in work, e.g. `Connectors/damper`, for messages. */
+    std::string path;
+  };
+} // namespace auxfem
+
+#endif

@@ -1,0 +1,243 @@
+#ifndef auxfem_parameters_scene_h
+#define auxfem_parameters_scene_h
+
+#include <auxfem/connectors/connector_law.h>
+#include <auxfem/elements/section.h>
+#include <auxfem/loads/time_function.h>
+#include <auxfem/mesh/cell.h>
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace auxfem
+{
+  /** `Sets/NAME`: the user's own set of joints or struts, resolved on the lattice. */
+  struct SetDefinition
+  {
+    std::string name;
+    /** `joints: ...` or `struts: ...` as written; see mesh/sets.h for the grammar. */
+    std::string selection;
+    std::string path; ///< for messages
+  };
+
+  /** `Sections/NAME`: cross-section and material of a set of struts. */
+  struct SectionDefinition
+  {
+    std::string name;
+    std::string struts; ///< strut set
+    Section     section;
+    std::string path;
+  };
+
+  /** `Joints/NAME`: joints at which struts are not rigidly connected. */
+  struct JointDefinition
+  {
+    enum class Type
+    {
+      hinge,
+      rotational_spring
+    };
+    std::string name;
+    std::string joints;        ///< joint set
+    std::string struts;        ///< strut set whose ends are released there
+    Type        type      = Type::hinge;
+    double      stiffness = 0; ///< K' (N m/rad) between a released strut and the first strut of the joint
+    std::string path;
+  };
+
+  /** `Connectors/NAME`: equal connectors between pairs of joints. */
+  struct ConnectorDefinition
+  {
+    enum class Geometry
+    {
+      line,     ///< along the current line between the two ends
+      direction ///< along a direction fixed in space
+    };
+    std::string                         name;
+    std::shared_ptr<const ConnectorLaw> law;
+    /** Pair set of the cell (`in-cell`, `rod`), or `3 5; 7 9`, or `ground: SET`. */
+    std::string          between;
+    Geometry             geometry = Geometry::line;
+    dealii::Tensor<1, 3> direction; ///< unit vector for Geometry::direction
+    /** For `ground: SET`: the ground point is the joint's place at rest plus this (m). */
+    dealii::Tensor<1, 3> ground_offset;
+    std::string          path;
+  };
+
+  /** `Supports/NAME`: prescribed motion of a set of joints. */
+  struct SupportDefinition
+  {
+    std::string name;
+    std::string joints; ///< joint set
+    /** Which of u_x, u_y, rotation are prescribed, and their course (m, m, rad). */
+    std::array<bool, 3>         fixed = {{false, false, false}};
+    std::array<TimeFunction, 3> motion;
+    std::string                 path;
+  };
+
+  /** `Masses/NAME`: a point mass on every joint of a set. */
+  struct MassDefinition
+  {
+    std::string name;
+    std::string joints;
+    double      mass           = 0; ///< kg
+    double      rotary_inertia = 0; ///< kg m2
+    std::string path;
+  };
+
+  /** `Loads/NAME` of type `joint`: a dead force and moment on every joint of a set. */
+  struct JointLoadDefinition
+  {
+    std::string                 name;
+    std::string                 joints;
+    std::array<TimeFunction, 3> components; ///< F_x, F_y (N), M (N m)
+    std::string                 path;
+  };
+
+  /** `Loads/NAME` of type `line`: a dead force per undeformed length on a set of struts. */
+  struct LineLoadDefinition
+  {
+    std::string                 name;
+    std::string                 struts;
+    std::array<TimeFunction, 2> components; ///< q_x, q_y (N/m)
+    std::string                 path;
+  };
+
+  /** `Initial velocities/NAME`: velocity of a set of joints at t = 0. */
+  struct InitialVelocityDefinition
+  {
+    std::string           name;
+    std::string           joints;
+    std::array<double, 3> velocity = {{0, 0, 0}}; ///< m/s, m/s, rad/s
+    std::string           path;
+  };
+
+  /** On, off, or decided from the scene. */
+  enum class Switch
+  {
+    automatic,
+    on,
+    off
+  };
+
+  /** `Effects`: what is simulated. */
+  struct EffectSwitches
+  {
+    Switch large_rotation      = Switch::automatic;
+    Switch shear_flexibility   = Switch::automatic;
+    Switch inertia             = Switch::automatic;
+    Switch rotary_inertia      = Switch::automatic;
+    Switch connector_viscosity = Switch::automatic;
+    Switch strut_damping       = Switch::automatic;
+    Switch gravity             = Switch::automatic;
+    Switch hinges              = Switch::automatic;
+  };
+
+  /** `Time`: scheme and steps. */
+  struct TimeParameters
+  {
+    /** Name in the integrator table: `newmark`, `hht`, `generalized-alpha`, `static`. */
+    std::string scheme          = "newmark";
+    double      beta            = 0.25;
+    double      gamma           = 0.5;
+    double      hht_alpha       = -0.05; ///< in [-1/3, 0]
+    double      spectral_radius = 0.8;   ///< at infinity, in [0, 1]
+    double      end_time        = 1;     ///< s (pseudo time for statics)
+    double      step            = 0.01;  ///< s
+    double      smallest_step   = 0;     ///< s; 0: step / 1024
+    bool        static_start    = false; ///< start from the static equilibrium under the loads of t = 0
+  };
+
+  /** `Newton`: when a step counts as solved. */
+  struct NewtonParameters
+  {
+    double       tolerance          = 1e-8; ///< relative to the scene's own force and moment scale
+    unsigned int maximum_iterations = 30;
+    bool         keep_factorization = true; ///< false: full Newton
+    double       kept_reduction     = 5;    ///< a kept factorization must reduce the residual by this factor an iteration
+  };
+
+  /** `Solver`: linear solver. */
+  struct SolverParameters
+  {
+    std::string type = "auto"; ///< `auto`, `klu`, `mumps`
+  };
+
+  /** `Discretization`. */
+  struct DiscretizationParameters
+  {
+    unsigned int order       = 3; ///< polynomial order 1..6
+    unsigned int refinements = 0; ///< global refinements: 2^n elements a strut
+  };
+
+  /** `Probes/NAME`: a set of joints whose mean motion goes to history.csv. */
+  struct ProbeDefinition
+  {
+    std::string name;
+    /** Name of a joint set or a joint selection (see mesh/sets.h). */
+    std::string joints;
+    std::string path;
+  };
+
+  /** `Output`. */
+  struct OutputParameters
+  {
+    std::string                  directory        = "output";
+    double                       graphics_interval = 0; ///< s between .vtu files; 0: start and end only
+    bool                         graphics         = true;
+    unsigned int                 history_interval = 1;  ///< steps between rows of history.csv
+    unsigned int                 segments         = 8;  ///< straight pieces an element is drawn with
+    std::vector<ProbeDefinition> probes;
+  };
+
+  /** Everything the user asked for, checked value by value, SI throughout. */
+  struct Scene
+  {
+    std::string                            title;
+    SceneContext                           context; ///< directory of the file, constants
+    std::string                            file;
+    std::shared_ptr<const Cell>            cell;
+    std::array<unsigned int, 3>            n_cells = {{1, 1, 1}};
+    std::vector<SetDefinition>             sets;
+    std::vector<SectionDefinition>         sections;
+    std::vector<JointDefinition>           joints;
+    std::vector<ConnectorDefinition>       connectors;
+    std::vector<SupportDefinition>         supports;
+    std::vector<MassDefinition>            masses;
+    std::vector<JointLoadDefinition>       joint_loads;
+    std::vector<LineLoadDefinition>        line_loads;
+    std::vector<InitialVelocityDefinition> initial_velocities;
+    dealii::Tensor<1, 3>                   gravity; ///< m/s2
+    EffectSwitches                         effects;
+    DiscretizationParameters               discretization;
+    TimeParameters                         time;
+    NewtonParameters                       newton;
+    SolverParameters                       solver;
+    OutputParameters                       output;
+    /** All parameters with the values used, in .prm syntax, for parameters.prm. */
+    std::string all_parameters;
+  };
+
+  /**
+   * Reads @p file, applies @p overrides (`Subsection/Parameter=value`), and
+   * checks it. All mistakes found are reported in one InputError, each with
+   * file, line or parameter path, the value found, what is allowed and what to do.
+   */
+  Scene read_scene(const std::string              &file,
+                   const std::vector<std::string> &overrides = {});
+
+  /** As read_scene(), from text already in memory; @p name stands for the file in messages. */
+  Scene read_scene_from_text(const std::string              &text,
+                             const std::string              &name,
+                             const std::vector<std::string> &overrides = {});
+
+  /** Every parameter with default, unit, range and sentence, as shown by --print-parameters. */
+  std::string describe_all_parameters();
+
+  /** The same as the Markdown page doc/parameters.md. */
+  std::string describe_all_parameters_markdown();
+} // namespace auxfem
+
+#endif

@@ -1,0 +1,21 @@
+#ifndef auxfem_simulation_h
+#define auxfem_simulation_h
+
+#include <auxfem/parameters/scene.h>
+
+#include <mpi.h>
+
+namespace auxfem
+{
+  /**
+   * One run from a scene to a folder of results: builds the lattice and its
+   * system, steps through time, writes as it goes. Throws InputError or
+   * ComputationError; what was computed until then is on disk.
+   */
+  void run(const Scene &scene, MPI_Comm communicator);
+
+  /** The dry run of --check: builds everything, prints counts and effects, computes and writes nothing. */
+  void check(const Scene &scene, MPI_Comm communicator);
+} // namespace auxfem
+
+#endif

@@ -1,0 +1,47 @@
+#ifndef auxfem_system_effects_applied_loads_h
+#define auxfem_system_effects_applied_loads_h
+
+#include <auxfem/loads/time_function.h>
+#include <auxfem/system/effect.h>
+
+namespace auxfem
+{
+  /**
+   * Dead loads: a fixed distribution over the unknowns times a function of time.
+   * Joint forces, line loads and gravity all take this form.
+   */
+  class AppliedLoads : public Effect
+  {
+  public:
+    explicit AppliedLoads(const DofNumbering &numbering);
+
+    /** Starts a new load that follows @p course in time; returns its number. */
+    unsigned int add_load(const TimeFunction &course);
+
+    /** Lets load @p load act on a local unknown with @p weight. */
+    void add_weight(unsigned int load, int unknown, double weight);
+
+    bool is_linear() const override;
+    void begin_step(const Step &step) override;
+    void add_residual(const Step &step, double *residual) override;
+    void accept(const Step &step) override;
+
+  private:
+    struct Weight
+    {
+      int    unknown;
+      double weight;
+    };
+    struct Load
+    {
+      TimeFunction        course;
+      std::vector<Weight> weights;
+      double              before = 0; ///< value at the start of the step
+      double              now    = 0; ///< value at its end
+    };
+    const DofNumbering &numbering;
+    std::vector<Load>   loads;
+  };
+} // namespace auxfem
+
+#endif

@@ -1,0 +1,37 @@
+#ifndef auxfem_system_effects_point_masses_h
+#define auxfem_system_effects_point_masses_h
+
+#include <auxfem/system/effect.h>
+
+namespace auxfem
+{
+  /** Masses and rotary inertias on joints. */
+  class PointMasses : public Effect
+  {
+  public:
+    explicit PointMasses(const DofNumbering &numbering);
+
+    /** Adds @p mass (kg, or kg m2 on a rotation) to a local unknown. */
+    void add(unsigned int unknown, double mass);
+
+    bool is_linear() const override;
+    void register_blocks(TangentMatrix &matrix) override;
+    void add_residual(const Step &step, double *residual) override;
+    void add_tangent(const Step           &step,
+                     const TangentFactors &factors,
+                     TangentMatrix        &matrix) const override;
+    void add_energies(const State &state, Energies &energies) const override;
+
+  private:
+    struct Mass
+    {
+      int    unknown;
+      double mass;
+    };
+    const DofNumbering &numbering;
+    std::vector<Mass>   masses;
+    std::size_t         first_block = 0;
+  };
+} // namespace auxfem
+
+#endif

@@ -1,0 +1,39 @@
+#ifndef auxfem_system_effects_rotational_springs_h
+#define auxfem_system_effects_rotational_springs_h
+
+#include <auxfem/system/effect.h>
+
+namespace auxfem
+{
+  /** Linear springs between two rotations of one joint: M = K' (phi_2 - phi_1). */
+  class RotationalSprings : public Effect
+  {
+  public:
+    explicit RotationalSprings(const DofNumbering &numbering);
+
+    /** Adds a spring of @p stiffness (N m/rad) between two local rotations. */
+    void add(int first, int second, double stiffness);
+
+    bool   is_linear() const override;
+    void   register_blocks(TangentMatrix &matrix) override;
+    void   add_residual(const Step &step, double *residual) override;
+    void   add_tangent(const Step           &step,
+                       const TangentFactors &factors,
+                       TangentMatrix        &matrix) const override;
+    void   add_energies(const State &state, Energies &energies) const override;
+    double round_off_scale(double largest_displacement,
+                           double largest_rotation) const override;
+
+  private:
+    struct Spring
+    {
+      int    unknowns[2];
+      double stiffness;
+    };
+    const DofNumbering &numbering;
+    std::vector<Spring> springs;
+    std::size_t         first_block = 0;
+  };
+} // namespace auxfem
+
+#endif

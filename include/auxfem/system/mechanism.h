@@ -1,0 +1,24 @@
+#ifndef auxfem_system_mechanism_h
+#define auxfem_system_mechanism_h
+
+#include <auxfem/parameters/scene.h>
+#include <auxfem/system/linear_solver.h>
+#include <auxfem/system/system.h>
+
+namespace auxfem
+{
+  /**
+   * Refuses a structure that can move without resistance, where equilibrium
+   * without inertia is asked for. The softest mode of the stiffness at
+   * @p state is found by inverse iteration; if its energy is round-off, an InputError
+   * names the joint that moves most in it.
+   *
+   * Uses and overwrites @p matrix and the factorization of @p solver.
+   */
+  void refuse_mechanism(const System  &system,
+                        State          state,
+                        TangentMatrix &matrix,
+                        LinearSolver  &solver);
+} // namespace auxfem
+
+#endif

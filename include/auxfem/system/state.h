@@ -1,0 +1,85 @@
+#ifndef auxfem_system_state_h
+#define auxfem_system_state_h
+
+#include <auxfem/dofs/numbering.h>
+
+#include <Epetra_Vector.h>
+
+#include <optional>
+
+namespace auxfem
+{
+  /** Values at all local unknowns (owned, then ghosts); ghosts are always up to date. */
+  using Vector = Epetra_Vector;
+
+  /** Which parts of the state a scene needs. */
+  struct StateLayout
+  {
+    bool         velocity               = false; ///< dynamics, or viscosity in statics
+    bool         acceleration           = false; ///< dynamics
+    bool         algorithmic_acceleration = false; ///< alpha methods other than Newmark
+    unsigned int n_history              = 0;     ///< internal variables of connectors
+    unsigned int n_dissipated           = 0;     ///< viscous connectors
+  };
+
+  /**
+   * Everything that describes the lattice at one time. There is one accepted
+   * state, owned by run(), and one trial state, owned by the time stepper.
+   */
+  struct State
+  {
+    State(const DofNumbering &numbering, const StateLayout &layout);
+
+    double        time = 0; ///< s
+    unsigned long step = 0;
+
+    Vector displacement; ///< m, m, rad
+
+    std::optional<Vector> velocity;     ///< m/s, m/s, rad/s
+    std::optional<Vector> acceleration; ///< satisfies equilibrium at `time`
+
+    /** The auxiliary acceleration of Arnold & Bruels 2007; only in alpha methods with a shift. */
+    std::optional<Vector> algorithmic_acceleration;
+
+    /**
+     * Internal + inertia - applied force. Zero to the Newton tolerance in free
+     * rows; in prescribed rows the force of the support on the lattice (N, N m).
+     */
+    Vector residual;
+
+    /** Internal variables of connectors, group after group (see ConnectorForces). */
+    std::vector<double> history;
+
+    /** Energy lost so far in each viscous connector (J). */
+    std::vector<double> dissipated;
+
+    double external_work     = 0; ///< by loads and prescribed motion so far, this rank's share (J)
+    double strut_dissipation = 0; ///< lost in the struts' own damping so far, this rank's share (J)
+  };
+
+  /** Energies at one time (J). */
+  struct Energies
+  {
+    double kinetic    = 0;
+    double strain     = 0; ///< in the struts (and rotational springs)
+    double stored     = 0; ///< in the springs of connectors
+    double dissipated = 0; ///< in connectors and struts, since the start
+    double external   = 0; ///< work of loads and prescribed motion since the start
+
+    double total() const
+    {
+      return kinetic + strain + stored;
+    }
+
+    /**
+     * total + dissipated - external - @p initial_total: zero but for the error of the
+     * time integration (and its numerical damping, if it has any).
+     */
+    double balance(double initial_total) const
+    {
+      return total() + dissipated - external - initial_total;
+    }
+  };
+} // namespace auxfem
+
+#endif

@@ -1,0 +1,138 @@
+#ifndef auxfem_system_system_h
+#define auxfem_system_system_h
+
+#include <auxfem/parameters/scene.h>
+#include <auxfem/system/effect.h>
+#include <auxfem/system/effect_decisions.h>
+#include <auxfem/system/effects/connector_forces.h>
+#include <auxfem/system/effects/struts.h>
+
+#include <memory>
+#include <vector>
+
+namespace auxfem
+{
+  /** A support of the scene with the unknowns it prescribes on this rank. */
+  struct Support
+  {
+    struct PrescribedUnknown
+    {
+      int          unknown; ///< local number
+      unsigned int component;
+      TimeFunction motion;
+    };
+    std::string                    name;
+    std::vector<PrescribedUnknown> unknowns;
+  };
+
+  /** Norms of force rows (N) and moment rows (N m) of a residual. */
+  struct ResidualNorm
+  {
+    double force  = 0;
+    double moment = 0;
+  };
+
+  /**
+   * The lattice as a system of equations: the list of effects the scene calls
+   * for, the supports, and the two questions an integrator may ask: the residual
+   * and the tangent at a trial state.
+   */
+  class System
+  {
+  public:
+    /**
+     * Builds mesh, numbering, supports and effects of @p scene. Throws
+     * InputError for contradictions only the lattice can show (a moment on a
+     * joint without rotation, a component prescribed twice).
+     */
+    System(const Scene &scene, const Lattice &lattice, MPI_Comm communicator);
+
+    const Lattice      &lattice() const;
+    const DofNumbering &numbering() const;
+    const StateLayout  &layout() const;
+    /** nullptr if the scene has no struts. */
+    const StrutForces  *struts() const;
+
+    const std::vector<const ConnectorForces *> &connectors() const;
+    const std::vector<Support>                 &supports() const;
+    const std::vector<EffectDecision>          &decisions() const;
+    const std::vector<Section>                 &sections() const;
+
+    /** Whether inertia is simulated. */
+    bool is_dynamic() const;
+
+    /** Whether one tangent serves all states (for a constant step). */
+    bool is_linear() const;
+
+    /** Lets states carry the second acceleration of alpha methods other than Newmark. */
+    void use_algorithmic_acceleration();
+
+    /** The state at t = 0: at rest or with the scene's initial velocities. */
+    State initial_state() const;
+
+    /** An empty tangent with the pattern of this system. */
+    std::unique_ptr<TangentMatrix> make_tangent();
+
+    /** Sets the loads' and connectors' data for a step. */
+    void begin_step(const Step &step);
+
+    /** Displacement, and in dynamics velocity and acceleration, of prescribed unknowns at state.time. */
+    void prescribe_motion(State &state, double dt) const;
+
+    /** Prescribed displacement minus the trial's, for all prescribed unknowns of this rank, into @p gap (n_owned entries). */
+    void prescribed_gap(const State &state, double *gap) const;
+
+    /** Fills step.to.residual. Returns the norm of free rows over all ranks. */
+    ResidualNorm residual(const Step &step);
+
+    /**
+     * Force size against which the last residual is judged (N): norm of internal
+     * forces (prescribed rows included), moments divided by length_scale().
+     */
+    double force_scale() const;
+
+    /** Mean strut length (m), ties moments to forces in tests. */
+    double length_scale() const;
+
+    /** Norm (N) below which the residual at @p state is round-off. */
+    double round_off_floor(const State &state) const;
+
+    /** Fills @p matrix with the tangent at step.to. */
+    void tangent(const Step &step, const TangentFactors &factors, TangentMatrix &matrix) const;
+
+    /** Lets all effects keep their history; adds work of prescribed motion. */
+    void accept(const Step &step);
+
+    /** Energies at @p state (summed over all ranks), which was the last given to residual(). */
+    Energies energies(const State &state) const;
+
+    /** Largest |displacement| (m) and |rotation| (rad) in @p state over all ranks. */
+    std::pair<double, double> largest_motion(const State &state) const;
+
+    /** Unknown with the largest free residual, in words, over all ranks. */
+    std::string worst_unknown(const State &state) const;
+
+  private:
+    void make_numbering(const Scene &scene, MPI_Comm communicator);
+    void make_supports(const Scene &scene);
+    void make_effects(const Scene &scene);
+
+    const Lattice                         &graph;
+    SimulatedEffects                       simulated;
+    std::unique_ptr<StrutMesh>             mesh;
+    std::unique_ptr<DofNumbering>          dofs;
+    std::vector<std::unique_ptr<Effect>>   effects;
+    /** The first n_internal effects are internal forces: their sum is the force scale. */
+    unsigned int                           n_internal = 0;
+    std::vector<const ConnectorForces *>   connector_groups;
+    const StrutForces                     *strut_forces = nullptr;
+    std::vector<Support>                   support_list;
+    std::vector<Section>                   section_list;
+    StateLayout                            state_layout;
+    std::vector<std::pair<int, double>>    initial_velocities; ///< local unknown, value
+    double                                 mean_length = 1;
+    double                                 scale       = 0;
+  };
+} // namespace auxfem
+
+#endif

@@ -1,0 +1,51 @@
+#ifndef auxfem_time_alpha_family_h
+#define auxfem_time_alpha_family_h
+
+#include <auxfem/time/time_integrator.h>
+
+namespace auxfem
+{
+  /**
+   * Newmark, Hilber-Hughes-Taylor and generalized-alpha as one scheme, in the form
+   * of Arnold & Bruels (2007): equilibrium holds at the end of the step with the true
+   * acceleration v', while displacement and velocity follow Newmark's formulas
+   * with an auxiliary acceleration a,
+   *
+   *     (1 - alpha_m) a_{n+1} + alpha_m a_n = (1 - alpha_f) v'_{n+1} + alpha_f v'_n
+   *     u_{n+1} = u_n + dt v_n + dt^2 [(1/2 - beta) a_n + beta a_{n+1}]
+   *     v_{n+1} = v_n + dt [(1 - gamma) a_n + gamma a_{n+1}]
+   *
+   * For linear systems this is the method of Chung & Hulbert (1993). With
+   * alpha_m = alpha_f = 0 it is Newmark's method and a = v'.
+   */
+  class AlphaFamily : public TimeIntegrator
+  {
+  public:
+    /** The four numbers of a member of the family. */
+    struct Coefficients
+    {
+      double alpha_m, alpha_f, beta, gamma;
+    };
+
+    explicit AlphaFamily(const Coefficients &coefficients);
+
+    /** Newmark (1959); second order for gamma = 1/2 only. */
+    static Coefficients newmark(double beta, double gamma);
+
+    /** Hilber, Hughes & Taylor (1977), @p alpha in [-1/3, 0]. */
+    static Coefficients hht(double alpha);
+
+    /** Chung & Hulbert (1993) from the spectral radius at infinity, in [0, 1]. */
+    static Coefficients generalized_alpha(double spectral_radius);
+
+    void           predict(const Step &step) const override;
+    TangentFactors factors(double dt) const override;
+    void correct(const Vector &increment, double dt, State &trial) const override;
+    bool uses_algorithmic_acceleration() const override;
+
+  private:
+    Coefficients c;
+  };
+} // namespace auxfem
+
+#endif

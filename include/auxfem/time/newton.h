@@ -1,0 +1,72 @@
+#ifndef auxfem_time_newton_h
+#define auxfem_time_newton_h
+
+#include <auxfem/system/linear_solver.h>
+#include <auxfem/system/system.h>
+#include <auxfem/time/step_report.h>
+#include <auxfem/time/time_integrator.h>
+
+namespace auxfem
+{
+  /**
+   * Newton's method for one step, with the factorization kept as long as it serves.
+   *
+   * A step is solved when the free force rows are below tolerance * F + floor and
+   * the moment rows below (tolerance * F + floor) * l: F the largest internal
+   * force the scene has shown so far, l the mean strut length, floor the round-off
+   * of the residual itself, below which no iteration can go.
+   */
+  class Newton
+  {
+  public:
+    Newton(System                 &system,
+           const NewtonParameters &parameters,
+           const SolverParameters &solver);
+
+    /** What came of an attempt. */
+    struct Result
+    {
+      bool         converged      = false;
+      unsigned int iterations     = 0;
+      unsigned int factorizations = 0;
+      /** In units of the force scale. */
+      double relative_residual = 0;
+      /** Why it did not converge. */
+      std::string reason;
+    };
+
+    /** Solves step.to, which the integrator has predicted. */
+    Result solve(const TimeIntegrator &integrator, const Step &step);
+
+    /**
+     * Accelerations of @p state from M a = f - f_int: exact, or if a free
+     * unknown has no mass, with M + @p dt^2 / 4 K in place of M.
+     */
+    void find_initial_acceleration(State &state, double dt);
+
+    /** Forgets the factorization (the state jumped). */
+    void drop_factorization();
+
+    const PhaseTimes   &times() const;
+    const LinearSolver &solver() const;
+    TangentMatrix      &tangent();
+
+  private:
+    ResidualNorm timed_residual(const Step &step);
+    bool         factorize(const TimeIntegrator &integrator, const Step &step);
+    void         solve_increment(const State &trial);
+    double       in_force_units(const ResidualNorm &norm) const;
+
+    System                        &system;
+    NewtonParameters               parameters;
+    std::unique_ptr<TangentMatrix> matrix;
+    LinearSolver                   linear_solver;
+    Vector                         increment;
+    PhaseTimes                     phase_times;
+    double                         largest_force = 0;
+    /** Step length the kept factorization belongs to; negative: none is kept. */
+    double factorized_dt = -1;
+  };
+} // namespace auxfem
+
+#endif

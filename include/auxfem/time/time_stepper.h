@@ -1,0 +1,52 @@
+#ifndef auxfem_time_time_stepper_h
+#define auxfem_time_time_stepper_h
+
+#include <auxfem/time/newton.h>
+
+namespace auxfem
+{
+  /**
+   * Takes the lattice through time. A step that does not converge is undone and
+   * done in halves, these in halves again, down to the smallest step; an
+   * unconverged trial never becomes the state.
+   */
+  class TimeStepper
+  {
+  public:
+    /** Lets @p system carry what the integrator needs. */
+    TimeStepper(System &system, const Scene &scene);
+
+    /** Number of steps from 0 to the end time. */
+    unsigned long n_steps() const;
+
+    /**
+     * Brings the initial state into order: prescribed motion, static
+     * equilibrium if the scene starts from it, accelerations in equilibrium.
+     * Throws ComputationError if there is no equilibrium to be found.
+     */
+    void start(State &state);
+
+    /**
+     * Advances @p state by one step of the scene. Throws ComputationError if
+     * even the smallest step does not converge; @p state is then the last
+     * accepted one.
+     */
+    StepReport advance(State &state);
+
+    Newton &newton();
+
+  private:
+    bool   try_step(State &state, double time, double dt, StepReport &report);
+    double time_at(unsigned long step, double fraction) const;
+    double length_of_step(double from, double to, double piece) const;
+
+    System                         &system;
+    TimeParameters                  parameters;
+    std::unique_ptr<TimeIntegrator> integrator;
+    Newton                          solver;
+    State                           trial;
+    std::string                     last_failure;
+  };
+} // namespace auxfem
+
+#endif

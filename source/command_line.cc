@@ -1,0 +1,81 @@
+#include <auxfem/command_line.h>
+#include <auxfem/parameters/errors.h>
+
+namespace auxfem
+{
+  CommandLine read_command_line(const std::vector<std::string> &arguments)
+  {
+    CommandLine line;
+    if (arguments.empty())
+      throw InputError("No parameter file given.\n\n" + usage());
+    bool has_action = false;
+    const auto choose = [&](const CommandLine::Action action) {
+      line.action = action;
+      has_action  = true;
+    };
+    for (std::size_t i = 0; i < arguments.size(); ++i)
+      {
+        const std::string &argument = arguments[i];
+        // Accepts `--option value` and `--option=value`.
+        const std::size_t equals = argument.find('=');
+        const std::string name =
+          argument.rfind("--", 0) == 0 ? argument.substr(0, equals) : argument;
+        const auto value = [&]() -> std::string {
+          if (name.size() < argument.size())
+            return argument.substr(name.size() + 1);
+          if (i + 1 == arguments.size())
+            throw InputError(name + " needs a value.\n\n" + usage());
+          return arguments[++i];
+        };
+        if (name == "--help" || name == "-h")
+          choose(CommandLine::Action::help);
+        else if (name == "--version")
+          choose(CommandLine::Action::version);
+        else if (name == "--print-parameters")
+          choose(name.size() < argument.size() && value() == "markdown" ?
+                   CommandLine::Action::print_parameters_markdown :
+                   CommandLine::Action::print_parameters);
+        else if (name == "--check")
+          choose(CommandLine::Action::check);
+        else if (name == "--set")
+          line.overrides.push_back(value());
+        else if (name == "--output")
+          line.overrides.push_back("Output/Directory=" + value());
+        else if (argument.rfind("-", 0) == 0)
+          throw InputError("Unknown option '" + argument + "'.\n\n" + usage());
+        else if (!line.file.empty())
+          throw InputError("Two parameter files given, '" + line.file + "' and '" +
+                           argument + "'; auxfem runs one at a time.");
+        else
+          line.file = argument;
+      }
+    if (!has_action)
+      line.action = CommandLine::Action::run;
+    const bool needs_file = line.action == CommandLine::Action::run ||
+                            line.action == CommandLine::Action::check;
+    if (needs_file && line.file.empty())
+      throw InputError("No parameter file given.\n\n" + usage());
+    return line;
+  }
+
+  std::string usage()
+  {
+    return R"(Usage: auxfem [OPTIONS] FILE.prm
+       mpirun -n N auxfem [OPTIONS] FILE.prm
+
+Simulates a lattice of beams with viscoelastic connectors as described in FILE.prm
+and leaves the results in a folder: history.csv, solution.pvd, log.txt, summary.json.
+
+  --check                  read and check FILE.prm, build the mesh, print counts; no run
+  --set "SUB/PARAM=VALUE"  use VALUE instead of the one in FILE.prm (repeatable)
+  --output DIR             folder for the results, short for --set "Output/Directory=DIR"
+  --print-parameters       print all parameters with defaults, units and ranges
+  --print-parameters=markdown
+                           the same as the page doc/parameters.md
+  --help                   print this
+  --version                print the version
+
+Exit code: 0 success, 1 wrong input, 2 failed computation (results until then are kept).
+)";
+  }
+} // namespace auxfem

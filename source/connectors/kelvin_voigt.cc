@@ -1,0 +1,109 @@
+#include <auxfem/connectors/laws.h>
+#include <auxfem/parameters/declare.h>
+
+#include <cmath>
+
+namespace auxfem
+{
+  namespace
+  {
+    /** Spring and dashpot side by side: F = K u + C du/dt. */
+    class KelvinVoigt : public ConnectorLaw
+    {
+    public:
+      KelvinVoigt(const double stiffness, const double damping)
+        : stiffness(stiffness)
+        , damping(damping)
+      {}
+
+      bool is_viscous() const override
+      {
+        return damping > 0;
+      }
+
+      void evaluate(const unsigned int     n,
+                    const ConnectorMotion *motion,
+                    const double * /*committed*/,
+                    double * /*trial*/,
+                    ConnectorResponse *response) const override
+      {
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            // Whatever the rate says, after infinite time nothing moves.
+            const double c = std::isinf(motion[i].dt) ? 0 : damping;
+            response[i] = {stiffness * motion[i].extension + c * motion[i].rate,
+                           stiffness,
+                           c};
+          }
+      }
+
+      /**
+       * The loss is that at the mean rate of the step. Where the mean of the
+       * rates at both ends is that too (average-acceleration Newmark), stored
+       * and lost energy add up exactly to the trapezoidal work of the force.
+       */
+      ConnectorEnergy energy(const ConnectorMotion &motion,
+                             const double * /*committed*/,
+                             const double * /*trial*/) const override
+      {
+        const double stored =
+          0.5 * stiffness * motion.extension * motion.extension;
+        const double increment = motion.extension - motion.previous_extension;
+        // A step of length zero in which nothing happens loses nothing.
+        if (increment == 0)
+          return {stored, 0};
+        return {stored, damping * increment * (increment / motion.dt)};
+      }
+
+      double long_time_stiffness() const override
+      {
+        return stiffness;
+      }
+
+    private:
+      const double stiffness; ///< K (N/m)
+      const double damping;   ///< C (N s/m)
+    };
+
+    const Quantity spring_stiffness{"Spring stiffness",
+                                    "",
+                                    "N/m",
+                                    Range::non_negative(),
+                                    "Stiffness of the spring."};
+
+    const Quantity damping_coefficient{"Damping coefficient",
+                                       "",
+                                       "N s/m",
+                                       Range::non_negative(),
+                                       "Force of the dashpot per rate of "
+                                       "extension."};
+
+    void declare_kelvin_voigt(dealii::ParameterHandler &prm)
+    {
+      declare(prm, spring_stiffness);
+      declare(prm, damping_coefficient);
+    }
+
+    std::unique_ptr<ConnectorLaw>
+    make_kelvin_voigt(dealii::ParameterHandler &prm,
+                      const SceneContext & /*context*/)
+    {
+      return make_kelvin_voigt_law(get(prm, spring_stiffness),
+                                   get(prm, damping_coefficient));
+    }
+  } // namespace
+
+  std::unique_ptr<ConnectorLaw> make_kelvin_voigt_law(const double stiffness,
+                                                      const double damping)
+  {
+    return std::make_unique<KelvinVoigt>(stiffness, damping);
+  }
+
+  RegistryEntry<ConnectorLaw> kelvin_voigt_entry()
+  {
+    return {"kelvin-voigt",
+            "Spring and dashpot side by side.",
+            &declare_kelvin_voigt,
+            &make_kelvin_voigt};
+  }
+} // namespace auxfem

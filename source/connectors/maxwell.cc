@@ -1,0 +1,47 @@
+#include <auxfem/connectors/laws.h>
+#include <auxfem/connectors/maxwell_element.h>
+#include <auxfem/parameters/declare.h>
+
+namespace auxfem
+{
+  namespace
+  {
+    const Quantity spring_stiffness{"Spring stiffness",
+                                    "",
+                                    "N/m",
+                                    Range::positive(),
+                                    "Stiffness of the spring in series with "
+                                    "the dashpot."};
+
+    const Quantity damping_coefficient{"Damping coefficient",
+                                       "",
+                                       "N s/m",
+                                       Range::non_negative(),
+                                       "Force of the dashpot per rate of its "
+                                       "own extension."};
+
+    void declare_maxwell(dealii::ParameterHandler &prm)
+    {
+      declare(prm, spring_stiffness);
+      declare(prm, damping_coefficient);
+    }
+
+    /** Spring and dashpot in series: dF/dt + (K/C) F = K du/dt. */
+    std::unique_ptr<ConnectorLaw> make_maxwell(dealii::ParameterHandler &prm,
+                                               const SceneContext & /*context*/)
+    {
+      const double stiffness = get(prm, spring_stiffness);
+      const double damping   = get(prm, damping_coefficient);
+      return make_generalized_maxwell_law(0,
+                                          {{stiffness, damping / stiffness}});
+    }
+  } // namespace
+
+  RegistryEntry<ConnectorLaw> maxwell_entry()
+  {
+    return {"maxwell",
+            "Spring and dashpot in series.",
+            &declare_maxwell,
+            &make_maxwell};
+  }
+} // namespace auxfem

@@ -1,0 +1,76 @@
+#include <auxfem/connectors/laws.h>
+#include <auxfem/parameters/declare.h>
+
+namespace auxfem
+{
+  namespace
+  {
+    /** Linear spring: F = K u. */
+    class Spring : public ConnectorLaw
+    {
+    public:
+      explicit Spring(const double stiffness) : stiffness(stiffness)
+      {}
+
+      bool is_viscous() const override
+      {
+        return false;
+      }
+
+      void evaluate(const unsigned int     n,
+                    const ConnectorMotion *motion,
+                    const double * /*committed*/,
+                    double * /*trial*/,
+                    ConnectorResponse *response) const override
+      {
+        for (unsigned int i = 0; i < n; ++i)
+          response[i] = {stiffness * motion[i].extension, stiffness, 0};
+      }
+
+      ConnectorEnergy energy(const ConnectorMotion &motion,
+                             const double * /*committed*/,
+                             const double * /*trial*/) const override
+      {
+        return {0.5 * stiffness * motion.extension * motion.extension, 0};
+      }
+
+      double long_time_stiffness() const override
+      {
+        return stiffness;
+      }
+
+    private:
+      const double stiffness; ///< K (N/m)
+    };
+
+    const Quantity spring_stiffness{"Spring stiffness",
+                                    "",
+                                    "N/m",
+                                    Range::non_negative(),
+                                    "Stiffness of the spring."};
+
+    void declare_spring(dealii::ParameterHandler &prm)
+    {
+      declare(prm, spring_stiffness);
+    }
+
+    std::unique_ptr<ConnectorLaw> make_spring(dealii::ParameterHandler &prm,
+                                              const SceneContext & /*context*/)
+    {
+      return make_spring_law(get(prm, spring_stiffness));
+    }
+  } // namespace
+
+  std::unique_ptr<ConnectorLaw> make_spring_law(const double stiffness)
+  {
+    return std::make_unique<Spring>(stiffness);
+  }
+
+  RegistryEntry<ConnectorLaw> spring_entry()
+  {
+    return {"spring",
+            "Linear spring: force = stiffness times extension.",
+            &declare_spring,
+            &make_spring};
+  }
+} // namespace auxfem

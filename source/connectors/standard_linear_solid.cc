@@ -1,0 +1,59 @@
+#include <auxfem/connectors/laws.h>
+#include <auxfem/connectors/maxwell_element.h>
+#include <auxfem/parameters/declare.h>
+
+namespace auxfem
+{
+  namespace
+  {
+    const Quantity long_time_stiffness{"Long-time stiffness",
+                                       "",
+                                       "N/m",
+                                       Range::non_negative(),
+                                       "Stiffness of the spring beside the "
+                                       "Maxwell element."};
+
+    const Quantity spring_stiffness{"Spring stiffness",
+                                    "",
+                                    "N/m",
+                                    Range::positive(),
+                                    "Stiffness of the spring in series with "
+                                    "the dashpot."};
+
+    const Quantity damping_coefficient{"Damping coefficient",
+                                       "",
+                                       "N s/m",
+                                       Range::non_negative(),
+                                       "Force of the dashpot per rate of its "
+                                       "own extension."};
+
+    void declare_standard_linear_solid(dealii::ParameterHandler &prm)
+    {
+      declare(prm, long_time_stiffness);
+      declare(prm, spring_stiffness);
+      declare(prm, damping_coefficient);
+    }
+
+    /**
+     * A spring side by side with a Maxwell element:
+     * F = Kinf u + F1, dF1/dt + (K/C) F1 = K du/dt.
+     */
+    std::unique_ptr<ConnectorLaw>
+    make_standard_linear_solid(dealii::ParameterHandler &prm,
+                               const SceneContext & /*context*/)
+    {
+      const double stiffness = get(prm, spring_stiffness);
+      const double damping   = get(prm, damping_coefficient);
+      return make_generalized_maxwell_law(get(prm, long_time_stiffness),
+                                          {{stiffness, damping / stiffness}});
+    }
+  } // namespace
+
+  RegistryEntry<ConnectorLaw> standard_linear_solid_entry()
+  {
+    return {"standard-linear-solid",
+            "Spring side by side with a Maxwell element.",
+            &declare_standard_linear_solid,
+            &make_standard_linear_solid};
+  }
+} // namespace auxfem

@@ -1,0 +1,329 @@
+#include <auxfem/dofs/numbering.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_system.h>
+
+#include <algorithm>
+#include <sstream>
+
+namespace auxfem
+{
+  namespace
+  {
+    /** For local DoF i of @p fe: its place node * n_components + component in our order. */
+    std::vector<unsigned int>
+    node_major_order(const dealii::FiniteElement<1, 3> &fe)
+    {
+      std::vector<unsigned int> order(fe.n_dofs_per_cell());
+      for (unsigned int i = 0; i < order.size(); ++i)
+        {
+          const auto [component, node] = fe.system_to_component_index(i);
+          order[i] = node * DofNumbering::n_components + component;
+        }
+      return order;
+    }
+  } // namespace
+
+  DofNumbering::DofNumbering(const Lattice     &lattice,
+                             const StrutMesh   &mesh,
+                             const unsigned int order,
+                             const Ties        &ties,
+                             const MPI_Comm     communicator)
+    : lattice(lattice)
+    , polynomial_order(order)
+    , comm(communicator)
+  {
+    number_unknowns(mesh, ties);
+    collect_local(mesh, ties);
+  }
+
+  void DofNumbering::number_unknowns(const StrutMesh &mesh, const Ties &ties)
+  {
+    const dealii::FESystem<1, 3> fe(dealii::FE_Q<1, 3>(polynomial_order),
+                                    n_components);
+    dealii::DoFHandler<1, 3>     dof_handler(mesh.triangulation());
+    dof_handler.distribute_dofs(fe);
+
+    const std::vector<unsigned int> our_place = node_major_order(fe);
+    const unsigned int              n         = our_place.size();
+    const unsigned int n_cells = mesh.triangulation().n_active_cells();
+
+    // Every node gets the number its joint has, if it lies at one, else one of
+    // its own. Numbers are first counted apart for each rank (the rank whose
+    // cell touches the unknown first owns it), then shifted to rank ranges.
+    struct Unknown
+    {
+      int owner = -1, number = -1;
+    };
+    std::vector<Unknown> of_dof(dof_handler.n_dofs());
+    std::vector<std::array<Unknown, 3>> of_joint(lattice.joints.size());
+    std::vector<std::array<Unknown, 2>> of_end(lattice.struts.size());
+    std::vector<const Unknown *>        of_cell(std::size_t(n_cells) * n);
+    std::vector<int>                    count(comm.NumProc(), 0);
+    const auto claim = [&count](Unknown &unknown, const int rank) {
+      if (unknown.owner < 0)
+        unknown = {rank, count[rank]++};
+      return &unknown;
+    };
+
+    std::vector<dealii::types::global_dof_index> dofs(n);
+    for (const auto &cell : dof_handler.active_cell_iterators())
+      {
+        const unsigned int      c     = cell->active_cell_index();
+        const StrutMesh::Place &place = mesh.place(c);
+        const Strut            &strut = lattice.struts[place.strut];
+        const int               rank  = cell->subdomain_id();
+        cell->get_dof_indices(dofs);
+        std::vector<dealii::types::global_dof_index> ordered(n);
+        for (unsigned int i = 0; i < n; ++i)
+          ordered[our_place[i]] = dofs[i];
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            const unsigned int node = i / n_components,
+                               component = i % n_components;
+            const bool at_joint = (node == 0 && place.begin == 0.) ||
+                                  (node == 1 && place.end == 1.);
+            Unknown *unknown = &of_dof[ordered[i]];
+            if (at_joint && component == 2 &&
+                ties.released[place.strut][node])
+              unknown = &of_end[place.strut][node];
+            else if (at_joint)
+              unknown = &of_joint[strut.joints[node]][component];
+            of_cell[std::size_t(c) * n + i] = claim(*unknown, rank);
+          }
+      }
+    // A joint without struts (a mass on connectors) has displacements only.
+    for (auto &joint : of_joint)
+      for (unsigned int component = 0; component < 2; ++component)
+        claim(joint[component], 0);
+
+    first_owned.assign(1, 0);
+    for (const int n_owned_by_rank : count)
+      first_owned.push_back(first_owned.back() + n_owned_by_rank);
+    const auto global = [this](const Unknown &unknown) {
+      return unknown.owner < 0 ? -1 : first_owned[unknown.owner] + unknown.number;
+    };
+
+    cell_numbers.resize(of_cell.size());
+    std::transform(of_cell.begin(), of_cell.end(), cell_numbers.begin(),
+                   [&](const Unknown *unknown) { return global(*unknown); });
+    for (const auto &joint : of_joint)
+      joint_numbers.push_back(
+        {{global(joint[0]), global(joint[1]), global(joint[2])}});
+    for (unsigned int s = 0; s < lattice.struts.size(); ++s)
+      {
+        std::array<int, 2> numbers;
+        for (unsigned int end = 0; end < 2; ++end)
+          numbers[end] = ties.released[s][end] ?
+                           global(of_end[s][end]) :
+                           joint_numbers[lattice.struts[s].joints[end]][2];
+        end_rotation_numbers.push_back(numbers);
+      }
+  }
+
+  void DofNumbering::collect_local(const StrutMesh &mesh, const Ties &ties)
+  {
+    const int          my_rank = comm.MyPID();
+    const int          begin = first_owned[my_rank], end = first_owned[my_rank + 1];
+    const unsigned int n     = (polynomial_order + 1) * n_components;
+    const auto is_mine = [=](const int g) { return g >= begin && g < end; };
+
+    std::vector<int> rows(end - begin);
+    for (int i = 0; i < end - begin; ++i)
+      rows[i] = begin + i;
+    owned = std::make_unique<Epetra_Map>(-1, rows.size(), rows.data(), 0, comm);
+
+    std::vector<bool> is_known(n_unknowns(), false);
+    const auto        keep = [&](const int g) {
+      if (g >= 0 && !is_mine(g) && !is_known[g])
+        {
+          is_known[g] = true;
+          rows.push_back(g);
+        }
+    };
+    std::vector<std::size_t> kept_cells;
+    for (const auto &cell : mesh.triangulation().active_cell_iterators())
+      {
+        const std::size_t c       = cell->active_cell_index();
+        const int        *numbers = &cell_numbers[c * n];
+        if (std::none_of(numbers, numbers + n, is_mine))
+          continue;
+        std::for_each(numbers, numbers + n, keep);
+        kept_cells.push_back(c);
+        element_list.push_back({mesh.place(c), cell->subdomain_id()});
+      }
+    for (const JointPair &pair : ties.connected)
+      for (const unsigned int mine : {pair.first, pair.second})
+        if (mine != invalid_index && is_mine(joint_numbers[mine][0]))
+          for (const unsigned int other : {pair.first, pair.second})
+            if (other != invalid_index)
+              for (unsigned int component = 0; component < 2; ++component)
+                keep(joint_numbers[other][component]);
+
+    local = std::make_unique<Epetra_Map>(-1, rows.size(), rows.data(), 0, comm);
+    import = std::make_unique<Epetra_Import>(*local, *owned);
+    kinds.assign(rows.size(), UnknownKind::translation);
+    rotations.assign(rows.size(), false);
+
+    element_numbers.reserve(kept_cells.size() * n);
+    for (const std::size_t c : kept_cells)
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          const int l = local->LID(cell_numbers[c * n + i]);
+          element_numbers.push_back(l);
+          if (i % n_components == 2)
+            {
+              kinds[l]     = UnknownKind::rotation;
+              rotations[l] = true;
+            }
+        }
+    cell_numbers.clear();
+    cell_numbers.shrink_to_fit();
+  }
+
+  unsigned int DofNumbering::order() const
+  {
+    return polynomial_order;
+  }
+
+  unsigned int DofNumbering::n_unknowns() const
+  {
+    return first_owned.back();
+  }
+
+  unsigned int DofNumbering::n_owned() const
+  {
+    return owned->NumMyElements();
+  }
+
+  unsigned int DofNumbering::n_local() const
+  {
+    return local->NumMyElements();
+  }
+
+  unsigned int DofNumbering::rank() const
+  {
+    return comm.MyPID();
+  }
+
+  unsigned int DofNumbering::n_ranks() const
+  {
+    return comm.NumProc();
+  }
+
+  const Epetra_MpiComm &DofNumbering::communicator() const
+  {
+    return comm;
+  }
+
+  const Epetra_Map &DofNumbering::owned_map() const
+  {
+    return *owned;
+  }
+
+  const Epetra_Map &DofNumbering::local_map() const
+  {
+    return *local;
+  }
+
+  const Epetra_Import &DofNumbering::importer() const
+  {
+    return *import;
+  }
+
+  const std::vector<DofNumbering::Element> &DofNumbering::elements() const
+  {
+    return element_list;
+  }
+
+  bool DofNumbering::is_owned(const Element &element) const
+  {
+    return element.owner == rank();
+  }
+
+  bool DofNumbering::is_owned(const int local_number) const
+  {
+    return local_number >= 0 && local_number < static_cast<int>(n_owned());
+  }
+
+  bool DofNumbering::is_rotation(const unsigned int local_number) const
+  {
+    return rotations[local_number];
+  }
+
+  const int *DofNumbering::element_unknowns(const unsigned int e) const
+  {
+    return &element_numbers[std::size_t(e) * (polynomial_order + 1) *
+                            n_components];
+  }
+
+  int DofNumbering::joint_unknown(const unsigned int joint,
+                                  const unsigned int component) const
+  {
+    const int global = joint_numbers[joint][component];
+    return global < 0 ? -1 : local->LID(global);
+  }
+
+  bool DofNumbering::joint_has(const unsigned int joint,
+                               const unsigned int component) const
+  {
+    return joint_numbers[joint][component] >= 0;
+  }
+
+  int DofNumbering::end_rotation(const unsigned int strut,
+                                 const unsigned int end) const
+  {
+    const int global = end_rotation_numbers[strut][end];
+    return global < 0 ? -1 : local->LID(global);
+  }
+
+  UnknownKind DofNumbering::kind(const unsigned int local_number) const
+  {
+    return kinds[local_number];
+  }
+
+  void DofNumbering::prescribe(const unsigned int local_number)
+  {
+    kinds[local_number] = UnknownKind::prescribed;
+  }
+
+  unsigned int DofNumbering::n_free() const
+  {
+    int mine = 0, all = 0;
+    for (unsigned int i = 0; i < n_owned(); ++i)
+      mine += (kinds[i] != UnknownKind::prescribed);
+    comm.SumAll(&mine, &all, 1);
+    return all;
+  }
+
+  std::string DofNumbering::describe(const unsigned int local_number) const
+  {
+    const int   global       = local->GID(local_number);
+    const char *component[3] = {"horizontal displacement",
+                                "vertical displacement",
+                                "rotation"};
+    std::ostringstream words;
+    for (unsigned int j = 0; j < joint_numbers.size(); ++j)
+      for (unsigned int c = 0; c < n_components; ++c)
+        if (joint_numbers[j][c] == global)
+          {
+            words << component[c] << " of joint " << j << " at ("
+                  << lattice.joints[j][0] << ", " << lattice.joints[j][1] << ")";
+            return words.str();
+          }
+    const unsigned int n = (polynomial_order + 1) * n_components;
+    for (std::size_t i = 0; i < element_numbers.size(); ++i)
+      if (element_numbers[i] == static_cast<int>(local_number))
+        {
+          const Element &element = element_list[i / n];
+          const Strut   &strut   = lattice.struts[element.place.strut];
+          words << component[i % n_components] << " of strut "
+                << element.place.strut << " (joints " << strut.joints[0]
+                << " - " << strut.joints[1] << ")";
+          break;
+        }
+    return words.str();
+  }
+} // namespace auxfem

@@ -1,0 +1,75 @@
+#include <auxfem/command_line.h>
+#include <auxfem/parameters/errors.h>
+#include <auxfem/simulation.h>
+#include <auxfem/version.h>
+
+#include <deal.II/base/exceptions.h>
+#include <deal.II/base/mpi.h>
+
+#include <iostream>
+
+namespace
+{
+  using namespace auxfem;
+
+  void execute(const CommandLine &line, const bool speaks)
+  {
+    switch (line.action)
+      {
+        case CommandLine::Action::help:
+          if (speaks)
+            std::cout << usage();
+          break;
+        case CommandLine::Action::version:
+          if (speaks)
+            std::cout << "auxfem " << version << '\n';
+          break;
+        case CommandLine::Action::print_parameters:
+          if (speaks)
+            std::cout << describe_all_parameters();
+          break;
+        case CommandLine::Action::print_parameters_markdown:
+          if (speaks)
+            std::cout << describe_all_parameters_markdown();
+          break;
+        case CommandLine::Action::check:
+          check(read_scene(line.file, line.overrides), MPI_COMM_WORLD);
+          break;
+        case CommandLine::Action::run:
+          run(read_scene(line.file, line.overrides), MPI_COMM_WORLD);
+          break;
+      }
+  }
+} // namespace
+
+int main(int argc, char *argv[])
+{
+  const std::vector<std::string>            arguments(argv + 1, argv + argc);
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, /*max_num_threads=*/1);
+  const bool speaks = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+  const auto report = [speaks](const std::string &message) {
+    if (speaks)
+      std::cerr << "\nauxfem: " << message << std::endl;
+  };
+  try
+    {
+      execute(read_command_line(arguments), speaks);
+      return 0;
+    }
+  catch (const InputError &error)
+    {
+      report(error.what());
+      return 1;
+    }
+  catch (const ComputationError &error)
+    {
+      report(error.what());
+      return 2;
+    }
+  catch (const std::exception &error)
+    {
+      report(std::string("internal error, please report it together with the "
+                         "parameter file:\n") + error.what());
+      return 2;
+    }
+}

@@ -1,0 +1,326 @@
+#include <auxfem/mesh/cell.h>
+#include <auxfem/parameters/errors.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <set>
+#include <tuple>
+#include <unordered_map>
+
+namespace auxfem
+{
+  namespace
+  {
+    using Index3 = std::array<unsigned int, 3>;
+
+    /** Two joints of different cells closer than this part of the cell's size
+     * are one: far above round-off of the cell centres, far below any strut. */
+    constexpr double relative_tolerance = 1e-8;
+
+    /** Largest extent of the cell, its period included (m). */
+    double cell_size(const UnitCell &cell)
+    {
+      double size = 0;
+      for (unsigned int d = 0; d < 3; ++d)
+        {
+          double lowest  = cell.joints.front()[d];
+          double highest = lowest;
+          for (const auto &joint : cell.joints)
+            {
+              lowest  = std::min(lowest, joint[d]);
+              highest = std::max(highest, joint[d]);
+            }
+          size = std::max({size, highest - lowest, cell.period[d]});
+        }
+      return size;
+    }
+
+    /** Finds joints by place, through buckets on a cubic grid. */
+    class JointFinder
+    {
+    public:
+      JointFinder(const double size)
+        : tolerance(relative_tolerance * size)
+        , width(size > 0. ? 1e-3 * size : 1.)
+      {}
+
+      /** Index of a joint at @p place that is not in @p taken; invalid_index if
+       * there is none. */
+      unsigned int find(const std::vector<dealii::Point<3>> &joints,
+                        const dealii::Point<3>              &place,
+                        const std::vector<unsigned int>     &taken) const
+      {
+        const Key low  = key_of(place, -tolerance);
+        const Key high = key_of(place, tolerance);
+        for (auto x = low[0]; x <= high[0]; ++x)
+          for (auto y = low[1]; y <= high[1]; ++y)
+            for (auto z = low[2]; z <= high[2]; ++z)
+              {
+                const auto bucket = buckets.find(Key{{x, y, z}});
+                if (bucket == buckets.end())
+                  continue;
+                for (const unsigned int index : bucket->second)
+                  if (joints[index].distance(place) <= tolerance &&
+                      std::find(taken.begin(), taken.end(), index) ==
+                        taken.end())
+                    return index;
+              }
+        return invalid_index;
+      }
+
+      void insert(const dealii::Point<3> &place, const unsigned int index)
+      {
+        buckets[key_of(place, 0.)].push_back(index);
+      }
+
+    private:
+      using Key = std::array<std::int64_t, 3>;
+
+      struct Hash
+      {
+        std::size_t operator()(const Key &key) const
+        {
+          std::size_t hash = 0;
+          for (const auto part : key)
+            hash = hash * 1000003u ^ std::hash<std::int64_t>()(part);
+          return hash;
+        }
+      };
+
+      Key key_of(const dealii::Point<3> &place, const double shift) const
+      {
+        Key key;
+        for (unsigned int d = 0; d < 3; ++d)
+          key[d] =
+            static_cast<std::int64_t>(std::floor((place[d] + shift) / width));
+        return key;
+      }
+
+      double                                                   tolerance;
+      double                                                   width;
+      std::unordered_map<Key, std::vector<unsigned int>, Hash> buckets;
+    };
+
+    void check_numbers_of_cells(const UnitCell &cell, const Index3 &n_cells)
+    {
+      for (unsigned int d = 0; d < 3; ++d)
+        {
+          const std::string direction(1, "xyz"[d]);
+          if (n_cells[d] == 0)
+            throw InputError("The number of cells along " + direction +
+                             " is 0; at least 1 is needed.");
+          if (n_cells[d] > 1 && !(cell.period[d] > 0.))
+            throw InputError(
+              "The lattice asks for " + std::to_string(n_cells[d]) +
+              " cells along " + direction +
+              ", but this cell cannot be repeated along " + direction + ". " +
+              (cell.why_no_period[d].empty() ? std::string()
+                                             : cell.why_no_period[d] + " ") +
+              "Set the number of cells along " + direction + " to 1.");
+        }
+    }
+
+    void sort_and_unite(std::vector<unsigned int> &indices)
+    {
+      std::sort(indices.begin(), indices.end());
+      indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
+    }
+
+    /** Makes the array cell by cell. */
+    class ArrayBuilder
+    {
+    public:
+      ArrayBuilder(const UnitCell &cell, const Index3 &n_cells)
+        : cell(cell)
+        , n_cells(n_cells)
+        , finder(cell_size(cell))
+      {
+        lattice.n_cells = n_cells[0] * n_cells[1] * n_cells[2];
+        lattice.joints.reserve(std::size_t(lattice.n_cells) *
+                               cell.joints.size());
+        lattice.struts.reserve(std::size_t(lattice.n_cells) *
+                               cell.struts.size());
+      }
+
+      Lattice build()
+      {
+        create_empty_sets();
+        Index3 at;
+        for (at[2] = 0; at[2] < n_cells[2]; ++at[2])
+          for (at[1] = 0; at[1] < n_cells[1]; ++at[1])
+            for (at[0] = 0; at[0] < n_cells[0]; ++at[0])
+              add_cell(at);
+        if (cell.ports.empty())
+          add_faces_of_bounding_box();
+        finish_sets();
+        return std::move(lattice);
+      }
+
+    private:
+      void create_empty_sets()
+      {
+        for (const auto &port : cell.ports)
+          lattice.joint_sets[port.first];
+        for (const auto &set : cell.joint_sets)
+          lattice.joint_sets[set.first];
+        for (const auto &set : cell.pairs)
+          lattice.pair_sets[set.first];
+      }
+
+      void add_cell(const Index3 &at)
+      {
+        number = at[0] + n_cells[0] * (at[1] + n_cells[1] * at[2]);
+        add_joints(at);
+        add_struts();
+        add_pairs();
+        for (const auto &[name, members] : cell.joint_sets)
+          add_to_joint_set(name, members);
+        for (const auto &[side, members] : cell.ports)
+          if (is_on_boundary(side, at))
+            add_to_joint_set(side, members);
+      }
+
+      void add_joints(const Index3 &at)
+      {
+        dealii::Tensor<1, 3> centre;
+        for (unsigned int d = 0; d < 3; ++d)
+          centre[d] = at[d] * cell.period[d];
+
+        global.clear();
+        for (const auto &joint : cell.joints)
+          {
+            const dealii::Point<3> place = joint + centre;
+            unsigned int index = finder.find(lattice.joints, place, global);
+            if (index == invalid_index)
+              {
+                index = lattice.joints.size();
+                lattice.joints.push_back(place);
+                finder.insert(place, index);
+              }
+            global.push_back(index);
+          }
+      }
+
+      void add_struts()
+      {
+        for (const auto &unit : cell.struts)
+          {
+            Strut strut;
+            strut.joints  = {{global[unit.first], global[unit.second]}};
+            strut.sagitta = unit.sagitta;
+            strut.cell    = number;
+
+            // Arcs that bulge to different sides are different struts.
+            const bool   turned  = strut.joints[0] > strut.joints[1];
+            const double sagitta = turned ? -strut.sagitta : strut.sagitta;
+            const auto [low, high] =
+              std::minmax(strut.joints[0], strut.joints[1]);
+            const auto known =
+              strut_at.emplace(std::make_tuple(low, high, sagitta),
+                               lattice.struts.size());
+            if (known.second || is_of_this_cell(known.first->second))
+              {
+                if (!unit.set.empty())
+                  lattice.strut_sets[unit.set].push_back(lattice.struts.size());
+                lattice.struts.push_back(strut);
+              }
+          }
+      }
+
+      bool is_of_this_cell(const unsigned int strut) const
+      {
+        return lattice.struts[strut].cell == number;
+      }
+
+      void add_pairs()
+      {
+        for (const auto &[name, members] : cell.pairs)
+          for (const auto &member : members)
+            {
+              const unsigned int first  = global[member.first];
+              const unsigned int second = global[member.second];
+              const auto [low, high]    = std::minmax(first, second);
+              if (known_pairs[name].emplace(low, high).second)
+                lattice.pair_sets[name].push_back({first, second, number});
+            }
+      }
+
+      void add_to_joint_set(const std::string               &name,
+                            const std::vector<unsigned int> &members)
+      {
+        auto &set = lattice.joint_sets[name];
+        for (const unsigned int member : members)
+          set.push_back(global[member]);
+      }
+
+      bool is_on_boundary(const std::string &side, const Index3 &at) const
+      {
+        return (side == "left" && at[0] == 0) ||
+          (side == "right" && at[0] + 1 == n_cells[0]) ||
+          (side == "bottom" && at[1] == 0) ||
+          (side == "top" && at[1] + 1 == n_cells[1]) ||
+          (side == "back" && at[2] == 0) ||
+          (side == "front" && at[2] + 1 == n_cells[2]);
+      }
+
+      void add_faces_of_bounding_box()
+      {
+        const char  *names[3][2] = {{"left", "right"},
+                                    {"bottom", "top"},
+                                    {"back", "front"}};
+        const double tolerance   = relative_tolerance * cell_size(cell);
+        for (unsigned int d = 0; d < 3; ++d)
+          {
+            const auto [lowest, highest] =
+              std::minmax_element(lattice.joints.begin(),
+                                  lattice.joints.end(),
+                                  [d](const auto &a, const auto &b) {
+                                    return a[d] < b[d];
+                                  });
+            const double low = (*lowest)[d], high = (*highest)[d];
+            const bool   is_planar = (high - low <= tolerance);
+            if (d == 2 && is_planar)
+              continue;
+            for (unsigned int i = 0; i < lattice.joints.size(); ++i)
+              {
+                if (lattice.joints[i][d] <= low + tolerance)
+                  lattice.joint_sets[names[d][0]].push_back(i);
+                if (lattice.joints[i][d] >= high - tolerance)
+                  lattice.joint_sets[names[d][1]].push_back(i);
+              }
+          }
+      }
+
+      void finish_sets()
+      {
+        for (unsigned int i = 0; i < lattice.joints.size(); ++i)
+          lattice.joint_sets["all"].push_back(i);
+        for (unsigned int i = 0; i < lattice.struts.size(); ++i)
+          lattice.strut_sets["all"].push_back(i);
+        for (auto &set : lattice.joint_sets)
+          sort_and_unite(set.second);
+        for (auto &set : lattice.strut_sets)
+          sort_and_unite(set.second);
+      }
+
+      const UnitCell           &cell;
+      const Index3             &n_cells;
+      JointFinder               finder;
+      Lattice                   lattice;
+      unsigned int              number = 0; ///< of the cell in work
+      std::vector<unsigned int> global; ///< lattice joint of each cell joint
+      std::map<std::tuple<unsigned int, unsigned int, double>, unsigned int>
+        strut_at;
+      std::map<std::string, std::set<std::pair<unsigned int, unsigned int>>>
+        known_pairs;
+    };
+  } // namespace
+
+  Lattice make_array(const UnitCell &cell, const Index3 &n_cells)
+  {
+    Assert(!cell.joints.empty(), dealii::ExcMessage("A cell has joints."));
+    check_numbers_of_cells(cell, n_cells);
+    return ArrayBuilder(cell, n_cells).build();
+  }
+} // namespace auxfem

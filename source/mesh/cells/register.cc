@@ -1,0 +1,12 @@
+#include <auxfem/mesh/cells/entries.h>
+
+namespace auxfem
+{
+  const Registry<Cell> &cell_registry()
+  {
+    static const Registry<Cell> registry = {star_cell_entry(),
+                                            general_star_cell_entry(),
+                                            frame_cell_entry()};
+    return registry;
+  }
+} // namespace auxfem

@@ -1,0 +1,80 @@
+#include <auxfem/mesh/lattice.h>
+
+#include <deal.II/base/exceptions.h>
+
+#include <cmath>
+
+namespace auxfem
+{
+  namespace
+  {
+    /**
+     * Half the angle a circular arc subtends (rad), signed as the sagitta; in
+     * (-pi, pi), beyond pi/2 for more than a half circle.
+     */
+    double half_angle(const double chord, const double sagitta)
+    {
+      return 2. * std::atan(2. * sagitta / chord);
+    }
+
+    /** sin(x)/x. */
+    double sinc(const double x)
+    {
+      return x == 0. ? 1. : std::sin(x) / x;
+    }
+
+    double arc_length(const double chord, const double sagitta)
+    {
+      // With t = tan(angle/2) = 2 sagitta / chord, angle / sin(angle) is
+      // (1 + t^2) atan(t) / t, which stays accurate for flat arcs and for
+      // nearly closed circles, where sin(angle) goes to zero.
+      const double t = 2. * sagitta / chord;
+      return t == 0. ? chord : chord * (1. + t * t) * std::atan(t) / t;
+    }
+  } // namespace
+
+  double Lattice::length(const Strut &strut) const
+  {
+    const double chord =
+      joints[strut.joints[0]].distance(joints[strut.joints[1]]);
+    return arc_length(chord, strut.sagitta);
+  }
+
+  void Lattice::axis(const Strut          &strut,
+                     const double          s,
+                     dealii::Point<3>     &position,
+                     dealii::Tensor<1, 3> &tangent) const
+  {
+    const dealii::Point<3>    &start = joints[strut.joints[0]];
+    const dealii::Tensor<1, 3> chord = joints[strut.joints[1]] - start;
+    const double               c     = chord.norm();
+    const dealii::Tensor<1, 3> along = chord / c;
+    if (strut.sagitta == 0.)
+      {
+        position = start + s * chord;
+        tangent  = along;
+        return;
+      }
+
+    const double in_plane = std::hypot(along[0], along[1]);
+    Assert(in_plane > 0.,
+           dealii::ExcMessage(
+             "An arc lies in a plane that contains the "
+             "left-hand normal; its chord cannot be along z."));
+    dealii::Tensor<1, 3> left;
+    left[0] = -along[1] / in_plane;
+    left[1] = along[0] / in_plane;
+
+    // The tangent turns evenly from +angle at the start to -angle at the end.
+    // Its integral is written as a product: the difference of two sines would
+    // cancel for flat arcs.
+    const double angle    = half_angle(c, strut.sagitta);
+    const double distance = s * arc_length(c, strut.sagitta) * sinc(angle * s);
+    position              = start +
+      distance *
+        (std::cos(angle * (1. - s)) * along +
+         std::sin(angle * (1. - s)) * left);
+    tangent = std::cos(angle * (1. - 2. * s)) * along +
+      std::sin(angle * (1. - 2. * s)) * left;
+  }
+} // namespace auxfem

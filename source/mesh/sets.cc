@@ -1,0 +1,331 @@
+#include <auxfem/mesh/condition.h>
+#include <auxfem/mesh/index_text.h>
+#include <auxfem/mesh/sets.h>
+#include <auxfem/parameters/errors.h>
+#include <auxfem/parameters/quantity.h>
+#include <auxfem/parameters/suggest.h>
+
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
+#include <sstream>
+
+namespace auxfem
+{
+  namespace
+  {
+    using dealii::Utilities::split_string_list;
+    using dealii::Utilities::trim;
+
+    using Indices = std::vector<unsigned int>;
+
+    template <class Value>
+    std::vector<std::string> names_of(const std::map<std::string, Value> &sets)
+    {
+      std::vector<std::string> names;
+      for (const auto &set : sets)
+        names.push_back(set.first);
+      return names;
+    }
+
+    std::string quoted(const std::string &text)
+    {
+      return "\"" + text + "\"";
+    }
+
+    /** The first names only: a scene may define more than fit on a screen. */
+    std::string list_of(const std::vector<std::string> &names)
+    {
+      const std::size_t limit = 20;
+      std::string       text;
+      for (std::size_t i = 0; i < std::min(limit, names.size()); ++i)
+        text += (i == 0 ? "" : ", ") + quoted(names[i]);
+      return names.size() > limit ? text + ", ..." : text;
+    }
+
+    std::string place_text(const dealii::Point<3> &place)
+    {
+      std::ostringstream text;
+      text << '(' << place[0] << ", " << place[1];
+      if (place[2] != 0.)
+        text << ", " << place[2];
+      text << ") m";
+      return text.str();
+    }
+
+    std::vector<dealii::Point<3>> middles_of_struts(const Lattice &lattice)
+    {
+      std::vector<dealii::Point<3>> middles(lattice.struts.size());
+      dealii::Tensor<1, 3>          tangent;
+      for (std::size_t i = 0; i < middles.size(); ++i)
+        lattice.axis(lattice.struts[i], 0.5, middles[i], tangent);
+      return middles;
+    }
+
+    /**
+     * Selects things that have a number, a place and named sets: joints, or
+     * struts at their middles.
+     */
+    class Selector
+    {
+    public:
+      Selector(const std::string                    &noun,
+               const std::map<std::string, Indices> &sets,
+               const std::vector<dealii::Point<3>>  &places,
+               const Lattice                        &lattice,
+               const SceneContext                   &context,
+               const std::string                    &path)
+        : noun(noun)
+        , sets(sets)
+        , places(places)
+        , lattice(lattice)
+        , context(context)
+        , path(path)
+      {}
+
+      Indices select(const std::string &written) const
+      {
+        const std::string text = trim(written);
+        if (text.empty())
+          throw InputError(path + ": no " + noun + "s are named. " + allowed());
+        Indices result = members(text);
+        std::sort(result.begin(), result.end());
+        result.erase(std::unique(result.begin(), result.end()), result.end());
+        if (result.empty())
+          throw InputError(path + ": " + quoted(text) + " selects no " + noun +
+                           ". " + extent());
+        return result;
+      }
+
+    private:
+      Indices members(const std::string &text) const
+      {
+        const auto set = sets.find(text);
+        if (set != sets.end())
+          return set->second;
+        if (text.find(':') != std::string::npos && !is_condition(text))
+          return nearest(text);
+        if (is_condition(text))
+          return where(text);
+        if (text.find(',') != std::string::npos || is_digit(text.front()) ||
+            text.front() == '-')
+          return numbers(text);
+        return united_sets(text);
+      }
+
+      static bool is_digit(const char letter)
+      {
+        return letter >= '0' && letter <= '9';
+      }
+
+      Indices numbers(const std::string &text) const
+      {
+        Indices result;
+        for (const auto &word : split_string_list(text, ','))
+          result.push_back(number(word, text));
+        return result;
+      }
+
+      unsigned int number(const std::string &word,
+                          const std::string &text) const
+      {
+        const auto index = read_index(word);
+        if (!index)
+          throw InputError(path + ": " + quoted(word) + " in " + quoted(text) +
+                           " is not the number of a " + noun + ". " +
+                           allowed());
+        if (*index >= places.size())
+          throw InputError(
+            path + ": there is no " + noun + " " + trim(word) +
+            ". The lattice has " + std::to_string(places.size()) + " " + noun +
+            "s, numbered from 0 to " + std::to_string(places.size() - 1) + ".");
+        return *index;
+      }
+
+      Indices united_sets(const std::string &text) const
+      {
+        Indices result;
+        for (const auto &name : split_string_list(text, '+'))
+          {
+            const auto set = sets.find(name);
+            if (set == sets.end())
+              throw InputError(
+                path + ": there is no set of " + noun + "s named " +
+                quoted(name) + did_you_mean(name, names_of(sets)) +
+                "\nKnown sets of " + noun + "s: " + list_of(names_of(sets)) +
+                ".\n" + allowed());
+            result.insert(result.end(), set->second.begin(), set->second.end());
+          }
+        return result;
+      }
+
+      Indices where(const std::string &text) const
+      {
+        Condition condition(text, lattice, context, path);
+        Indices   result;
+        for (unsigned int i = 0; i < places.size(); ++i)
+          if (condition.holds_at(places[i]))
+            result.push_back(i);
+        return result;
+      }
+
+      Indices nearest(const std::string &text) const
+      {
+        const auto colon = text.find(':');
+        if (trim(text.substr(0, colon)) != "nearest")
+          throw InputError(path + ": " + quoted(text.substr(0, colon + 1)) +
+                           " in " + quoted(text) + " is not known. " +
+                           allowed());
+        const dealii::Point<3> place = read_place(text.substr(colon + 1), text);
+        const auto             closer = [&place](const auto &a, const auto &b) {
+          return place.distance_square(a) < place.distance_square(b);
+        };
+        const auto found =
+          std::min_element(places.begin(), places.end(), closer);
+        return {static_cast<unsigned int>(found - places.begin())};
+      }
+
+      dealii::Point<3> read_place(const std::string &list,
+                                  const std::string &text) const
+      {
+        dealii::Point<3> place;
+        try
+          {
+            const auto items = split_quantity_list(list);
+            if (items.size() != 2 && items.size() != 3)
+              throw InputError(std::to_string(items.size()) +
+                               " coordinates are given");
+            for (std::size_t i = 0; i < items.size(); ++i)
+              place[i] = parse_quantity(items[i], "m");
+          }
+        catch (const InputError &error)
+          {
+            throw InputError(path + ": " + quoted(text) + ": " + error.what() +
+                             ". Write the place like \"nearest: 0.01, 0.02\" "
+                             "(in m) or \"nearest: 10 mm, 20 mm\".");
+          }
+        return place;
+      }
+
+      std::string extent() const
+      {
+        const auto box = bounding_box(lattice);
+        return "The joints lie between " + place_text(box[0]) + " and " +
+          place_text(box[1]) + ".";
+      }
+
+      std::string allowed() const
+      {
+        return "Allowed: the name of a set of " + noun +
+          "s, several joined by +, numbers like \"3, 5\", \"nearest: x, "
+          "y\", or a condition like \"y > ymax - 1e-6 && x < 0.02\".";
+      }
+
+      const std::string                     noun;
+      const std::map<std::string, Indices> &sets;
+      const std::vector<dealii::Point<3>>  &places;
+      const Lattice                        &lattice;
+      const SceneContext                   &context;
+      const std::string                    &path;
+    };
+
+    std::vector<JointPair> pairs_by_number(const Lattice      &lattice,
+                                           const std::string  &text,
+                                           const SceneContext &context,
+                                           const std::string  &path)
+    {
+      std::vector<JointPair> pairs;
+      for (const auto &item : split_string_list(text, ';'))
+        {
+          std::istringstream       stream(item);
+          std::vector<std::string> words;
+          for (std::string word; stream >> word;)
+            words.push_back(word);
+          if (words.size() != 2 || !read_index(words[0]) ||
+              !read_index(words[1]))
+            throw InputError(path + ": " + quoted(item) + " in " +
+                             quoted(text) +
+                             " is not a pair of joint numbers. Write pairs "
+                             "like \"3 5; 7 9\".");
+          const unsigned int first =
+            select_joints(lattice, words[0], context, path).front();
+          const unsigned int second =
+            select_joints(lattice, words[1], context, path).front();
+          if (first == second)
+            throw InputError(path + ": " + quoted(item) +
+                             " links a joint with itself. Give two different "
+                             "joints.");
+          pairs.push_back({first, second});
+        }
+      return pairs;
+    }
+
+    std::vector<JointPair> pairs_to_ground(const Lattice      &lattice,
+                                           const std::string  &joints,
+                                           const SceneContext &context,
+                                           const std::string  &path)
+    {
+      std::vector<JointPair> pairs;
+      for (const unsigned int joint :
+           select_joints(lattice, joints, context, path))
+        pairs.push_back({joint, invalid_index});
+      return pairs;
+    }
+  } // namespace
+
+  std::vector<unsigned int> select_joints(const Lattice      &lattice,
+                                          const std::string  &text,
+                                          const SceneContext &context,
+                                          const std::string  &path)
+  {
+    return Selector("joint",
+                    lattice.joint_sets,
+                    lattice.joints,
+                    lattice,
+                    context,
+                    path)
+      .select(text);
+  }
+
+  std::vector<unsigned int> select_struts(const Lattice      &lattice,
+                                          const std::string  &text,
+                                          const SceneContext &context,
+                                          const std::string  &path)
+  {
+    const auto middles = middles_of_struts(lattice);
+    return Selector("strut",
+                    lattice.strut_sets,
+                    middles,
+                    lattice,
+                    context,
+                    path)
+      .select(text);
+  }
+
+  std::vector<JointPair> select_pairs(const Lattice      &lattice,
+                                      const std::string  &written,
+                                      const SceneContext &context,
+                                      const std::string  &path)
+  {
+    const std::string text = trim(written);
+    const auto        set  = lattice.pair_sets.find(text);
+    if (set != lattice.pair_sets.end())
+      return set->second;
+
+    const auto colon = text.find(':');
+    if (colon != std::string::npos && trim(text.substr(0, colon)) == "ground")
+      return pairs_to_ground(lattice, text.substr(colon + 1), context, path);
+    if (!text.empty() &&
+        text.find_first_not_of("0123456789-; \t") == std::string::npos)
+      return pairs_by_number(lattice, text, context, path);
+
+    const auto known = names_of(lattice.pair_sets);
+    throw InputError(
+      path + ": this cell offers no joint pairs named " + quoted(text) +
+      did_you_mean(text, known) + "\n" +
+      (known.empty() ? std::string("It offers none by name.")
+                     : "Known pairs: " + list_of(known) + ".") +
+      "\nAllowed: the name of pairs, joint numbers like \"3 5; 7 9\", or "
+      "\"ground: \" and a selection of joints.");
+  }
+} // namespace auxfem

@@ -1,0 +1,169 @@
+#include <auxfem/output/console.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+namespace auxfem
+{
+  namespace
+  {
+    /** Wall seconds between two updates of a line on a terminal. */
+    constexpr double update_interval = 0.1;
+
+    template <typename... Arguments>
+    std::string format(const char *pattern, const Arguments... arguments)
+    {
+      char text[200];
+      std::snprintf(text, sizeof(text), pattern, arguments...);
+      return text;
+    }
+  } // namespace
+
+  double Progress::fraction() const
+  {
+    return end_time > 0 ? std::min(1., std::max(0., time / end_time)) : 1;
+  }
+
+  std::string format_duration(const double seconds)
+  {
+    const long long total =
+      std::isfinite(seconds) ? std::llround(std::max(0., seconds)) : 0;
+    const long long hours = total / 3600, minutes = total / 60 % 60;
+    return hours > 0 ? format("%lld:%02lld:%02lld", hours, minutes, total % 60)
+                     : format("%lld:%02lld", minutes, total % 60);
+  }
+
+  std::string format_progress(const Progress &progress)
+  {
+    const int   width = std::to_string(progress.n_steps).size();
+    std::string line  = format("%*lu/%lu  t %.5g s  dt %.3g  it %2u",
+                              width,
+                              progress.step,
+                              progress.n_steps,
+                              progress.time,
+                              progress.dt,
+                              progress.iterations);
+    if (progress.retries > 0)
+      line += format(" (%u undone)", progress.retries);
+    line += format("  res %.1e", progress.relative_residual);
+    if (progress.relative_balance)
+      line += format("  energy %+.1e", *progress.relative_balance);
+
+    const double fraction = progress.fraction();
+    if (fraction >= 1)
+      line += "  in " + format_duration(progress.seconds);
+    else if (fraction > 0)
+      line += "  left " +
+        format_duration(progress.seconds * (1 - fraction) / fraction);
+    return line;
+  }
+
+  unsigned int terminal_width()
+  {
+    if (!isatty(STDOUT_FILENO))
+      return 0;
+    winsize size{};
+    if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0)
+      return 80;
+    return size.ws_col;
+  }
+
+  Console::Console(std::ostream      &screen,
+                   const unsigned int terminal_width,
+                   std::ostream      &log)
+    : screen(screen)
+    , log(log)
+    , terminal_width(terminal_width)
+  {}
+
+  Console::~Console()
+  {
+    close_line();
+  }
+
+  void Console::print(const std::string &text)
+  {
+    close_line();
+    screen << text << std::endl;
+    print_to_log(text);
+  }
+
+  void Console::print_to_log(const std::string &text)
+  {
+    log << text << std::endl;
+  }
+
+  void Console::progress(const Progress &progress)
+  {
+    latest           = progress;
+    latest_on_screen = false;
+    latest_in_log    = false;
+
+    // The small addition lets sums of steps that miss a twentieth by round-off
+    // count as having reached it.
+    const int  reached   = std::floor(20 * progress.fraction() + 1e-9);
+    const bool milestone = reached > twentieth;
+    twentieth            = std::max(twentieth, reached);
+
+    const bool rewrite_due = terminal_width > 0 &&
+      (line_length == 0 || progress.seconds >= last_rewrite + update_interval);
+    const bool log_due = milestone || progress.retries > 0;
+    if (!rewrite_due && !log_due)
+      return;
+
+    const std::string line = format_progress(progress);
+    if (rewrite_due)
+      {
+        rewrite(line);
+        last_rewrite = progress.seconds;
+      }
+    else if (milestone && terminal_width == 0)
+      {
+        screen << line << std::endl;
+        latest_on_screen = true;
+      }
+    if (log_due)
+      {
+        print_to_log(line);
+        latest_in_log = true;
+      }
+  }
+
+  void Console::end_progress()
+  {
+    if (latest && !latest_on_screen)
+      {
+        const std::string line = format_progress(*latest);
+        if (terminal_width > 0)
+          rewrite(line);
+        else
+          screen << line << std::endl;
+      }
+    if (latest && !latest_in_log)
+      print_to_log(format_progress(*latest));
+    latest.reset();
+    close_line();
+  }
+
+  void Console::rewrite(const std::string &text)
+  {
+    // A line that wraps could not be rewritten.
+    const std::string line = text.substr(0, terminal_width - 1);
+    const std::size_t rest =
+      line_length > line.size() ? line_length - line.size() : 0;
+    screen << '\r' << line << std::string(rest, ' ') << std::flush;
+    line_length      = line.size();
+    latest_on_screen = true;
+  }
+
+  void Console::close_line()
+  {
+    if (line_length > 0)
+      screen << std::endl;
+    line_length = 0;
+  }
+} // namespace auxfem

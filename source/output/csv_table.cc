@@ -1,0 +1,93 @@
+#include <auxfem/output/csv_table.h>
+#include <auxfem/parameters/errors.h>
+
+#include <deal.II/base/exceptions.h>
+
+#include <cerrno>
+#include <charconv>
+#include <system_error>
+
+namespace auxfem
+{
+  namespace
+  {
+    /** @p text as one field: in quotes if a reader would else split it. */
+    std::string csv_field(const std::string &text)
+    {
+      if (text.find_first_of(",\"\r\n") == std::string::npos)
+        return text;
+      std::string quoted = "\"";
+      for (const char character : text)
+        {
+          if (character == '"')
+            quoted += '"';
+          quoted += character;
+        }
+      return quoted + '"';
+    }
+
+    std::string reason()
+    {
+      return std::generic_category().message(errno);
+    }
+
+    std::ofstream open(const std::string &file)
+    {
+      std::ofstream stream(file);
+      if (!stream)
+        throw InputError("Cannot write " + file + ": " + reason() +
+                         ".\nRemove what stands in the way, or choose another "
+                         "folder with Output/Directory or --output DIR.");
+      return stream;
+    }
+  } // namespace
+
+  CsvTable::CsvTable(const std::string         &file,
+                     const std::vector<Column> &columns)
+    : file(file)
+    , stream(open(file))
+    , n_columns(columns.size())
+  {
+    for (const Column &column : columns)
+      stream << (&column == &columns.front() ? "" : ",")
+             << csv_field(column.name);
+    stream << '\n' << std::flush;
+  }
+
+  void CsvTable::append(const std::vector<double> &row)
+  {
+    AssertDimension(row.size(), n_columns);
+
+    // Sign, 15 digits, point and exponent (e-308) need 22 characters.
+    char number[32];
+    line.clear();
+    for (const double value : row)
+      {
+        const auto end = std::to_chars(number,
+                                       number + sizeof(number),
+                                       value,
+                                       std::chars_format::general,
+                                       15)
+                           .ptr;
+        line.append(number, end);
+        line += ',';
+      }
+    line.back() = '\n';
+
+    stream.write(line.data(), line.size());
+    stream.flush();
+    if (!stream)
+      throw ComputationError("Cannot write to " + file + ": " + reason() +
+                             ".\nAll earlier rows are in the file.");
+  }
+
+  void write_column_reference(const std::string         &file,
+                              const std::vector<Column> &columns)
+  {
+    std::ofstream stream = open(file);
+    stream << "column,unit,meaning\n";
+    for (const Column &column : columns)
+      stream << csv_field(column.name) << ',' << csv_field(column.unit) << ','
+             << csv_field(column.meaning) << '\n';
+  }
+} // namespace auxfem

@@ -1,0 +1,196 @@
+#include <auxfem/output/first_rank.h>
+#include <auxfem/output/line_graphics.h>
+#include <auxfem/parameters/errors.h>
+
+#include <cctype>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <system_error>
+
+namespace auxfem
+{
+  LineGraphics::LineGraphics(const std::vector<GraphicsField> &fields)
+    : fields(fields)
+  {
+    set_time(0, 0);
+  }
+
+  unsigned int LineGraphics::n_components() const
+  {
+    unsigned int n = 0;
+    for (const GraphicsField &field : fields)
+      n += field.n_components;
+    return n;
+  }
+
+  void LineGraphics::add_line(const std::vector<dealii::Point<3>> &points,
+                              const std::vector<float>            &values)
+  {
+    const unsigned int n = n_components();
+    Assert(points.size() >= 2, dealii::ExcInternalError());
+    AssertDimension(values.size(), n * points.size());
+
+    Patch patch;
+    patch.vertices[0]    = points.front();
+    patch.vertices[1]    = points.back();
+    patch.patch_index    = patches.size();
+    patch.n_subdivisions = points.size() - 1;
+    patch.reference_cell = dealii::ReferenceCells::Line;
+    // The points follow the fields as three more rows, else a curved line would
+    // be drawn along its chord.
+    patch.points_are_available = true;
+    patch.data.reinit(n + 3, points.size());
+    for (unsigned int q = 0; q < points.size(); ++q)
+      {
+        for (unsigned int i = 0; i < n; ++i)
+          patch.data(i, q) = values[q * n + i];
+        for (unsigned int d = 0; d < 3; ++d)
+          patch.data(n + d, q) = points[q][d];
+      }
+    patches.push_back(std::move(patch));
+  }
+
+  void LineGraphics::set_time(const double time, const unsigned int number)
+  {
+    dealii::DataOutBase::VtkFlags flags;
+    flags.time                = time;
+    flags.cycle               = number;
+    flags.print_date_and_time = false;
+    flags.compression_level   = dealii::DataOutBase::VtkFlags::best_speed;
+    for (const GraphicsField &field : fields)
+      if (!field.unit.empty())
+        flags.physical_units[field.name] = field.unit;
+    set_flags(flags);
+  }
+
+  const std::vector<LineGraphics::Patch> &LineGraphics::get_patches() const
+  {
+    return patches;
+  }
+
+  std::vector<std::string> LineGraphics::get_dataset_names() const
+  {
+    std::vector<std::string> names;
+    for (const GraphicsField &field : fields)
+      names.insert(names.end(), field.n_components, field.name);
+    return names;
+  }
+
+  std::vector<std::tuple<
+    unsigned int,
+    unsigned int,
+    std::string,
+    dealii::DataComponentInterpretation::DataComponentInterpretation>>
+  LineGraphics::get_nonscalar_data_ranges() const
+  {
+    std::vector<std::tuple<
+      unsigned int,
+      unsigned int,
+      std::string,
+      dealii::DataComponentInterpretation::DataComponentInterpretation>>
+                 ranges;
+    unsigned int first = 0;
+    for (const GraphicsField &field : fields)
+      {
+        if (field.n_components == 3)
+          ranges.emplace_back(
+            first,
+            first + 2,
+            field.name,
+            dealii::DataComponentInterpretation::component_is_part_of_vector);
+        first += field.n_components;
+      }
+    return ranges;
+  }
+
+  GraphicsSeries::GraphicsSeries(const std::string &folder,
+                                 const std::string &name,
+                                 const MPI_Comm     communicator)
+    : folder(folder)
+    , name(name)
+    , communicator(communicator)
+  {
+    on_first_rank(communicator, [&]() {
+      const std::string subfolder = folder + "/" + name;
+      std::error_code   error;
+      std::filesystem::create_directories(subfolder, error);
+      if (error)
+        throw InputError("Cannot make the folder " + subfolder + ": " +
+                         error.message() +
+                         ".\nRemove what stands in the way, or choose another "
+                         "folder with Output/Directory or --output DIR.");
+    });
+  }
+
+  void GraphicsSeries::write(LineGraphics &graphics, const double time)
+  {
+    const unsigned int number = times_and_files.size();
+    graphics.set_time(time, number);
+
+    std::string file;
+    bool        failed = false;
+    try
+      {
+        file = graphics.write_vtu_with_pvtu_record(folder + "/" + name + "/",
+                                                   name,
+                                                   number,
+                                                   communicator,
+                                                   5);
+      }
+    catch (const dealii::ExceptionBase &)
+      {
+        failed = true;
+      }
+    if (dealii::Utilities::MPI::max(failed ? 1 : 0, communicator) > 0)
+      throw ComputationError("Cannot write graphics file number " +
+                             std::to_string(number) + " in " + folder + "/" +
+                             name +
+                             ": the disk is full or the folder is gone.\n"
+                             "Earlier files are complete.");
+
+    times_and_files.emplace_back(time, name + "/" + file);
+    on_first_rank(communicator, [&]() { write_record(); });
+  }
+
+  void GraphicsSeries::write_record() const
+  {
+    const std::string file      = folder + "/" + name + ".pvd";
+    const std::string temporary = file + ".part";
+    std::ofstream     stream(temporary);
+    dealii::DataOutBase::write_pvd_record(stream, times_and_files);
+    stream.close();
+
+    std::error_code error;
+    if (stream)
+      std::filesystem::rename(temporary, file, error);
+    if (!stream || error)
+      throw ComputationError("Cannot write " + file +
+                             ": the disk is full or the folder is gone.");
+  }
+
+  GraphicsSchedule::GraphicsSchedule(const double interval)
+    : interval(interval)
+    , next(interval)
+  {}
+
+  bool GraphicsSchedule::is_due(const double time)
+  {
+    const double reached = time + (time - previous) / 2;
+    previous             = time;
+    if (interval <= 0 || reached < next)
+      return false;
+    next = (std::floor(reached / interval) + 1) * interval;
+    return true;
+  }
+
+  std::string field_name(const std::string &name)
+  {
+    std::string result = name;
+    for (char &character : result)
+      if (!std::isalnum(static_cast<unsigned char>(character)) &&
+          character != '-' && character != '_')
+        character = '_';
+    return result;
+  }
+} // namespace auxfem

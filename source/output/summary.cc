@@ -1,0 +1,290 @@
+#include <auxfem/output/console.h>
+#include <auxfem/output/json.h>
+#include <auxfem/output/summary.h>
+#include <auxfem/version.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <ctime>
+#include <sstream>
+
+#include <sys/resource.h>
+
+namespace auxfem
+{
+  namespace
+  {
+    std::string now()
+    {
+      const std::time_t time = std::time(nullptr);
+      std::tm           local{};
+      localtime_r(&time, &local);
+      char text[40];
+      std::strftime(text, sizeof(text), "%Y-%m-%dT%H:%M:%S%z", &local);
+      return text;
+    }
+
+    double cpu_seconds()
+    {
+      rusage usage{};
+      getrusage(RUSAGE_SELF, &usage);
+      return usage.ru_utime.tv_sec + usage.ru_stime.tv_sec +
+        1e-6 * (usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
+    }
+
+    JsonObject json(const Counts &counts)
+    {
+      JsonObject object;
+      object.add("joints", counts.joints);
+      object.add("struts", counts.struts);
+      object.add("elements", counts.elements);
+      object.add("connectors", counts.connectors);
+      object.add("unknowns", counts.unknowns);
+      object.add("free_unknowns", counts.free_unknowns);
+      object.add("ranks", counts.ranks);
+      return object;
+    }
+
+    JsonObject json(const RunTotals &totals)
+    {
+      JsonObject object;
+      object.add("steps", totals.steps);
+      object.add("newton_iterations", totals.iterations);
+      object.add("factorizations", totals.factorizations);
+      object.add("retries", totals.retries);
+      return object;
+    }
+
+    JsonObject wall_json(const Resources &resources)
+    {
+      JsonObject object;
+      object.add("setup", resources.wall.setup);
+      object.add("residual", resources.wall.residual);
+      object.add("tangent", resources.wall.tangent);
+      object.add("factorize", resources.wall.factorize);
+      object.add("solve", resources.wall.solve);
+      object.add("output", resources.wall.output);
+      object.add("total", resources.wall_seconds);
+      return object;
+    }
+
+    JsonObject json(const EnergyRecord &record)
+    {
+      JsonObject object;
+      object.add("kinetic", record.latest.kinetic);
+      object.add("strain", record.latest.strain);
+      object.add("stored", record.latest.stored);
+      object.add("dissipated", record.latest.dissipated);
+      object.add("external", record.latest.external);
+      object.add("balance", record.balance);
+      object.add("largest", record.largest_energy);
+      object.add("largest_relative_balance",
+                 record.relative(record.largest_balance));
+      return object;
+    }
+
+    template <class Definition>
+    std::vector<std::string> names(const std::vector<Definition> &definitions)
+    {
+      std::vector<std::string> result;
+      for (const Definition &definition : definitions)
+        result.push_back(definition.name);
+      return result;
+    }
+
+    std::string seconds(const double value)
+    {
+      char text[40];
+      std::snprintf(text, sizeof(text), "%.2f s", value);
+      return text;
+    }
+
+    void list_effects(std::ostream                      &stream,
+                      const std::string                 &title,
+                      const std::vector<EffectDecision> &decisions,
+                      const bool                         on)
+    {
+      std::size_t width = 0;
+      for (const EffectDecision &decision : decisions)
+        width = std::max(width, decision.name.size());
+
+      bool is_first = true;
+      for (const EffectDecision &decision : decisions)
+        if (decision.on == on)
+          {
+            if (is_first)
+              stream << '\n' << title << '\n';
+            is_first = false;
+            stream << "  " << decision.name
+                   << std::string(width - decision.name.size() + 2, ' ')
+                   << decision.reason << '\n';
+          }
+    }
+  } // namespace
+
+  Counts count(const System &system)
+  {
+    const DofNumbering         &numbering = system.numbering();
+    std::array<unsigned int, 2> mine{{0, 0}};
+    for (const DofNumbering::Element &element : numbering.elements())
+      mine[0] += numbering.is_owned(element);
+    for (const ConnectorForces *group : system.connectors())
+      mine[1] += group->n_reported();
+    MPI_Allreduce(MPI_IN_PLACE,
+                  mine.data(),
+                  mine.size(),
+                  MPI_UNSIGNED,
+                  MPI_SUM,
+                  numbering.communicator().Comm());
+
+    Counts counts;
+    counts.joints        = system.lattice().joints.size();
+    counts.struts        = system.lattice().struts.size();
+    counts.elements      = mine[0];
+    counts.connectors    = mine[1];
+    counts.unknowns      = numbering.n_unknowns();
+    counts.free_unknowns = numbering.n_free();
+    counts.ranks         = numbering.n_ranks();
+    return counts;
+  }
+
+  Resources gather_resources(const double      wall_seconds,
+                             const PhaseTimes &wall,
+                             const MPI_Comm    communicator)
+  {
+    namespace MPI = dealii::Utilities::MPI;
+
+    dealii::Utilities::System::MemoryStats memory;
+    dealii::Utilities::System::get_memory_stats(memory);
+    const unsigned long peak = memory.VmHWM * 1024; // it counts in kB
+
+    std::array<double, 7> times{{wall_seconds,
+                                 wall.setup,
+                                 wall.residual,
+                                 wall.tangent,
+                                 wall.factorize,
+                                 wall.solve,
+                                 wall.output}};
+    MPI_Allreduce(MPI_IN_PLACE,
+                  times.data(),
+                  times.size(),
+                  MPI_DOUBLE,
+                  MPI_MAX,
+                  communicator);
+
+    Resources resources;
+    resources.largest_memory = MPI::max(peak, communicator);
+    resources.memory         = MPI::sum(peak, communicator);
+    resources.cpu_seconds    = MPI::sum(cpu_seconds(), communicator);
+    resources.wall_seconds   = times[0];
+    resources
+      .wall = {times[1], times[2], times[3], times[4], times[5], times[6]};
+    return resources;
+  }
+
+  std::string version_text()
+  {
+    const std::string revision = git_revision;
+    return std::string(version) + " (" +
+      (revision.empty() ? "" : revision + ", ") + build_type + ")";
+  }
+
+  std::string summary_json(const Scene &scene, const Summary &summary)
+  {
+    JsonObject memory;
+    memory.add("largest_rank", summary.resources.largest_memory);
+    memory.add("all_ranks", summary.resources.memory);
+
+    JsonObject object;
+    object.add("program", "auxfem");
+    object.add("version", version);
+    object.add("git_revision", git_revision);
+    object.add("build_type", build_type);
+    object.add("date", now());
+    object.add("file", scene.file);
+    object.add("title", scene.title);
+    object.add("exit_state", summary.exit_state);
+    object.add("time_reached", summary.time);
+    object.add("end_time", scene.time.end_time);
+    object.add("counts", json(summary.counts));
+    object.add("sections", names(scene.sections));
+    object.add("connector_groups", names(scene.connectors));
+    object.add("work", json(summary.totals));
+    object.add("wall_seconds", wall_json(summary.resources));
+    object.add("cpu_seconds", summary.resources.cpu_seconds);
+    object.add("peak_memory_bytes", memory);
+    object.add("energies_joule", json(summary.energies));
+    object.add("largest_rotation_radian", summary.largest_rotation);
+    return object.text() + '\n';
+  }
+
+  std::string overview_text(const Scene                       &scene,
+                            const Counts                      &counts,
+                            const std::vector<EffectDecision> &decisions)
+  {
+    std::ostringstream stream;
+    stream << "auxfem " << version_text() << "\n" << scene.file;
+    if (!scene.title.empty())
+      stream << ": " << scene.title;
+    stream << "\n\n";
+
+    const auto line = [&stream](const std::string &name,
+                                const unsigned int value,
+                                const std::string &remark = "") {
+      const std::string number = std::to_string(value);
+      stream << "  " << name << std::string(14 - name.size(), ' ')
+             << std::string(std::max<int>(0, 10 - number.size()), ' ') << number
+             << remark << '\n';
+    };
+    line("Joints", counts.joints);
+    line("Struts", counts.struts);
+    line("Elements",
+         counts.elements,
+         " of order " + std::to_string(scene.discretization.order));
+    line("Connectors", counts.connectors);
+    line("Unknowns",
+         counts.unknowns,
+         ", " + std::to_string(counts.free_unknowns) + " of them free");
+    line("MPI ranks", counts.ranks);
+
+    list_effects(stream, "Simulated", decisions, true);
+    list_effects(stream, "Left out", decisions, false);
+    std::string text = stream.str();
+    text.pop_back();
+    return text;
+  }
+
+  std::string closing_text(const Summary &summary, const std::string &folder)
+  {
+    const RunTotals   &totals = summary.totals;
+    const PhaseTimes  &wall   = summary.resources.wall;
+    std::ostringstream stream;
+    stream << (summary.exit_state == "completed" ? "Completed"
+                                                 : "Stopped early")
+           << " at t = " << summary.time << " s: " << totals.steps << " steps, "
+           << totals.iterations << " iterations, " << totals.factorizations
+           << " factorizations, " << totals.retries << " attempts undone\n"
+           << "Wall time " << seconds(summary.resources.wall_seconds)
+           << ": set-up " << seconds(wall.setup) << ", residuals "
+           << seconds(wall.residual) << ", tangents " << seconds(wall.tangent)
+           << ", factorizations " << seconds(wall.factorize) << ", solutions "
+           << seconds(wall.solve) << ", output " << seconds(wall.output) << '\n'
+           << "Peak memory " << (summary.resources.memory >> 20) << " MiB\n";
+
+    char balance[80];
+    std::snprintf(
+      balance,
+      sizeof(balance),
+      "Energy balance holds to %.1e of the largest energy (%.3e J)\n",
+      summary.energies.relative(summary.energies.largest_balance),
+      summary.energies.largest_energy);
+    if (summary.energies.largest_energy > 0)
+      stream << balance;
+    stream << "Results are in " << folder;
+    return stream.str();
+  }
+} // namespace auxfem

@@ -1,0 +1,143 @@
+#include <auxfem/output/vtu_writer.h>
+
+namespace auxfem
+{
+  namespace
+  {
+    void append(std::vector<float> &values, const dealii::Tensor<1, 3> &vector)
+    {
+      for (unsigned int d = 0; d < 3; ++d)
+        values.push_back(vector[d]);
+    }
+
+    const std::vector<GraphicsField> connector_fields = {
+      {"displacement", 3, "m"},
+      {"force", 1, "N"},
+      {"extension", 1, "m"},
+      {"dissipated_energy", 1, "J"},
+      {"group", 1, ""},
+      {"cell", 1, ""}};
+  } // namespace
+
+  VtuWriter::VtuWriter(const Scene       &scene,
+                       const System      &system,
+                       const std::string &folder,
+                       const MPI_Comm     communicator)
+    : system(system)
+    , n_segments(scene.output.segments)
+    , strut_series(folder, "solution", communicator)
+  {
+    const Lattice &lattice = system.lattice();
+    for (const SetDefinition &definition : scene.sets)
+      {
+        const auto set = lattice.strut_sets.find(definition.name);
+        if (set == lattice.strut_sets.end())
+          continue;
+        SetMembers members(lattice.struts.size(), false);
+        for (const unsigned int strut : set->second)
+          members[strut] = true;
+        set_names.push_back(definition.name);
+        sets.push_back(std::move(members));
+      }
+
+    if (!system.connectors().empty())
+      connector_series.emplace(folder, "connectors", communicator);
+  }
+
+  std::vector<GraphicsField> VtuWriter::strut_fields() const
+  {
+    std::vector<GraphicsField> fields = {{"displacement", 3, "m"}};
+    if (system.is_dynamic())
+      fields.push_back({"velocity", 3, "m/s"});
+    for (const GraphicsField &field :
+         std::vector<GraphicsField>{{"rotation", 1, "rad"},
+                                    {"axial_force", 1, "N"},
+                                    {"shear_force", 1, "N"},
+                                    {"bending_moment", 1, "N m"},
+                                    {"strain_energy_density", 1, "J/m"},
+                                    {"radius", 1, "m"},
+                                    {"strut", 1, ""},
+                                    {"cell", 1, ""},
+                                    {"section", 1, ""},
+                                    {"mpi_rank", 1, ""}})
+      fields.push_back(field);
+    for (const std::string &name : set_names)
+      fields.push_back({"set_" + field_name(name), 1, ""});
+    return fields;
+  }
+
+  void VtuWriter::write_struts(const State &state)
+  {
+    const DofNumbering &numbering = system.numbering();
+    const bool          dynamic   = system.is_dynamic();
+    LineGraphics        graphics(strut_fields());
+
+    std::vector<dealii::Point<3>> points;
+    std::vector<float>            values;
+    for (unsigned int e = 0; e < numbering.elements().size(); ++e)
+      {
+        const DofNumbering::Element &element = numbering.elements()[e];
+        if (!numbering.is_owned(element))
+          continue;
+
+        const unsigned int number = element.place.strut;
+        const Strut       &strut  = system.lattice().struts[number];
+        const float        radius = system.sections()[strut.section].radius;
+
+        points.clear();
+        values.clear();
+        for (const StrutPoint &point :
+             system.struts()->sample(state, e, n_segments + 1))
+          {
+            points.push_back(point.position);
+            append(values, point.displacement);
+            if (dynamic)
+              append(values, point.velocity);
+            for (const double value : {point.rotation,
+                                       point.axial_force,
+                                       point.shear_force,
+                                       point.bending_moment,
+                                       point.energy_density})
+              values.push_back(value);
+            values.push_back(radius);
+            for (const unsigned int value :
+                 {number, strut.cell, strut.section, numbering.rank()})
+              values.push_back(value);
+            for (const SetMembers &set : sets)
+              values.push_back(set[number] ? 1 : 0);
+          }
+        graphics.add_line(points, values);
+      }
+    strut_series.write(graphics, state.time);
+  }
+
+  void VtuWriter::write_connectors(const State &state)
+  {
+    if (!connector_series)
+      return;
+
+    LineGraphics       graphics(connector_fields);
+    std::vector<float> values;
+    for (unsigned int group = 0; group < system.connectors().size(); ++group)
+      {
+        const ConnectorForces &connectors = *system.connectors()[group];
+        for (unsigned int i = 0; i < connectors.n_reported(); ++i)
+          {
+            const ConnectorReport report = connectors.report(i, state);
+            values.clear();
+            for (const dealii::Tensor<1, 3> &displacement :
+                 report.displacements)
+              {
+                append(values, displacement);
+                for (const double value :
+                     {report.force, report.extension, report.dissipated})
+                  values.push_back(value);
+                values.push_back(group);
+                values.push_back(report.cell);
+              }
+            graphics.add_line({report.ends[0], report.ends[1]}, values);
+          }
+      }
+    connector_series->write(graphics, state.time);
+  }
+} // namespace auxfem

@@ -1,0 +1,311 @@
+#include <auxfem/parameters/errors.h>
+#include <auxfem/parameters/mistakes.h>
+#include <auxfem/parameters/parameter_file.h>
+
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace auxfem
+{
+  namespace
+  {
+    using dealii::Utilities::trim;
+
+    template <class Named>
+    auto find_by_name(Named &list, const std::string &name)
+    {
+      const auto found =
+        std::find_if(list.begin(), list.end(), [&name](const auto &item) {
+          return item.name == name;
+        });
+      return found == list.end() ? nullptr : &*found;
+    }
+
+    std::string directory_of(const std::string &file)
+    {
+      const std::size_t slash = file.rfind('/');
+      return slash == std::string::npos ? "" : file.substr(0, slash + 1);
+    }
+
+    /** Splits `subsection a b` into `subsection` and `a b`. */
+    std::pair<std::string, std::string> first_word(const std::string &line)
+    {
+      const std::size_t end = line.find_first_of(" \t");
+      return end == std::string::npos
+        ? std::make_pair(line, std::string())
+        : std::make_pair(line.substr(0, end), trim(line.substr(end)));
+    }
+
+    /** Joins words by single blanks: names may be laid out freely. */
+    std::string single_blanks(const std::string &text)
+    {
+      std::istringstream words(text);
+      std::string        result, word;
+      while (words >> word)
+        result += (result.empty() ? "" : " ") + word;
+      return result;
+    }
+
+    /** Turns lines into the tree; goes on after a mistake, to find the others.
+     */
+    class Scanner
+    {
+    public:
+      void read_file(const std::string &file)
+      {
+        std::ifstream stream(file);
+        // a folder can be opened like a file, only reading it fails
+        if (!stream || std::filesystem::is_directory(file))
+          {
+            mistakes.add((open_files.empty() ? "" : place().text() + ": ") +
+                         "the parameter file \"" + file +
+                         "\" cannot be opened; check its name and that you "
+                         "may read it");
+            return;
+          }
+        read_stream(stream, file);
+      }
+
+      void read_stream(std::istream &stream, const std::string &name)
+      {
+        const std::size_t outer_depth = depth();
+        open_files.push_back({name, 0});
+        std::string line;
+        while (next_line(stream, line))
+          understand(line, outer_depth);
+        while (depth() > outer_depth)
+          {
+            mistakes.add(stack.back()->place.text() + ": subsection \"" +
+                         stack.back()->name +
+                         "\" is not closed; add the missing \"end\"");
+            stack.pop_back();
+          }
+        open_files.pop_back();
+      }
+
+      ParameterSubsection result(const std::string &name)
+      {
+        mistakes.throw_if_any(name);
+        return root;
+      }
+
+    private:
+      std::size_t depth() const
+      {
+        return stack.size();
+      }
+
+      const FilePlace &place() const
+      {
+        return open_files.back();
+      }
+
+      /** The next line with continuations, without comments. */
+      bool next_line(std::istream &stream, std::string &line)
+      {
+        line.clear();
+        std::string piece;
+        bool        continued = false;
+        while (std::getline(stream, piece))
+          {
+            ++open_files.back().line;
+            const bool comment_only =
+              !trim(piece).empty() && trim(piece)[0] == '#';
+            piece = trim(piece.substr(0, piece.find('#')));
+            // comments may stand between the parts of a continued line
+            if (continued && comment_only)
+              continue;
+            continued = !piece.empty() && piece.back() == '\\';
+            if (continued)
+              piece.pop_back();
+            line += piece;
+            if (!continued)
+              return true;
+          }
+        if (continued)
+          mistakes.add(place().text() +
+                       ": the file ends within a line continued by \"\\\"");
+        return false;
+      }
+
+      void understand(const std::string &line, const std::size_t outer_depth)
+      {
+        if (line.empty())
+          return;
+        const auto [keyword, rest] = first_word(line);
+        if (keyword == "subsection" && !rest.empty())
+          open_subsection(single_blanks(rest));
+        else if (keyword == "end" && rest.empty())
+          close_subsection(outer_depth);
+        else if (keyword == "set" && rest.find('=') != std::string::npos &&
+                 rest[0] != '=')
+          set_entry(single_blanks(rest.substr(0, rest.find('='))),
+                    trim(rest.substr(rest.find('=') + 1)));
+        else if (keyword == "include" && !rest.empty())
+          include_file(rest);
+        else
+          mistakes.add(place().text() + ": line not understood: \"" + line +
+                       "\"; expected one of: subsection NAME, "
+                       "set NAME = VALUE, end, include FILE, # comment");
+      }
+
+      ParameterSubsection &current()
+      {
+        return stack.empty() ? root : *stack.back();
+      }
+
+      void open_subsection(const std::string &name)
+      {
+        ParameterSubsection &parent = current();
+        if (parent.find_subsection(name) == nullptr)
+          parent.subsections.push_back({name, place(), {}, {}});
+        stack.push_back(parent.find_subsection(name));
+      }
+
+      void close_subsection(const std::size_t outer_depth)
+      {
+        if (depth() == outer_depth)
+          mistakes.add(place().text() +
+                       ": \"end\" without a subsection to close; remove it");
+        else
+          stack.pop_back();
+      }
+
+      void set_entry(const std::string &name, const std::string &value)
+      {
+        const ParameterEntry *first = current().find_entry(name);
+        if (first == nullptr)
+          {
+            current().entries.push_back({name, value, place()});
+            return;
+          }
+        std::string path;
+        for (const ParameterSubsection *subsection : stack)
+          path += subsection->name + "/";
+        mistakes.add(place().text() + ": " + path + name +
+                     " is given a second time (value \"" + value +
+                     "\"); the first is at " + first->place.text() +
+                     " (value \"" + first->value + "\"); remove one of them");
+      }
+
+      void include_file(std::string file)
+      {
+        if (file.size() > 1 && file.front() == '"' && file.back() == '"')
+          file = file.substr(1, file.size() - 2);
+        if (file[0] != '/')
+          file = directory_of(place().file) + file;
+        for (const FilePlace &open : open_files)
+          if (open.file == file)
+            {
+              mistakes.add(place().text() + ": \"" + file +
+                           "\" includes itself; remove this line");
+              return;
+            }
+        read_file(file);
+      }
+
+      ParameterSubsection                root;
+      std::vector<ParameterSubsection *> stack;
+      std::vector<FilePlace>             open_files;
+      Mistakes                           mistakes;
+    };
+  } // namespace
+
+
+
+  std::string FilePlace::text() const
+  {
+    return line == 0 ? file : file + ":" + std::to_string(line);
+  }
+
+
+
+  const ParameterEntry *
+  ParameterSubsection::find_entry(const std::string &wanted) const
+  {
+    return find_by_name(entries, wanted);
+  }
+
+
+
+  ParameterEntry *ParameterSubsection::find_entry(const std::string &wanted)
+  {
+    return find_by_name(entries, wanted);
+  }
+
+
+
+  const ParameterSubsection *
+  ParameterSubsection::find_subsection(const std::string &wanted) const
+  {
+    return find_by_name(subsections, wanted);
+  }
+
+
+
+  ParameterSubsection *
+  ParameterSubsection::find_subsection(const std::string &wanted)
+  {
+    return find_by_name(subsections, wanted);
+  }
+
+
+
+  ParameterSubsection read_parameter_file(const std::string &file)
+  {
+    Scanner scanner;
+    scanner.read_file(file);
+    ParameterSubsection root = scanner.result(file);
+    root.place.file          = file;
+    return root;
+  }
+
+
+
+  ParameterSubsection parse_parameter_text(const std::string &text,
+                                           const std::string &name)
+  {
+    Scanner            scanner;
+    std::istringstream stream(text);
+    scanner.read_stream(stream, name);
+    ParameterSubsection root = scanner.result(name);
+    root.place.file          = name;
+    return root;
+  }
+
+
+
+  void apply_override(ParameterSubsection &root, const std::string &assignment)
+  {
+    const FilePlace          origin = {"command line", 0};
+    const std::size_t        equals = assignment.find('=');
+    const std::string        path   = trim(assignment.substr(0, equals));
+    std::vector<std::string> names =
+      dealii::Utilities::split_string_list(path, '/');
+    if (equals == std::string::npos ||
+        assignment.find_first_of("#\n") != std::string::npos || path.empty() ||
+        path.back() == '/' ||
+        std::find(names.begin(), names.end(), "") != names.end())
+      throw InputError("command line: override \"" + assignment +
+                       "\" not understood; expected "
+                       "\"Subsection/Parameter=value\" on one line and "
+                       "without #, e.g. --set \"Time/End time=0.1\"");
+
+    ParameterSubsection *subsection = &root;
+    for (std::size_t i = 0; i + 1 < names.size(); ++i)
+      {
+        if (subsection->find_subsection(names[i]) == nullptr)
+          subsection->subsections.push_back({names[i], origin, {}, {}});
+        subsection = subsection->find_subsection(names[i]);
+      }
+    const std::string value = trim(assignment.substr(equals + 1));
+    if (ParameterEntry *entry = subsection->find_entry(names.back()))
+      *entry = {names.back(), value, origin};
+    else
+      subsection->entries.push_back({names.back(), value, origin});
+  }
+} // namespace auxfem

@@ -1,0 +1,273 @@
+#include <auxfem/parameters/errors.h>
+#include <auxfem/parameters/quantity.h>
+
+#include <deal.II/base/numbers.h>
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace auxfem
+{
+  namespace
+  {
+    using dealii::Utilities::trim;
+
+    struct Symbol
+    {
+      const char *word;
+      Unit        unit;
+    };
+
+    constexpr std::array<int, 4> none     = {{0, 0, 0, 0}};
+    constexpr std::array<int, 4> length   = {{1, 0, 0, 0}};
+    constexpr std::array<int, 4> mass     = {{0, 1, 0, 0}};
+    constexpr std::array<int, 4> time     = {{0, 0, 1, 0}};
+    constexpr std::array<int, 4> angle    = {{0, 0, 0, 1}};
+    constexpr std::array<int, 4> force    = {{1, 1, -2, 0}};
+    constexpr std::array<int, 4> pressure = {{-1, 1, -2, 0}};
+    constexpr std::array<int, 4> energy   = {{2, 1, -2, 0}};
+    constexpr std::array<int, 4> rate     = {{0, 0, -1, 0}};
+
+    const std::vector<Symbol> &symbols()
+    {
+      static const std::vector<Symbol> table = {
+        {"m", {length, 1}},       {"mm", {length, 1e-3}},
+        {"cm", {length, 1e-2}},   {"um", {length, 1e-6}},
+        {"km", {length, 1e3}},    {"in", {length, 0.0254}},
+        {"ft", {length, 0.3048}}, {"kg", {mass, 1}},
+        {"g", {mass, 1e-3}},      {"t", {mass, 1e3}},
+        {"s", {time, 1}},         {"ms", {time, 1e-3}},
+        {"us", {time, 1e-6}},     {"min", {time, 60}},
+        {"h", {time, 3600}},      {"N", {force, 1}},
+        {"kN", {force, 1e3}},     {"MN", {force, 1e6}},
+        {"mN", {force, 1e-3}},    {"lbf", {force, 4.4482216152605}},
+        {"Pa", {pressure, 1}},    {"kPa", {pressure, 1e3}},
+        {"MPa", {pressure, 1e6}}, {"GPa", {pressure, 1e9}},
+        {"J", {energy, 1}},       {"Hz", {rate, 1}},
+        {"rad", {angle, 1}},      {"deg", {angle, dealii::numbers::PI / 180}},
+        {"%", {none, 1e-2}}};
+      return table;
+    }
+
+    bool is_letter(const char c)
+    {
+      return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '%';
+    }
+
+    bool is_digit(const char c)
+    {
+      return c >= '0' && c <= '9';
+    }
+
+    std::string all_words()
+    {
+      std::string list;
+      for (const Symbol &symbol : symbols())
+        list += (list.empty() ? "" : ", ") + std::string(symbol.word);
+      return list;
+    }
+
+    const Unit &find_symbol(const std::string &word,
+                            const std::string &expression)
+    {
+      for (const Symbol &symbol : symbols())
+        if (word == symbol.word)
+          return symbol.unit;
+      throw InputError(
+        "unit word \"" + word + "\"" +
+        (word == expression ? "" : " in \"" + expression + "\"") +
+        " is not known; known are: " + all_words());
+    }
+
+    /** One `mm^4` of a unit expression and where its word stands in the text.
+     */
+    struct Factor
+    {
+      std::string word; // empty for the literal 1
+      int         exponent;
+      std::size_t position;
+    };
+
+    /** Cuts a unit expression into factors. */
+    class UnitScanner
+    {
+    public:
+      explicit UnitScanner(const std::string &text) : text(text)
+      {}
+
+      std::vector<Factor> factors()
+      {
+        std::vector<Factor> result;
+        bool                expect_factor = true;
+        int                 sign          = 1;
+        for (; position < text.size();)
+          if (text[position] == ' ' || text[position] == '\t')
+            ++position;
+          else if (text[position] == '/' || text[position] == '*')
+            {
+              const bool divide = (text[position++] == '/');
+              // "/s" may begin a unit ("5 /s"), "*s" or "m//s" may not
+              if (sign < 0 || (expect_factor && !(divide && result.empty())))
+                fail();
+              sign          = (divide ? -1 : 1);
+              expect_factor = true;
+            }
+          else
+            {
+              result.push_back(factor(sign));
+              sign          = 1;
+              expect_factor = false;
+            }
+        if (expect_factor)
+          fail();
+        return result;
+      }
+
+    private:
+      [[noreturn]] void fail() const
+      {
+        throw InputError("\"" + text +
+                         "\" is no unit; write units like mm, N s/m, kg/m3");
+      }
+
+      Factor factor(const int sign)
+      {
+        const std::size_t start = position;
+        if (text[position] == '1' &&
+            (position + 1 == text.size() || !is_digit(text[position + 1])))
+          {
+            ++position;
+            return {"", sign, start};
+          }
+        while (position < text.size() && is_letter(text[position]))
+          ++position;
+        if (position == start)
+          fail();
+        const std::string word = text.substr(start, position - start);
+        return {word, sign * exponent(), start};
+      }
+
+      int exponent()
+      {
+        const bool caret = position < text.size() && text[position] == '^';
+        if (caret)
+          ++position;
+        const bool negative =
+          caret && position < text.size() && text[position] == '-';
+        if (negative)
+          ++position;
+        if (position == text.size() || !is_digit(text[position]))
+          {
+            if (caret)
+              fail();
+            return 1;
+          }
+        const int value = text[position++] - '0';
+        if (position < text.size() && is_digit(text[position]))
+          fail();
+        return negative ? -value : value;
+      }
+
+      const std::string text;
+      std::size_t       position = 0;
+    };
+
+    bool begins_number(const std::string &token)
+    {
+      return (is_digit(token[0]) || token[0] == '+' || token[0] == '-' ||
+              token[0] == '.') &&
+        // the unit word of "5 1/s"
+        token.compare(0, 2, "1/") != 0;
+    }
+  } // namespace
+
+
+
+  Unit parse_unit(const std::string &expression)
+  {
+    Unit result;
+    for (const Factor &factor : UnitScanner(expression).factors())
+      if (!factor.word.empty())
+        {
+          const Unit &unit = find_symbol(factor.word, expression);
+          for (unsigned int i = 0; i < result.dimension.size(); ++i)
+            result.dimension[i] += factor.exponent * unit.dimension[i];
+          result.factor *= std::pow(unit.factor, factor.exponent);
+        }
+    return result;
+  }
+
+
+
+  ParsedQuantity split_quantity(const std::string &text)
+  {
+    const std::string trimmed = trim(text);
+    const char       *begin   = trimmed.data();
+    const char       *end     = begin + trimmed.size();
+    if (begin != end && *begin == '+')
+      ++begin;
+    double     number = 0;
+    const auto answer = std::from_chars(begin, end, number);
+    if (answer.ec != std::errc() || !std::isfinite(number))
+      throw InputError("\"" + trimmed + "\" is not a number");
+    return {number, trim(std::string(answer.ptr, end))};
+  }
+
+
+
+  double parse_quantity(const std::string &text, const std::string &unit)
+  {
+    const ParsedQuantity quantity = split_quantity(text);
+    const Unit           declared = parse_unit(unit);
+    if (quantity.unit.empty())
+      return quantity.number * declared.factor;
+    const Unit given = parse_unit(quantity.unit);
+    if (given.dimension != declared.dimension)
+      throw InputError("unit word \"" + quantity.unit + "\" does not fit");
+    return quantity.number * given.factor;
+  }
+
+
+
+  std::vector<std::string> split_quantity_list(const std::string &text)
+  {
+    std::vector<std::string> items;
+    if (trim(text).empty())
+      return items;
+    if (text.find(',') != std::string::npos)
+      return dealii::Utilities::split_string_list(text, ',');
+    for (const std::string &token :
+         dealii::Utilities::split_string_list(text, ' '))
+      if (token.empty())
+        continue;
+      else if (items.empty() || begins_number(token))
+        items.push_back(token);
+      else
+        items.back() += " " + token;
+    return items;
+  }
+
+
+
+  std::vector<std::string> fitting_units(const std::string &unit)
+  {
+    std::vector<std::string> result = {unit};
+    const auto               add    = [&result](const std::string &word) {
+      if (std::find(result.begin(), result.end(), word) == result.end())
+        result.push_back(word);
+    };
+    for (const Factor &factor : UnitScanner(unit).factors())
+      for (const Symbol &symbol : symbols())
+        if (!factor.word.empty() &&
+            symbol.unit.dimension == find_symbol(factor.word, unit).dimension)
+          add(unit.substr(0, factor.position) + symbol.word +
+              unit.substr(factor.position + factor.word.size()));
+    const Unit declared = parse_unit(unit);
+    for (const Symbol &symbol : symbols())
+      if (symbol.unit.dimension == declared.dimension)
+        add(symbol.word);
+    return result;
+  }
+} // namespace auxfem

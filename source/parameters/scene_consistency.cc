@@ -1,0 +1,111 @@
+#include <auxfem/parameters/scene_sections.h>
+
+#include <map>
+#include <sstream>
+
+namespace auxfem
+{
+  namespace
+  {
+    template <class... Parts>
+    std::string message(const Scene &scene, const Parts &...parts)
+    {
+      std::ostringstream text;
+      text << scene.file << ": ";
+      (text << ... << parts);
+      return text.str();
+    }
+
+    void check_steps(const Scene &scene, Mistakes &mistakes)
+    {
+      const TimeParameters &time = scene.time;
+      if (time.step > time.end_time)
+        mistakes.add(message(scene,
+                             "Time/Time step = ",
+                             time.step,
+                             " s is longer than Time/End time = ",
+                             time.end_time,
+                             " s. Reduce the step or move the end"));
+      if (time.smallest_step > time.step)
+        mistakes.add(message(scene,
+                             "Time/Smallest time step = ",
+                             time.smallest_step,
+                             " s is longer than Time/Time step = ",
+                             time.step,
+                             " s. Reduce it, or set it to 0 for a 1024th of "
+                             "the time step"));
+    }
+
+    void check_newmark(const Scene &scene, Mistakes &mistakes)
+    {
+      const TimeParameters &time = scene.time;
+      // beta = gamma / 2 must pass although the decimals of both are rounded
+      const bool stable =
+        time.gamma >= 0.5 && 2 * time.beta >= time.gamma * (1 - 1e-12);
+      if (time.scheme == "newmark" && !stable)
+        mistakes.add(message(scene,
+                             "Time/Newmark beta = ",
+                             time.beta,
+                             " and Time/Newmark gamma = ",
+                             time.gamma,
+                             " are not unconditionally stable, which needs "
+                             "2 beta >= gamma >= 1/2. Use e.g. beta = 0.25 and "
+                             "gamma = 0.5"));
+    }
+
+    void check_inertia(const Scene &scene, Mistakes &mistakes)
+    {
+      const bool statics = (scene.time.scheme == "static");
+      if (statics && scene.effects.inertia == Switch::on)
+        mistakes.add(message(scene,
+                             "Effects/Inertia = on contradicts Time/Scheme = "
+                             "static. Choose a dynamic scheme or set Inertia = "
+                             "auto"));
+      if (!statics && scene.effects.inertia == Switch::off)
+        mistakes.add(message(scene,
+                             "Effects/Inertia = off with Time/Scheme = ",
+                             scene.time.scheme,
+                             ": without inertia there is no motion to "
+                             "integrate. Set Time/Scheme = static"));
+      if (statics && !scene.initial_velocities.empty())
+        mistakes.add(message(scene,
+                             scene.initial_velocities.front().path,
+                             ": an initial velocity contradicts Time/Scheme = "
+                             "static. Remove it or choose a dynamic scheme"));
+    }
+
+    /** Probes, supports and connectors give history.csv columns
+     * `NAME.quantity`. */
+    void check_column_names(const Scene &scene, Mistakes &mistakes)
+    {
+      std::map<std::string, std::string> paths;
+      const auto                         enter = [&](const auto &definitions) {
+        for (const auto &definition : definitions)
+          {
+            const auto [other, is_new] =
+              paths.emplace(definition.name, definition.path);
+            if (!is_new)
+              mistakes.add(message(scene,
+                                   definition.path,
+                                   " and ",
+                                   other->second,
+                                   " have the same name, but both give columns "
+                                                           "of history.csv. Rename one of them"));
+          }
+      };
+      enter(scene.supports);
+      enter(scene.connectors);
+      enter(scene.output.probes);
+    }
+  } // namespace
+
+
+
+  void check_consistency(const Scene &scene, Mistakes &mistakes)
+  {
+    check_steps(scene, mistakes);
+    check_newmark(scene, mistakes);
+    check_inertia(scene, mistakes);
+    check_column_names(scene, mistakes);
+  }
+} // namespace auxfem

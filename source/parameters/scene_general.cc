@@ -1,0 +1,128 @@
+#include <auxfem/parameters/errors.h>
+#include <auxfem/parameters/quantity.h>
+#include <auxfem/parameters/scene_sections.h>
+
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
+#include <set>
+
+namespace auxfem
+{
+  namespace
+  {
+    using dealii::Utilities::trim;
+
+    const Text    title     = {"Title", "", "Title of the scene, for people."};
+    const Integer dimension = {"Dimension",
+                               2,
+                               2,
+                               3,
+                               "Dimension of space; only 2 so far."};
+    const Text    constants = {
+         "Constants",
+         "",
+         "Constants for expressions, \"name = number, name = number\"; a number "
+            "may have a unit word and then counts in SI."};
+
+    bool is_identifier(const std::string &name)
+    {
+      const auto letter = [](const char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+      };
+      return !name.empty() && letter(name[0]) &&
+        std::all_of(name.begin(), name.end(), [&letter](const char c) {
+          return letter(c) || (c >= '0' && c <= '9');
+        });
+    }
+
+    double constant_value(const std::string &text)
+    {
+      const std::string unit = split_quantity(text).unit;
+      return parse_quantity(text, unit.empty() ? "1" : unit);
+    }
+
+    std::pair<std::string, double> read_constant(const std::string &item)
+    {
+      // names that expressions have a meaning for already
+      static const std::set<std::string> taken = {"t",
+                                                  "x",
+                                                  "y",
+                                                  "z",
+                                                  "pi",
+                                                  "e",
+                                                  "_pi",
+                                                  "_e",
+                                                  "xmin",
+                                                  "xmax",
+                                                  "ymin",
+                                                  "ymax",
+                                                  "zmin",
+                                                  "zmax"};
+      const std::string message = "Constants = ... " + item + " ...: ";
+      const std::size_t equals  = item.find('=');
+      const std::string name    = trim(item.substr(0, equals));
+      if (equals == std::string::npos || !is_identifier(name))
+        throw InputError(message +
+                         "not understood; write name = number, the name of "
+                         "letters, digits and _, e.g. Constants = F0 = 1.0, t0 "
+                         "= 10 ms");
+      if (taken.count(name) != 0)
+        throw InputError(message + "the name \"" + name +
+                         "\" has a meaning in expressions already; choose "
+                         "another one");
+      try
+        {
+          return {name, constant_value(item.substr(equals + 1))};
+        }
+      catch (const InputError &error)
+        {
+          throw InputError(message + error.what() +
+                           "; allowed: a number, with or without a unit word");
+        }
+    }
+
+    void read_constants(const std::string &text, SceneContext &context)
+    {
+      for (const std::string &item :
+           dealii::Utilities::split_string_list(text, ','))
+        {
+          const auto constant = read_constant(item);
+          for (const auto &other : context.constants)
+            if (other.first == constant.first)
+              throw InputError("Constants: \"" + constant.first +
+                               "\" is given twice; remove one of them");
+          context.constants.push_back(constant);
+        }
+    }
+
+    void read_general(dealii::ParameterHandler &prm,
+                      const std::string &,
+                      const SceneContext &,
+                      Scene &scene)
+    {
+      scene.title = get(prm, title);
+      read_constants(get(prm, constants), scene.context);
+      if (get(prm, dimension) == 3)
+        throw InputError("Dimension = 3: scenes in three dimensions are not "
+                         "supported yet; set Dimension = 2");
+    }
+  } // namespace
+
+
+
+  std::vector<SubsectionKind> general_kinds()
+  {
+    return {{"",
+             SubsectionKind::Form::fixed,
+             "At the top of the file, outside all subsections.",
+             [](dealii::ParameterHandler &prm) {
+               declare(prm, title);
+               declare(prm, dimension);
+               declare(prm, constants);
+             },
+             "",
+             {},
+             read_general}};
+  }
+} // namespace auxfem

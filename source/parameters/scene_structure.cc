@@ -1,0 +1,285 @@
+#include <auxfem/parameters/errors.h>
+#include <auxfem/parameters/scene_sections.h>
+
+#include <algorithm>
+
+namespace auxfem
+{
+  namespace
+  {
+    using Form = SubsectionKind::Form;
+
+    template <class Product>
+    std::vector<SubsectionVariant>
+    variants_of(const Registry<Product> &registry)
+    {
+      std::vector<SubsectionVariant> variants;
+      for (const RegistryEntry<Product> &entry : registry)
+        variants.push_back({entry.name, entry.description, entry.declare});
+      return variants;
+    }
+
+    std::vector<std::string>
+    names_of(const std::vector<SubsectionVariant> &variants)
+    {
+      std::vector<std::string> names;
+      for (const SubsectionVariant &variant : variants)
+        names.push_back(variant.name);
+      return names;
+    }
+
+    template <class Product>
+    const RegistryEntry<Product> &find(const Registry<Product> &registry,
+                                       const std::string       &name)
+    {
+      return *std::find_if(registry.begin(),
+                           registry.end(),
+                           [&name](const RegistryEntry<Product> &entry) {
+                             return entry.name == name;
+                           });
+    }
+
+    // Lattice
+
+    Choice cell_choice()
+    {
+      return {"Cell",
+              "",
+              names_of(variants_of(cell_registry())),
+              "Kind of unit cell."};
+    }
+
+    const Integer cells_x = {"Cells x",
+                             1,
+                             1,
+                             100000,
+                             "Number of unit cells along x."};
+    const Integer cells_y = {"Cells y",
+                             1,
+                             1,
+                             100000,
+                             "Number of unit cells along y."};
+
+    void read_lattice(dealii::ParameterHandler &prm,
+                      const std::string &,
+                      const SceneContext &context,
+                      Scene              &scene)
+    {
+      scene.n_cells = {{get(prm, cells_x), get(prm, cells_y), 1}};
+      scene.cell =
+        find(cell_registry(), get(prm, cell_choice())).make(prm, context);
+    }
+
+    SubsectionKind lattice_kind()
+    {
+      return {"Lattice",
+              Form::fixed,
+              "The array of unit cells.",
+              [](dealii::ParameterHandler &prm) {
+                declare(prm, cell_choice());
+                declare(prm, cells_x);
+                declare(prm, cells_y);
+              },
+              "Cell",
+              variants_of(cell_registry()),
+              read_lattice};
+    }
+
+    // Sets
+
+    SubsectionKind sets_kind()
+    {
+      return {
+        "Sets",
+        Form::free_entries,
+        "Sets of joints or struts: \"joints: \" or \"struts: \" followed "
+        "by set names joined by +, by numbers, by \"nearest: x, y\" or by "
+        "a condition in x and y (m), e.g. joints: y > ymax - 1e-6.",
+        {},
+        "",
+        {},
+        [](dealii::ParameterHandler &prm,
+           const std::string        &name,
+           const SceneContext       &context,
+           Scene                    &scene) {
+          scene.sets.push_back({name, prm.get(name), context.path});
+        }};
+    }
+
+    // Joints
+
+    const Text joints = {"Joints", "", "Set of joints.", true};
+    const Text released_struts =
+      {"Struts", "all", "Set of struts whose ends are released there."};
+    const Choice   joint_type      = {"Type",
+                                      "hinge",
+                                      {"hinge", "rotational spring"},
+                                      "How the struts are connected."};
+    const Quantity joint_stiffness = {
+      "Stiffness",
+      "",
+      "N m/rad",
+      Range::non_negative(),
+      "Stiffness between a released strut and the first strut of the joint."};
+
+    void read_joint(dealii::ParameterHandler &prm,
+                    const std::string        &name,
+                    const SceneContext       &context,
+                    Scene                    &scene)
+    {
+      JointDefinition joint;
+      joint.name   = name;
+      joint.path   = context.path;
+      joint.joints = get(prm, joints);
+      joint.struts = get(prm, released_struts);
+      if (get(prm, joint_type) == "rotational spring")
+        {
+          joint.type      = JointDefinition::Type::rotational_spring;
+          joint.stiffness = get(prm, joint_stiffness);
+        }
+      scene.joints.push_back(joint);
+    }
+
+    SubsectionKind joints_kind()
+    {
+      return {"Joints",
+              Form::named_groups,
+              "Joints at which struts are not rigidly connected.",
+              [](dealii::ParameterHandler &prm) {
+                declare(prm, joints);
+                declare(prm, released_struts);
+                declare(prm, joint_type);
+              },
+              "Type",
+              {{"hinge", "Struts turn freely.", {}},
+               {"rotational spring",
+                "A spring resists the relative rotation.",
+                [](dealii::ParameterHandler &prm) {
+                  declare(prm, joint_stiffness);
+                }}},
+              read_joint};
+    }
+
+    // Connectors
+
+    Choice law_choice()
+    {
+      return {"Law",
+              "",
+              names_of(variants_of(connector_law_registry())),
+              "Relation between force and extension."};
+    }
+
+    const Text between = {
+      "Between",
+      "in-cell",
+      "Pairs of joints: a set of pairs the cell offers (in-cell, rod), numbers "
+      "\"3 5; 7 9\", or \"ground: JOINTS\"."};
+    const Choice geometry = {
+      "Geometry",
+      "line",
+      {"line", "direction"},
+      "Extension along the current line between the two ends, or along a "
+      "direction fixed in space."};
+    const QuantityList direction = {
+      "Direction",
+      "0 0",
+      "1",
+      Range::any(),
+      2,
+      2,
+      "Components x and y of the direction, of any length but zero; only with "
+      "Geometry = direction."};
+    const QuantityList ground_offset = {
+      "Ground offset",
+      "0 0",
+      "m",
+      Range::any(),
+      2,
+      2,
+      "Place of the ground point, counted from the joint at rest; only with "
+      "Between = ground: JOINTS."};
+
+    void check_connector(const ConnectorDefinition &connector,
+                         const double               direction_length)
+    {
+      const bool along_line =
+        connector.geometry == ConnectorDefinition::Geometry::line;
+      const bool grounded = connector.between.compare(0, 7, "ground:") == 0;
+      const bool offset   = connector.ground_offset.norm() > 0;
+      if (along_line && direction_length > 0)
+        throw InputError(connector.path +
+                         ": Direction is given, but Geometry = line. Remove "
+                         "Direction or set Geometry = direction");
+      if (!along_line && !(direction_length > 0))
+        throw InputError(connector.path +
+                         ": Geometry = direction needs a Direction other than "
+                         "0 0, e.g. set Direction = 0 1");
+      if (offset && !grounded)
+        throw InputError(connector.path +
+                         ": Ground offset is given, but "
+                         "Between = " +
+                         connector.between +
+                         ". Remove it or set Between = ground: JOINTS");
+      if (along_line && grounded && !offset)
+        throw InputError(connector.path +
+                         ": a line from a joint to itself has no direction. "
+                         "Give a Ground offset or set Geometry = direction");
+    }
+
+    void read_connector(dealii::ParameterHandler &prm,
+                        const std::string        &name,
+                        const SceneContext       &context,
+                        Scene                    &scene)
+    {
+      ConnectorDefinition connector;
+      connector.name    = name;
+      connector.path    = context.path;
+      connector.between = get(prm, between);
+      if (get(prm, geometry) == "direction")
+        connector.geometry = ConnectorDefinition::Geometry::direction;
+      const std::vector<double> vector = get(prm, direction);
+      const std::vector<double> offset = get(prm, ground_offset);
+      for (unsigned int i = 0; i < 2; ++i)
+        {
+          connector.direction[i]     = vector[i];
+          connector.ground_offset[i] = offset[i];
+        }
+      const double length = connector.direction.norm();
+      check_connector(connector, length);
+      if (length > 0)
+        connector.direction /= length;
+      connector.law = find(connector_law_registry(), get(prm, law_choice()))
+                        .make(prm, context);
+      scene.connectors.push_back(connector);
+    }
+
+    SubsectionKind connectors_kind()
+    {
+      return {"Connectors",
+              Form::named_groups,
+              "Equal connectors between pairs of joints.",
+              [](dealii::ParameterHandler &prm) {
+                declare(prm, law_choice());
+                declare(prm, between);
+                declare(prm, geometry);
+                declare(prm, direction);
+                declare(prm, ground_offset);
+              },
+              "Law",
+              variants_of(connector_law_registry()),
+              read_connector};
+    }
+  } // namespace
+
+
+
+  std::vector<SubsectionKind> structure_kinds()
+  {
+    return {lattice_kind(),
+            sets_kind(),
+            sections_kind(),
+            joints_kind(),
+            connectors_kind()};
+  }
+} // namespace auxfem

@@ -1,0 +1,85 @@
+#include <auxfem/mesh/sets.h>
+#include <auxfem/output/run_output.h>
+#include <auxfem/parameters/errors.h>
+#include <auxfem/simulation.h>
+#include <auxfem/system/mechanism.h>
+#include <auxfem/time/stopwatch.h>
+#include <auxfem/time/time_stepper.h>
+
+namespace auxfem
+{
+  namespace
+  {
+    void count(const StepReport &report, RunTotals &totals)
+    {
+      ++totals.steps;
+      totals.iterations += report.iterations;
+      totals.factorizations += report.factorizations;
+      totals.retries += report.retries;
+    }
+
+    void finish(RunOutput         &output,
+                const System      &system,
+                const State       &state,
+                TimeStepper       &stepper,
+                RunTotals          totals,
+                const std::string &exit_state)
+    {
+      const double setup  = totals.wall.setup;
+      totals.wall         = stepper.newton().times();
+      totals.wall.setup   = setup;
+      totals.wall.output  = output.seconds();
+      output.finish(system, state, totals, exit_state);
+    }
+
+    void refuse_mechanism_if_static(const Scene  &scene,
+                                    const System &system,
+                                    const State  &state,
+                                    TimeStepper  &stepper)
+    {
+      if (system.is_dynamic() && !scene.time.static_start)
+        return;
+      refuse_mechanism(system, state, stepper.newton().tangent(), stepper.newton().solver());
+    }
+  } // namespace
+
+  void run(const Scene &scene, const MPI_Comm communicator)
+  {
+    RunTotals totals;
+    auto      setup = std::make_unique<Stopwatch>(totals.wall.setup);
+
+    RunOutput     output(scene, communicator);
+    const Lattice lattice = build_lattice(scene);
+    System        system(scene, lattice, communicator);
+    TimeStepper   stepper(system, scene);
+    State         state = system.initial_state();
+    output.begin(system);
+    setup.reset();
+
+    try
+      {
+        refuse_mechanism_if_static(scene, system, state, stepper);
+        stepper.start(state);
+        output.write_start(system, state);
+        while (state.step < stepper.n_steps())
+          {
+            const StepReport report = stepper.advance(state);
+            count(report, totals);
+            output.write_step(system, state, report);
+          }
+      }
+    catch (const std::exception &failure)
+      {
+        finish(output, system, state, stepper, totals, failure.what());
+        throw;
+      }
+    finish(output, system, state, stepper, totals, "completed");
+  }
+
+  void check(const Scene &scene, const MPI_Comm communicator)
+  {
+    const Lattice lattice = build_lattice(scene);
+    const System  system(scene, lattice, communicator);
+    print_overview(scene, system);
+  }
+} // namespace auxfem

@@ -1,0 +1,76 @@
+#include <auxfem/system/effects/rotational_springs.h>
+
+#include <algorithm>
+
+namespace auxfem
+{
+  RotationalSprings::RotationalSprings(const DofNumbering &numbering)
+    : numbering(numbering)
+  {}
+
+  void RotationalSprings::add(const int    first,
+                              const int    second,
+                              const double stiffness)
+  {
+    springs.push_back({{first, second}, stiffness});
+  }
+
+  bool RotationalSprings::is_linear() const
+  {
+    return true;
+  }
+
+  void RotationalSprings::register_blocks(TangentMatrix &matrix)
+  {
+    for (unsigned int i = 0; i < springs.size(); ++i)
+      {
+        const std::size_t block = matrix.register_block(springs[i].unknowns, 2);
+        if (i == 0)
+          first_block = block;
+      }
+  }
+
+  void RotationalSprings::add_residual(const Step &step, double *residual)
+  {
+    const double *u = step.to.displacement.Values();
+    for (const Spring &spring : springs)
+      {
+        const double moment =
+          spring.stiffness * (u[spring.unknowns[1]] - u[spring.unknowns[0]]);
+        residual[spring.unknowns[0]] -= moment;
+        residual[spring.unknowns[1]] += moment;
+      }
+  }
+
+  void RotationalSprings::add_tangent(const Step & /*step*/,
+                                      const TangentFactors &factors,
+                                      TangentMatrix        &matrix) const
+  {
+    for (unsigned int i = 0; i < springs.size(); ++i)
+      {
+        const double k        = factors.stiffness * springs[i].stiffness;
+        const double block[4] = {k, -k, -k, k};
+        matrix.add(first_block + i, block);
+      }
+  }
+
+  void RotationalSprings::add_energies(const State &state, Energies &energies) const
+  {
+    const double *u = state.displacement.Values();
+    for (const Spring &spring : springs)
+      if (numbering.is_owned(spring.unknowns[0]))
+        {
+          const double angle = u[spring.unknowns[1]] - u[spring.unknowns[0]];
+          energies.strain += spring.stiffness / 2 * angle * angle;
+        }
+  }
+
+  double RotationalSprings::round_off_scale(const double /*largest_displacement*/,
+                                            const double largest_rotation) const
+  {
+    double stiffest = 0;
+    for (const Spring &spring : springs)
+      stiffest = std::max(stiffest, spring.stiffness);
+    return stiffest * largest_rotation;
+  }
+} // namespace auxfem

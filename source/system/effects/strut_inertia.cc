@@ -1,0 +1,169 @@
+#include <auxfem/elements/beam_shape.h>
+#include <auxfem/system/effects/beam_dispatch.h>
+#include <auxfem/system/effects/struts.h>
+
+namespace auxfem
+{
+  namespace
+  {
+    /**
+     * Consistent mass M of the struts, translational rho A and rotary rho I, and
+     * with damping the force alpha M v. Constant in the plane.
+     */
+    template <int order, bool damped>
+    class StrutInertia : public Effect
+    {
+    public:
+      StrutInertia(const Lattice              &lattice,
+                   const DofNumbering         &numbering,
+                   const std::vector<Section> &sections,
+                   const bool                  rotary_inertia)
+        : numbering(numbering)
+      {
+        for (const DofNumbering::Element &element : numbering.elements())
+          {
+            const Strut   &strut   = lattice.struts[element.place.strut];
+            const Section &section = sections[strut.section];
+            const double   jacobian =
+              lattice.length(strut) * (element.place.end - element.place.begin) / 2;
+            elements.push_back(
+              {section.mass_per_length() * jacobian,
+               rotary_inertia ? section.rotary_inertia_per_length() * jacobian : 0.,
+               section.mass_proportional_damping,
+               numbering.is_owned(element)});
+          }
+      }
+
+      bool is_linear() const override
+      {
+        return true;
+      }
+
+      void register_blocks(TangentMatrix &matrix) override
+      {
+        for (unsigned int e = 0; e < elements.size(); ++e)
+          {
+            const std::size_t block =
+              matrix.register_block(numbering.element_unknowns(e), n);
+            if (e == 0)
+              first_block = block;
+          }
+      }
+
+      void add_residual(const Step &step, double *residual) override
+      {
+        const double *a = step.to.acceleration->Values();
+        const double *v = step.to.velocity->Values();
+        double        local[n];
+        for (unsigned int e = 0; e < elements.size(); ++e)
+          {
+            const int *unknowns = numbering.element_unknowns(e);
+            for (int i = 0; i < n; ++i)
+              local[i] = damped ? a[unknowns[i]] + elements[e].damping * v[unknowns[i]] :
+                                  a[unknowns[i]];
+            for (int i = 0; i <= order; ++i)
+              {
+                double sum[3] = {0, 0, 0};
+                for (int j = 0; j <= order; ++j)
+                  for (int c = 0; c < 3; ++c)
+                    sum[c] += shape.mass[i][j] * local[3 * j + c];
+                residual[unknowns[3 * i]] += elements[e].mass * sum[0];
+                residual[unknowns[3 * i + 1]] += elements[e].mass * sum[1];
+                residual[unknowns[3 * i + 2]] += elements[e].rotary * sum[2];
+              }
+          }
+      }
+
+      void add_tangent(const Step & /*step*/,
+                       const TangentFactors &factors,
+                       TangentMatrix        &matrix) const override
+      {
+        double block[n * n] = {};
+        for (unsigned int e = 0; e < elements.size(); ++e)
+          {
+            const double factor =
+              factors.mass + (damped ? elements[e].damping * factors.damping : 0.);
+            if (factor == 0)
+              continue;
+            for (int i = 0; i <= order; ++i)
+              for (int j = 0; j <= order; ++j)
+                for (int c = 0; c < 3; ++c)
+                  block[(3 * i + c) * n + 3 * j + c] =
+                    factor * shape.mass[i][j] *
+                    (c < 2 ? elements[e].mass : elements[e].rotary);
+            matrix.add(first_block + e, block);
+          }
+      }
+
+      void accept(const Step &step) override
+      {
+        if (!damped)
+          return;
+        const double power = sum_v_M_v(step.to, [](const Element &e) { return e.damping; });
+        step.to.strut_dissipation += step.dt / 2 * (accepted_power + power);
+        accepted_power = power;
+      }
+
+      void add_energies(const State &state, Energies &energies) const override
+      {
+        energies.kinetic += sum_v_M_v(state, [](const Element &) { return 0.5; });
+      }
+
+    private:
+      static constexpr int n = 3 * (order + 1);
+
+      struct Element
+      {
+        double mass;    ///< rho A times half the length (kg)
+        double rotary;  ///< rho I times half the length (kg m2)
+        double damping; ///< alpha (1/s)
+        bool   counted;
+      };
+
+      template <class Weight>
+      double sum_v_M_v(const State &state, const Weight &weight) const
+      {
+        const double *v   = state.velocity->Values();
+        double        sum = 0;
+        for (unsigned int e = 0; e < elements.size(); ++e)
+          if (elements[e].counted)
+            {
+              const int *unknowns  = numbering.element_unknowns(e);
+              double     linear = 0, rotary = 0;
+              for (int i = 0; i <= order; ++i)
+                {
+                  double weighted[3] = {0, 0, 0};
+                  for (int j = 0; j <= order; ++j)
+                    for (int c = 0; c < 3; ++c)
+                      weighted[c] += shape.mass[i][j] * v[unknowns[3 * j + c]];
+                  linear += v[unknowns[3 * i]] * weighted[0] +
+                            v[unknowns[3 * i + 1]] * weighted[1];
+                  rotary += v[unknowns[3 * i + 2]] * weighted[2];
+                }
+              sum += weight(elements[e]) *
+                     (elements[e].mass * linear + elements[e].rotary * rotary);
+            }
+        return sum;
+      }
+
+      const DofNumbering    &numbering;
+      const BeamShape<order> shape;
+      std::vector<Element>   elements;
+      std::size_t            first_block = 0;
+      double                 accepted_power = 0;
+    };
+  } // namespace
+
+  std::unique_ptr<Effect> make_strut_inertia(const Lattice              &lattice,
+                                             const DofNumbering         &numbering,
+                                             const std::vector<Section> &sections,
+                                             const bool                  rotary_inertia,
+                                             const bool                  damping)
+  {
+    return dispatch_order(numbering.order(), [&](auto order) -> std::unique_ptr<Effect> {
+      if (damping)
+        return std::make_unique<StrutInertia<order, true>>(lattice, numbering, sections, rotary_inertia);
+      return std::make_unique<StrutInertia<order, false>>(lattice, numbering, sections, rotary_inertia);
+    });
+  }
+} // namespace auxfem

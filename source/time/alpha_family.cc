@@ -1,0 +1,82 @@
+#include <auxfem/time/alpha_family.h>
+
+namespace auxfem
+{
+  AlphaFamily::AlphaFamily(const Coefficients &coefficients)
+    : c(coefficients)
+  {}
+
+  AlphaFamily::Coefficients AlphaFamily::newmark(const double beta,
+                                                 const double gamma)
+  {
+    return {0, 0, beta, gamma};
+  }
+
+  AlphaFamily::Coefficients AlphaFamily::hht(const double alpha)
+  {
+    return {0, -alpha, (1 - alpha) * (1 - alpha) / 4, 0.5 - alpha};
+  }
+
+  AlphaFamily::Coefficients
+  AlphaFamily::generalized_alpha(const double spectral_radius)
+  {
+    const double r       = spectral_radius;
+    const double alpha_m = (2 * r - 1) / (1 + r), alpha_f = r / (1 + r);
+    const double shift = alpha_f - alpha_m;
+    return {alpha_m, alpha_f, (1 + shift) * (1 + shift) / 4, 0.5 + shift};
+  }
+
+  bool AlphaFamily::uses_algorithmic_acceleration() const
+  {
+    return c.alpha_m != 0 || c.alpha_f != 0;
+  }
+
+  void AlphaFamily::predict(const Step &step) const
+  {
+    // Unchanged true acceleration; the auxiliary one follows from its recurrence.
+    const int     n  = step.from.displacement.MyLength();
+    const double *u  = step.from.displacement.Values();
+    const double *v  = step.from.velocity->Values();
+    const double *dv = step.from.acceleration->Values();
+    const double *a =
+      uses_algorithmic_acceleration() ? step.from.algorithmic_acceleration->Values() : dv;
+    double *u_new  = step.to.displacement.Values();
+    double *v_new  = step.to.velocity->Values();
+    double *dv_new = step.to.acceleration->Values();
+    const double dt = step.dt;
+    for (int i = 0; i < n; ++i)
+      {
+        const double a_new = (dv[i] - c.alpha_m * a[i]) / (1 - c.alpha_m);
+        u_new[i] = u[i] + dt * v[i] + dt * dt * ((0.5 - c.beta) * a[i] + c.beta * a_new);
+        v_new[i]  = v[i] + dt * ((1 - c.gamma) * a[i] + c.gamma * a_new);
+        dv_new[i] = dv[i];
+        if (uses_algorithmic_acceleration())
+          (*step.to.algorithmic_acceleration)[i] = a_new;
+      }
+  }
+
+  TangentFactors AlphaFamily::factors(const double dt) const
+  {
+    const double acceleration = 1 / (c.beta * dt * dt);
+    return {1., c.gamma / (c.beta * dt),
+            acceleration * (1 - c.alpha_m) / (1 - c.alpha_f)};
+  }
+
+  void AlphaFamily::correct(const Vector &increment, const double dt, State &trial) const
+  {
+    const TangentFactors f  = factors(dt);
+    const int            n  = increment.MyLength();
+    const double        *du = increment.Values();
+    double              *u  = trial.displacement.Values();
+    double              *v  = trial.velocity->Values();
+    double              *dv = trial.acceleration->Values();
+    for (int i = 0; i < n; ++i)
+      {
+        u[i] += du[i];
+        v[i] += f.damping * du[i];
+        dv[i] += f.mass * du[i];
+      }
+    if (uses_algorithmic_acceleration())
+      trial.algorithmic_acceleration->Update(1 / (c.beta * dt * dt), increment, 1.);
+  }
+} // namespace auxfem

@@ -1,0 +1,160 @@
+#include <auxfem/parameters/errors.h>
+#include <auxfem/time/newton.h>
+#include <auxfem/time/stopwatch.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace auxfem
+{
+  Newton::Newton(System                 &system,
+                 const NewtonParameters &parameters,
+                 const SolverParameters &solver)
+    : system(system)
+    , parameters(parameters)
+    , matrix(system.make_tangent())
+    , linear_solver(solver, *matrix, system.numbering())
+    , increment(system.numbering().local_map())
+  {}
+
+  Newton::Result Newton::solve(const TimeIntegrator &integrator, const Step &step)
+  {
+    Result       result;
+    ResidualNorm norm      = timed_residual(step);
+    double       size      = in_force_units(norm);
+    double       reduction = std::numeric_limits<double>::infinity();
+    const double floor     = system.round_off_floor(step.to);
+    // Prescribed unknowns may still have to move to their place.
+    bool is_in_place = integrator.is_dynamic();
+
+    while (true)
+      {
+        largest_force = std::max(largest_force, system.force_scale());
+        if (!std::isfinite(size))
+          {
+            result.reason = "the residual is not finite";
+            return result;
+          }
+        result.relative_residual = largest_force > 0 ? size / largest_force : 0.;
+        if (is_in_place && size <= parameters.tolerance * largest_force + floor)
+          {
+            result.converged = true;
+            return result;
+          }
+        if (result.iterations == parameters.maximum_iterations)
+          {
+            result.reason = "Newton's method has not converged in " +
+                            std::to_string(result.iterations) + " iterations";
+            return result;
+          }
+
+        const bool serves =
+          factorized_dt == step.dt &&
+          (system.is_linear() ||
+           (parameters.keep_factorization && reduction >= parameters.kept_reduction));
+        if (!serves)
+          {
+            if (!factorize(integrator, step))
+              {
+                result.reason = "the tangent is singular";
+                return result;
+              }
+            ++result.factorizations;
+          }
+        solve_increment(step.to);
+        integrator.correct(increment, step.dt, step.to);
+        is_in_place = true;
+        ++result.iterations;
+
+        const double before = size;
+        size                = in_force_units(timed_residual(step));
+        reduction           = before / size;
+      }
+  }
+
+  void Newton::find_initial_acceleration(State &state, const double dt)
+  {
+    const State  before = state;
+    const Step   step{before, state, std::numeric_limits<double>::infinity()};
+    state.acceleration->PutScalar(0.);
+    system.begin_step(step);
+    system.prescribe_motion(state, dt);
+    timed_residual(step);
+
+    system.tangent(step, {0., 0., 1.}, *matrix);
+    const std::vector<double> diagonal = matrix->diagonal();
+    int mine = std::any_of(diagonal.begin(), diagonal.end(), [](double d) { return d == 0; });
+    int any  = 0;
+    system.numbering().communicator().MaxAll(&mine, &any, 1);
+    if (any != 0)
+      system.tangent(step, {dt * dt / 4, 0., 1.}, *matrix);
+    drop_factorization();
+    if (!linear_solver.factorize())
+      throw ComputationError(
+        "The mass matrix is singular, so the accelerations at t = 0 are not "
+        "determined. Give every moving part a density or a mass.");
+    solve_increment(state);
+    state.acceleration->Update(1., increment, 1.);
+    if (state.algorithmic_acceleration)
+      *state.algorithmic_acceleration = *state.acceleration;
+    timed_residual(step);
+  }
+
+  void Newton::drop_factorization()
+  {
+    factorized_dt = -1;
+  }
+
+  const PhaseTimes &Newton::times() const
+  {
+    return phase_times;
+  }
+
+  const LinearSolver &Newton::solver() const
+  {
+    return linear_solver;
+  }
+
+  TangentMatrix &Newton::tangent()
+  {
+    return *matrix;
+  }
+
+  ResidualNorm Newton::timed_residual(const Step &step)
+  {
+    const Stopwatch watch(phase_times.residual);
+    return system.residual(step);
+  }
+
+  bool Newton::factorize(const TimeIntegrator &integrator, const Step &step)
+  {
+    {
+      const Stopwatch watch(phase_times.tangent);
+      system.tangent(step, integrator.factors(step.dt), *matrix);
+    }
+    const Stopwatch watch(phase_times.factorize);
+    factorized_dt = linear_solver.factorize() ? step.dt : -1;
+    return factorized_dt >= 0;
+  }
+
+  void Newton::solve_increment(const State &trial)
+  {
+    const Stopwatch     watch(phase_times.solve);
+    const DofNumbering &numbering = system.numbering();
+    double             *rhs       = linear_solver.right_side().Values();
+    for (unsigned int i = 0; i < numbering.n_owned(); ++i)
+      rhs[i] = -trial.residual[i];
+    system.prescribed_gap(trial, rhs);
+    const Epetra_Vector &solution = linear_solver.solve();
+    if (numbering.n_ranks() == 1)
+      std::copy(solution.Values(), solution.Values() + numbering.n_owned(), increment.Values());
+    else
+      increment.Import(solution, numbering.importer(), Insert);
+  }
+
+  double Newton::in_force_units(const ResidualNorm &norm) const
+  {
+    return std::max(norm.force, norm.moment / system.length_scale());
+  }
+} // namespace auxfem

@@ -1,0 +1,159 @@
+#include <auxfem/parameters/errors.h>
+#include <auxfem/time/quasi_static.h>
+#include <auxfem/time/time_stepper.h>
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace auxfem
+{
+  namespace
+  {
+    std::unique_ptr<TimeIntegrator> prepare(System &system, const TimeParameters &parameters)
+    {
+      auto integrator = make_integrator(parameters);
+      if (integrator->uses_algorithmic_acceleration())
+        system.use_algorithmic_acceleration();
+      return integrator;
+    }
+  } // namespace
+
+  TimeStepper::TimeStepper(System &system, const Scene &scene)
+    : system(system)
+    , parameters(scene.time)
+    , integrator(prepare(system, scene.time))
+    , solver(system, scene.newton, scene.solver)
+    , trial(system.initial_state())
+  {
+    if (parameters.smallest_step == 0)
+      parameters.smallest_step = parameters.step / 1024;
+  }
+
+  unsigned long TimeStepper::n_steps() const
+  {
+    return std::ceil(parameters.end_time / parameters.step * (1 - 1e-12));
+  }
+
+  double TimeStepper::time_at(const unsigned long step, const double fraction) const
+  {
+    // From the step count, never accumulated.
+    return std::min((step + fraction) * parameters.step, parameters.end_time);
+  }
+
+  double TimeStepper::length_of_step(const double from,
+                                     const double to,
+                                     const double piece) const
+  {
+    // Equal steps must have exactly equal lengths to share a factorization.
+    const double nominal = parameters.step * piece;
+    return std::abs(to - from - nominal) < 1e-6 * nominal ? nominal : to - from;
+  }
+
+  void TimeStepper::start(State &state)
+  {
+    if (parameters.static_start)
+      {
+        const QuasiStatic equilibrium;
+        trial = state;
+        const Step step{state, trial, std::numeric_limits<double>::infinity()};
+        equilibrium.predict(step);
+        system.begin_step(step);
+        const Newton::Result result = solver.solve(equilibrium, step);
+        solver.drop_factorization();
+        if (!result.converged)
+          throw ComputationError("No static equilibrium was found under the loads of t = 0: " +
+                                 result.reason +
+                                 ". Start from rest, or raise the load in steps with "
+                                 "`Scheme = static` to see where it is lost.");
+        system.accept(step);
+        trial.external_work = 0;
+        if (state.velocity)
+          *trial.velocity = *state.velocity;
+        state = trial;
+      }
+    if (integrator->is_dynamic())
+      solver.find_initial_acceleration(state, parameters.step);
+  }
+
+  StepReport TimeStepper::advance(State &state)
+  {
+    StepReport report;
+    report.substeps = 0;
+    report.dt       = parameters.step;
+
+    // The step is covered by pieces of 1/2^level, piece number `position` next.
+    unsigned int        level = 0, position = 0;
+    const unsigned long step = state.step;
+    while (position < (1u << level))
+      {
+        const double piece = 1. / (1u << level);
+        const double time  = time_at(step, (position + 1) * piece);
+        const double dt    = length_of_step(time_at(step, position * piece), time, piece);
+        if (try_step(state, time, dt, report))
+          {
+            ++report.substeps;
+            report.dt = std::min(report.dt, dt);
+            ++position;
+            if (position < (1u << level) && level > 0 && position % 2 == 0)
+              {
+                --level;
+                position /= 2;
+              }
+            continue;
+          }
+        ++report.retries;
+        if (dt / 2 < parameters.smallest_step)
+          {
+            std::ostringstream message;
+            message << "The step from t = " << state.time << " s did not converge even with dt = "
+                    << dt << " s (Time/Smallest time step = " << parameters.smallest_step
+                    << " s): " << last_failure << ".\nAll steps until then are in the output "
+                    << "folder. A smaller smallest step, numerical damping (Scheme = "
+                    << "generalized-alpha) or, in statics, prescribed motion in place of a force "
+                    << "may carry it further; an unstable structure will not be carried by any.";
+            throw ComputationError(message.str());
+          }
+        ++level;
+        position *= 2;
+      }
+    state.step = step + 1;
+    return report;
+  }
+
+  bool TimeStepper::try_step(State       &state,
+                             const double time,
+                             const double dt,
+                             StepReport  &report)
+  {
+    trial.time = time;
+    const Step step{state, trial, dt};
+    integrator->predict(step);
+    if (integrator->is_dynamic())
+      system.prescribe_motion(trial, parameters.step);
+    system.begin_step(step);
+
+    const Newton::Result result = solver.solve(*integrator, step);
+    report.iterations += result.iterations;
+    report.factorizations += result.factorizations;
+    report.relative_residual = result.relative_residual;
+    if (!result.converged)
+      {
+        std::ostringstream words;
+        words << result.reason << "; relative residual " << result.relative_residual
+              << ", largest at the " << system.worst_unknown(trial);
+        last_failure = words.str();
+        solver.drop_factorization();
+        return false;
+      }
+    system.accept(step);
+    trial.step = state.step;
+    state      = trial;
+    return true;
+  }
+
+  Newton &TimeStepper::newton()
+  {
+    return solver;
+  }
+} // namespace auxfem

@@ -1,0 +1,175 @@
+#include <auxfem/parameters/errors.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "law_on_trial.h"
+
+using namespace auxfem;
+
+namespace
+{
+  const LawParameters two_terms = {{"Long-time stiffness", "400"},
+                                   {"Stiffnesses", "1000, 200"},
+                                   {"Relaxation times", "0.05, 0.4"}};
+
+  /** Every law of the table with values of its own. */
+  std::vector<std::unique_ptr<ConnectorLaw>> all_laws()
+  {
+    std::vector<std::unique_ptr<ConnectorLaw>> laws;
+    for (const RegistryEntry<ConnectorLaw> &entry : connector_law_registry())
+      {
+        LawParameters parameters = {{"Spring stiffness", "1000"},
+                                    {"Damping coefficient", "50"},
+                                    {"Long-time stiffness", "400"}};
+        if (entry.name == "spring" || entry.name == "dashpot" ||
+            entry.name == "kelvin-voigt" || entry.name == "maxwell")
+          parameters.erase("Long-time stiffness");
+        if (entry.name == "spring")
+          parameters.erase("Damping coefficient");
+        if (entry.name == "dashpot")
+          parameters.erase("Spring stiffness");
+        if (entry.name == "generalized-maxwell")
+          parameters = two_terms;
+        laws.push_back(make_law(entry.name, parameters));
+      }
+    return laws;
+  }
+
+  ConnectorResponse response_at(const ConnectorLaw        &law,
+                                const ConnectorMotion     &motion,
+                                const std::vector<double> &history)
+  {
+    std::vector<double> trial(history.size());
+    ConnectorResponse   response;
+    law.evaluate(1, &motion, history.data(), trial.data(), &response);
+    return response;
+  }
+} // namespace
+
+TEST(ConnectorLaws, NamesOfTheTable)
+{
+  std::vector<std::string> names;
+  for (const RegistryEntry<ConnectorLaw> &entry : connector_law_registry())
+    {
+      names.push_back(entry.name);
+      EXPECT_FALSE(entry.description.empty()) << entry.name;
+    }
+  EXPECT_EQ(names,
+            (std::vector<std::string>{"spring",
+                                      "dashpot",
+                                      "kelvin-voigt",
+                                      "maxwell",
+                                      "standard-linear-solid",
+                                      "generalized-maxwell"}));
+}
+
+TEST(ConnectorLaws, ValuesMustBeGiven)
+{
+  for (const RegistryEntry<ConnectorLaw> &entry : connector_law_registry())
+    EXPECT_THROW(make_law(entry.name, {}), InputError) << entry.name;
+}
+
+TEST(ConnectorLaws, NoForceAtRest)
+{
+  for (const auto &law : all_laws())
+    for (const double dt : {0., 1e-3, infinity})
+      {
+        const std::vector<double> history(law->n_history(), 0.);
+        const ConnectorMotion     motion = {0., 0., 0., dt};
+        EXPECT_EQ(response_at(*law, motion, history).force, 0.);
+        const ConnectorEnergy energy =
+          law->energy(motion, history.data(), history.data());
+        EXPECT_EQ(energy.stored, 0.);
+        EXPECT_EQ(energy.dissipated, 0.);
+      }
+}
+
+// The laws are linear, so central differences carry no truncation error; what
+// is left is round-off, 1e-16 of the force over the increment.
+TEST(ConnectorLaws, TangentsAgainstCentralDifferences)
+{
+  for (const auto &law : all_laws())
+    for (const double dt : {1e-8, 1e-3, 0.05, 1e4})
+      {
+        const std::vector<double> history(law->n_history(), 3.);
+        const ConnectorMotion     motion   = {0.01, 0.3, 0.008, dt};
+        const ConnectorResponse   response = response_at(*law, motion, history);
+
+        ConnectorMotion plus = motion, minus = motion;
+        plus.extension += 1e-3;
+        minus.extension -= 1e-3;
+        EXPECT_NEAR((response_at(*law, plus, history).force -
+                     response_at(*law, minus, history).force) /
+                      2e-3,
+                    response.stiffness,
+                    1e-10 * (1 + response.stiffness));
+
+        plus = minus = motion;
+        plus.rate += 1e-2;
+        minus.rate -= 1e-2;
+        EXPECT_NEAR((response_at(*law, plus, history).force -
+                     response_at(*law, minus, history).force) /
+                      2e-2,
+                    response.damping,
+                    1e-10 * (1 + response.damping));
+      }
+}
+
+TEST(ConnectorLaws, ManyConnectorsAtOnceEqualOneAfterTheOther)
+{
+  // Different step lengths within one call are allowed too.
+  const std::vector<ConnectorMotion> motions = {{0.01, 1., 0.009, 1e-3},
+                                                {-0.02, 0., 0.03, 1e-3},
+                                                {0.5, -2., 0.4, 0.7},
+                                                {0., 0., 0.1, infinity}};
+  for (const auto &law : all_laws())
+    {
+      const unsigned int  m = law->n_history();
+      std::vector<double> committed(motions.size() * m), trial(committed);
+      std::vector<ConnectorResponse> responses(motions.size());
+      for (unsigned int i = 0; i < committed.size(); ++i)
+        committed[i] = 1. + i;
+      law->evaluate(motions.size(),
+                    motions.data(),
+                    committed.data(),
+                    trial.data(),
+                    responses.data());
+      for (unsigned int i = 0; i < motions.size(); ++i)
+        {
+          std::vector<double> one(m);
+          ConnectorResponse   response;
+          law->evaluate(1,
+                        &motions[i],
+                        committed.data() + i * m,
+                        one.data(),
+                        &response);
+          EXPECT_DOUBLE_EQ(responses[i].force, response.force);
+          EXPECT_DOUBLE_EQ(responses[i].stiffness, response.stiffness);
+          EXPECT_DOUBLE_EQ(responses[i].damping, response.damping);
+          for (unsigned int j = 0; j < m; ++j)
+            EXPECT_DOUBLE_EQ(trial[i * m + j], one[j]);
+        }
+    }
+}
+
+TEST(ConnectorLaws, NothingIsEverGained)
+{
+  for (const auto &law : all_laws())
+    for (const double dt : {1e-9, 1e-4, 0.03, 0.1, 50.})
+      for (const double force : {-5., -1., 0., 1., 5.})
+        {
+          const std::vector<double> history(law->n_history(), force);
+          const ConnectorMotion     motion = {0.01, 0., 0.008, dt};
+          EXPECT_GE(
+            law->energy(motion, history.data(), history.data()).dissipated,
+            0.);
+        }
+}
+
+TEST(ConnectorLaws, NoConnectorsAtAll)
+{
+  for (const auto &law : all_laws())
+    EXPECT_NO_THROW(law->evaluate(0, nullptr, nullptr, nullptr, nullptr));
+}

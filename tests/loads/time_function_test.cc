@@ -1,0 +1,318 @@
+#include <auxfem/loads/time_function.h>
+#include <auxfem/parameters/errors.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <vector>
+
+#include <unistd.h>
+
+using namespace auxfem;
+
+namespace
+{
+  SceneContext context()
+  {
+    SceneContext context;
+    context.path      = "Loads/top";
+    context.constants = {{"F0", 2.5}, {"t0", 0.01}};
+    return context;
+  }
+
+  TimeFunction parse(const std::string &text)
+  {
+    return TimeFunction(text, "Force y", context());
+  }
+
+  /** Message of the InputError that @p text causes. */
+  std::string error_of(const std::string  &text,
+                       const SceneContext &scene = context())
+  {
+    try
+      {
+        TimeFunction(text, "Force y", scene);
+      }
+    catch (const InputError &error)
+      {
+        return error.what();
+      }
+    return "no error";
+  }
+
+  void expect_mentions(const std::string              &message,
+                       const std::vector<std::string> &parts)
+  {
+    for (const std::string &part : parts)
+      EXPECT_NE(message.find(part), std::string::npos)
+        << "'" << part << "' is not in:\n"
+        << message;
+  }
+
+  /** A folder for tables, gone with the test. */
+  class TableFolder : public testing::Test
+  {
+  protected:
+    TableFolder()
+      : folder(std::filesystem::temp_directory_path() /
+               ("auxfem-time-function-" + std::to_string(getpid())))
+    {
+      std::filesystem::create_directories(folder);
+      scene           = context();
+      scene.directory = folder.string();
+    }
+
+    ~TableFolder() override
+    {
+      std::filesystem::remove_all(folder);
+    }
+
+    /** The function of a table with the text @p content. */
+    TimeFunction table(const std::string &content,
+                       const std::string &column = "")
+    {
+      write(content);
+      return TimeFunction("table: force.csv" + column, "Force y", scene);
+    }
+
+    std::string table_error(const std::string &content,
+                            const std::string &column = "")
+    {
+      write(content);
+      return error_of("table: force.csv" + column, scene);
+    }
+
+    void write(const std::string &content)
+    {
+      std::ofstream(folder / "force.csv", std::ios::binary) << content;
+    }
+
+    const std::filesystem::path folder;
+    SceneContext                scene;
+  };
+} // namespace
+
+TEST(TimeExpression, Values)
+{
+  EXPECT_DOUBLE_EQ(parse("2e7*t^3").value(0.05), 2500);
+  EXPECT_DOUBLE_EQ(parse("-F0 * min(t/t0, 1)").value(0.004), -1);
+  EXPECT_DOUBLE_EQ(parse("-F0 * min(t/t0, 1)").value(1), -2.5);
+  EXPECT_DOUBLE_EQ(parse("if(t < t0, 3, max(4, t))").value(0.005), 3);
+  EXPECT_DOUBLE_EQ(parse("if(t < t0, 3, max(4, t))").value(5), 5);
+  EXPECT_DOUBLE_EQ(parse("t < t0 ? 3 : 4").value(1), 4);
+  EXPECT_DOUBLE_EQ(parse("sin(2*pi*t)").value(0.25), 1);
+  EXPECT_DOUBLE_EQ(parse("-t^2").value(3), -9);
+  EXPECT_DOUBLE_EQ(parse("log(exp(t))").value(3), 3);
+  EXPECT_DOUBLE_EQ(parse("pow(t, 2) + floor(t) + ceil(t)").value(1.5), 5.25);
+  EXPECT_DOUBLE_EQ(parse("t >= 1 && t <= 2 && t != 1.5 && t == 2").value(2), 1);
+  EXPECT_DOUBLE_EQ(parse("  +1.5e-3 ").value(7), 1.5e-3);
+}
+
+TEST(TimeExpression, NotTakenBranchMayBeSingular)
+{
+  EXPECT_EQ(parse("if(t > 0, 1/t, 0)").value(0), 0);
+}
+
+TEST(TimeExpression, ZeroByConstruction)
+{
+  for (const std::string text : {"", "  ", "0", "0.0", " 0 ", "0e5", "0*F0"})
+    {
+      EXPECT_TRUE(parse(text).is_zero()) << text;
+      EXPECT_EQ(parse(text).value(3), 0) << text;
+    }
+  for (const std::string text : {"1e-300", "0*t", "t-t"})
+    EXPECT_FALSE(parse(text).is_zero()) << text;
+  EXPECT_TRUE(TimeFunction().is_zero());
+  EXPECT_EQ(TimeFunction().value(1), 0);
+}
+
+TEST(TimeExpression, CopiesOutliveTheOriginal)
+{
+  TimeFunction copy;
+  {
+    const TimeFunction original = parse("3*t");
+    copy                        = original;
+  }
+  EXPECT_DOUBLE_EQ(copy.value(2), 6);
+}
+
+TEST(TimeExpression, MistakesAreNamed)
+{
+  expect_mentions(error_of("2e7*x^3"), {"Loads/top/Force y", "'2e7*x^3'", "x"});
+  expect_mentions(error_of("2*t)"), {"Loads/top/Force y", "'2*t)'"});
+  expect_mentions(error_of("sin(t"), {"Loads/top/Force y"});
+  expect_mentions(error_of("min()"), {"Loads/top/Force y"});
+  expect_mentions(error_of("foo(t)"), {"foo", "functions: ", "if", "sin"});
+  expect_mentions(error_of("2*G"), {"G", "constants: ", "F0", "pi", "t0"});
+  expect_mentions(error_of("0,5*t"), {"decimal point"});
+  expect_mentions(error_of("if(t = 1, 2, 3)"), {"write =="});
+  expect_mentions(error_of("\"abc\""), {"Loads/top/Force y"});
+  expect_mentions(error_of("force.csv"), {"table: force.csv"});
+}
+
+TEST(TimeExpression, NamesOfConstantsAreChecked)
+{
+  for (const std::string name : {"t", "2F", "F 0"})
+    {
+      SceneContext scene = context();
+      scene.constants    = {{name, 1.}};
+      expect_mentions(error_of("1+t", scene),
+                      {"'" + name + "' cannot be the name"});
+    }
+}
+
+TEST(TimeExpression, NotFiniteEndsTheRun)
+{
+  const TimeFunction function = parse("1/(t-2)");
+  EXPECT_DOUBLE_EQ(function.value(3), 1);
+  try
+    {
+      function.value(2);
+      FAIL();
+    }
+  catch (const ComputationError &error)
+    {
+      expect_mentions(error.what(),
+                      {"Loads/top/Force y", "1/(t-2)", "t = 2 s"});
+    }
+  EXPECT_THROW(parse("sqrt(t)").value(-1), ComputationError);
+}
+
+// Fourth-order differences differentiate t^4 exactly; what is left is round-off
+// of f, 1e-16 |f| over the square of a sixteenth of the scale.
+TEST(TimeJet, PolynomialsAreExact)
+{
+  const TimeFunction function = parse("1 + 2*t - 3*t^2 + 4*t^3 - 5*t^4");
+  for (const double t : {-0.7, 0., 0.02, 0.1, 1.3})
+    {
+      const std::array<double, 3> jet = function.jet(t, 0.1);
+      EXPECT_DOUBLE_EQ(jet[0], function.value(t));
+      EXPECT_NEAR(jet[1], 2 - 6 * t + 12 * t * t - 20 * t * t * t, 1e-12);
+      EXPECT_NEAR(jet[2], -6 + 24 * t - 60 * t * t, 1e-10);
+    }
+}
+
+// Halving the scale four times over: 16^-1 each, measured over two halvings,
+// which the rounding of the step to a power of two does not disturb.
+TEST(TimeJet, FourthOrder)
+{
+  const TimeFunction function = parse("sin(3*t)");
+  for (const double t : {0., 0.9})
+    {
+      const std::array<double, 3> coarse       = function.jet(t, 0.2);
+      const std::array<double, 3> fine         = function.jet(t, 0.05);
+      const double                rate         = 3 * std::cos(3 * t);
+      const double                acceleration = -9 * std::sin(3 * t);
+      EXPECT_NEAR(std::log((coarse[1] - rate) / (fine[1] - rate)) / std::log(4),
+                  4,
+                  0.3);
+      EXPECT_LT(std::abs(fine[2] - acceleration),
+                std::abs(coarse[2] - acceleration) / std::pow(4, 3.7));
+    }
+}
+
+TEST(TimeJet, ConstantsHaveNoRateAtAll)
+{
+  const std::array<double, 3> jet = parse("F0/3").jet(17.3, 1e-5);
+  EXPECT_DOUBLE_EQ(jet[0], 2.5 / 3);
+  EXPECT_EQ(jet[1], 0);
+  EXPECT_EQ(jet[2], 0);
+  EXPECT_EQ(TimeFunction().jet(1, 0.1), (std::array<double, 3>{{0, 0, 0}}));
+}
+
+TEST(TimeJet, StartLooksForwardOnly)
+{
+  // Neither a root of negative numbers nor the rest before the start.
+  EXPECT_NEAR(parse("t^2.5").jet(0, 1e-3)[2], 0, 0.1);
+  const std::array<double, 3> jet =
+    parse("if(t < 0, 0, 4*t + 3*t^2)").jet(0, 1e-3);
+  EXPECT_NEAR(jet[1], 4, 1e-10);
+  EXPECT_NEAR(jet[2], 6, 1e-7);
+}
+
+TEST_F(TableFolder, LinearBetweenRowsConstantOutside)
+{
+  const TimeFunction function = table("0 1\n0.5 2\n2 -1\n");
+  EXPECT_DOUBLE_EQ(function.value(-1), 1);
+  EXPECT_DOUBLE_EQ(function.value(0), 1);
+  EXPECT_DOUBLE_EQ(function.value(0.25), 1.5);
+  EXPECT_DOUBLE_EQ(function.value(0.5), 2);
+  EXPECT_NEAR(function.value(1.5), 0, 1e-15);
+  EXPECT_DOUBLE_EQ(function.value(2), -1);
+  EXPECT_DOUBLE_EQ(function.value(100), -1);
+  EXPECT_FALSE(function.is_zero());
+}
+
+TEST_F(TableFolder, SeparatorsHeaderCommentsAndLineEnds)
+{
+  for (const std::string content :
+       {"0,1,7\n1,3,9\n",
+        "0;1;7\n1;3;9\n",
+        "0 1\t7\n 1  3 9",
+        "\xEF\xBB\xBF"
+        "0,1,7\r\n1,3,9\r\n",
+        "time (s), force (N), other\n0, 1, 7\n1, 3, 9",
+        "# measured\n\n\"t\";\"F\";\"G\" # names\n"
+        "0; +1; 7 # first\n\n1; 3e0; 9.0\n"})
+    {
+      EXPECT_DOUBLE_EQ(table(content).value(0.5), 2) << content;
+      EXPECT_DOUBLE_EQ(table(content, ", 3").value(0.5), 8) << content;
+    }
+}
+
+TEST_F(TableFolder, MistakesNameFileLineAndParameter)
+{
+  const auto here = [](const std::string &line) {
+    return std::vector<std::string>{"Loads/top/Force y", "force.csv", line};
+  };
+  expect_mentions(table_error("0,1\n1,2\n1,3\n"), here("line 3"));
+  expect_mentions(table_error("0,1\n1,2\n1,3\n"), {"must increase"});
+  expect_mentions(table_error("t,F\n0,1\n1,x2\n"), here("line 3"));
+  expect_mentions(table_error("t,F\n0,1\n1,x2\n"), {"'x2' in column 2"});
+  expect_mentions(table_error("# c\n0,1 N\n"), {"line 2", "'1 N'"});
+  expect_mentions(table_error("0;0,5\n"), {"line 1", "'0,5'", "decimal point"});
+  expect_mentions(table_error("0,1\n1\n"), here("line 2"));
+  expect_mentions(table_error("0,1\n1\n"), {"1 column,", "column 2"});
+  expect_mentions(table_error("0,1\n", ", 3"), {"2 columns", "column 3"});
+  expect_mentions(table_error("0,1\n1,\n"), {"line 2"});
+  expect_mentions(table_error("0,1\n1,nan\n"), {"line 2", "'nan'"});
+  expect_mentions(table_error("a,b\nc,d\n0,1\n"), {"line 2", "'c'"});
+  expect_mentions(table_error("t,F\n"), {"no row of numbers", "force.csv"});
+  expect_mentions(table_error(""), {"no row of numbers"});
+}
+
+TEST_F(TableFolder, UnreadableFilesAndColumns)
+{
+  expect_mentions(error_of("table: nowhere.csv", scene),
+                  {"Loads/top/Force y", "cannot read", "nowhere.csv"});
+  expect_mentions(error_of("table: .", scene), {"cannot read"});
+  expect_mentions(error_of("table:", scene), {"name of a file"});
+  for (const std::string column : {"1", "0", "-2", "two", "2.5", ""})
+    expect_mentions(table_error("0,1\n", ", " + column),
+                    {"'" + column + "' is not a column"});
+}
+
+TEST_F(TableFolder, AbsoluteNames)
+{
+  write("0,1\n1,3\n");
+  const TimeFunction function("table: " + (folder / "force.csv").string(),
+                              "Force y",
+                              context());
+  EXPECT_DOUBLE_EQ(function.value(0.5), 2);
+}
+
+TEST_F(TableFolder, DifferencesOfTheSegments)
+{
+  // Away from the rows by more than the scale: slope and no acceleration; the
+  // latter up to round-off, 1e-16 over the square of the scale.
+  const TimeFunction function = table("0,1\n1,3\n2,3.5\n");
+  for (const double t : {0., 0.4})
+    {
+      const std::array<double, 3> jet = function.jet(t, 0.1);
+      EXPECT_NEAR(jet[1], 2, 1e-12);
+      EXPECT_NEAR(jet[2], 0, 1e-9);
+    }
+  EXPECT_NEAR(function.jet(1.5, 0.1)[1], 0.5, 1e-12);
+}

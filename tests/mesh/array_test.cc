@@ -1,0 +1,138 @@
+#include <auxfem/mesh/cell.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "cell_from_text.h"
+
+using namespace auxfem;
+
+namespace
+{
+  /** A unit square of four struts whose neighbours share a side. */
+  UnitCell square()
+  {
+    UnitCell cell;
+    cell.joints            = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+    cell.struts            = {{0, 1, 0, "rails"},
+                              {1, 2, 0, "posts"},
+                              {3, 2, 0, "rails"},
+                              {0, 3, 0, "posts"}};
+    cell.period[0]         = 1;
+    cell.period[1]         = 1;
+    cell.pairs["diagonal"] = {{0, 2}};
+    cell.pairs["left"]     = {{0, 3}, {1, 2}};
+    return cell;
+  }
+} // namespace
+
+TEST(Array, SharedStrutsAreKeptOnce)
+{
+  const auto lattice = make_array(square(), {{3, 2, 1}});
+  EXPECT_EQ(lattice.n_cells, 6u);
+  EXPECT_EQ(lattice.joints.size(), 12u);
+  EXPECT_EQ(lattice.struts.size(), 17u);
+  EXPECT_EQ(lattice.strut_sets.at("rails").size(), 9u);
+  EXPECT_EQ(lattice.strut_sets.at("posts").size(), 8u);
+  EXPECT_EQ(lattice.strut_sets.at("all").size(), 17u);
+}
+
+TEST(Array, SharedPairsAreKeptOnce)
+{
+  const auto lattice = make_array(square(), {{3, 1, 1}});
+  EXPECT_EQ(lattice.pair_sets.at("diagonal").size(), 3u);
+  EXPECT_EQ(lattice.pair_sets.at("left").size(), 4u);
+}
+
+TEST(Array, CellsAreNumberedAlongXFirst)
+{
+  const auto lattice = make_array(square(), {{3, 2, 1}});
+  const auto pairs   = lattice.pair_sets.at("diagonal");
+  for (unsigned int i = 0; i < pairs.size(); ++i)
+    {
+      EXPECT_EQ(pairs[i].cell, i);
+      EXPECT_EQ(lattice.joints[pairs[i].first],
+                dealii::Point<3>(i % 3, i / 3, 0));
+    }
+  EXPECT_EQ(lattice.struts.back().cell, 5u);
+}
+
+TEST(Array, WithoutPortsTheFacesOfTheBoundingBoxAreSets)
+{
+  const auto lattice = make_array(square(), {{3, 2, 1}});
+  EXPECT_EQ(lattice.joint_sets.at("left").size(), 3u);
+  EXPECT_EQ(lattice.joint_sets.at("right").size(), 3u);
+  EXPECT_EQ(lattice.joint_sets.at("bottom").size(), 4u);
+  EXPECT_EQ(lattice.joint_sets.at("top").size(), 4u);
+  for (const auto joint : lattice.joint_sets.at("top"))
+    EXPECT_EQ(lattice.joints[joint][1], 2);
+  EXPECT_EQ(lattice.joint_sets.count("front"), 0u);
+}
+
+TEST(Array, CubesHaveFrontAndBack)
+{
+  UnitCell cell;
+  for (unsigned int i = 0; i < 8; ++i)
+    cell.joints.emplace_back(i & 1, (i >> 1) & 1, (i >> 2) & 1);
+  cell.struts = {{0, 4}};
+  for (unsigned int d = 0; d < 3; ++d)
+    cell.period[d] = 1;
+  const auto lattice = make_array(cell, {{2, 2, 2}});
+  EXPECT_EQ(lattice.joints.size(), 27u);
+  EXPECT_EQ(lattice.joint_sets.at("front").size(), 9u);
+  EXPECT_EQ(lattice.joint_sets.at("back").size(), 9u);
+}
+
+TEST(Array, ArcsToBothSidesOfAChordAreTwoStruts)
+{
+  UnitCell cell = square();
+  cell.struts   = {{0, 3, 0.1}, {1, 2, -0.1}, {1, 2, 0.2}};
+  // Inner posts carry 0.1, -0.1 and 0.2; outer ones 0.1 or -0.1 and 0.2.
+  EXPECT_EQ(make_array(cell, {{2, 1, 1}}).struts.size(), 6u);
+  // The same arc seen from its other end is one strut.
+  cell.struts = {{0, 3, 0.1}, {2, 1, -0.1}};
+  EXPECT_EQ(make_array(cell, {{2, 1, 1}}).struts.size(), 3u);
+}
+
+TEST(Array, JointsOfOneCellStayApart)
+{
+  UnitCell cell;
+  cell.joints = {{0, 0, 0}, {1, 0, 0}, {1, 0, 0}, {2, 0, 0}};
+  cell.struts = {{0, 1}, {2, 3}};
+  EXPECT_EQ(make_array(cell, {{1, 1, 1}}).joints.size(), 4u);
+}
+
+TEST(Array, RoundOffOfCellCentresDoesNotSplitJoints)
+{
+  UnitCell cell  = square();
+  cell.period[0] = 0.1 * 3;
+  cell.joints[1] = cell.joints[2] = {0.3, 0, 0};
+  cell.joints[2][1]               = 1;
+  const auto lattice              = make_array(cell, {{200, 1, 1}});
+  EXPECT_EQ(lattice.joints.size(), 402u);
+}
+
+TEST(Array, RefusesToRepeatWithoutPeriod)
+{
+  UnitCell cell         = square();
+  cell.period[1]        = 0;
+  cell.why_no_period[1] = "It has a roof.";
+  const auto message = input_error_of([&]() { make_array(cell, {{1, 3, 1}}); });
+  EXPECT_TRUE(contains(message, "3 cells along y")) << message;
+  EXPECT_TRUE(contains(message, "It has a roof.")) << message;
+  EXPECT_TRUE(contains(input_error_of([&]() {
+                         make_array(cell, {{0, 1, 1}});
+                       }),
+                       "along x is 0"));
+}
+
+TEST(Array, LargeStarArray)
+{
+  const auto cell    = cell_from_text("star", "")->build();
+  const auto lattice = make_array(cell, {{100, 100, 1}});
+  EXPECT_EQ(lattice.struts.size(), 120000u);
+  // Eight joints a cell and the stub ends, one for each two cells that meet.
+  EXPECT_EQ(lattice.joints.size(), 80000u + 2u * 100u * 101u);
+}

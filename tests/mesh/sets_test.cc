@@ -1,0 +1,230 @@
+#include <auxfem/mesh/sets.h>
+
+#include <gtest/gtest.h>
+
+#include "cell_from_text.h"
+
+using namespace auxfem;
+
+namespace
+{
+  using Indices = std::vector<unsigned int>;
+
+  /** Joints 0..5 at (0,0) (1,0) (2,0) (0,1) (1,1) (2,1); struts 0, 1 the lower
+   * chord, 2, 3 the upper, 4..6 the posts from left to right. */
+  std::shared_ptr<const Cell> ladder()
+  {
+    return cell_from_text("frame",
+                          "set Joints = 0 0; 1 0; 2 0; 0 1; 1 1; 2 1\n"
+                          "set Struts = 0 1; 1 2; 3 4; 4 5; 0 3; 1 4; 2 5");
+  }
+
+  class Sets : public ::testing::Test
+  {
+  protected:
+    Sets() : lattice(make_array(ladder()->build(), {{1, 1, 1}}))
+    {
+      context.constants = {{"width", 2.}};
+    }
+
+    Indices joints(const std::string &text) const
+    {
+      return select_joints(lattice, text, context, "Supports/base");
+    }
+
+    Indices struts(const std::string &text) const
+    {
+      return select_struts(lattice, text, context, "Sections/main");
+    }
+
+    std::vector<JointPair> pairs(const std::string &text) const
+    {
+      return select_pairs(lattice, text, context, "Connectors/damper");
+    }
+
+    std::string joints_refusal(const std::string &text) const
+    {
+      return input_error_of([&]() { joints(text); });
+    }
+
+    Lattice      lattice;
+    SceneContext context;
+  };
+
+  Scene ladder_scene()
+  {
+    Scene scene;
+    scene.cell = ladder();
+    SectionDefinition section;
+    section.name   = "tube";
+    section.struts = "all";
+    section.path   = "Sections/tube";
+    scene.sections = {section};
+    return scene;
+  }
+} // namespace
+
+TEST_F(Sets, JointsByName)
+{
+  EXPECT_EQ(joints("bottom"), (Indices{0, 1, 2}));
+  EXPECT_EQ(joints(" bottom + left "), (Indices{0, 1, 2, 3}));
+}
+
+TEST_F(Sets, JointsByNumber)
+{
+  EXPECT_EQ(joints("5, 3, 5"), (Indices{3, 5}));
+  EXPECT_EQ(joints("4"), (Indices{4}));
+}
+
+TEST_F(Sets, NearestJoint)
+{
+  EXPECT_EQ(joints("nearest: 1.2, 0.8"), (Indices{4}));
+  EXPECT_EQ(joints("nearest: 1900 mm, 1"), (Indices{5}));
+  EXPECT_EQ(struts("nearest: 0.1, 0.5"), (Indices{4}));
+}
+
+TEST_F(Sets, JointsByCondition)
+{
+  EXPECT_EQ(joints("y > ymax - 1e-6 && x < 1.5"), (Indices{3, 4}));
+  EXPECT_EQ(joints("abs(x - width) < 1e-6"), (Indices{2, 5}));
+  EXPECT_EQ(joints("x == xmin || x >= xmax"), (Indices{0, 2, 3, 5}));
+  EXPECT_EQ(joints("sin(pi * x / 2) > 0.5"), (Indices{1, 4}));
+}
+
+TEST_F(Sets, StrutsAreTestedAtTheirMiddles)
+{
+  EXPECT_EQ(struts("x > 0.4 && x < 0.6"), (Indices{0, 2}));
+  EXPECT_EQ(struts("abs(y - 0.5) < 0.1"), (Indices{4, 5, 6}));
+  EXPECT_EQ(struts("2, 3"), (Indices{2, 3}));
+}
+
+TEST_F(Sets, UnknownNamesComeWithSuggestions)
+{
+  const auto message = joints_refusal("left + botom");
+  EXPECT_TRUE(contains(message, "Supports/base")) << message;
+  EXPECT_TRUE(contains(message, "named \"botom\"; did you mean \"bottom\"?"))
+    << message;
+  EXPECT_TRUE(contains(message, "\"all\", \"bottom\", \"left\"")) << message;
+}
+
+TEST_F(Sets, NumbersThatDoNotExist)
+{
+  const auto message = joints_refusal("3, 6");
+  EXPECT_TRUE(contains(message, "there is no joint 6")) << message;
+  EXPECT_TRUE(contains(message, "from 0 to 5")) << message;
+  EXPECT_TRUE(contains(joints_refusal("-1"), "\"-1\""));
+  EXPECT_TRUE(contains(joints_refusal("1, two"), "\"two\""));
+  EXPECT_TRUE(contains(joints_refusal("1.5"), "\"1.5\""));
+  EXPECT_TRUE(contains(joints_refusal("99999999999"), "not the number"));
+}
+
+TEST_F(Sets, EmptySelections)
+{
+  const auto message = joints_refusal("x > 3");
+  EXPECT_TRUE(contains(message, "selects no joint")) << message;
+  EXPECT_TRUE(contains(message, "between (0, 0) m and (2, 1) m")) << message;
+  EXPECT_TRUE(contains(joints_refusal("  "), "no joints are named"));
+}
+
+TEST_F(Sets, ConditionsThatCannotBeParsed)
+{
+  const auto message = joints_refusal("y > ymaxx - 1");
+  EXPECT_TRUE(contains(message, "Supports/base")) << message;
+  EXPECT_TRUE(contains(message, "\"y > ymaxx - 1\"")) << message;
+  EXPECT_TRUE(contains(message, "\"ymaxx\" found at position 4")) << message;
+  EXPECT_TRUE(contains(joints_refusal("x = 0"), "write \"==\""));
+  EXPECT_TRUE(contains(joints_refusal("sqrt(x - 1)"), "not a number"));
+}
+
+TEST_F(Sets, ConstantsMayNotHidePlaces)
+{
+  context.constants = {{"x", 2.}};
+  EXPECT_TRUE(contains(joints_refusal("y > 0"), "constant \"x\""));
+}
+
+TEST_F(Sets, NearestNeedsAPlace)
+{
+  EXPECT_TRUE(contains(joints_refusal("nearest: 1"), "1 coordinates"));
+  EXPECT_TRUE(contains(joints_refusal("nearest: 1 kg, 2"), "kg"));
+  EXPECT_TRUE(contains(joints_refusal("neares: 1, 2"), "\"neares:\""));
+}
+
+TEST_F(Sets, PairsByNumberAndToGround)
+{
+  const auto numbered = pairs("0 4; 1 5");
+  ASSERT_EQ(numbered.size(), 2u);
+  EXPECT_EQ(numbered[1].first, 1u);
+  EXPECT_EQ(numbered[1].second, 5u);
+
+  const auto ground = pairs("ground: top");
+  ASSERT_EQ(ground.size(), 3u);
+  EXPECT_EQ(ground[0].first, 3u);
+  EXPECT_EQ(ground[0].second, invalid_index);
+}
+
+TEST_F(Sets, PairsThatCannotBe)
+{
+  const auto refusal = [&](const std::string &text) {
+    return input_error_of([&]() { pairs(text); });
+  };
+  EXPECT_TRUE(contains(refusal("0 9"), "there is no joint 9"));
+  EXPECT_TRUE(contains(refusal("2 2"), "with itself"));
+  EXPECT_TRUE(contains(refusal("0 1 2"), "not a pair"));
+  EXPECT_TRUE(contains(refusal("in-cell"), "offers none by name"));
+  EXPECT_TRUE(contains(refusal(""), "Connectors/damper"));
+
+  lattice.pair_sets["in-cell"] = {{0, 4}};
+  EXPECT_EQ(pairs("in-cell").size(), 1u);
+  EXPECT_TRUE(contains(refusal("incell"), "did you mean \"in-cell\"?"));
+}
+
+TEST(BuildLattice, LaterSetsMayUseEarlierOnes)
+{
+  Scene scene        = ladder_scene();
+  scene.sets         = {{"ends", "joints: left + right", "Sets/ends"},
+                        {"rim", "joints: ends + top", "Sets/rim"},
+                        {"posts", "struts: abs(y - 0.5) < 0.1", "Sets/posts"}};
+  const auto lattice = build_lattice(scene);
+  EXPECT_EQ(lattice.joint_sets.at("rim"), (Indices{0, 2, 3, 4, 5}));
+  EXPECT_EQ(lattice.strut_sets.at("posts"), (Indices{4, 5, 6}));
+}
+
+TEST(BuildLattice, RefusesNamesThatAreTakenOrCannotBe)
+{
+  const auto refusal = [](const SetDefinition &definition) {
+    Scene scene = ladder_scene();
+    scene.sets  = {definition};
+    return input_error_of([&]() { build_lattice(scene); });
+  };
+  EXPECT_TRUE(contains(refusal({"top", "joints: 1", "Sets/top"}),
+                       "joints named \"top\" already"));
+  EXPECT_TRUE(
+    contains(refusal({"a+b", "joints: 1", "Sets/a+b"}), "cannot name a set"));
+  EXPECT_TRUE(contains(refusal({"one", "1", "Sets/one"}), "\"joints:\""));
+  EXPECT_TRUE(
+    contains(refusal({"one", "joint: 1", "Sets/one"}), "\"joints:\""));
+}
+
+TEST(BuildLattice, LaterSectionsWin)
+{
+  Scene scene   = ladder_scene();
+  auto  second  = scene.sections[0];
+  second.struts = "4, 5";
+  scene.sections.push_back(second);
+  const auto   lattice = build_lattice(scene);
+  unsigned int number  = 0;
+  for (const auto &strut : lattice.struts)
+    {
+      EXPECT_EQ(strut.section, number == 4 || number == 5 ? 1u : 0u);
+      ++number;
+    }
+}
+
+TEST(BuildLattice, NamesAStrutWithoutSection)
+{
+  Scene scene              = ladder_scene();
+  scene.sections[0].struts = "0, 1, 2, 3, 5";
+  const auto message       = input_error_of([&]() { build_lattice(scene); });
+  EXPECT_TRUE(contains(message, "Strut 4 (joints 0 and 3")) << message;
+  EXPECT_TRUE(contains(message, "and 1 more have no section")) << message;
+}
