@@ -16,13 +16,22 @@ namespace auxfem
       return entry.rule ? entry.rule->allowed() : entry.allowed();
     }
 
+    std::string allowed_sentence(const DeclaredEntry &entry)
+    {
+      const bool free_text =
+        entry.rule && entry.rule->kind == ValueRule::Kind::text;
+      return free_text ? "" : " Allowed: " + allowed(entry) + ".";
+    }
+
     /** Lines of a commented .prm file, indented as it would be. */
     class TerminalText
     {
     public:
       void line(const std::string &text)
       {
-        out << std::string(2 * depth, ' ') << text << '\n';
+        if (!text.empty())
+          out << std::string(2 * depth, ' ') << text;
+        out << '\n';
       }
 
       void comment(const std::string &text)
@@ -36,24 +45,34 @@ namespace auxfem
       void open(const std::string &subsection)
       {
         line("subsection " + subsection);
-        ++depth;
+        indent();
       }
 
       void close()
       {
-        --depth;
+        unindent();
         line("end");
+      }
+
+      void indent()
+      {
+        ++depth;
+      }
+
+      void unindent()
+      {
+        --depth;
       }
 
       void entries(const std::vector<DeclaredEntry> &list)
       {
         for (const DeclaredEntry &entry : list)
           {
-            comment(entry.sentence + " Allowed: " + allowed(entry) + "." +
+            comment(entry.sentence + allowed_sentence(entry) +
                     (entry.required() ? " Must be given." : ""));
-            line("set " + entry.name + " =" +
-                 (entry.default_value.empty() ? "" :
-                                                " " + entry.default_value));
+            line(
+              "set " + entry.name + " =" +
+              (entry.default_value.empty() ? "" : " " + entry.default_value));
           }
       }
 
@@ -75,7 +94,9 @@ namespace auxfem
           text.line("");
           text.comment("With " + kind.choice + " = " + variant.name + ": " +
                        variant.sentence);
+          text.indent();
           text.entries(declared_entries(variant.declare));
+          text.unindent();
         }
     }
 

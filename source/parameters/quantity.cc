@@ -1,5 +1,6 @@
 #include <auxfem/parameters/errors.h>
 #include <auxfem/parameters/quantity.h>
+#include <auxfem/parameters/suggest.h>
 
 #include <deal.II/base/numbers.h>
 #include <deal.II/base/utilities.h>
@@ -61,24 +62,17 @@ namespace auxfem
       return c >= '0' && c <= '9';
     }
 
-    std::string all_words()
+    const Unit &find_symbol(const std::string &word)
     {
-      std::string list;
+      std::vector<std::string> known;
       for (const Symbol &symbol : symbols())
-        list += (list.empty() ? "" : ", ") + std::string(symbol.word);
-      return list;
-    }
-
-    const Unit &find_symbol(const std::string &word,
-                            const std::string &expression)
-    {
-      for (const Symbol &symbol : symbols())
-        if (word == symbol.word)
-          return symbol.unit;
-      throw InputError(
-        "unit word \"" + word + "\"" +
-        (word == expression ? "" : " in \"" + expression + "\"") +
-        " is not known; known are: " + all_words());
+        {
+          if (word == symbol.word)
+            return symbol.unit;
+          known.push_back(symbol.word);
+        }
+      throw InputError("unit word \"" + word + "\" is not known" +
+                       did_you_mean(word, known));
     }
 
     /** One `mm^4` of a unit expression and where its word stands in the text.
@@ -176,10 +170,20 @@ namespace auxfem
 
     bool begins_number(const std::string &token)
     {
-      return (is_digit(token[0]) || token[0] == '+' || token[0] == '-' ||
-              token[0] == '.') &&
-        // the unit word of "5 1/s"
-        token.compare(0, 2, "1/") != 0;
+      // the unit word of "5 1/s"
+      const bool is_unit = token.compare(0, 2, "1/") == 0 && token.size() > 2 &&
+        is_letter(token[2]);
+      return !is_unit &&
+        (is_digit(token[0]) || token[0] == '+' || token[0] == '-' ||
+         token[0] == '.');
+    }
+
+    /** Reads a number at @p begin, moves @p begin behind it; false if none. */
+    bool read_number(const char *&begin, const char *end, double &number)
+    {
+      const auto answer = std::from_chars(begin, end, number);
+      begin             = answer.ptr;
+      return answer.ec == std::errc() && std::isfinite(number);
     }
   } // namespace
 
@@ -191,7 +195,7 @@ namespace auxfem
     for (const Factor &factor : UnitScanner(expression).factors())
       if (!factor.word.empty())
         {
-          const Unit &unit = find_symbol(factor.word, expression);
+          const Unit &unit = find_symbol(factor.word);
           for (unsigned int i = 0; i < result.dimension.size(); ++i)
             result.dimension[i] += factor.exponent * unit.dimension[i];
           result.factor *= std::pow(unit.factor, factor.exponent);
@@ -208,11 +212,13 @@ namespace auxfem
     const char       *end     = begin + trimmed.size();
     if (begin != end && *begin == '+')
       ++begin;
-    double     number = 0;
-    const auto answer = std::from_chars(begin, end, number);
-    if (answer.ec != std::errc() || !std::isfinite(number))
+    double number = 0, divisor = 1;
+    bool   good = read_number(begin, end, number);
+    if (good && end - begin > 1 && *begin == '/' && is_digit(begin[1]))
+      good = read_number(++begin, end, divisor) && divisor != 0;
+    if (!good)
       throw InputError("\"" + trimmed + "\" is not a number");
-    return {number, trim(std::string(answer.ptr, end))};
+    return {number / divisor, trim(std::string(begin, end))};
   }
 
 
@@ -261,7 +267,7 @@ namespace auxfem
     for (const Factor &factor : UnitScanner(unit).factors())
       for (const Symbol &symbol : symbols())
         if (!factor.word.empty() &&
-            symbol.unit.dimension == find_symbol(factor.word, unit).dimension)
+            symbol.unit.dimension == find_symbol(factor.word).dimension)
           add(unit.substr(0, factor.position) + symbol.word +
               unit.substr(factor.position + factor.word.size()));
     const Unit declared = parse_unit(unit);

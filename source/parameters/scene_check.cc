@@ -112,7 +112,7 @@ namespace auxfem
         if (!problem.empty())
           report(entry.place,
                  path_of(entry.name) + " = " + entry.value + ": " + problem +
-                   ". Allowed: " + declared.allowed());
+                   "\n  Allowed: " + declared.allowed());
       }
 
       void check_given(const DeclaredEntry &declared)
@@ -120,8 +120,8 @@ namespace auxfem
         const ParameterEntry *entry = found.find_entry(declared.name);
         if (entry == nullptr || entry->value.empty())
           report(entry == nullptr ? found.place : entry->place,
-                 path_of(declared.name) +
-                   " must be given. Allowed: " + declared.allowed());
+                 path_of(declared.name) + " must be given: " +
+                   declared.sentence + "\n  Allowed: " + declared.allowed());
       }
 
       /** An entry that is not allowed: of another choice, or of none. */
@@ -139,13 +139,13 @@ namespace auxfem
                  path_of(entry.name) + ": belongs to " + kind.choice + " = " +
                    joined(owners) + ", but here " + kind.choice + " = " +
                    variant->name +
-                   ". Remove it or change the choice. Allowed here: " +
+                   ".\n  Remove it or change the choice. Allowed here: " +
                    joined(names_of(allowed)));
         else
           report(entry.place,
                  path_of(entry.name) + ": unknown parameter" +
                    did_you_mean(entry.name, names_of(allowed)) +
-                   " Allowed here: " + joined(names_of(allowed)));
+                   "\n  Allowed here: " + joined(names_of(allowed)));
       }
 
       const ParameterSubsection &found;
@@ -293,6 +293,6 @@ namespace auxfem
       if (std::find(known.begin(), known.end(), found.name) == known.end())
         mistakes.add(found.place.text() + ": unknown subsection \"" +
                      found.name + "\"" + did_you_mean(found.name, known) +
-                     " Allowed here: " + joined(known));
+                     "\n  Allowed here: " + joined(known));
   }
 } // namespace auxfem

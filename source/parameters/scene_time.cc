@@ -1,6 +1,7 @@
 #include <auxfem/parameters/scene_sections.h>
 
-#include <utility>
+#include <limits>
+#include <string>
 
 namespace auxfem
 {

@@ -7,6 +7,7 @@
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <sstream>
 
@@ -114,9 +115,7 @@ namespace auxfem
         {
           return ""; // no number in front: an expression or a table
         }
-      if (unit.empty() || unit[0] == '%' ||
-          !((unit[0] >= 'a' && unit[0] <= 'z') ||
-            (unit[0] >= 'A' && unit[0] <= 'Z')))
+      if (unit.empty() || !std::isalpha(static_cast<unsigned char>(unit[0])))
         return ""; // a plain number, or an operator that goes on with it
       const std::string problem = quantity_problem(rule, value);
       return problem.empty()
@@ -133,12 +132,12 @@ namespace auxfem
 
     std::string list_phrase(const ValueRule &rule)
     {
-      const std::string least = std::to_string(rule.minimum_length);
-      const std::string most  = std::to_string(rule.maximum_length);
-      const std::string count =
-        (least == most                    ? least
-           : rule.maximum_length > 100000 ? "at least " + least
-                                          : least + " to " + most);
+      const std::string least     = std::to_string(rule.minimum_length);
+      const std::string most      = std::to_string(rule.maximum_length);
+      const bool        unlimited = rule.maximum_length > 100000;
+      const std::string count     = (least == most ? least
+                                       : unlimited ? least + " or more"
+                                                   : least + " to " + most);
       return number_phrase(rule, count + " numbers");
     }
 

@@ -111,7 +111,7 @@ namespace auxfem
     return phase_times;
   }
 
-  const LinearSolver &Newton::solver() const
+  LinearSolver &Newton::solver()
   {
     return linear_solver;
   }

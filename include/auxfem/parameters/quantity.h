@@ -29,13 +29,14 @@ namespace auxfem
    * Reads a unit expression such as `N s/m`, `N*s/m`, `kg/m3`, `mm^4`, `1/s`,
    * `%`, `1`: products by blank or `*`, each `/` divides by the one factor
    * after it, powers by a trailing whole number with or without `^`. Throws
-   * InputError naming the symbol that is not known and those that are.
+   * InputError naming the symbol that is not known.
    */
   Unit parse_unit(const std::string &expression);
 
   /**
-   * Splits @p text into a decimal number and the rest as unit word (not yet
-   * looked at). Throws InputError if it does not begin with a finite number.
+   * Splits @p text into a decimal number or fraction (`5/6`) and the rest as
+   * unit word (not yet looked at). Throws InputError if it does not begin with
+   * a finite number.
    */
   ParsedQuantity split_quantity(const std::string &text);
 

@@ -45,10 +45,12 @@ namespace auxfem
     /** Folder of the parameter file; relative file names start from it. */
     std::string directory = ".";
 
-    /** Constants for expressions, `name -> value`, as the scene defines them. */
+    /** Constants for expressions, `name -> value`, as the scene defines them.
+     */
     std::vector<std::pair<std::string, double>> constants;
 
-    /** Path of the subsection in work, e.g. `Connectors/damper`, for messages. */
+    /** Path of the subsection in work, e.g. `Connectors/damper`, for messages.
+     */
     std::string path;
   };
 } // namespace auxfem

@@ -13,11 +13,13 @@
 
 namespace auxfem
 {
-  /** `Sets/NAME`: the user's own set of joints or struts, resolved on the lattice. */
+  /** `Sets/NAME`: the user's own set of joints or struts, resolved on the
+   * lattice. */
   struct SetDefinition
   {
     std::string name;
-    /** `joints: ...` or `struts: ...` as written; see mesh/sets.h for the grammar. */
+    /** `joints: ...` or `struts: ...` as written; see mesh/sets.h for the
+     * grammar. */
     std::string selection;
     std::string path; ///< for messages
   };
@@ -29,6 +31,8 @@ namespace auxfem
     std::string struts; ///< strut set
     Section     section;
     std::string path;
+    /** False: left out, which only a scene without inertia and weight may. */
+    bool has_density = true;
   };
 
   /** `Joints/NAME`: joints at which struts are not rigidly connected. */
@@ -40,10 +44,11 @@ namespace auxfem
       rotational_spring
     };
     std::string name;
-    std::string joints;        ///< joint set
-    std::string struts;        ///< strut set whose ends are released there
-    Type        type      = Type::hinge;
-    double      stiffness = 0; ///< K' (N m/rad) between a released strut and the first strut of the joint
+    std::string joints; ///< joint set
+    std::string struts; ///< strut set whose ends are released there
+    Type        type = Type::hinge;
+    double stiffness = 0; ///< K' (N m/rad) between a released strut and the
+                          ///< first strut of the joint
     std::string path;
   };
 
@@ -57,11 +62,13 @@ namespace auxfem
     };
     std::string                         name;
     std::shared_ptr<const ConnectorLaw> law;
-    /** Pair set of the cell (`in-cell`, `rod`), or `3 5; 7 9`, or `ground: SET`. */
+    /** Pair set of the cell (`in-cell`, `rod`), or `3 5; 7 9`, or `ground:
+     * SET`. */
     std::string          between;
     Geometry             geometry = Geometry::line;
     dealii::Tensor<1, 3> direction; ///< unit vector for Geometry::direction
-    /** For `ground: SET`: the ground point is the joint's place at rest plus this (m). */
+    /** For `ground: SET`: the ground point is the joint's place at rest plus
+     * this (m). */
     dealii::Tensor<1, 3> ground_offset;
     std::string          path;
   };
@@ -71,7 +78,8 @@ namespace auxfem
   {
     std::string name;
     std::string joints; ///< joint set
-    /** Which of u_x, u_y, rotation are prescribed, and their course (m, m, rad). */
+    /** Which of u_x, u_y, rotation are prescribed, and their course (m, m,
+     * rad). */
     std::array<bool, 3>         fixed = {{false, false, false}};
     std::array<TimeFunction, 3> motion;
     std::string                 path;
@@ -87,7 +95,8 @@ namespace auxfem
     std::string path;
   };
 
-  /** `Loads/NAME` of type `joint`: a dead force and moment on every joint of a set. */
+  /** `Loads/NAME` of type `joint`: a dead force and moment on every joint of a
+   * set. */
   struct JointLoadDefinition
   {
     std::string                 name;
@@ -96,7 +105,8 @@ namespace auxfem
     std::string                 path;
   };
 
-  /** `Loads/NAME` of type `line`: a dead force per undeformed length on a set of struts. */
+  /** `Loads/NAME` of type `line`: a dead force per undeformed length on a set
+   * of struts. */
   struct LineLoadDefinition
   {
     std::string                 name;
@@ -138,7 +148,8 @@ namespace auxfem
   /** `Time`: scheme and steps. */
   struct TimeParameters
   {
-    /** Name in the integrator table: `newmark`, `hht`, `generalized-alpha`, `static`. */
+    /** Name in the integrator table: `newmark`, `hht`, `generalized-alpha`,
+     * `static`. */
     std::string scheme          = "newmark";
     double      beta            = 0.25;
     double      gamma           = 0.5;
@@ -147,16 +158,19 @@ namespace auxfem
     double      end_time        = 1;     ///< s (pseudo time for statics)
     double      step            = 0.01;  ///< s
     double      smallest_step   = 0;     ///< s; 0: step / 1024
-    bool        static_start    = false; ///< start from the static equilibrium under the loads of t = 0
+    bool        static_start =
+      false; ///< start from the static equilibrium under the loads of t = 0
   };
 
   /** `Newton`: when a step counts as solved. */
   struct NewtonParameters
   {
-    double       tolerance          = 1e-8; ///< relative to the scene's own force and moment scale
+    double tolerance =
+      1e-8; ///< relative to the scene's own force and moment scale
     unsigned int maximum_iterations = 30;
     bool         keep_factorization = true; ///< false: full Newton
-    double       kept_reduction     = 5;    ///< a kept factorization must reduce the residual by this factor an iteration
+    double       kept_reduction = 5; ///< a kept factorization must reduce the
+                                     ///< residual by this factor an iteration
   };
 
   /** `Solver`: linear solver. */
@@ -184,23 +198,24 @@ namespace auxfem
   /** `Output`. */
   struct OutputParameters
   {
-    std::string                  directory        = "output";
-    double                       graphics_interval = 0; ///< s between .vtu files; 0: start and end only
-    bool                         graphics         = true;
-    unsigned int                 history_interval = 1;  ///< steps between rows of history.csv
-    unsigned int                 segments         = 8;  ///< straight pieces an element is drawn with
+    std::string directory = "output";
+    double      graphics_interval =
+      0; ///< s between .vtu files; 0: start and end only
+    bool         graphics         = true;
+    unsigned int history_interval = 1; ///< steps between rows of history.csv
+    unsigned int segments = 8; ///< straight pieces an element is drawn with
     std::vector<ProbeDefinition> probes;
   };
 
   /** Everything the user asked for, checked value by value, SI throughout. */
   struct Scene
   {
-    std::string                            title;
-    SceneContext                           context; ///< directory of the file, constants
-    std::string                            file;
-    std::shared_ptr<const Cell>            cell;
-    std::array<unsigned int, 3>            n_cells = {{1, 1, 1}};
-    std::vector<SetDefinition>             sets;
+    std::string                 title;
+    SceneContext                context; ///< directory of the file, constants
+    std::string                 file;
+    std::shared_ptr<const Cell> cell;
+    std::array<unsigned int, 3> n_cells = {{1, 1, 1}};
+    std::vector<SetDefinition>  sets;
     std::vector<SectionDefinition>         sections;
     std::vector<JointDefinition>           joints;
     std::vector<ConnectorDefinition>       connectors;
@@ -216,14 +231,16 @@ namespace auxfem
     NewtonParameters                       newton;
     SolverParameters                       solver;
     OutputParameters                       output;
-    /** All parameters with the values used, in .prm syntax, for parameters.prm. */
+    /** All parameters with the values used, in .prm syntax, for parameters.prm.
+     */
     std::string all_parameters;
   };
 
   /**
    * Reads @p file, applies @p overrides (`Subsection/Parameter=value`), and
    * checks it. All mistakes found are reported in one InputError, each with
-   * file, line or parameter path, the value found, what is allowed and what to do.
+   * file, line or parameter path, the value found, what is allowed and what to
+   * do.
    */
   Scene read_scene(const std::string              &file,
                    const std::vector<std::string> &overrides = {});
@@ -233,7 +250,8 @@ namespace auxfem
                              const std::string              &name,
                              const std::vector<std::string> &overrides = {});
 
-  /** Every parameter with default, unit, range and sentence, as shown by --print-parameters. */
+  /** Every parameter with default, unit, range and sentence, as shown by
+   * --print-parameters. */
   std::string describe_all_parameters();
 
   /** The same as the Markdown page doc/parameters.md. */

@@ -48,7 +48,7 @@ namespace auxfem
     void drop_factorization();
 
     const PhaseTimes   &times() const;
-    const LinearSolver &solver() const;
+    LinearSolver       &solver();
     TangentMatrix      &tangent();
 
   private:

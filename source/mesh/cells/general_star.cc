@@ -68,10 +68,8 @@ namespace auxfem
         declare(prm, *quantity);
     }
 
-    /**
-     * @p edges says which edges lead into the notch; @p rise is their extent
-     * across the notch's direction.
-     */
+    /** Refuses a notch that reaches the middle: @p symbols is the inequality
+     * extent > depth in formula signs, @p explanation what the depth means. */
     void check_notch(const Quantity     &extent_entry,
                      const double        extent,
                      const Quantity     &depth_entry,

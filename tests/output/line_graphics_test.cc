@@ -1,0 +1,208 @@
+#include <auxfem/output/line_graphics.h>
+#include <auxfem/parameters/errors.h>
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+using namespace auxfem;
+
+namespace
+{
+  const std::string root =
+    std::string(AUXFEM_TEST_OUTPUT_DIRECTORY) + "/line_graphics_";
+
+  unsigned int rank()
+  {
+    return dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);
+  }
+
+  /** An empty folder, on all ranks. */
+  std::string fresh_folder(const std::string &name)
+  {
+    const std::string folder = root + name + "_on_" +
+      std::to_string(dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD));
+    if (rank() == 0)
+      {
+        std::filesystem::remove_all(folder);
+        std::filesystem::create_directories(folder);
+      }
+    MPI_Barrier(MPI_COMM_WORLD);
+    return folder;
+  }
+
+  std::string contents(const std::string &file)
+  {
+    std::ifstream      stream(file);
+    std::ostringstream text;
+    text << stream.rdbuf();
+    return text.str();
+  }
+
+  const std::vector<GraphicsField> fields = {{"displacement", 3, "m"},
+                                             {"force", 1, "N"}};
+
+  /**
+   * A bent line of three points; value (field component i, point q) is
+   * 10 q + i + @p offset.
+   */
+  void add_bent_line(LineGraphics &graphics, const float offset)
+  {
+    std::vector<float> values;
+    for (unsigned int q = 0; q < 3; ++q)
+      for (unsigned int i = 0; i < 4; ++i)
+        values.push_back(10 * q + i + offset);
+    graphics.add_line({{0, 0, 0}, {1, 0.5, 0}, {2, 0, 0}}, values);
+  }
+
+  /** Runs Python code that reads files with VTK's own reader; 0: all holds. */
+  int python(const std::string &folder, const std::string &code)
+  {
+    const std::string file = folder + "/check.py";
+    std::ofstream(file) << code;
+    return std::system((std::string(AUXFEM_PYTHON) + " " + file).c_str());
+  }
+} // namespace
+
+TEST(LineGraphics, VtkReadsBackWhatWasWritten)
+{
+  const std::string folder = fresh_folder("read_back");
+  GraphicsSeries    series(folder, "solution", MPI_COMM_WORLD);
+  for (const double time : {0., 1. / 3})
+    {
+      LineGraphics graphics(fields);
+      // Ranks without anything to draw write files as well.
+      if (rank() == 0)
+        {
+          add_bent_line(graphics, time > 0 ? 0.5 : 0);
+          add_bent_line(graphics, 100);
+        }
+      series.write(graphics, time);
+    }
+
+  if (rank() == 0)
+    {
+      EXPECT_EQ(python(folder, R"(
+import os
+import xml.etree.ElementTree as xml
+from vtkmodules.vtkIOXML import vtkXMLPUnstructuredGridReader
+folder = os.path.dirname(os.path.abspath(__file__))
+sets = xml.parse(folder + '/solution.pvd').getroot().findall('.//DataSet')
+assert len(sets) == 2
+# Twelve digits of the time tell any two steps of a run apart.
+assert abs(float(sets[1].get('timestep')) - 1 / 3) < 1e-11, sets[1].attrib
+reader = vtkXMLPUnstructuredGridReader()
+reader.SetFileName(folder + '/' + sets[1].get('file'))
+reader.Update()
+grid = reader.GetOutput()
+assert grid.GetNumberOfPoints() == 6 and grid.GetNumberOfCells() == 4
+assert grid.GetPoint(1) == (1, 0.5, 0), grid.GetPoint(1)
+vectors = grid.GetPointData().GetArray('displacement')
+assert vectors.GetNumberOfComponents() == 3
+# Written as 32-bit numbers, which hold these exactly.
+assert vectors.GetTuple3(2) == (20.5, 21.5, 22.5), vectors.GetTuple3(2)
+assert grid.GetPointData().GetArray('force').GetTuple1(4) == 113
+)"),
+                0);
+    }
+  MPI_Barrier(MPI_COMM_WORLD);
+}
+
+TEST(LineGraphics, FilesNameUnits)
+{
+  LineGraphics graphics(fields);
+  add_bent_line(graphics, 0);
+  std::ostringstream text;
+  graphics.write_vtu(text);
+  EXPECT_NE(text.str().find("units=\"N\""), std::string::npos);
+}
+
+TEST(LineGraphics, RecordIsWholeAfterEveryFile)
+{
+  const std::string folder = fresh_folder("record");
+  GraphicsSeries    series(folder, "connectors", MPI_COMM_WORLD);
+  for (unsigned int i = 0; i < 3; ++i)
+    {
+      LineGraphics graphics(fields);
+      add_bent_line(graphics, i);
+      series.write(graphics, i);
+      const std::string record = contents(folder + "/connectors.pvd");
+      EXPECT_NE(record.find("file=\"connectors/connectors_0000" +
+                            std::to_string(i) + ".pvtu\""),
+                std::string::npos);
+      EXPECT_NE(record.find("</VTKFile>"), std::string::npos);
+      EXPECT_FALSE(std::filesystem::exists(folder + "/connectors.pvd.part"));
+      MPI_Barrier(MPI_COMM_WORLD);
+    }
+}
+
+TEST(LineGraphics, FolderInTheWayIsRefused)
+{
+  const std::string folder = fresh_folder("in_the_way");
+  if (rank() == 0)
+    std::ofstream(folder + "/solution") << "a file";
+  MPI_Barrier(MPI_COMM_WORLD);
+  EXPECT_THROW(GraphicsSeries(folder, "solution", MPI_COMM_WORLD), InputError);
+}
+
+TEST(LineGraphics, FolderThatVanishesEndsTheRun)
+{
+  const std::string folder = fresh_folder("vanishes");
+  GraphicsSeries    series(folder, "solution", MPI_COMM_WORLD);
+  MPI_Barrier(MPI_COMM_WORLD);
+  if (rank() == 0)
+    std::filesystem::remove_all(folder);
+  MPI_Barrier(MPI_COMM_WORLD);
+  LineGraphics graphics(fields);
+  add_bent_line(graphics, 0);
+  EXPECT_THROW(series.write(graphics, 0), ComputationError);
+}
+
+TEST(LineGraphics, NamesOfFieldsArePlain)
+{
+  EXPECT_EQ(field_name("weak-1_a"), "weak-1_a");
+  EXPECT_EQ(field_name("left <&> \"right\""), "left______right_");
+}
+
+TEST(GraphicsSchedule, WritesAtMultiplesDespiteRoundOff)
+{
+  GraphicsSchedule          schedule(1e-3);
+  std::vector<unsigned int> due;
+  double                    time = 0;
+  for (unsigned int i = 1; i <= 200; ++i)
+    {
+      time += 2e-5;
+      if (schedule.is_due(time))
+        due.push_back(i);
+    }
+  EXPECT_EQ(due, (std::vector<unsigned int>{50, 100, 150, 200}));
+}
+
+TEST(GraphicsSchedule, TakesTheNextStepIfTheIntervalDoesNotFit)
+{
+  GraphicsSchedule          schedule(1);
+  std::vector<unsigned int> due;
+  for (unsigned int i = 1; i <= 10; ++i)
+    if (schedule.is_due(0.4 * i))
+      due.push_back(i);
+  // Steps at 0.4, 0.8, ...: next to 1, 2, 3, 4 are 0.8 (0.2 before, as 1.2 is
+  // after), 2.0, 2.8, 4.0.
+  EXPECT_EQ(due, (std::vector<unsigned int>{2, 5, 7, 10}));
+}
+
+TEST(GraphicsSchedule, WritesEveryStepThatIsLongerThanTheInterval)
+{
+  GraphicsSchedule schedule(0.1);
+  for (unsigned int i = 1; i <= 5; ++i)
+    EXPECT_TRUE(schedule.is_due(i));
+}
+
+TEST(GraphicsSchedule, ZeroMeansNever)
+{
+  GraphicsSchedule schedule(0);
+  for (unsigned int i = 1; i <= 5; ++i)
+    EXPECT_FALSE(schedule.is_due(i));
+}

@@ -1,0 +1,108 @@
+#include <auxfem/output/summary.h>
+#include <auxfem/version.h>
+
+#include <boost/property_tree/json_parser.hpp>
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+using namespace auxfem;
+
+TEST(EnergyRecord, BalanceStartsAtZeroAndKeepsItsExtremes)
+{
+  EnergyRecord record;
+  EXPECT_EQ(record.relative(1), 0);
+
+  // Kinetic, strain, stored, dissipated, external. Numbers with few binary
+  // digits, so that sums are exact.
+  record.add({2, 1, 0.5, 0, 0.25});
+  EXPECT_EQ(record.balance, 0);
+  record.add({1, 1, 0.5, 1, 1});
+  EXPECT_EQ(record.balance, -0.75);
+  record.add({0, 0, 0, 8, 4.75});
+  EXPECT_EQ(record.balance, 0);
+  EXPECT_EQ(record.largest_balance, 0.75);
+  EXPECT_EQ(record.largest_energy, 8);
+  EXPECT_EQ(record.relative(2), 0.25);
+  EXPECT_EQ(record.latest.dissipated, 8);
+}
+
+TEST(Summary, JsonHoldsWhatTheRunCounted)
+{
+  Scene scene;
+  scene.file               = "a \"quoted\" name.prm";
+  scene.connectors         = std::vector<ConnectorDefinition>(2);
+  scene.connectors[0].name = "damper";
+  scene.connectors[1].name = "rod";
+  Summary summary;
+  summary.counts.unknowns          = 1234;
+  summary.totals.iterations        = 3000000000; // more than 31 bits hold
+  summary.totals.retries           = 7;
+  summary.resources.wall.factorize = 0.125;
+  summary.resources.largest_memory = 5000000000;
+  summary.largest_rotation         = 1.5;
+  summary.exit_state               = "no convergence:\nsecond line";
+  summary.energies.add({1, 2, 3, 4, 5});
+
+  std::istringstream          stream(summary_json(scene, summary));
+  boost::property_tree::ptree tree;
+  boost::property_tree::read_json(stream, tree);
+  EXPECT_EQ(tree.get<std::string>("version"), version);
+  EXPECT_EQ(tree.get<std::string>("file"), scene.file);
+  EXPECT_EQ(tree.get<std::string>("exit_state"), summary.exit_state);
+  EXPECT_EQ(tree.get<unsigned int>("counts.unknowns"), 1234u);
+  EXPECT_EQ(tree.get<unsigned long>("work.newton_iterations"), 3000000000u);
+  EXPECT_EQ(tree.get<unsigned long>("work.retries"), 7u);
+  EXPECT_EQ(tree.get<double>("wall_seconds.factorize"), 0.125);
+  EXPECT_EQ(tree.get<unsigned long>("peak_memory_bytes.largest_rank"),
+            5000000000u);
+  EXPECT_EQ(tree.get<double>("energies_joule.stored"), 3);
+  EXPECT_EQ(tree.get<double>("largest_rotation_radian"), 1.5);
+  EXPECT_EQ(tree.get_child("connector_groups").back().second.data(), "rod");
+}
+
+TEST(Summary, OverviewListsWhatIsSimulatedAndWhatIsNot)
+{
+  Scene scene;
+  scene.file                 = "lattice.prm";
+  scene.title                = "A lattice";
+  scene.discretization.order = 3;
+  Counts counts;
+  counts.joints = 96;
+  const std::string text =
+    overview_text(scene,
+                  counts,
+                  {{"gravity", false, "it is zero"},
+                   {"inertia", true, "a dynamic scheme"},
+                   {"hinges", false, "no joint has any"}});
+  EXPECT_NE(text.find("lattice.prm: A lattice\n"), std::string::npos);
+  EXPECT_NE(text.find("Joints                96\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("\nSimulated\n  inertia  a dynamic scheme\n"),
+            std::string::npos);
+  EXPECT_NE(text.find("\nLeft out\n  gravity  it is zero\n"
+                      "  hinges   no joint has any"),
+            std::string::npos);
+  EXPECT_NE(text.back(), '\n');
+}
+
+TEST(Summary, OverviewHasNoEmptyList)
+{
+  const std::string text =
+    overview_text(Scene(), Counts(), {{"inertia", true, "a dynamic scheme"}});
+  EXPECT_EQ(text.find("Left out"), std::string::npos);
+}
+
+TEST(Summary, ResourcesAreThoseOfTheProcess)
+{
+  PhaseTimes wall;
+  wall.solve                = 2;
+  const Resources resources = gather_resources(3, wall, MPI_COMM_WORLD);
+  EXPECT_EQ(resources.wall_seconds, 3);
+  EXPECT_EQ(resources.wall.solve, 2);
+  EXPECT_GT(resources.cpu_seconds, 0);
+  // A process that has loaded deal.II holds more than a megabyte, and less
+  // than a terabyte.
+  EXPECT_GT(resources.largest_memory, 1ul << 20);
+  EXPECT_LT(resources.largest_memory, 1ul << 40);
+  EXPECT_GE(resources.memory, resources.largest_memory);
+}
