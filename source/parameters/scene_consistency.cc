@@ -74,6 +74,25 @@ namespace auxfem
                              "static. Remove it or choose a dynamic scheme"));
     }
 
+    void check_density(const Scene &scene, Mistakes &mistakes)
+    {
+      const bool statics = (scene.time.scheme == "static");
+      const bool weight =
+        scene.gravity.norm() > 0 && scene.effects.gravity != Switch::off;
+      if (statics && !weight)
+        return;
+      for (const SectionDefinition &section : scene.sections)
+        if (!section.has_density)
+          mistakes.add(message(scene,
+                               section.path,
+                               "/Density must be given, because there is ",
+                               statics ? "weight (Gravity)"
+                                       : "inertia (Time/Scheme = " +
+                                   scene.time.scheme + ")",
+                               ". Allowed: a number >= 0 in kg/m3, 0 for "
+                               "massless struts"));
+    }
+
     /** Probes, supports and connectors give history.csv columns
      * `NAME.quantity`. */
     void check_column_names(const Scene &scene, Mistakes &mistakes)
@@ -106,6 +125,7 @@ namespace auxfem
     check_steps(scene, mistakes);
     check_newmark(scene, mistakes);
     check_inertia(scene, mistakes);
+    check_density(scene, mistakes);
     check_column_names(scene, mistakes);
   }
 } // namespace auxfem

@@ -73,21 +73,23 @@ namespace auxfem
       "for a tube.",
       {"auto"}};
 
-    const Quantity youngs_modulus    = {"Young's modulus",
-                                        "",
-                                        "Pa",
-                                        Range::positive(),
-                                        "Young's modulus."};
-    const Quantity poissons_ratio    = {"Poisson's ratio",
-                                        "0.3",
-                                        "1",
-                                        {-1, 0.5, true, false},
-                                        "Poisson's ratio, for the shear modulus."};
-    const Quantity density           = {"Density",
-                                        "",
-                                        "kg/m3",
-                                        Range::non_negative(),
-                                        "Mass per volume."};
+    const Quantity youngs_modulus = {"Young's modulus",
+                                     "",
+                                     "Pa",
+                                     Range::positive(),
+                                     "Young's modulus."};
+    const Quantity poissons_ratio = {"Poisson's ratio",
+                                     "0.3",
+                                     "1",
+                                     {-1, 0.5, true, false},
+                                     "Poisson's ratio, for the shear modulus."};
+    const Quantity density        = {
+             "Density",
+             "none",
+             "kg/m3",
+             Range::non_negative(),
+             "Mass per volume; none will do for statics without weight only.",
+             {"none"}};
     const Quantity stiffness_damping = {
       "Stiffness-proportional damping",
       "0 s",
@@ -200,7 +202,6 @@ namespace auxfem
       section.youngs_modulus = get(prm, youngs_modulus);
       section.shear_modulus =
         section.youngs_modulus / (2 * (1 + get(prm, poissons_ratio)));
-      section.density                        = get(prm, density);
       section.stiffness_proportional_damping = get(prm, stiffness_damping);
       section.mass_proportional_damping      = get(prm, mass_damping);
     }
@@ -224,6 +225,9 @@ namespace auxfem
       else
         read_given(prm, definition.section);
       read_material(prm, definition.section);
+      definition.has_density = !is_word(prm, density);
+      if (definition.has_density)
+        definition.section.density = get(prm, density);
       scene.sections.push_back(definition);
     }
   } // namespace

@@ -142,8 +142,7 @@ namespace
     expect_message(
       group("Sections", "set Shape = circle"),
       {"scene.prm:5: Sections/name/Radius must be given: Radius of the circle.",
-       "Sections/name/Young's modulus must be given",
-       "Sections/name/Density must be given"});
+       "Sections/name/Young's modulus must be given"});
     expect_message(subsection("Supports", subsection("a", "set Joints =")),
                    {"scene.prm:6: Supports/a/Joints must be given"});
     expect_message(subsection("Probes", "set top ="),
@@ -280,6 +279,26 @@ namespace
     expect_message(statics + group("Initial velocities", "set Joints = all"),
                    {"Initial velocities/name", "static"});
     EXPECT_EQ(message_for(statics + subsection("Effects", "set Inertia = off")),
+              "");
+  }
+
+
+
+  TEST(SceneMistakes, DensityIsNeededForInertiaAndWeight)
+  {
+    const std::string massless =
+      group("Sections",
+            "set Shape = circle\nset Radius = 1\nset Young's modulus = 1");
+    const std::string statics = subsection("Time", "set Scheme = static");
+    const std::string weight =
+      subsection("Gravity", "set Acceleration y = -9.81");
+    expect_message(massless,
+                   {"Sections/name/Density must be given", "newmark"});
+    expect_message(massless + statics + weight,
+                   {"Sections/name/Density must be given", "Gravity"});
+    EXPECT_EQ(message_for(massless + statics), "");
+    EXPECT_EQ(message_for(massless + statics + weight +
+                          subsection("Effects", "set Gravity = off")),
               "");
   }
 
