@@ -33,7 +33,7 @@ namespace auxfem
     }
 
     void refuse_mechanism_if_static(const Scene  &scene,
-                                    const System &system,
+                                    System       &system,
                                     const State  &state,
                                     TimeStepper  &stepper)
     {

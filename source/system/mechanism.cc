@@ -46,7 +46,7 @@ namespace auxfem
     }
   } // namespace
 
-  void refuse_mechanism(const System  &system,
+  void refuse_mechanism(System        &system,
                         State          state,
                         TangentMatrix &matrix,
                         LinearSolver  &solver)
@@ -54,6 +54,9 @@ namespace auxfem
     const DofNumbering &numbering = system.numbering();
     const State         before    = state;
     const Step step{before, state, std::numeric_limits<double>::infinity()};
+    // Effects keep what the tangent needs from the last residual.
+    system.begin_step(step);
+    system.residual(step);
     system.tangent(step, {1., 0., 0.}, matrix);
 
     Epetra_Vector diagonal(numbering.owned_map()), shifted(numbering.owned_map());

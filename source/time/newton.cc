@@ -30,16 +30,18 @@ namespace auxfem
 
     while (true)
       {
-        largest_force = std::max(largest_force, system.force_scale());
+        // A wild iterate must not set the scale for what follows.
+        const double force = std::max(largest_force, system.force_scale());
         if (!std::isfinite(size))
           {
             result.reason = "the residual is not finite";
             return result;
           }
-        result.relative_residual = largest_force > 0 ? size / largest_force : 0.;
-        if (is_in_place && size <= parameters.tolerance * largest_force + floor)
+        result.relative_residual = force > 0 ? size / force : 0.;
+        if (is_in_place && size <= parameters.tolerance * force + floor)
           {
             result.converged = true;
+            largest_force    = force;
             return result;
           }
         if (result.iterations == parameters.maximum_iterations)

@@ -38,7 +38,8 @@ namespace auxfem
   double TimeStepper::time_at(const unsigned long step, const double fraction) const
   {
     // From the step count, never accumulated.
-    return std::min((step + fraction) * parameters.step, parameters.end_time);
+    const double time = (step + fraction) * parameters.step;
+    return time > parameters.end_time - 1e-6 * parameters.step ? parameters.end_time : time;
   }
 
   double TimeStepper::length_of_step(const double from,

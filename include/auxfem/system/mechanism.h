@@ -15,7 +15,7 @@ namespace auxfem
    *
    * Uses and overwrites @p matrix and the factorization of @p solver.
    */
-  void refuse_mechanism(const System  &system,
+  void refuse_mechanism(System        &system,
                         State          state,
                         TangentMatrix &matrix,
                         LinearSolver  &solver);

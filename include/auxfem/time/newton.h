@@ -13,7 +13,7 @@ namespace auxfem
    *
    * A step is solved when the free force rows are below tolerance * F + floor and
    * the moment rows below (tolerance * F + floor) * l: F the largest internal
-   * force the scene has shown so far, l the mean strut length, floor the round-off
+   * force of this iterate and of all accepted steps, l the mean strut length, floor the round-off
    * of the residual itself, below which no iteration can go.
    */
   class Newton
@@ -63,6 +63,7 @@ namespace auxfem
     LinearSolver                   linear_solver;
     Vector                         increment;
     PhaseTimes                     phase_times;
+    /** Of all accepted steps (N). */
     double                         largest_force = 0;
     /** Step length the kept factorization belongs to; negative: none is kept. */
     double factorized_dt = -1;

@@ -173,7 +173,7 @@ namespace auxfem
         if (state.velocity)
           gather(numbering.element_unknowns(e), state.velocity->Values(), v);
 
-        double forces[order][4];
+        double forces[order][3];
         for (int g = 0; g < order; ++g)
           section_forces(data, frames[std::size_t(e) * order + g], g, u, v, forces[g]);
 
@@ -201,14 +201,18 @@ namespace auxfem
                   }
                 point.rotation += N[a] * u[3 * a + 2];
               }
-            double interpolated[4] = {0, 0, 0, 0};
+            double interpolated[3] = {0, 0, 0};
             for (int g = 0; g < order; ++g)
-              for (unsigned int k = 0; k < 4; ++k)
+              for (unsigned int k = 0; k < 3; ++k)
                 interpolated[k] += H[g] * forces[g][k];
             point.axial_force    = interpolated[0];
             point.shear_force    = interpolated[1];
             point.bending_moment = interpolated[2];
-            point.energy_density = interpolated[3];
+            point.energy_density =
+              (interpolated[0] * interpolated[0] / data.stiffness.axial +
+               interpolated[1] * interpolated[1] / data.stiffness.shear +
+               interpolated[2] * interpolated[2] / data.stiffness.bending) /
+              2;
           }
         return points;
       }
@@ -260,14 +264,13 @@ namespace auxfem
                           const int            g,
                           const double        *u,
                           const double        *v,
-                          double (&forces)[4]) const
+                          double (&forces)[3]) const
       {
         const Beam2D::Kinematics k = Beam2D::kinematics<large_rotation>(
           frame, Beam2D::interpolate(shape, g, 1 / data.jacobian, u));
         forces[0] = data.stiffness.axial * k.epsilon;
         forces[1] = data.stiffness.shear * k.gamma;
         forces[2] = data.stiffness.bending * k.kappa;
-        forces[3] = (forces[0] * k.epsilon + forces[1] * k.gamma + forces[2] * k.kappa) / 2;
         if (damped)
           {
             const Beam2D::Gradient rate =
