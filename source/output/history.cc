@@ -198,7 +198,7 @@ namespace auxfem
                     MPI_SUM,
                     communicator);
 
-    const Energies energies = system.energies(state);
+    const Energies &energies = state.energies;
     record.add(energies);
     for (const double energy : {energies.kinetic,
                                 energies.strain,

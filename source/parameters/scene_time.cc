@@ -157,6 +157,13 @@ namespace auxfem
       Range::non_negative(),
       "A step that fails is repeated with half its length down to this; 0: a "
       "1024th of the time step."};
+    const Quantity energy_error = {
+      "Largest energy error",
+      "0.5",
+      "1",
+      Range::positive(),
+      "A dynamic step that creates more energy than this part of the largest "
+      "so far is repeated with half its length."};
     const Choice start = {"Start from",
                           "rest",
                           {"rest", "static equilibrium"},
@@ -173,6 +180,7 @@ namespace auxfem
       declare(prm, end_time);
       declare(prm, step);
       declare(prm, smallest_step);
+      declare(prm, energy_error);
       declare(prm, start);
     }
 
@@ -189,6 +197,7 @@ namespace auxfem
       scene.time.end_time        = get(prm, end_time);
       scene.time.step            = get(prm, step);
       scene.time.smallest_step   = get(prm, smallest_step);
+      scene.time.energy_error    = get(prm, energy_error);
       scene.time.static_start    = (get(prm, start) == "static equilibrium");
     }
 

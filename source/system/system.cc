@@ -189,10 +189,15 @@ namespace auxfem
 
   void System::accept(const Step &step)
   {
-    step.to.external_work     = step.from.external_work;
-    step.to.strut_dissipation = step.from.strut_dissipation;
+    step.to.external_work       = step.from.external_work;
+    step.to.strut_dissipation   = step.from.strut_dissipation;
+    step.to.strut_damping_power = 0;
     for (const auto &effect : effects)
       effect->accept(step);
+    // The trapezoidal rule, second order like the integrators.
+    if (std::isfinite(step.dt))
+      step.to.strut_dissipation +=
+        step.dt / 2 * (step.from.strut_damping_power + step.to.strut_damping_power);
     // Prescribed motion works by the mean of the support forces over the step.
     for (const Support &support : support_list)
       for (const auto &prescribed : support.unknowns)
@@ -203,6 +208,7 @@ namespace auxfem
               (step.from.residual[i] + step.to.residual[i]) / 2 *
               (step.to.displacement[i] - step.from.displacement[i]);
           }
+    step.to.energies = energies(step.to);
   }
 
   Energies System::energies(const State &state) const

@@ -8,6 +8,15 @@
 
 namespace auxfem
 {
+  namespace
+  {
+    /**
+     * Further than this no linearisation can see. Iterates that do turn so far can
+     * end in equilibria of a tangle that has nothing to do with the step (rad).
+     */
+    constexpr double half_turn = 3.14159265358979323846;
+  } // namespace
+
   Newton::Newton(System                 &system,
                  const NewtonParameters &parameters,
                  const SolverParameters &solver)
@@ -65,6 +74,11 @@ namespace auxfem
             ++result.factorizations;
           }
         solve_increment(step.to);
+        if (!system.is_linear() && largest_turn() > half_turn)
+          {
+            result.reason = "an iteration turned a section by more than half a turn";
+            return result;
+          }
         integrator.correct(increment, step.dt, step.to);
         is_in_place = true;
         ++result.iterations;
@@ -78,7 +92,7 @@ namespace auxfem
   void Newton::find_initial_acceleration(State &state, const double dt)
   {
     const State  before = state;
-    const Step   step{before, state, std::numeric_limits<double>::infinity()};
+    const Step   step{before, state, /*dt=*/0.};
     state.acceleration->PutScalar(0.);
     system.begin_step(step);
     system.prescribe_motion(state, dt);
@@ -153,6 +167,19 @@ namespace auxfem
       std::copy(solution.Values(), solution.Values() + numbering.n_owned(), increment.Values());
     else
       increment.Import(solution, numbering.importer(), Insert);
+  }
+
+  double Newton::largest_turn() const
+  {
+    const DofNumbering &numbering = system.numbering();
+    double              mine = 0, all = 0;
+    for (unsigned int i = 0; i < numbering.n_owned(); ++i)
+      if (numbering.is_rotation(i))
+        mine = std::max(mine, std::abs(increment[i]));
+    if (numbering.n_ranks() == 1)
+      return mine;
+    numbering.communicator().MaxAll(&mine, &all, 1);
+    return all;
   }
 
   double Newton::in_force_units(const ResidualNorm &norm) const

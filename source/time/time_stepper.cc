@@ -67,14 +67,26 @@ namespace auxfem
                                  result.reason +
                                  ". Start from rest, or raise the load in steps with "
                                  "`Scheme = static` to see where it is lost.");
-        system.accept(step);
-        trial.external_work = 0;
         if (state.velocity)
           *trial.velocity = *state.velocity;
         state = trial;
       }
     if (integrator->is_dynamic())
       solver.find_initial_acceleration(state, parameters.step);
+    complete_start(state);
+    largest_energy = state.energies.total();
+  }
+
+  void TimeStepper::complete_start(State &state)
+  {
+    const State before = state;
+    const Step  step{before, state, /*dt=*/0.};
+    system.begin_step(step);
+    system.residual(step);
+    system.accept(step);
+    // What brought the lattice into its first state is not part of the run.
+    state.external_work   = 0;
+    state.energies.external = 0;
   }
 
   StepReport TimeStepper::advance(State &state)
@@ -148,9 +160,29 @@ namespace auxfem
         return false;
       }
     system.accept(step);
+    if (integrator->is_dynamic() && creates_energy(step))
+      {
+        last_failure = "the step would create energy (more than Time/Largest energy error)";
+        solver.drop_factorization();
+        return false;
+      }
+    largest_energy = std::max({largest_energy, trial.energies.total(),
+                               trial.energies.dissipated});
     trial.step = state.step;
     state      = trial;
     return true;
+  }
+
+  bool TimeStepper::creates_energy(const Step &step) const
+  {
+    // Implicit schemes can converge to states that have nothing to do with the
+    // motion when a step is too long for it; these show by energy from nowhere.
+    const Energies &before  = step.from.energies, &after = step.to.energies;
+    const double    created = after.balance(before.balance(0.));
+    const double    turnover =
+      std::max({largest_energy, std::abs(after.external - before.external),
+                after.dissipated - before.dissipated});
+    return created > parameters.energy_error * turnover;
   }
 
   Newton &TimeStepper::newton()

@@ -31,7 +31,7 @@ namespace auxfem
         , state(system.initial_state())
       {
         stepper.start(state);
-        initial_total = system.energies(state).total();
+        initial_total = state.energies.total();
       }
 
       /** Advances to the end; calls @p after_step after each step. */
@@ -72,7 +72,7 @@ namespace auxfem
       /** Error of the energy balance now (J). */
       double balance() const
       {
-        return system.energies(state).balance(initial_total);
+        return state.energies.balance(initial_total);
       }
 
       const Scene   scene;

@@ -54,7 +54,7 @@ namespace auxfem
     /**
      * Appends the row of @p state, which must be the last given to
      * System::residual(). Throws ComputationError if the disk takes no more.
-     * Collective: one reduction besides that of System::energies().
+     * Collective: one reduction.
      */
     void write(const State &state);
 

@@ -158,6 +158,7 @@ namespace auxfem
     double      end_time        = 1;     ///< s (pseudo time for statics)
     double      step            = 0.01;  ///< s
     double      smallest_step   = 0;     ///< s; 0: step / 1024
+    double      energy_error    = 0.5; ///< energy a step may create, of the largest so far
     bool        static_start =
       false; ///< start from the static equilibrium under the loads of t = 0
   };

@@ -19,7 +19,7 @@ namespace auxfem
   {
     const State &from;
     State       &to;
-    double       dt; ///< s; infinity in a search for static equilibrium
+    double       dt; ///< s; infinity in a search for static equilibrium, 0 for forces at rest in time
   };
 
   /**
@@ -52,7 +52,11 @@ namespace auxfem
                              TangentMatrix & /*matrix*/) const
     {}
 
-    /** Called once when the step is accepted: history, dissipated energy, work. */
+    /**
+     * Called when the step is solved: writes history, dissipated energy and work of
+     * step.to from those of step.from. The step may still be undone, so nothing
+     * of it may be kept in the effect itself.
+     */
     virtual void accept(const Step & /*step*/)
     {}
 

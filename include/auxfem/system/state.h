@@ -22,6 +22,30 @@ namespace auxfem
     unsigned int n_dissipated           = 0;     ///< viscous connectors
   };
 
+  /** Energies at one time (J). */
+  struct Energies
+  {
+    double kinetic    = 0;
+    double strain     = 0; ///< in the struts (and rotational springs)
+    double stored     = 0; ///< in the springs of connectors
+    double dissipated = 0; ///< in connectors and struts, since the start
+    double external   = 0; ///< work of loads and prescribed motion since the start
+
+    double total() const
+    {
+      return kinetic + strain + stored;
+    }
+
+    /**
+     * total + dissipated - external - @p initial_total: zero but for the error of the
+     * time integration (and its numerical damping, if it has any).
+     */
+    double balance(double initial_total) const
+    {
+      return total() + dissipated - external - initial_total;
+    }
+  };
+
   /**
    * Everything that describes the lattice at one time. There is one accepted
    * state, owned by run(), and one trial state, owned by the time stepper.
@@ -55,30 +79,10 @@ namespace auxfem
 
     double external_work     = 0; ///< by loads and prescribed motion so far, this rank's share (J)
     double strut_dissipation = 0; ///< lost in the struts' own damping so far, this rank's share (J)
-  };
+    double strut_damping_power = 0; ///< being lost there now, this rank's share (W)
 
-  /** Energies at one time (J). */
-  struct Energies
-  {
-    double kinetic    = 0;
-    double strain     = 0; ///< in the struts (and rotational springs)
-    double stored     = 0; ///< in the springs of connectors
-    double dissipated = 0; ///< in connectors and struts, since the start
-    double external   = 0; ///< work of loads and prescribed motion since the start
-
-    double total() const
-    {
-      return kinetic + strain + stored;
-    }
-
-    /**
-     * total + dissipated - external - @p initial_total: zero but for the error of the
-     * time integration (and its numerical damping, if it has any).
-     */
-    double balance(double initial_total) const
-    {
-      return total() + dissipated - external - initial_total;
-    }
+    /** Energies of the whole lattice, known for accepted states. */
+    Energies energies;
   };
 } // namespace auxfem
 

@@ -100,11 +100,11 @@ namespace auxfem
     /** Fills @p matrix with the tangent at step.to. */
     void tangent(const Step &step, const TangentFactors &factors, TangentMatrix &matrix) const;
 
-    /** Lets all effects keep their history; adds work of prescribed motion. */
+    /**
+     * Completes step.to, the state last given to residual(), with history, work
+     * and energies. The step may still be undone.
+     */
     void accept(const Step &step);
-
-    /** Energies at @p state (summed over all ranks), which was the last given to residual(). */
-    Energies energies(const State &state) const;
 
     /** Largest |displacement| (m) and |rotation| (rad) in @p state over all ranks. */
     std::pair<double, double> largest_motion(const State &state) const;
@@ -113,6 +113,9 @@ namespace auxfem
     std::string worst_unknown(const State &state) const;
 
   private:
+    /** Energies (over all ranks) of the state last given to residual(). */
+    Energies energies(const State &state) const;
+
     void make_numbering(const Scene &scene, MPI_Comm communicator);
     void make_supports(const Scene &scene);
     void make_effects(const Scene &scene);

@@ -55,6 +55,8 @@ namespace auxfem
     ResidualNorm timed_residual(const Step &step);
     bool         factorize(const TimeIntegrator &integrator, const Step &step);
     void         solve_increment(const State &trial);
+    /** Largest |rotation| in the increment over all ranks (rad). */
+    double       largest_turn() const;
     double       in_force_units(const ResidualNorm &norm) const;
 
     System                        &system;

@@ -21,7 +21,8 @@ namespace auxfem
 
     /**
      * Brings the initial state into order: prescribed motion, static
-     * equilibrium if the scene starts from it, accelerations in equilibrium.
+     * equilibrium if the scene starts from it, accelerations in equilibrium,
+     * energies.
      * Throws ComputationError if there is no equilibrium to be found.
      */
     void start(State &state);
@@ -36,6 +37,8 @@ namespace auxfem
     Newton &newton();
 
   private:
+    void   complete_start(State &state);
+    bool   creates_energy(const Step &step) const;
     bool   try_step(State &state, double time, double dt, StepReport &report);
     double time_at(unsigned long step, double fraction) const;
     double length_of_step(double from, double to, double piece) const;
@@ -46,6 +49,8 @@ namespace auxfem
     Newton                          solver;
     State                           trial;
     std::string                     last_failure;
+    /** Total or dissipated, of all accepted states (J). */
+    double largest_energy = 0;
   };
 } // namespace auxfem
 

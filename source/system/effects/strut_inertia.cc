@@ -97,11 +97,9 @@ namespace auxfem
 
       void accept(const Step &step) override
       {
-        if (!damped)
-          return;
-        const double power = sum_v_M_v(step.to, [](const Element &e) { return e.damping; });
-        step.to.strut_dissipation += step.dt / 2 * (accepted_power + power);
-        accepted_power = power;
+        if (damped)
+          step.to.strut_damping_power +=
+            sum_v_M_v(step.to, [](const Element &e) { return e.damping; });
       }
 
       void add_energies(const State &state, Energies &energies) const override
@@ -150,7 +148,6 @@ namespace auxfem
       const BeamShape<order> shape;
       std::vector<Element>   elements;
       std::size_t            first_block = 0;
-      double                 accepted_power = 0;
     };
   } // namespace
 

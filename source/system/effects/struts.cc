@@ -140,13 +140,7 @@ namespace auxfem
 
       void accept(const Step &step) override
       {
-        if (!damped)
-          return;
-        // Trapezoidal rule in time; second order like the integrators.
-        if (std::isfinite(step.dt))
-          step.to.strut_dissipation +=
-            step.dt / 2 * (accepted_power + energy.dissipation);
-        accepted_power = energy.dissipation;
+        step.to.strut_damping_power += energy.dissipation;
       }
 
       void add_energies(const State & /*state*/, Energies &energies) const override
@@ -293,7 +287,6 @@ namespace auxfem
       double                     largest_stiffness            = 0;
       double                     largest_stiffness_per_length = 0;
       Beam2D::EnergyRate         energy;
-      double                     accepted_power = 0;
     };
 
     template <int order>

@@ -1,0 +1,161 @@
+#include <auxfem/mesh/strut_mesh.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "cell_from_text.h"
+
+using namespace auxfem;
+
+namespace
+{
+  Lattice stars(const unsigned int nx, const unsigned int ny)
+  {
+    return make_array(cell_from_text("star", "")->build(), {{nx, ny, 1}});
+  }
+
+  /** Number of struts of each rank. */
+  std::vector<unsigned int> sizes(const std::vector<unsigned int> &ranks,
+                                  const unsigned int               n_ranks)
+  {
+    std::vector<unsigned int> count(n_ranks, 0);
+    for (const unsigned int rank : ranks)
+      ++count.at(rank);
+    return count;
+  }
+
+  /** Number of connected pieces the struts of @p rank fall into. */
+  unsigned int n_pieces(const Lattice                   &lattice,
+                        const std::vector<unsigned int> &ranks,
+                        const unsigned int               rank)
+  {
+    std::vector<unsigned int> piece(lattice.joints.size());
+    for (unsigned int j = 0; j < piece.size(); ++j)
+      piece[j] = j;
+    std::set<unsigned int> used;
+    for (unsigned int s = 0; s < lattice.struts.size(); ++s)
+      if (ranks[s] == rank)
+        {
+          const auto [first, second] = lattice.struts[s].joints;
+          used.insert({first, second});
+          const unsigned int from = piece[second], to = piece[first];
+          std::replace(piece.begin(), piece.end(), from, to);
+        }
+    std::set<unsigned int> pieces;
+    for (const unsigned int joint : used)
+      pieces.insert(piece[joint]);
+    return pieces.size();
+  }
+} // namespace
+
+TEST(StrutMesh, EveryStrutIsAChainOfItsOwn)
+{
+  const Lattice   lattice = stars(2, 2);
+  const StrutMesh mesh(lattice, 2, MPI_COMM_WORLD);
+  EXPECT_EQ(mesh.triangulation().n_active_cells(),
+            4 * lattice.struts.size());
+  EXPECT_EQ(mesh.triangulation().n_used_vertices(),
+            5 * lattice.struts.size());
+}
+
+TEST(StrutMesh, PlacesTellWhereACellLiesAfterRefinement)
+{
+  const Lattice          lattice = stars(2, 1);
+  constexpr unsigned int n_parts = 8;
+  const StrutMesh        mesh(lattice, 3, MPI_COMM_WORLD);
+
+  std::vector<std::set<double>> begins(lattice.struts.size());
+  for (const auto &cell : mesh.triangulation().active_cell_iterators())
+    {
+      const StrutMesh::Place &place = mesh.place(cell->active_cell_index());
+      begins.at(place.strut).insert(place.begin);
+      // Halves of halves of [0, 1] are exact.
+      EXPECT_EQ(place.end - place.begin, 1. / n_parts);
+      for (const unsigned int end : {0, 1})
+        {
+          dealii::Point<3>     position;
+          dealii::Tensor<1, 3> tangent;
+          lattice.axis(lattice.struts[place.strut],
+                       end == 0 ? place.begin : place.end,
+                       position,
+                       tangent);
+          // Some roundings of coordinates below 0.1 m.
+          EXPECT_NEAR(cell->vertex(end).distance(position), 0., 1e-16);
+        }
+    }
+  for (const auto &of_strut : begins)
+    EXPECT_EQ(of_strut.size(), n_parts);
+}
+
+TEST(StrutMesh, AnUnrefinedStrutIsOneCell)
+{
+  const Lattice   lattice = stars(1, 1);
+  const StrutMesh mesh(lattice, 0, MPI_COMM_WORLD);
+  for (const auto &cell : mesh.triangulation().active_cell_iterators())
+    {
+      const StrutMesh::Place &place = mesh.place(cell->active_cell_index());
+      EXPECT_EQ(place.begin, 0.);
+      EXPECT_EQ(place.end, 1.);
+    }
+}
+
+TEST(StrutMesh, OneRankOwnsAllStruts)
+{
+  const std::vector<unsigned int> ranks = partition_struts(stars(2, 2), 1);
+  EXPECT_EQ(ranks, std::vector<unsigned int>(48, 0));
+}
+
+TEST(StrutMesh, MetisDividesTheStrutsEvenlyAndInOnePieceEach)
+{
+  const Lattice lattice = stars(10, 10);
+  for (const unsigned int n_ranks : {2, 4})
+    {
+      const std::vector<unsigned int> ranks =
+        partition_struts(lattice, n_ranks);
+      ASSERT_EQ(ranks.size(), lattice.struts.size());
+      const double even = double(lattice.struts.size()) / n_ranks;
+      for (const unsigned int size : sizes(ranks, n_ranks))
+        // METIS balances recursive bisections to a few per cent.
+        EXPECT_NEAR(size, even, 0.05 * even);
+      for (unsigned int rank = 0; rank < n_ranks; ++rank)
+        EXPECT_EQ(n_pieces(lattice, ranks, rank), 1u);
+    }
+}
+
+TEST(StrutMesh, ACutMeetsFewJoints)
+{
+  const Lattice                   lattice = stars(10, 10);
+  const std::vector<unsigned int> ranks   = partition_struts(lattice, 2);
+  std::vector<std::set<unsigned int>> ranks_at(lattice.joints.size());
+  for (unsigned int s = 0; s < lattice.struts.size(); ++s)
+    for (const unsigned int joint : lattice.struts[s].joints)
+      ranks_at[joint].insert(ranks[s]);
+  const auto n_shared = std::count_if(ranks_at.begin(),
+                                      ranks_at.end(),
+                                      [](const auto &r) { return r.size() > 1; });
+  // A straight cut through the stubs of 10 cells meets 10 joints; METIS is
+  // heuristic, a random division would share most of the 1020 joints.
+  EXPECT_GE(n_shared, 1);
+  EXPECT_LE(n_shared, 30);
+}
+
+TEST(StrutMesh, RefinedCellsBelongToTheRankOfTheirStrut)
+{
+  const unsigned int n_ranks =
+    dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
+  const Lattice                   lattice = stars(3, 3);
+  const StrutMesh                 mesh(lattice, 2, MPI_COMM_WORLD);
+  const std::vector<unsigned int> ranks = partition_struts(lattice, n_ranks);
+  for (const auto &cell : mesh.triangulation().active_cell_iterators())
+    EXPECT_EQ(cell->subdomain_id(),
+              ranks[mesh.place(cell->active_cell_index()).strut]);
+}
+
+TEST(StrutMesh, TooManyRanksAreRefused)
+{
+  EXPECT_ANY_THROW(partition_struts(stars(1, 1), 13));
+}

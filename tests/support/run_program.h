@@ -1,0 +1,247 @@
+#ifndef auxfem_tests_support_run_program_h
+#define auxfem_tests_support_run_program_h
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <sys/wait.h>
+
+namespace auxfem
+{
+  namespace testing_support
+  {
+    using Words = std::vector<std::string>;
+
+    inline std::string read_text(const std::string &file)
+    {
+      std::ifstream     stream(file);
+      std::stringstream text;
+      text << stream.rdbuf();
+      if (!stream)
+        throw std::runtime_error("Cannot read " + file);
+      return text.str();
+    }
+
+    inline void write_text(const std::string &file, const std::string &text)
+    {
+      std::ofstream stream(file);
+      stream << text;
+      stream.close();
+      if (!stream)
+        throw std::runtime_error("Cannot write " + file);
+    }
+
+    /** The file @p name of tests/data, as text. */
+    inline std::string data_text(const std::string &name)
+    {
+      return read_text(std::string(AUXFEM_TEST_DATA_DIRECTORY) + "/" + name);
+    }
+
+    /** @p text with its only @p from replaced by @p to. */
+    inline std::string replaced(std::string        text,
+                                const std::string &from,
+                                const std::string &to)
+    {
+      const std::size_t place = text.find(from);
+      if (place == std::string::npos ||
+          text.find(from, place + 1) != std::string::npos)
+        throw std::runtime_error("Not exactly one \"" + from + "\" to replace");
+      return text.replace(place, from.size(), to);
+    }
+
+    inline unsigned int count_lines(const std::string &text)
+    {
+      return std::count(text.begin(), text.end(), '\n');
+    }
+
+    /** What a program printed, and how it ended. */
+    struct ProgramRun
+    {
+      int         exit_code; ///< -1: ended by a signal
+      std::string output;    ///< on its standard output
+      std::string errors;    ///< on its standard error
+    };
+
+    /** A table with a header, as history.csv: columns by name. */
+    struct Table
+    {
+      explicit Table(const std::string &file)
+      {
+        std::ifstream stream(file);
+        std::string   line;
+        std::getline(stream, line);
+        names = split(line);
+        while (std::getline(stream, line))
+          {
+            const Words cells = split(line);
+            if (cells.size() != names.size())
+              throw std::runtime_error(file + " has the ragged row " + line);
+            for (unsigned int i = 0; i < cells.size(); ++i)
+              columns[names[i]].push_back(std::stod(cells[i]));
+            ++n_rows;
+          }
+      }
+
+      const std::vector<double> &operator[](const std::string &name) const
+      {
+        const auto column = columns.find(name);
+        if (column == columns.end())
+          throw std::runtime_error("There is no column " + name);
+        return column->second;
+      }
+
+      double largest(const std::string &name) const
+      {
+        double size = 0;
+        for (const double value : (*this)[name])
+          size = std::max(size, std::abs(value));
+        return size;
+      }
+
+      Words                                      names;
+      std::map<std::string, std::vector<double>> columns;
+      unsigned int                               n_rows = 0;
+
+    private:
+      static Words split(const std::string &line)
+      {
+        Words             cells;
+        std::stringstream stream(line);
+        for (std::string cell; std::getline(stream, cell, ',');)
+          cells.push_back(cell);
+        return cells;
+      }
+    };
+
+    /**
+     * The value of @p key in JSON @p text: the first one, whatever its depth;
+     * strings without quotes and as they are escaped.
+     */
+    inline std::string json_value(const std::string &text,
+                                  const std::string &key)
+    {
+      const std::regex pattern("\"" + key +
+                               "\": *(?:\"((?:[^\"\\\\]|\\\\.)*)\"|([^,\\s]+))");
+      std::smatch      match;
+      if (!std::regex_search(text, match, pattern))
+        throw std::runtime_error("There is no " + key + " in " + text);
+      return match[1].matched ? match[1] : match[2];
+    }
+
+    /**
+     * For tests that start programs: a fresh folder for each test, below
+     * AUXFEM_TEST_OUTPUT_DIRECTORY.
+     */
+    class ProgramTest : public testing::Test
+    {
+    protected:
+      ProgramTest()
+      {
+        const testing::TestInfo &test =
+          *testing::UnitTest::GetInstance()->current_test_info();
+        folder = std::string(AUXFEM_TEST_OUTPUT_DIRECTORY) + "/" +
+          test.test_suite_name() + "." + test.name();
+        std::filesystem::remove_all(folder);
+        std::filesystem::create_directories(folder);
+      }
+
+      /** The path of @p name in the test's folder. */
+      std::string path(const std::string &name) const
+      {
+        return folder + "/" + name;
+      }
+
+      /** Writes @p text to the file @p name in the test's folder: its path. */
+      std::string write(const std::string &name, const std::string &text) const
+      {
+        write_text(path(name), text);
+        return path(name);
+      }
+
+      /** Runs a program, whose words need no quotes, in the test's folder. */
+      ProgramRun run_program(const Words &words) const
+      {
+        // Ranks that wait for each other shall fail the test, not hang it.
+        return run_in_shell("timeout 300" + quoted(words));
+      }
+
+      ProgramRun run_auxfem(const Words &arguments) const
+      {
+        Words words = {AUXFEM_EXECUTABLE};
+        words.insert(words.end(), arguments.begin(), arguments.end());
+        return run_program(words);
+      }
+
+      ProgramRun run_auxfem_on(const unsigned int n_ranks,
+                               const Words       &arguments) const
+      {
+        return run_in_shell("timeout 300 " AUXFEM_MPIRUN " -n " +
+                            std::to_string(n_ranks) +
+                            quoted({AUXFEM_EXECUTABLE}) + quoted(arguments));
+      }
+
+      Table history(const std::string &output = "out") const
+      {
+        return Table(path(output) + "/history.csv");
+      }
+
+      std::string summary(const std::string &key,
+                          const std::string &output = "out") const
+      {
+        return json_value(read_text(path(output) + "/summary.json"), key);
+      }
+
+      std::string folder;
+
+    private:
+      static std::string quoted(const Words &words)
+      {
+        std::string text;
+        for (const std::string &word : words)
+          text += " '" + std::regex_replace(word, std::regex("'"), "'\\''") +
+            "'";
+        return text;
+      }
+
+      ProgramRun run_in_shell(const std::string &command) const
+      {
+        const std::string output = path("stdout.txt");
+        const std::string errors = path("stderr.txt");
+        const int         status =
+          std::system(("cd" + quoted({folder}) + " && " + command + " </dev/null >" +
+                       quoted({output}) + " 2>" + quoted({errors}))
+                        .c_str());
+        return {WIFEXITED(status) ? WEXITSTATUS(status) : -1,
+                read_text(output),
+                read_text(errors)};
+      }
+    };
+
+    inline void expect_contains(const std::string &text, const Words &parts)
+    {
+      for (const std::string &part : parts)
+        EXPECT_NE(text.find(part), std::string::npos)
+          << "no \"" << part << "\" in:\n"
+          << text;
+    }
+
+    inline void expect_without(const std::string &text, const Words &parts)
+    {
+      for (const std::string &part : parts)
+        EXPECT_EQ(text.find(part), std::string::npos)
+          << "\"" << part << "\" in:\n"
+          << text;
+    }
+  } // namespace testing_support
+} // namespace auxfem
+
+#endif
