@@ -8,8 +8,8 @@ namespace auxfem
     CommandLine line;
     if (arguments.empty())
       throw InputError("No parameter file given.\n\n" + usage());
-    bool has_action = false;
-    const auto choose = [&](const CommandLine::Action action) {
+    bool       has_action = false;
+    const auto choose     = [&](const CommandLine::Action action) {
       line.action = action;
       has_action  = true;
     };
@@ -32,9 +32,9 @@ namespace auxfem
         else if (name == "--version")
           choose(CommandLine::Action::version);
         else if (name == "--print-parameters")
-          choose(name.size() < argument.size() && value() == "markdown" ?
-                   CommandLine::Action::print_parameters_markdown :
-                   CommandLine::Action::print_parameters);
+          choose(name.size() < argument.size() && value() == "markdown"
+                   ? CommandLine::Action::print_parameters_markdown
+                   : CommandLine::Action::print_parameters);
         else if (name == "--check")
           choose(CommandLine::Action::check);
         else if (name == "--set")
@@ -44,15 +44,16 @@ namespace auxfem
         else if (argument.rfind("-", 0) == 0)
           throw InputError("Unknown option '" + argument + "'.\n\n" + usage());
         else if (!line.file.empty())
-          throw InputError("Two parameter files given, '" + line.file + "' and '" +
-                           argument + "'; auxfem runs one at a time.");
+          throw InputError("Two parameter files given, '" + line.file +
+                           "' and '" + argument +
+                           "'; auxfem runs one at a time.");
         else
           line.file = argument;
       }
     if (!has_action)
       line.action = CommandLine::Action::run;
     const bool needs_file = line.action == CommandLine::Action::run ||
-                            line.action == CommandLine::Action::check;
+      line.action == CommandLine::Action::check;
     if (needs_file && line.file.empty())
       throw InputError("No parameter file given.\n\n" + usage());
     return line;

@@ -44,9 +44,12 @@ namespace
 
 int main(int argc, char *argv[])
 {
-  const std::vector<std::string>            arguments(argv + 1, argv + argc);
-  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, /*max_num_threads=*/1);
-  const bool speaks = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+  const std::vector<std::string>           arguments(argv + 1, argv + argc);
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc,
+                                               argv,
+                                               /*max_num_threads=*/1);
+  const bool                               speaks =
+    dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
   const auto report = [speaks](const std::string &message) {
     if (speaks)
       std::cerr << "\nauxfem: " << message << std::endl;
@@ -69,7 +72,8 @@ int main(int argc, char *argv[])
   catch (const std::exception &error)
     {
       report(std::string("internal error, please report it together with the "
-                         "parameter file:\n") + error.what());
+                         "parameter file:\n") +
+             error.what());
       return 2;
     }
 }

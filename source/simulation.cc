@@ -25,21 +25,24 @@ namespace auxfem
                 RunTotals          totals,
                 const std::string &exit_state)
     {
-      const double setup  = totals.wall.setup;
-      totals.wall         = stepper.newton().times();
-      totals.wall.setup   = setup;
-      totals.wall.output  = output.seconds();
+      const double setup = totals.wall.setup;
+      totals.wall        = stepper.newton().times();
+      totals.wall.setup  = setup;
+      totals.wall.output = output.seconds();
       output.finish(system, state, totals, exit_state);
     }
 
-    void refuse_mechanism_if_static(const Scene  &scene,
-                                    System       &system,
-                                    const State  &state,
-                                    TimeStepper  &stepper)
+    void refuse_mechanism_if_static(const Scene &scene,
+                                    System      &system,
+                                    const State &state,
+                                    TimeStepper &stepper)
     {
       if (system.is_dynamic() && !scene.time.static_start)
         return;
-      refuse_mechanism(system, state, stepper.newton().tangent(), stepper.newton().solver());
+      refuse_mechanism(system,
+                       state,
+                       stepper.newton().tangent(),
+                       stepper.newton().solver());
     }
   } // namespace
 
@@ -79,7 +82,11 @@ namespace auxfem
   void check(const Scene &scene, const MPI_Comm communicator)
   {
     const Lattice lattice = build_lattice(scene);
-    const System  system(scene, lattice, communicator);
+    System        system(scene, lattice, communicator);
+    TimeStepper   stepper(system, scene);
+    refuse_mechanism_if_static(scene, system, system.initial_state(), stepper);
+    for (const ProbeDefinition &probe : scene.output.probes)
+      select_joints(lattice, probe.joints, scene.context, probe.path);
     print_overview(scene, system);
   }
 } // namespace auxfem

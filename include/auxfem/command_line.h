@@ -18,8 +18,8 @@ namespace auxfem
       help,
       version
     };
-    Action                   action = Action::help;
-    std::string              file;
+    Action      action = Action::help;
+    std::string file;
     /** `Subsection/Parameter=value`, in the order given. */
     std::vector<std::string> overrides;
   };

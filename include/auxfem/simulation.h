@@ -14,7 +14,10 @@ namespace auxfem
    */
   void run(const Scene &scene, MPI_Comm communicator);
 
-  /** The dry run of --check: builds everything, prints counts and effects, computes and writes nothing. */
+  /**
+   * The dry run of --check: builds everything, prints counts and effects,
+   * computes and writes nothing.
+   */
   void check(const Scene &scene, MPI_Comm communicator);
 } // namespace auxfem
 

@@ -57,7 +57,7 @@ namespace auxfem
     {
       int owner = -1, number = -1;
     };
-    std::vector<Unknown> of_dof(dof_handler.n_dofs());
+    std::vector<Unknown>                of_dof(dof_handler.n_dofs());
     std::vector<std::array<Unknown, 3>> of_joint(lattice.joints.size());
     std::vector<std::array<Unknown, 2>> of_end(lattice.struts.size());
     std::vector<const Unknown *>        of_cell(std::size_t(n_cells) * n);
@@ -81,13 +81,12 @@ namespace auxfem
           ordered[our_place[i]] = dofs[i];
         for (unsigned int i = 0; i < n; ++i)
           {
-            const unsigned int node = i / n_components,
+            const unsigned int node      = i / n_components,
                                component = i % n_components;
-            const bool at_joint = (node == 0 && place.begin == 0.) ||
-                                  (node == 1 && place.end == 1.);
+            const bool at_joint          = (node == 0 && place.begin == 0.) ||
+              (node == 1 && place.end == 1.);
             Unknown *unknown = &of_dof[ordered[i]];
-            if (at_joint && component == 2 &&
-                ties.released[place.strut][node])
+            if (at_joint && component == 2 && ties.released[place.strut][node])
               unknown = &of_end[place.strut][node];
             else if (at_joint)
               unknown = &of_joint[strut.joints[node]][component];
@@ -103,11 +102,14 @@ namespace auxfem
     for (const int n_owned_by_rank : count)
       first_owned.push_back(first_owned.back() + n_owned_by_rank);
     const auto global = [this](const Unknown &unknown) {
-      return unknown.owner < 0 ? -1 : first_owned[unknown.owner] + unknown.number;
+      return unknown.owner < 0 ? -1
+                               : first_owned[unknown.owner] + unknown.number;
     };
 
     cell_numbers.resize(of_cell.size());
-    std::transform(of_cell.begin(), of_cell.end(), cell_numbers.begin(),
+    std::transform(of_cell.begin(),
+                   of_cell.end(),
+                   cell_numbers.begin(),
                    [&](const Unknown *unknown) { return global(*unknown); });
     for (const auto &joint : of_joint)
       joint_numbers.push_back(
@@ -116,19 +118,19 @@ namespace auxfem
       {
         std::array<int, 2> numbers;
         for (unsigned int end = 0; end < 2; ++end)
-          numbers[end] = ties.released[s][end] ?
-                           global(of_end[s][end]) :
-                           joint_numbers[lattice.struts[s].joints[end]][2];
+          numbers[end] = ties.released[s][end]
+            ? global(of_end[s][end])
+            : joint_numbers[lattice.struts[s].joints[end]][2];
         end_rotation_numbers.push_back(numbers);
       }
   }
 
   void DofNumbering::collect_local(const StrutMesh &mesh, const Ties &ties)
   {
-    const int          my_rank = comm.MyPID();
-    const int          begin = first_owned[my_rank], end = first_owned[my_rank + 1];
-    const unsigned int n     = (polynomial_order + 1) * n_components;
-    const auto is_mine = [=](const int g) { return g >= begin && g < end; };
+    const int my_rank = comm.MyPID();
+    const int begin = first_owned[my_rank], end = first_owned[my_rank + 1];
+    const unsigned int n = (polynomial_order + 1) * n_components;
+    const auto is_mine   = [=](const int g) { return g >= begin && g < end; };
 
     std::vector<int> rows(end - begin);
     for (int i = 0; i < end - begin; ++i)
@@ -300,17 +302,18 @@ namespace auxfem
 
   std::string DofNumbering::describe(const unsigned int local_number) const
   {
-    const int   global       = local->GID(local_number);
-    const char *component[3] = {"horizontal displacement",
-                                "vertical displacement",
-                                "rotation"};
+    const int          global       = local->GID(local_number);
+    const char        *component[3] = {"horizontal displacement",
+                                       "vertical displacement",
+                                       "rotation"};
     std::ostringstream words;
     for (unsigned int j = 0; j < joint_numbers.size(); ++j)
       for (unsigned int c = 0; c < n_components; ++c)
         if (joint_numbers[j][c] == global)
           {
             words << component[c] << " of joint " << j << " at ("
-                  << lattice.joints[j][0] << ", " << lattice.joints[j][1] << ")";
+                  << lattice.joints[j][0] << ", " << lattice.joints[j][1]
+                  << ")";
             return words.str();
           }
     const unsigned int n = (polynomial_order + 1) * n_components;

@@ -14,8 +14,10 @@ namespace auxfem
   {
     using Index3 = std::array<unsigned int, 3>;
 
-    /** Two joints of different cells closer than this part of the cell's size
-     * are one: far above round-off of the cell centres, far below any strut. */
+    /**
+     * Two joints of different cells closer than this part of the cell's size
+     * are one: far above round-off of the cell centres, far below any strut.
+     */
     constexpr double relative_tolerance = 1e-8;
 
     /** Largest extent of the cell, its period included (m). */
@@ -45,8 +47,10 @@ namespace auxfem
         , width(size > 0. ? 1e-3 * size : 1.)
       {}
 
-      /** Index of a joint at @p place that is not in @p taken; invalid_index if
-       * there is none. */
+      /**
+       * Index of a joint at @p place that is not in @p taken; invalid_index if
+       * there is none.
+       */
       unsigned int find(const std::vector<dealii::Point<3>> &joints,
                         const dealii::Point<3>              &place,
                         const std::vector<unsigned int>     &taken) const

@@ -11,9 +11,9 @@ namespace auxfem
 
   namespace
   {
-    void collect_places(const Mesh::cell_iterator      &cell,
-                        const StrutMesh::Place         &place,
-                        std::vector<StrutMesh::Place>  &places)
+    void collect_places(const Mesh::cell_iterator     &cell,
+                        const StrutMesh::Place        &place,
+                        std::vector<StrutMesh::Place> &places)
     {
       if (cell->is_active())
         {
@@ -21,7 +21,9 @@ namespace auxfem
           return;
         }
       const double middle = (place.begin + place.end) / 2;
-      collect_places(cell->child(0), {place.strut, place.begin, middle}, places);
+      collect_places(cell->child(0),
+                     {place.strut, place.begin, middle},
+                     places);
       collect_places(cell->child(1), {place.strut, middle, place.end}, places);
     }
   } // namespace
@@ -48,8 +50,10 @@ namespace auxfem
           graph.add(a, b);
     dealii::SparsityPattern pattern;
     pattern.copy_from(graph);
-    dealii::SparsityTools::partition(
-      pattern, n_ranks, ranks, dealii::SparsityTools::Partitioner::metis);
+    dealii::SparsityTools::partition(pattern,
+                                     n_ranks,
+                                     ranks,
+                                     dealii::SparsityTools::Partitioner::metis);
     return ranks;
   }
 
@@ -61,8 +65,9 @@ namespace auxfem
            /*allow_artificial_cells=*/false,
            Mesh::partition_custom_signal)
   {
-    const std::vector<unsigned int> ranks = partition_struts(
-      lattice, dealii::Utilities::MPI::n_mpi_processes(communicator));
+    const std::vector<unsigned int> ranks =
+      partition_struts(lattice,
+                       dealii::Utilities::MPI::n_mpi_processes(communicator));
     const auto assign_ranks = [this, ranks]() {
       for (const auto &cell : mesh.active_cell_iterators())
         cell->set_subdomain_id(ranks[cell->material_id()]);

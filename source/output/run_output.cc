@@ -1,3 +1,4 @@
+#include <auxfem/mesh/sets.h>
 #include <auxfem/output/console.h>
 #include <auxfem/output/first_rank.h>
 #include <auxfem/output/history.h>
@@ -66,15 +67,18 @@ namespace auxfem
     , start(Clock::now())
     , first_step(start)
     , schedule(scene.output.graphics_interval)
+  {}
+
+  void RunOutput::Implementation::begin(const System &system)
   {
+    // A mistyped probe must not cost the results of an earlier run.
+    for (const ProbeDefinition &probe : scene.output.probes)
+      select_joints(system.lattice(), probe.joints, scene.context, probe.path);
+
     on_first_rank(communicator, [&]() {
       log = open_run_folder(scene, folder);
       console.emplace(std::cout, terminal_width(), log);
     });
-  }
-
-  void RunOutput::Implementation::begin(const System &system)
-  {
     const Counts counts = count(system);
     if (console)
       console->print(overview_text(scene, counts, system.decisions()) + '\n');

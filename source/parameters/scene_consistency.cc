@@ -93,8 +93,10 @@ namespace auxfem
                                "massless struts"));
     }
 
-    /** Probes, supports and connectors give history.csv columns
-     * `NAME.quantity`. */
+    /**
+     * Probes, supports and connectors give history.csv columns
+     * `NAME.quantity`.
+     */
     void check_column_names(const Scene &scene, Mistakes &mistakes)
     {
       std::map<std::string, std::string> paths;

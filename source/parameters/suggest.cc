@@ -23,8 +23,10 @@ namespace auxfem
       return text.compare(0, beginning.size(), beginning) == 0;
     }
 
-    /** Insertions, deletions, replacements and swaps of neighbours that turn
-     * one word into the other (optimal string alignment). */
+    /**
+     * Insertions, deletions, replacements and swaps of neighbours that turn
+     * one word into the other (optimal string alignment).
+     */
     std::size_t edit_distance(const std::string &a, const std::string &b)
     {
       std::vector<std::size_t> before_last(b.size() + 1);

@@ -9,9 +9,9 @@ namespace auxfem
     /** What the scene has to say about one effect. */
     struct Case
     {
-      bool        wanted;      ///< what `auto` means here
-      std::string reason_on;   ///< why `auto` puts it on
-      std::string reason_off;  ///< why `auto` leaves it out
+      bool        wanted;     ///< what `auto` means here
+      std::string reason_on;  ///< why `auto` puts it on
+      std::string reason_off; ///< why `auto` leaves it out
     };
 
     bool decide(const std::string           &name,
@@ -19,8 +19,8 @@ namespace auxfem
                 const Case                  &automatic,
                 std::vector<EffectDecision> &decisions)
     {
-      const bool on = choice == Switch::automatic ? automatic.wanted :
-                                                    choice == Switch::on;
+      const bool on =
+        choice == Switch::automatic ? automatic.wanted : choice == Switch::on;
       std::string reason;
       if (choice != Switch::automatic)
         reason = "as set";
@@ -36,45 +36,69 @@ namespace auxfem
     const auto has_section = [&scene](const auto &property) {
       return std::any_of(scene.sections.begin(),
                          scene.sections.end(),
-                         [&](const SectionDefinition &s) { return property(s.section); });
+                         [&](const SectionDefinition &s) {
+                           return property(s.section);
+                         });
     };
-    const bool is_static = scene.time.scheme == "static";
-    const bool is_viscous =
-      std::any_of(scene.connectors.begin(),
-                  scene.connectors.end(),
-                  [](const ConnectorDefinition &c) { return c.law->is_viscous(); });
-    const bool is_damped = has_section([](const Section &s) {
-      return s.stiffness_proportional_damping > 0 || s.mass_proportional_damping > 0;
+    const bool is_static  = scene.time.scheme == "static";
+    const bool is_viscous = std::any_of(scene.connectors.begin(),
+                                        scene.connectors.end(),
+                                        [](const ConnectorDefinition &c) {
+                                          return c.law->is_viscous();
+                                        });
+    const bool is_damped  = has_section([](const Section &s) {
+      return s.stiffness_proportional_damping > 0 ||
+        s.mass_proportional_damping > 0;
     });
 
     SimulatedEffects      effects;
-    const EffectSwitches &set = scene.effects;
+    const EffectSwitches &set  = scene.effects;
     auto                 &list = effects.decisions;
     effects.large_rotation =
-      decide("large rotation", set.large_rotation,
-             {true, "size of the displacements not known beforehand", ""}, list);
+      decide("large rotation",
+             set.large_rotation,
+             {true, "size of the displacements not known beforehand", ""},
+             list);
     effects.shear_flexibility =
-      decide("shear flexibility", set.shear_flexibility,
-             {true, "the sections have a shear area", ""}, list);
-    effects.inertia =
-      decide("inertia", set.inertia,
-             {!is_static, "time scheme " + scene.time.scheme, "time scheme static"}, list);
+      decide("shear flexibility",
+             set.shear_flexibility,
+             {true, "the sections have a shear area", ""},
+             list);
+    effects.inertia = decide("inertia",
+                             set.inertia,
+                             {!is_static,
+                              "time scheme " + scene.time.scheme,
+                              "time scheme static"},
+                             list);
     effects.rotary_inertia =
-      decide("rotary inertia", set.rotary_inertia,
-             {effects.inertia, "inertia is simulated", "no inertia"}, list) &&
+      decide("rotary inertia",
+             set.rotary_inertia,
+             {effects.inertia, "inertia is simulated", "no inertia"},
+             list) &&
       effects.inertia;
-    effects.connector_viscosity =
-      decide("connector viscosity", set.connector_viscosity,
-             {is_viscous, "a connector law has a dashpot", "no connector has a dashpot"}, list);
+    effects.connector_viscosity = decide("connector viscosity",
+                                         set.connector_viscosity,
+                                         {is_viscous,
+                                          "a connector law has a dashpot",
+                                          "no connector has a dashpot"},
+                                         list);
     effects.strut_damping =
-      decide("strut damping", set.strut_damping,
-             {is_damped, "a section has damping", "no section has damping"}, list);
-    effects.gravity =
-      decide("gravity", set.gravity,
-             {scene.gravity.norm() > 0, "an acceleration is given", "no acceleration given"}, list);
-    effects.hinges =
-      decide("hinges", set.hinges,
-             {!scene.joints.empty(), "joints with released struts", "all joints are rigid"}, list);
+      decide("strut damping",
+             set.strut_damping,
+             {is_damped, "a section has damping", "no section has damping"},
+             list);
+    effects.gravity = decide("gravity",
+                             set.gravity,
+                             {scene.gravity.norm() > 0,
+                              "an acceleration is given",
+                              "no acceleration given"},
+                             list);
+    effects.hinges  = decide("hinges",
+                            set.hinges,
+                            {!scene.joints.empty(),
+                              "joints with released struts",
+                              "all joints are rigid"},
+                            list);
     return effects;
   }
 } // namespace auxfem

@@ -1,8 +1,9 @@
 #include <auxfem/parameters/errors.h>
 #include <auxfem/system/linear_solver.h>
 
-#include <Amesos.h>
 #include <Teuchos_ParameterList.hpp>
+
+#include <Amesos.h>
 
 namespace auxfem
 {
@@ -11,12 +12,14 @@ namespace auxfem
     std::string choose(const SolverParameters &parameters, const int n_ranks)
     {
       Amesos factory;
-      if (parameters.type == "klu" || (parameters.type == "auto" && n_ranks == 1))
+      if (parameters.type == "klu" ||
+          (parameters.type == "auto" && n_ranks == 1))
         return "Amesos_Klu";
       if (factory.Query("Amesos_Mumps"))
         return "Amesos_Mumps";
       if (parameters.type == "mumps")
-        throw InputError("Solver/Type: this Trilinos has no MUMPS. Use `klu` or `auto`.");
+        throw InputError(
+          "Solver/Type: this Trilinos has no MUMPS. Use `klu` or `auto`.");
       return "Amesos_Klu";
     }
   } // namespace

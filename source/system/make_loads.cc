@@ -41,18 +41,23 @@ namespace auxfem
     {
       for (const JointLoadDefinition &definition : scene.joint_loads)
         {
-          const std::vector<unsigned int> joints = select_joints(
-            lattice, definition.joints, scene.context, definition.path + "/Joints");
+          const std::vector<unsigned int> joints =
+            select_joints(lattice,
+                          definition.joints,
+                          scene.context,
+                          definition.path + "/Joints");
           for (unsigned int c = 0; c < 3; ++c)
             {
               if (definition.components[c].is_zero())
                 continue;
-              const unsigned int load = loads.add_load(definition.components[c]);
+              const unsigned int load =
+                loads.add_load(definition.components[c]);
               for (const unsigned int joint : joints)
                 {
                   if (!numbering.joint_has(joint, c))
                     throw InputError(
-                      definition.path + "/Moment: joint " + std::to_string(joint) +
+                      definition.path + "/Moment: joint " +
+                      std::to_string(joint) +
                       " has no rotation of its own, because every strut is released "
                       "there or no strut ends there, so a moment finds nothing to act "
                       "on. Leave one strut unreleased, or put the moment on another "
@@ -84,7 +89,7 @@ namespace auxfem
             continue;
           const Strut &strut = lattice.struts[place.strut];
           const double force = per_length(strut) * lattice.length(strut) *
-                               (place.end - place.begin) / 2;
+            (place.end - place.begin) / 2;
           for (unsigned int a = 0; a < rule.integrals.size(); ++a)
             loads.add_weight(load,
                              numbering.element_unknowns(e)[n * a + c],
@@ -100,15 +105,22 @@ namespace auxfem
       for (const LineLoadDefinition &definition : scene.line_loads)
         {
           std::vector<bool> chosen(lattice.struts.size(), false);
-          for (const unsigned int strut : select_struts(
-                 lattice, definition.struts, scene.context, definition.path + "/Struts"))
+          for (const unsigned int strut :
+               select_struts(lattice,
+                             definition.struts,
+                             scene.context,
+                             definition.path + "/Struts"))
             chosen[strut] = true;
           for (unsigned int c = 0; c < 2; ++c)
             if (!definition.components[c].is_zero())
               add_along_struts(
                 loads.add_load(definition.components[c]),
-                c, chosen, lattice, numbering,
-                [](const Strut &) { return 1.; }, loads);
+                c,
+                chosen,
+                lattice,
+                numbering,
+                [](const Strut &) { return 1.; },
+                loads);
         }
     }
 
@@ -126,14 +138,25 @@ namespace auxfem
           const unsigned int load =
             loads.add_load(constant(scene.gravity[c], scene.context));
           add_along_struts(
-            load, c, all, lattice, numbering,
-            [&](const Strut &strut) { return sections[strut.section].mass_per_length(); },
+            load,
+            c,
+            all,
+            lattice,
+            numbering,
+            [&](const Strut &strut) {
+              return sections[strut.section].mass_per_length();
+            },
             loads);
           for (const MassDefinition &mass : scene.masses)
-            for (const unsigned int joint : select_joints(
-                   lattice, mass.joints, scene.context, mass.path + "/Joints"))
+            for (const unsigned int joint :
+                 select_joints(lattice,
+                               mass.joints,
+                               scene.context,
+                               mass.path + "/Joints"))
               if (numbering.joint_unknown(joint, c) >= 0)
-                loads.add_weight(load, numbering.joint_unknown(joint, c), mass.mass);
+                loads.add_weight(load,
+                                 numbering.joint_unknown(joint, c),
+                                 mass.mass);
         }
     }
   } // namespace
@@ -144,8 +167,11 @@ namespace auxfem
   {
     std::vector<UnknownMass> masses;
     for (const MassDefinition &definition : scene.masses)
-      for (const unsigned int joint : select_joints(
-             lattice, definition.joints, scene.context, definition.path + "/Joints"))
+      for (const unsigned int joint :
+           select_joints(lattice,
+                         definition.joints,
+                         scene.context,
+                         definition.path + "/Joints"))
         for (unsigned int c = 0; c < 3; ++c)
           {
             const double mass =
@@ -178,13 +204,16 @@ namespace auxfem
                      const Lattice      &lattice,
                      const DofNumbering &numbering)
   {
-    const LineRule     rule = line_rule(numbering.order());
-    const unsigned int n    = DofNumbering::n_components;
+    const LineRule                      rule = line_rule(numbering.order());
+    const unsigned int                  n    = DofNumbering::n_components;
     std::vector<std::pair<int, double>> velocities;
     for (const InitialVelocityDefinition &definition : scene.initial_velocities)
       {
-        const std::vector<unsigned int> joints = select_joints(
-          lattice, definition.joints, scene.context, definition.path + "/Joints");
+        const std::vector<unsigned int> joints =
+          select_joints(lattice,
+                        definition.joints,
+                        scene.context,
+                        definition.path + "/Joints");
         dealii::Point<3>  centre;
         std::vector<bool> chosen(lattice.joints.size(), false);
         for (const unsigned int joint : joints)
@@ -192,12 +221,13 @@ namespace auxfem
             chosen[joint] = true;
             centre += lattice.joints[joint] / double(joints.size());
           }
-        const auto &v       = definition.velocity;
-        const auto  at_place = [&](const dealii::Point<3> &x, const unsigned int c) {
+        const auto &v        = definition.velocity;
+        const auto  at_place = [&](const dealii::Point<3> &x,
+                                  const unsigned int      c) {
           if (c == 2)
             return v[2];
-          return c == 0 ? v[0] - v[2] * (x[1] - centre[1]) :
-                          v[1] + v[2] * (x[0] - centre[0]);
+          return c == 0 ? v[0] - v[2] * (x[1] - centre[1])
+                         : v[1] + v[2] * (x[0] - centre[0]);
         };
         for (const unsigned int joint : joints)
           for (unsigned int c = 0; c < n; ++c)
@@ -215,11 +245,14 @@ namespace auxfem
                 dealii::Point<3>     position;
                 dealii::Tensor<1, 3> tangent;
                 lattice.axis(strut,
-                             place.begin + (place.end - place.begin) *
-                                             (1 + rule.nodes[a]) / 2,
-                             position, tangent);
+                             place.begin +
+                               (place.end - place.begin) * (1 + rule.nodes[a]) /
+                                 2,
+                             position,
+                             tangent);
                 for (unsigned int c = 0; c < n; ++c)
-                  velocities.emplace_back(numbering.element_unknowns(e)[n * a + c],
+                  velocities.emplace_back(numbering.element_unknowns(
+                                            e)[n * a + c],
                                           at_place(position, c));
               }
           }

@@ -15,14 +15,17 @@ namespace auxfem
     /** The struts whose ends a `Joints/NAME` releases, by joint. */
     struct Release
     {
-      const JointDefinition                          *definition;
-      std::vector<std::pair<unsigned, std::vector<std::pair<unsigned, unsigned>>>>
+      const JointDefinition *definition;
+      std::vector<
+        std::pair<unsigned, std::vector<std::pair<unsigned, unsigned>>>>
         ends_at_joint; ///< joint, then (strut, end)
     };
 
-    std::vector<Release> collect_releases(const Scene &scene, const Lattice &lattice)
+    std::vector<Release> collect_releases(const Scene   &scene,
+                                          const Lattice &lattice)
     {
-      std::vector<std::vector<std::pair<unsigned, unsigned>>> ends_at(lattice.joints.size());
+      std::vector<std::vector<std::pair<unsigned, unsigned>>> ends_at(
+        lattice.joints.size());
       for (unsigned int s = 0; s < lattice.struts.size(); ++s)
         for (unsigned int end = 0; end < 2; ++end)
           ends_at[lattice.struts[s].joints[end]].emplace_back(s, end);
@@ -31,12 +34,18 @@ namespace auxfem
       for (const JointDefinition &definition : scene.joints)
         {
           std::vector<bool> chosen(lattice.struts.size(), false);
-          for (const unsigned int s : select_struts(
-                 lattice, definition.struts, scene.context, definition.path + "/Struts"))
+          for (const unsigned int s :
+               select_struts(lattice,
+                             definition.struts,
+                             scene.context,
+                             definition.path + "/Struts"))
             chosen[s] = true;
           Release release{&definition, {}};
-          for (const unsigned int joint : select_joints(
-                 lattice, definition.joints, scene.context, definition.path + "/Joints"))
+          for (const unsigned int joint :
+               select_joints(lattice,
+                             definition.joints,
+                             scene.context,
+                             definition.path + "/Joints"))
             {
               std::vector<std::pair<unsigned, unsigned>> ends;
               for (const auto &end : ends_at[joint])
@@ -65,16 +74,18 @@ namespace auxfem
       auto springs = std::make_unique<RotationalSprings>(numbering);
       bool is_used = false;
       for (const Release &release : releases)
-        if (release.definition->type == JointDefinition::Type::rotational_spring)
+        if (release.definition->type ==
+            JointDefinition::Type::rotational_spring)
           for (const auto &[joint, ends] : release.ends_at_joint)
             {
               const bool has_own = numbering.joint_has(joint, 2);
-              const int  base =
-                has_own ? numbering.joint_unknown(joint, 2) :
-                          numbering.end_rotation(ends[0].first, ends[0].second);
+              const int  base    = has_own
+                    ? numbering.joint_unknown(joint, 2)
+                    : numbering.end_rotation(ends[0].first, ends[0].second);
               for (unsigned int i = has_own ? 0 : 1; i < ends.size(); ++i)
                 {
-                  const int end = numbering.end_rotation(ends[i].first, ends[i].second);
+                  const int end =
+                    numbering.end_rotation(ends[i].first, ends[i].second);
                   if (base < 0 || end < 0)
                     continue;
                   springs->add(base, end, release.definition->stiffness);
@@ -93,7 +104,9 @@ namespace auxfem
     }
   } // namespace
 
-  System::System(const Scene &scene, const Lattice &lattice, const MPI_Comm communicator)
+  System::System(const Scene   &scene,
+                 const Lattice &lattice,
+                 const MPI_Comm communicator)
     : graph(lattice)
     , simulated(decide_effects(scene))
     , mean_length(mean_strut_length(lattice))
@@ -106,13 +119,14 @@ namespace auxfem
     make_supports(scene);
     make_effects(scene);
     if (simulated.inertia)
-      initial_velocities =
-        auxfem::initial_velocities(scene, graph, *dofs);
+      initial_velocities = auxfem::initial_velocities(scene, graph, *dofs);
   }
 
   void System::make_numbering(const Scene &scene, const MPI_Comm communicator)
   {
-    mesh = std::make_unique<StrutMesh>(graph, scene.discretization.refinements, communicator);
+    mesh = std::make_unique<StrutMesh>(graph,
+                                       scene.discretization.refinements,
+                                       communicator);
     Ties ties;
     ties.released.assign(graph.struts.size(), {{false, false}});
     if (simulated.hinges)
@@ -122,12 +136,18 @@ namespace auxfem
             ties.released[strut][end] = true;
     for (const ConnectorDefinition &definition : scene.connectors)
       {
-        const std::vector<JointPair> pairs = select_pairs(
-          graph, definition.between, scene.context, definition.path + "/Between");
+        const std::vector<JointPair> pairs =
+          select_pairs(graph,
+                       definition.between,
+                       scene.context,
+                       definition.path + "/Between");
         ties.connected.insert(ties.connected.end(), pairs.begin(), pairs.end());
       }
-    dofs = std::make_unique<DofNumbering>(
-      graph, *mesh, scene.discretization.order, ties, communicator);
+    dofs = std::make_unique<DofNumbering>(graph,
+                                          *mesh,
+                                          scene.discretization.order,
+                                          ties,
+                                          communicator);
   }
 
   void System::make_supports(const Scene &scene)
@@ -141,8 +161,11 @@ namespace auxfem
     for (const SupportDefinition &definition : scene.supports)
       {
         Support support{definition.name, {}};
-        for (const unsigned int joint : select_joints(
-               graph, definition.joints, scene.context, definition.path + "/Joints"))
+        for (const unsigned int joint :
+             select_joints(graph,
+                           definition.joints,
+                           scene.context,
+                           definition.path + "/Joints"))
           for (unsigned int c = 0; c < 3; ++c)
             {
               if (!definition.fixed[c])
@@ -152,26 +175,28 @@ namespace auxfem
                 {
                   if (at_rest)
                     continue;
-                  throw InputError(definition.path + "/Rotation: joint " +
-                                   std::to_string(joint) +
-                                   " has no rotation of its own, because every strut "
-                                   "is released there. Leave one strut unreleased.");
+                  throw InputError(
+                    definition.path + "/Rotation: joint " +
+                    std::to_string(joint) +
+                    " has no rotation of its own, because every strut "
+                    "is released there. Leave one strut unreleased.");
                 }
               const auto [holder, is_new] =
                 holders.insert({{joint, c}, {&definition, at_rest}});
               if (!is_new)
                 {
-                  // Two supports may both hold an unknown at rest, as at a corner.
+                  // Two supports may both hold an unknown at rest, as at a
+                  // corner.
                   if (at_rest && holder->second.at_rest)
                     continue;
                   const char *names[3] = {"horizontal displacement",
                                           "vertical displacement",
                                           "rotation"};
-                  throw InputError(definition.path + ": the " + names[c] +
-                                   " of joint " + std::to_string(joint) +
-                                   " is already prescribed by " +
-                                   holder->second.support->path +
-                                   ". Take the joint out of one of the two sets.");
+                  throw InputError(
+                    definition.path + ": the " + names[c] + " of joint " +
+                    std::to_string(joint) + " is already prescribed by " +
+                    holder->second.support->path +
+                    ". Take the joint out of one of the two sets.");
                 }
               const int unknown = dofs->joint_unknown(joint, c);
               if (unknown < 0)
@@ -189,11 +214,12 @@ namespace auxfem
     model.large_rotation    = simulated.large_rotation;
     model.shear_flexibility = simulated.shear_flexibility;
     const auto any_section  = [this](double Section::*property) {
-      return std::any_of(section_list.begin(), section_list.end(),
+      return std::any_of(section_list.begin(),
+                         section_list.end(),
                          [&](const Section &s) { return s.*property > 0; });
     };
     model.damping = simulated.strut_damping &&
-                    any_section(&Section::stiffness_proportional_damping);
+      any_section(&Section::stiffness_proportional_damping);
     state_layout.velocity = state_layout.velocity || model.damping;
     if (!graph.struts.empty())
       {
@@ -211,10 +237,17 @@ namespace auxfem
         ConnectorDefinition used = definition;
         if (!simulated.connector_viscosity && definition.law->is_viscous())
           used.law = make_spring_law(definition.law->long_time_stiffness());
-        auto group = std::make_unique<ConnectorForces>(
-          used,
-          select_pairs(graph, definition.between, scene.context, definition.path + "/Between"),
-          graph, *dofs, simulated.large_rotation, state_layout);
+        auto group =
+          std::make_unique<ConnectorForces>(used,
+                                            select_pairs(graph,
+                                                         definition.between,
+                                                         scene.context,
+                                                         definition.path +
+                                                           "/Between"),
+                                            graph,
+                                            *dofs,
+                                            simulated.large_rotation,
+                                            state_layout);
         connector_groups.push_back(group.get());
         effects.push_back(std::move(group));
       }
@@ -224,9 +257,14 @@ namespace auxfem
       {
         if (!graph.struts.empty())
           effects.push_back(make_strut_inertia(
-            graph, *dofs, section_list, simulated.rotary_inertia,
-            simulated.strut_damping && any_section(&Section::mass_proportional_damping)));
-        const std::vector<UnknownMass> masses = point_masses(scene, graph, *dofs);
+            graph,
+            *dofs,
+            section_list,
+            simulated.rotary_inertia,
+            simulated.strut_damping &&
+              any_section(&Section::mass_proportional_damping)));
+        const std::vector<UnknownMass> masses =
+          point_masses(scene, graph, *dofs);
         if (!masses.empty())
           {
             auto effect = std::make_unique<PointMasses>(*dofs);
@@ -235,7 +273,8 @@ namespace auxfem
             effects.push_back(std::move(effect));
           }
       }
-    if (auto loads = make_loads(scene, graph, *dofs, section_list, simulated.gravity))
+    if (auto loads =
+          make_loads(scene, graph, *dofs, section_list, simulated.gravity))
       effects.push_back(std::move(loads));
   }
 } // namespace auxfem

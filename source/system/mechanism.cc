@@ -10,9 +10,9 @@ namespace auxfem
   namespace
   {
     /**
-     * A mode whose stiffness is below this part of the diagonal's is a mechanism:
-     * far above round-off (1e-16), far below the softest sound lattice (a
-     * cantilever of 1000 slender struts has 4e-13).
+     * A mode whose stiffness is below this part of the diagonal's is a
+     * mechanism: far above round-off (1e-16), far below the softest sound
+     * lattice (a cantilever of 1000 slender struts has 4e-13).
      */
     constexpr double softest = 1e-14;
 
@@ -24,7 +24,7 @@ namespace auxfem
       for (unsigned int i = 0; i < numbering.n_owned(); ++i)
         {
           const double size = std::abs(mode[i]) *
-                              (numbering.is_rotation(i) ? system.length_scale() : 1.);
+            (numbering.is_rotation(i) ? system.length_scale() : 1.);
           if (size > largest)
             {
               largest = size;
@@ -33,14 +33,20 @@ namespace auxfem
         }
       double of_all = 0;
       numbering.communicator().MaxAll(&largest, &of_all, 1);
-      int mine = largest == of_all ? int(numbering.rank()) : int(numbering.n_ranks());
-      int who  = 0;
+      int mine =
+        largest == of_all ? int(numbering.rank()) : int(numbering.n_ranks());
+      int who = 0;
       numbering.communicator().MinAll(&mine, &who, 1);
-      std::string words = who == int(numbering.rank()) ? numbering.describe(worst) : "";
-      words = dealii::Utilities::MPI::broadcast(numbering.communicator().Comm(), words, who);
+      std::string words =
+        who == int(numbering.rank()) ? numbering.describe(worst) : "";
+      words = dealii::Utilities::MPI::broadcast(numbering.communicator().Comm(),
+                                                words,
+                                                who);
       throw InputError(
         "The structure is not supported: it can move without any resistance, most of "
-        "all the " + words + ".\nStatic equilibrium (Scheme = static, or Start from = static "
+        "all the " +
+        words +
+        ".\nStatic equilibrium (Scheme = static, or Start from = static "
         "equilibrium) needs supports, rigid joints or springs that hold every part. "
         "Check Supports, hinges (Joints) and struts that are connected to nothing.");
     }
@@ -59,7 +65,8 @@ namespace auxfem
     system.residual(step);
     system.tangent(step, {1., 0., 0.}, matrix);
 
-    Epetra_Vector diagonal(numbering.owned_map()), shifted(numbering.owned_map());
+    Epetra_Vector diagonal(numbering.owned_map()),
+      shifted(numbering.owned_map());
     matrix.matrix().ExtractDiagonalCopy(diagonal);
     double largest = 0;
     diagonal.MaxValue(&largest);
@@ -74,14 +81,15 @@ namespace auxfem
     Epetra_Vector mode(numbering.owned_map()), image(numbering.owned_map());
     mode.SetSeed(1);
     mode.Random();
-    double softness = 0;
+    double softness  = 0;
     bool   is_solved = solver.factorize();
     for (unsigned int i = 0; is_solved && i < 6; ++i)
       {
         for (unsigned int k = 0; k < numbering.n_owned(); ++k)
-          solver.right_side()[k] =
-            numbering.kind(k) == UnknownKind::prescribed ? 0. : diagonal[k] * mode[k];
-        mode = solver.solve();
+          solver.right_side()[k] = numbering.kind(k) == UnknownKind::prescribed
+            ? 0.
+            : diagonal[k] * mode[k];
+        mode        = solver.solve();
         double size = 0;
         mode.NormInf(&size);
         is_solved = std::isfinite(size) && size > 0;

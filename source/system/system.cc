@@ -54,8 +54,9 @@ namespace auxfem
 
   bool System::is_linear() const
   {
-    return std::all_of(effects.begin(), effects.end(),
-                       [](const auto &effect) { return effect->is_linear(); });
+    return std::all_of(effects.begin(), effects.end(), [](const auto &effect) {
+      return effect->is_linear();
+    });
   }
 
   void System::use_algorithmic_acceleration()
@@ -100,7 +101,8 @@ namespace auxfem
                 (*state.acceleration)[prescribed.unknown] = 0;
               continue;
             }
-          const std::array<double, 3> motion = prescribed.motion.jet(state.time, dt);
+          const std::array<double, 3> motion =
+            prescribed.motion.jet(state.time, dt);
           state.displacement[prescribed.unknown] = motion[0];
           if (state.velocity)
             (*state.velocity)[prescribed.unknown] = motion[1];
@@ -115,7 +117,7 @@ namespace auxfem
       for (const auto &prescribed : support.unknowns)
         if (dofs->is_owned(prescribed.unknown))
           gap[prescribed.unknown] = prescribed.motion.value(state.time) -
-                                    state.displacement[prescribed.unknown];
+            state.displacement[prescribed.unknown];
   }
 
   ResidualNorm System::residual(const Step &step)
@@ -160,7 +162,8 @@ namespace auxfem
     double        mine[2] = {0, 0}, all[2];
     const double *u       = state.displacement.Values();
     for (unsigned int i = 0; i < dofs->n_owned(); ++i)
-      mine[dofs->is_rotation(i)] = std::max(mine[dofs->is_rotation(i)], std::abs(u[i]));
+      mine[dofs->is_rotation(i)] =
+        std::max(mine[dofs->is_rotation(i)], std::abs(u[i]));
     dofs->communicator().MaxAll(mine, all, 2);
     return {all[0], all[1]};
   }
@@ -175,7 +178,7 @@ namespace auxfem
     // A row sums a few roundings of a few products each.
     const double safety = 4;
     return safety * std::numeric_limits<double>::epsilon() * scale_of_row *
-           std::sqrt(double(dofs->n_unknowns()));
+      std::sqrt(double(dofs->n_unknowns()));
   }
 
   void System::tangent(const Step           &step,
@@ -196,8 +199,8 @@ namespace auxfem
       effect->accept(step);
     // The trapezoidal rule, second order like the integrators.
     if (std::isfinite(step.dt))
-      step.to.strut_dissipation +=
-        step.dt / 2 * (step.from.strut_damping_power + step.to.strut_damping_power);
+      step.to.strut_dissipation += step.dt / 2 *
+        (step.from.strut_damping_power + step.to.strut_damping_power);
     // Prescribed motion works by the mean of the support forces over the step.
     for (const Support &support : support_list)
       for (const auto &prescribed : support.unknowns)
@@ -220,7 +223,11 @@ namespace auxfem
     mine.external = state.external_work;
     if (dofs->n_ranks() == 1)
       return mine;
-    double values[5] = {mine.kinetic, mine.strain, mine.stored, mine.dissipated, mine.external};
+    double values[5] = {mine.kinetic,
+                        mine.strain,
+                        mine.stored,
+                        mine.dissipated,
+                        mine.external};
     double sums[5];
     dofs->communicator().SumAll(values, sums, 5);
     return {sums[0], sums[1], sums[2], sums[3], sums[4]};
@@ -234,19 +241,23 @@ namespace auxfem
       if (dofs->kind(i) != UnknownKind::prescribed)
         {
           const double size = std::abs(state.residual[i]) /
-                              (dofs->is_rotation(i) ? mean_length : 1.);
+            (dofs->is_rotation(i) ? mean_length : 1.);
           if (!(size <= largest))
             {
-              largest = std::isfinite(size) ? size : std::numeric_limits<double>::max();
-              worst   = i;
+              largest =
+                std::isfinite(size) ? size : std::numeric_limits<double>::max();
+              worst = i;
             }
         }
     double of_all = 0;
     dofs->communicator().MaxAll(&largest, &of_all, 1);
     // Every rank gets the words of the lowest rank that has the largest value.
-    int mine = largest == of_all ? int(dofs->rank()) : int(dofs->n_ranks()), who = 0;
+    int mine = largest == of_all ? int(dofs->rank()) : int(dofs->n_ranks()),
+        who  = 0;
     dofs->communicator().MinAll(&mine, &who, 1);
     std::string words = who == int(dofs->rank()) ? dofs->describe(worst) : "";
-    return dealii::Utilities::MPI::broadcast(dofs->communicator().Comm(), words, who);
+    return dealii::Utilities::MPI::broadcast(dofs->communicator().Comm(),
+                                             words,
+                                             who);
   }
 } // namespace auxfem

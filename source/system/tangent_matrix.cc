@@ -66,10 +66,11 @@ namespace auxfem
     crs->FillComplete(numbering.owned_map(), numbering.owned_map());
     crs->OptimizeStorage();
 
-    int *offsets = nullptr, *indices = nullptr;
+    int      *offsets = nullptr, *indices = nullptr;
     const int error = crs->ExtractCrsDataPointers(offsets, indices, entries);
-    AssertThrow(error == 0, dealii::ExcMessage("Epetra storage is not contiguous."));
-    n_entries = n_owned > 0 ? offsets[n_owned] : 0;
+    AssertThrow(error == 0,
+                dealii::ExcMessage("Epetra storage is not contiguous."));
+    n_entries           = n_owned > 0 ? offsets[n_owned] : 0;
     const auto position = [&](const int row, const int column) -> int {
       if (row < 0 || row >= n_owned || column < 0 ||
           numbering.kind(row) == UnknownKind::prescribed)
@@ -77,7 +78,7 @@ namespace auxfem
       return std::lower_bound(indices + offsets[row],
                               indices + offsets[row + 1],
                               column) -
-             indices;
+        indices;
     };
     positions.reserve(block_begin.back());
     for_each_block([&](const int *begin, const int *end) {
@@ -88,7 +89,9 @@ namespace auxfem
     for (int row = 0; row < n_owned; ++row)
       if (numbering.kind(row) == UnknownKind::prescribed)
         identity_positions.push_back(
-          std::lower_bound(indices + offsets[row], indices + offsets[row + 1], row) -
+          std::lower_bound(indices + offsets[row],
+                           indices + offsets[row + 1],
+                           row) -
           indices);
     block_unknowns = {};
     unknowns_begin = {};
@@ -115,13 +118,14 @@ namespace auxfem
   {
     Epetra_Vector values(numbering.owned_map());
     crs->ExtractDiagonalCopy(values);
-    return std::vector<double>(values.Values(), values.Values() + values.MyLength());
+    return std::vector<double>(values.Values(),
+                               values.Values() + values.MyLength());
   }
 
   std::size_t TangentMatrix::memory_consumption() const
   {
     return n_entries * (sizeof(double) + sizeof(int)) +
-           positions.capacity() * sizeof(int) +
-           block_begin.capacity() * sizeof(std::size_t);
+      positions.capacity() * sizeof(int) +
+      block_begin.capacity() * sizeof(std::size_t);
   }
 } // namespace auxfem

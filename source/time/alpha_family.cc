@@ -2,8 +2,7 @@
 
 namespace auxfem
 {
-  AlphaFamily::AlphaFamily(const Coefficients &coefficients)
-    : c(coefficients)
+  AlphaFamily::AlphaFamily(const Coefficients &coefficients) : c(coefficients)
   {}
 
   AlphaFamily::Coefficients AlphaFamily::newmark(const double beta,
@@ -33,21 +32,24 @@ namespace auxfem
 
   void AlphaFamily::predict(const Step &step) const
   {
-    // Unchanged true acceleration; the auxiliary one follows from its recurrence.
-    const int     n  = step.from.displacement.MyLength();
-    const double *u  = step.from.displacement.Values();
-    const double *v  = step.from.velocity->Values();
-    const double *dv = step.from.acceleration->Values();
-    const double *a =
-      uses_algorithmic_acceleration() ? step.from.algorithmic_acceleration->Values() : dv;
-    double *u_new  = step.to.displacement.Values();
-    double *v_new  = step.to.velocity->Values();
-    double *dv_new = step.to.acceleration->Values();
-    const double dt = step.dt;
+    // Unchanged true acceleration; the auxiliary one follows from its
+    // recurrence.
+    const int     n      = step.from.displacement.MyLength();
+    const double *u      = step.from.displacement.Values();
+    const double *v      = step.from.velocity->Values();
+    const double *dv     = step.from.acceleration->Values();
+    const double *a      = uses_algorithmic_acceleration()
+           ? step.from.algorithmic_acceleration->Values()
+           : dv;
+    double       *u_new  = step.to.displacement.Values();
+    double       *v_new  = step.to.velocity->Values();
+    double       *dv_new = step.to.acceleration->Values();
+    const double  dt     = step.dt;
     for (int i = 0; i < n; ++i)
       {
         const double a_new = (dv[i] - c.alpha_m * a[i]) / (1 - c.alpha_m);
-        u_new[i] = u[i] + dt * v[i] + dt * dt * ((0.5 - c.beta) * a[i] + c.beta * a_new);
+        u_new[i] =
+          u[i] + dt * v[i] + dt * dt * ((0.5 - c.beta) * a[i] + c.beta * a_new);
         v_new[i]  = v[i] + dt * ((1 - c.gamma) * a[i] + c.gamma * a_new);
         dv_new[i] = dv[i];
         if (uses_algorithmic_acceleration())
@@ -58,11 +60,14 @@ namespace auxfem
   TangentFactors AlphaFamily::factors(const double dt) const
   {
     const double acceleration = 1 / (c.beta * dt * dt);
-    return {1., c.gamma / (c.beta * dt),
+    return {1.,
+            c.gamma / (c.beta * dt),
             acceleration * (1 - c.alpha_m) / (1 - c.alpha_f)};
   }
 
-  void AlphaFamily::correct(const Vector &increment, const double dt, State &trial) const
+  void AlphaFamily::correct(const Vector &increment,
+                            const double  dt,
+                            State        &trial) const
   {
     const TangentFactors f  = factors(dt);
     const int            n  = increment.MyLength();
@@ -77,6 +82,8 @@ namespace auxfem
         dv[i] += f.mass * du[i];
       }
     if (uses_algorithmic_acceleration())
-      trial.algorithmic_acceleration->Update(1 / (c.beta * dt * dt), increment, 1.);
+      trial.algorithmic_acceleration->Update(1 / (c.beta * dt * dt),
+                                             increment,
+                                             1.);
   }
 } // namespace auxfem

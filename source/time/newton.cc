@@ -11,8 +11,9 @@ namespace auxfem
   namespace
   {
     /**
-     * Further than this no linearisation can see. Iterates that do turn so far can
-     * end in equilibria of a tangle that has nothing to do with the step (rad).
+     * Further than this no linearisation can see. Iterates that do turn so far
+     * can end in equilibria of a tangle that has nothing to do with the step
+     * (rad).
      */
     constexpr double half_turn = 3.14159265358979323846;
   } // namespace
@@ -27,7 +28,8 @@ namespace auxfem
     , increment(system.numbering().local_map())
   {}
 
-  Newton::Result Newton::solve(const TimeIntegrator &integrator, const Step &step)
+  Newton::Result Newton::solve(const TimeIntegrator &integrator,
+                               const Step           &step)
   {
     Result       result;
     ResidualNorm norm      = timed_residual(step);
@@ -56,14 +58,14 @@ namespace auxfem
         if (result.iterations == parameters.maximum_iterations)
           {
             result.reason = "Newton's method has not converged in " +
-                            std::to_string(result.iterations) + " iterations";
+              std::to_string(result.iterations) + " iterations";
             return result;
           }
 
-        const bool serves =
-          factorized_dt == step.dt &&
+        const bool serves = factorized_dt == step.dt &&
           (system.is_linear() ||
-           (parameters.keep_factorization && reduction >= parameters.kept_reduction));
+           (parameters.keep_factorization &&
+            reduction >= parameters.kept_reduction));
         if (!serves)
           {
             if (!factorize(integrator, step))
@@ -76,7 +78,8 @@ namespace auxfem
         solve_increment(step.to);
         if (!system.is_linear() && largest_turn() > half_turn)
           {
-            result.reason = "an iteration turned a section by more than half a turn";
+            result.reason =
+              "an iteration turned a section by more than half a turn";
             return result;
           }
         integrator.correct(increment, step.dt, step.to);
@@ -91,8 +94,8 @@ namespace auxfem
 
   void Newton::find_initial_acceleration(State &state, const double dt)
   {
-    const State  before = state;
-    const Step   step{before, state, /*dt=*/0.};
+    const State before = state;
+    const Step  step{before, state, /*dt=*/0.};
     state.acceleration->PutScalar(0.);
     system.begin_step(step);
     system.prescribe_motion(state, dt);
@@ -100,7 +103,9 @@ namespace auxfem
 
     system.tangent(step, {0., 0., 1.}, *matrix);
     const std::vector<double> diagonal = matrix->diagonal();
-    int mine = std::any_of(diagonal.begin(), diagonal.end(), [](double d) { return d == 0; });
+    int mine = std::any_of(diagonal.begin(), diagonal.end(), [](double d) {
+      return d == 0;
+    });
     int any  = 0;
     system.numbering().communicator().MaxAll(&mine, &any, 1);
     if (any != 0)
@@ -164,7 +169,9 @@ namespace auxfem
     system.prescribed_gap(trial, rhs);
     const Epetra_Vector &solution = linear_solver.solve();
     if (numbering.n_ranks() == 1)
-      std::copy(solution.Values(), solution.Values() + numbering.n_owned(), increment.Values());
+      std::copy(solution.Values(),
+                solution.Values() + numbering.n_owned(),
+                increment.Values());
     else
       increment.Import(solution, numbering.importer(), Insert);
   }

@@ -16,7 +16,9 @@ namespace auxfem
     return {1., 1 / dt, 0.};
   }
 
-  void QuasiStatic::correct(const Vector &increment, const double dt, State &trial) const
+  void QuasiStatic::correct(const Vector &increment,
+                            const double  dt,
+                            State        &trial) const
   {
     trial.displacement.Update(1., increment, 1.);
     if (trial.velocity)

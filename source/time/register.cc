@@ -11,7 +11,8 @@ namespace auxfem
        "Newmark with `Newmark beta` and `Newmark gamma`; 1/4, 1/2 is the average "
        "acceleration rule: second order, stable, no numerical damping.",
        [](const TimeParameters &p) -> std::unique_ptr<TimeIntegrator> {
-         return std::make_unique<AlphaFamily>(AlphaFamily::newmark(p.beta, p.gamma));
+         return std::make_unique<AlphaFamily>(
+           AlphaFamily::newmark(p.beta, p.gamma));
        }},
       {"hht",
        "Hilber-Hughes-Taylor with `HHT alpha`: second order, damps high frequencies.",
@@ -34,11 +35,13 @@ namespace auxfem
     return registry;
   }
 
-  std::unique_ptr<TimeIntegrator> make_integrator(const TimeParameters &parameters)
+  std::unique_ptr<TimeIntegrator>
+  make_integrator(const TimeParameters &parameters)
   {
     for (const TimeSchemeEntry &entry : time_scheme_registry())
       if (entry.name == parameters.scheme)
         return entry.make(parameters);
-    throw InputError("Time/Scheme: there is no scheme '" + parameters.scheme + "'.");
+    throw InputError("Time/Scheme: there is no scheme '" + parameters.scheme +
+                     "'.");
   }
 } // namespace auxfem

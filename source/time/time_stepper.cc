@@ -10,7 +10,8 @@ namespace auxfem
 {
   namespace
   {
-    std::unique_ptr<TimeIntegrator> prepare(System &system, const TimeParameters &parameters)
+    std::unique_ptr<TimeIntegrator> prepare(System               &system,
+                                            const TimeParameters &parameters)
     {
       auto integrator = make_integrator(parameters);
       if (integrator->uses_algorithmic_acceleration())
@@ -35,11 +36,14 @@ namespace auxfem
     return std::ceil(parameters.end_time / parameters.step * (1 - 1e-12));
   }
 
-  double TimeStepper::time_at(const unsigned long step, const double fraction) const
+  double TimeStepper::time_at(const unsigned long step,
+                              const double        fraction) const
   {
     // From the step count, never accumulated.
     const double time = (step + fraction) * parameters.step;
-    return time > parameters.end_time - 1e-6 * parameters.step ? parameters.end_time : time;
+    return time > parameters.end_time - 1e-6 * parameters.step
+      ? parameters.end_time
+      : time;
   }
 
   double TimeStepper::length_of_step(const double from,
@@ -63,10 +67,11 @@ namespace auxfem
         const Newton::Result result = solver.solve(equilibrium, step);
         solver.drop_factorization();
         if (!result.converged)
-          throw ComputationError("No static equilibrium was found under the loads of t = 0: " +
-                                 result.reason +
-                                 ". Start from rest, or raise the load in steps with "
-                                 "`Scheme = static` to see where it is lost.");
+          throw ComputationError(
+            "No static equilibrium was found under the loads of t = 0: " +
+            result.reason +
+            ". Start from rest, or raise the load in steps with "
+            "`Scheme = static` to see where it is lost.");
         if (state.velocity)
           *trial.velocity = *state.velocity;
         state = trial;
@@ -85,7 +90,7 @@ namespace auxfem
     system.residual(step);
     system.accept(step);
     // What brought the lattice into its first state is not part of the run.
-    state.external_work   = 0;
+    state.external_work     = 0;
     state.energies.external = 0;
   }
 
@@ -102,7 +107,8 @@ namespace auxfem
       {
         const double piece = 1. / (1u << level);
         const double time  = time_at(step, (position + 1) * piece);
-        const double dt    = length_of_step(time_at(step, position * piece), time, piece);
+        const double dt =
+          length_of_step(time_at(step, position * piece), time, piece);
         if (try_step(state, time, dt, report))
           {
             ++report.substeps;
@@ -119,12 +125,15 @@ namespace auxfem
         if (dt / 2 < parameters.smallest_step)
           {
             std::ostringstream message;
-            message << "The step from t = " << state.time << " s did not converge even with dt = "
-                    << dt << " s (Time/Smallest time step = " << parameters.smallest_step
-                    << " s): " << last_failure << ".\nAll steps until then are in the output "
-                    << "folder. A smaller smallest step, numerical damping (Scheme = "
-                    << "generalized-alpha) or, in statics, prescribed motion in place of a force "
-                    << "may carry it further; an unstable structure will not be carried by any.";
+            message
+              << "The step from t = " << state.time
+              << " s did not converge even with dt = " << dt
+              << " s (Time/Smallest time step = " << parameters.smallest_step
+              << " s): " << last_failure
+              << ".\nAll steps until then are in the output "
+              << "folder. A smaller smallest step, numerical damping (Scheme = "
+              << "generalized-alpha) or, in statics, prescribed motion in place of a force "
+              << "may carry it further; an unstable structure will not be carried by any.";
             throw ComputationError(message.str());
           }
         ++level;
@@ -153,8 +162,9 @@ namespace auxfem
     if (!result.converged)
       {
         std::ostringstream words;
-        words << result.reason << "; relative residual " << result.relative_residual
-              << ", largest at the " << system.worst_unknown(trial);
+        words << result.reason << "; relative residual "
+              << result.relative_residual << ", largest at the "
+              << system.worst_unknown(trial);
         last_failure = words.str();
         solver.drop_factorization();
         return false;
@@ -162,12 +172,13 @@ namespace auxfem
     system.accept(step);
     if (integrator->is_dynamic() && creates_energy(step))
       {
-        last_failure = "the step would create energy (more than Time/Largest energy error)";
+        last_failure =
+          "the step would create energy (more than Time/Largest energy error)";
         solver.drop_factorization();
         return false;
       }
-    largest_energy = std::max({largest_energy, trial.energies.total(),
-                               trial.energies.dissipated});
+    largest_energy = std::max(
+      {largest_energy, trial.energies.total(), trial.energies.dissipated});
     trial.step = state.step;
     state      = trial;
     return true;
@@ -177,10 +188,11 @@ namespace auxfem
   {
     // Implicit schemes can converge to states that have nothing to do with the
     // motion when a step is too long for it; these show by energy from nowhere.
-    const Energies &before  = step.from.energies, &after = step.to.energies;
+    const Energies &before = step.from.energies, &after = step.to.energies;
     const double    created = after.balance(before.balance(0.));
     const double    turnover =
-      std::max({largest_energy, std::abs(after.external - before.external),
+      std::max({largest_energy,
+                std::abs(after.external - before.external),
                 after.dissipated - before.dissipated});
     return created > parameters.energy_error * turnover;
   }

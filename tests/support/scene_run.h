@@ -47,18 +47,23 @@ namespace auxfem
       }
 
       /** Displacement (component 0, 1) or rotation (2) of a joint. */
-      double motion(const unsigned int joint, const unsigned int component) const
+      double motion(const unsigned int joint,
+                    const unsigned int component) const
       {
-        return state.displacement[system.numbering().joint_unknown(joint, component)];
+        return state
+          .displacement[system.numbering().joint_unknown(joint, component)];
       }
 
-      double velocity(const unsigned int joint, const unsigned int component) const
+      double velocity(const unsigned int joint,
+                      const unsigned int component) const
       {
-        return (*state.velocity)[system.numbering().joint_unknown(joint, component)];
+        return (
+          *state.velocity)[system.numbering().joint_unknown(joint, component)];
       }
 
       /** Sum of the support's forces (0, 1) or moments (2) on the lattice. */
-      double reaction(const std::string &support, const unsigned int component) const
+      double reaction(const std::string &support,
+                      const unsigned int component) const
       {
         double sum = 0;
         for (const Support &candidate : system.supports())

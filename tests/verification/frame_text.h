@@ -12,13 +12,17 @@ namespace auxfem
 {
   namespace testing_support
   {
-    /** The shortest text that reads back as @p value. */
+    /** A short text that reads back as @p value. */
     inline std::string text(const double value)
     {
-      std::ostringstream stream;
-      stream << std::setprecision(std::numeric_limits<double>::max_digits10)
-             << value;
-      return stream.str();
+      for (int digits = 6;; ++digits)
+        {
+          std::ostringstream stream;
+          stream << std::setprecision(digits) << value;
+          if (digits == std::numeric_limits<double>::max_digits10 ||
+              std::stod(stream.str()) == value)
+            return stream.str();
+        }
     }
 
     /** Section stiffnesses: axial EA (N), shear kGA (N), bending EI (N m2). */

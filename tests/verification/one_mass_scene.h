@@ -1,22 +1,14 @@
-#ifndef auxfem_tests_support_one_mass_scene_h
-#define auxfem_tests_support_one_mass_scene_h
+#ifndef auxfem_tests_verification_one_mass_scene_h
+#define auxfem_tests_verification_one_mass_scene_h
 
-#include <sstream>
+#include <verification/frame_text.h>
+
 #include <string>
 
 namespace auxfem
 {
   namespace testing_support
   {
-    /** A number with all its digits, for `.prm` text. */
-    inline std::string digits(const double number)
-    {
-      std::ostringstream text;
-      text.precision(17);
-      text << number;
-      return text.str();
-    }
-
     /**
      * Text of a scene with one degree of freedom: joint 0 moves along x only and
      * hangs on one connector to the ground. Its extension is minus the
@@ -81,10 +73,10 @@ end
     inline std::string mass_and_velocity(const double mass, const double velocity)
     {
       return "subsection Masses\n subsection body\n  set Joints = 0\n  set Mass = " +
-             digits(mass) +
+             text(mass) +
              "\n end\nend\nsubsection Initial velocities\n subsection push\n"
              "  set Joints = 0\n  set Velocity x = " +
-             digits(velocity) + "\n end\nend\n";
+             text(velocity) + "\n end\nend\n";
     }
   } // namespace testing_support
 } // namespace auxfem

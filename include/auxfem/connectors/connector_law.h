@@ -14,7 +14,10 @@ namespace auxfem
     double rate;
     /** Extension at the start of the step (m). */
     double previous_extension;
-    /** Length of the step (s); infinity: all viscous processes have come to rest. */
+    /**
+     * Length of the step (s); infinity: all viscous processes have come to
+     * rest.
+     */
     double dt;
   };
 
@@ -48,7 +51,10 @@ namespace auxfem
   public:
     virtual ~ConnectorLaw() = default;
 
-    /** Internal variables a connector needs; 0 for laws without Maxwell elements. */
+    /**
+     * Internal variables a connector needs; 0 for laws without Maxwell
+     * elements.
+     */
     virtual unsigned int n_history() const
     {
       return 0;

@@ -15,7 +15,10 @@ namespace auxfem
   /** What is released and tied beyond the rigid joints. */
   struct Ties
   {
-    /** For every strut: whether the rotation of its first, second end is free of the joint. */
+    /**
+     * For every strut: whether the rotation of its first, second end is free
+     * of the joint.
+     */
     std::vector<std::array<bool, 2>> released;
 
     /** Pairs of joints whose motions act on each other through a connector. */
@@ -100,18 +103,23 @@ namespace auxfem
     const int *element_unknowns(unsigned int e) const;
 
     /**
-     * Local number of a joint's unknown (component 0, 1: displacement, 2: rotation);
-     * -1 if it does not exist (all struts released) or is not kept on this rank.
+     * Local number of a joint's unknown (component 0, 1: displacement, 2:
+     * rotation); -1 if it does not exist (all struts released) or is not kept
+     * on this rank.
      */
     int joint_unknown(unsigned int joint, unsigned int component) const;
 
     /** Whether a joint has this unknown at all, known on every rank. */
     bool joint_has(unsigned int joint, unsigned int component) const;
 
-    /** Local number of the rotation of a strut's end, released or not; -1 if not on this rank. */
+    /**
+     * Local number of the rotation of a strut's end, released or not; -1 if
+     * not on this rank.
+     */
     int end_rotation(unsigned int strut, unsigned int end) const;
 
-    /** Kind of a local unknown; prescribed once prescribe() was called for it. */
+    /** Kind of a local unknown; prescribed once prescribe() was called for it.
+     */
     UnknownKind kind(unsigned int local) const;
 
     /** Marks a local unknown as prescribed. */
@@ -138,7 +146,10 @@ namespace auxfem
     std::vector<std::array<int, 3>> joint_numbers;
     /** Global number of both end rotations of each strut. */
     std::vector<std::array<int, 2>> end_rotation_numbers;
-    /** Global numbers of all elements' unknowns, in the order of active cells; emptied after set-up. */
+    /**
+     * Global numbers of all elements' unknowns, in the order of active cells;
+     * emptied after set-up.
+     */
     std::vector<int> cell_numbers;
     /** Global numbers owned by rank r: [first_owned[r], first_owned[r+1]). */
     std::vector<int> first_owned;

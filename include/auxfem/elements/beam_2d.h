@@ -8,9 +8,10 @@
 namespace auxfem
 {
   /**
-   * The planar geometrically exact beam of Reissner (1972) and Simo & Vu-Quoc (1986).
-   * Axis r(s), rotation phi(s) of the section. With t, n the section's normal and
-   * in-plane direction, turned by phi from their place t0, n0 at rest,
+   * The planar geometrically exact beam of Reissner (1972) and Simo & Vu-Quoc
+   * (1986). Axis r(s), rotation phi(s) of the section. With t, n the section's
+   * normal and in-plane direction, turned by phi from their place t0, n0 at
+   * rest,
    *
    *     axial strain    epsilon = r'.t - r0'.t0        N = EA  epsilon
    *     shear strain    gamma   = r'.n - r0'.n0        Q = kGA gamma
@@ -26,26 +27,36 @@ namespace auxfem
     /** Undeformed axis at a Gauss point. */
     struct Frame
     {
-      double cosine, sine;  ///< section normal t0 = (cosine, sine)
-      double axial, shear;  ///< r0' in components along t0, n0: (1, 0) for a straight strut
+      double cosine, sine; ///< section normal t0 = (cosine, sine)
+      /** R0' in components along t0, n0: (1, 0) for a straight strut. */
+      double axial, shear;
     };
 
-    /** Section stiffness (N, N, N m2) and the retardation time of stiffness-proportional damping (s). */
+    /**
+     * Section stiffness (N, N, N m2) and the retardation time of
+     * stiffness-proportional damping (s).
+     */
     struct Stiffness
     {
       double axial, shear, bending;
       double damping_time;
     };
 
-    /** Strains at a point, with what forces and tangents need of the kinematics. */
+    /**
+     * Strains at a point, with what forces and tangents need of the
+     * kinematics.
+     */
     struct Kinematics
     {
       double epsilon, gamma, kappa;
-      double stretch, slip;  ///< r'.t, r'.n
-      double cosine, sine;   ///< of t in the global frame
+      double stretch, slip; ///< r'.t, r'.n
+      double cosine, sine;  ///< of t in the global frame
     };
 
-    /** Derivatives by s of displacement, rotation and its derivative at a Gauss point. */
+    /**
+     * Derivatives by s of displacement, rotation and its derivative at a Gauss
+     * point.
+     */
     struct Gradient
     {
       double ux, uy, phi, kappa;
@@ -72,8 +83,9 @@ namespace auxfem
     }
 
     /**
-     * Strains from the displacement gradient. Written with 1 - cos(phi) = 2 sin^2(phi/2)
-     * so that small strains are not differences of numbers near one.
+     * Strains from the displacement gradient. Written with 1 - cos(phi) = 2
+     * sin^2(phi/2) so that small strains are not differences of numbers near
+     * one.
      */
     template <bool large_rotation>
     inline Kinematics kinematics(const Frame &frame, const Gradient &d)
@@ -84,8 +96,9 @@ namespace auxfem
       k.kappa = d.kappa;
       if (large_rotation)
         {
-          const double half_sine = std::sin(d.phi / 2), half_cosine = std::cos(d.phi / 2);
-          const double s = 2 * half_sine * half_cosine;
+          const double half_sine   = std::sin(d.phi / 2),
+                       half_cosine = std::cos(d.phi / 2);
+          const double s           = 2 * half_sine * half_cosine;
           const double versine = 2 * half_sine * half_sine, c = 1 - versine;
           k.epsilon = p * c + q * s - frame.axial * versine + frame.shear * s;
           k.gamma   = q * c - p * s - frame.axial * s - frame.shear * versine;
@@ -146,21 +159,25 @@ namespace auxfem
       for (int g = 0; g < order; ++g)
         {
           const Kinematics k = kinematics<large_rotation>(
-            frames[g], interpolate(shape, g, inverse_jacobian, u));
-          double axial   = stiffness.axial * k.epsilon,
-                 shear   = stiffness.shear * k.gamma,
-                 bending = stiffness.bending * k.kappa;
+            frames[g],
+            interpolate(shape, g, inverse_jacobian, u));
+          double axial        = stiffness.axial * k.epsilon,
+                 shear        = stiffness.shear * k.gamma,
+                 bending      = stiffness.bending * k.kappa;
           const double weight = shape.weight[g] * jacobian;
-          energy.strain +=
-            weight / 2 * (axial * k.epsilon + shear * k.gamma + bending * k.kappa);
+          energy.strain += weight / 2 *
+            (axial * k.epsilon + shear * k.gamma + bending * k.kappa);
           if (damped)
             {
               const Gradient rate = interpolate(shape, g, inverse_jacobian, v);
               double         epsilon_rate, gamma_rate;
               strain_rates(k, rate, epsilon_rate, gamma_rate);
-              const double N = stiffness.damping_time * stiffness.axial * epsilon_rate,
-                           Q = stiffness.damping_time * stiffness.shear * gamma_rate,
-                           M = stiffness.damping_time * stiffness.bending * rate.kappa;
+              const double N = stiffness.damping_time * stiffness.axial *
+                epsilon_rate,
+                           Q = stiffness.damping_time * stiffness.shear *
+                gamma_rate,
+                           M = stiffness.damping_time * stiffness.bending *
+                rate.kappa;
               energy.dissipation +=
                 weight * (N * epsilon_rate + Q * gamma_rate + M * rate.kappa);
               axial += N;
@@ -184,8 +201,8 @@ namespace auxfem
     }
 
     /**
-     * Tangent of the section forces by (r'.t, r'.n, phi) at a Gauss point, in that
-     * order along rows and columns, in the frame of the turned section.
+     * Tangent of the section forces by (r'.t, r'.n, phi) at a Gauss point, in
+     * that order along rows and columns, in the frame of the turned section.
      */
     template <bool large_rotation, bool damped>
     inline void section_tangent(const Kinematics &k,
@@ -195,11 +212,15 @@ namespace auxfem
                                 const double      damping_factor,
                                 double (&G)[3][3])
     {
-      const double beta = damped ? stiffness.damping_time : 0.;
+      const double beta     = damped ? stiffness.damping_time : 0.;
       const double material = stiffness_factor + beta * damping_factor;
       // Variations of N and Q by r'.t, r'.n, phi.
-      double dN[3] = {stiffness.axial * material, 0, stiffness.axial * material * k.slip};
-      double dQ[3] = {0, stiffness.shear * material, -stiffness.shear * material * k.stretch};
+      double dN[3] = {stiffness.axial * material,
+                      0,
+                      stiffness.axial * material * k.slip};
+      double dQ[3] = {0,
+                      stiffness.shear * material,
+                      -stiffness.shear * material * k.stretch};
       double N = stiffness.axial * k.epsilon, Q = stiffness.shear * k.gamma;
       if (damped)
         {
@@ -212,8 +233,8 @@ namespace auxfem
               const double vt = k.cosine * velocity.ux + k.sine * velocity.uy,
                            vn = k.cosine * velocity.uy - k.sine * velocity.ux,
                            omega = velocity.phi;
-              const double a = beta * stiffness_factor * stiffness.axial,
-                           s = beta * stiffness_factor * stiffness.shear;
+              const double a     = beta * stiffness_factor * stiffness.axial,
+                           s     = beta * stiffness_factor * stiffness.shear;
               dN[1] += a * omega;
               dN[2] += a * (vn - omega * k.stretch);
               dQ[0] -= s * omega;
@@ -258,14 +279,19 @@ namespace auxfem
       for (int g = 0; g < order; ++g)
         {
           const Kinematics k = kinematics<large_rotation>(
-            frames[g], interpolate(shape, g, inverse_jacobian, u));
-          const Gradient rate =
-            damped ? interpolate(shape, g, inverse_jacobian, v) : Gradient{0, 0, 0, 0};
-          double G[3][3];
-          section_tangent<large_rotation, damped>(
-            k, stiffness, rate, stiffness_factor, damping_factor, G);
-          const double bending =
-            stiffness.bending *
+            frames[g],
+            interpolate(shape, g, inverse_jacobian, u));
+          const Gradient rate = damped
+            ? interpolate(shape, g, inverse_jacobian, v)
+            : Gradient{0, 0, 0, 0};
+          double         G[3][3];
+          section_tangent<large_rotation, damped>(k,
+                                                  stiffness,
+                                                  rate,
+                                                  stiffness_factor,
+                                                  damping_factor,
+                                                  G);
+          const double bending = stiffness.bending *
             (stiffness_factor +
              (damped ? stiffness.damping_time * damping_factor : 0.));
 
@@ -277,18 +303,24 @@ namespace auxfem
                                   {s * G[0][0] + c * G[1][0],
                                    s * G[0][1] + c * G[1][1],
                                    s * G[0][2] + c * G[1][2]}};
-          const double xx = c * T[0][0] - s * T[0][1], xy = s * T[0][0] + c * T[0][1],
-                       yx = c * T[1][0] - s * T[1][1], yy = s * T[1][0] + c * T[1][1],
-                       zx = c * G[2][0] - s * G[2][1], zy = s * G[2][0] + c * G[2][1];
-          const double w = shape.weight[g];
+          const double xx      = c * T[0][0] - s * T[0][1],
+                       xy      = s * T[0][0] + c * T[0][1],
+                       yx      = c * T[1][0] - s * T[1][1],
+                       yy      = s * T[1][0] + c * T[1][1],
+                       zx      = c * G[2][0] - s * G[2][1],
+                       zy      = s * G[2][0] + c * G[2][1];
+          const double w       = shape.weight[g];
           for (int a = 0; a <= order; ++a)
             for (int b = 0; b <= order; ++b)
               {
-                const double dd = w * inverse_jacobian * shape.derivative[g][a] *
-                                  shape.derivative[g][b],
-                             dv = w * shape.derivative[g][a] * shape.value[g][b],
-                             vd = w * shape.value[g][a] * shape.derivative[g][b],
-                             vv = w * jacobian * shape.value[g][a] * shape.value[g][b];
+                const double dd = w * inverse_jacobian *
+                  shape.derivative[g][a] * shape.derivative[g][b],
+                             dv =
+                               w * shape.derivative[g][a] * shape.value[g][b],
+                             vd =
+                               w * shape.value[g][a] * shape.derivative[g][b],
+                             vv = w * jacobian * shape.value[g][a] *
+                  shape.value[g][b];
                 double *block = matrix + 3 * a * n + 3 * b;
                 block[0] += dd * xx;
                 block[1] += dd * xy;

@@ -4,9 +4,10 @@
 namespace auxfem
 {
   /**
-   * Shape functions of a line element of polynomial order p on [-1, 1], nodes in
-   * the order of FE_Q: both ends, then the inner Gauss-Lobatto nodes. Internal
-   * forces use p Gauss points (no locking), inertia is integrated exactly.
+   * Shape functions of a line element of polynomial order p on [-1, 1], nodes
+   * in the order of FE_Q: both ends, then the inner Gauss-Lobatto nodes.
+   * Internal forces use p Gauss points (no locking), inertia is integrated
+   * exactly.
    */
   template <int order>
   struct BeamShape

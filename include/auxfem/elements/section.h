@@ -3,18 +3,26 @@
 
 namespace auxfem
 {
-  /** Cross-section and material of a strut, reduced to what the planar beam needs (SI). */
+  /**
+   * Cross-section and material of a strut, reduced to what the planar beam
+   * needs (SI).
+   */
   struct Section
   {
-    double youngs_modulus = 0;             ///< E (Pa)
-    double shear_modulus  = 0;             ///< G = E / (2 (1 + nu)) (Pa)
-    double density        = 0;             ///< rho (kg/m3)
-    double area           = 0;             ///< A (m2)
-    double shear_area     = 0;             ///< k A, shear correction included (m2)
-    double second_moment  = 0;             ///< I about the axis normal to the plane (m4)
-    double radius         = 0;             ///< radius of the tube drawn in ParaView (m)
-    double stiffness_proportional_damping = 0; ///< beta: stress = E (strain + beta strain rate) (s)
-    double mass_proportional_damping      = 0; ///< alpha: force per mass and velocity (1/s)
+    double youngs_modulus = 0; ///< E (Pa)
+    double shear_modulus  = 0; ///< G = E / (2 (1 + nu)) (Pa)
+    double density        = 0; ///< rho (kg/m3)
+    double area           = 0; ///< A (m2)
+    /** K A, shear correction included (m2). */
+    double shear_area = 0;
+    /** I about the axis normal to the plane (m4). */
+    double second_moment = 0;
+    /** Radius of the tube drawn in ParaView (m). */
+    double radius = 0;
+    /** Beta: stress = E (strain + beta strain rate) (s). */
+    double stiffness_proportional_damping = 0;
+    /** Alpha: force per mass and velocity (1/s). */
+    double mass_proportional_damping = 0;
 
     /** EA (N). */
     double axial_stiffness() const

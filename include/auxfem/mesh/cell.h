@@ -31,12 +31,16 @@ namespace auxfem
     std::map<std::string, std::vector<std::pair<unsigned int, unsigned int>>>
       pairs;
 
-    /** Distances between cell centres along x, y, z (m); 0: cannot be repeated
-     * that way. */
+    /**
+     * Distances between cell centres along x, y, z (m); 0: cannot be repeated
+     * that way.
+     */
     dealii::Tensor<1, 3> period;
 
-    /** For a direction without period, the reason as a sentence to be shown to
-     * the user; may be empty. */
+    /**
+     * For a direction without period, the reason as a sentence to be shown to
+     * the user; may be empty.
+     */
     std::array<std::string, 3> why_no_period;
 
     /**
@@ -57,8 +61,10 @@ namespace auxfem
   public:
     virtual ~Cell() = default;
 
-    /** Builds the unit cell. The constructor has already refused impossible
-     * shapes. */
+    /**
+     * Builds the unit cell. The constructor has already refused impossible
+     * shapes.
+     */
     virtual UnitCell build() const = 0;
   };
 

@@ -11,8 +11,10 @@ namespace auxfem
   /** Lowest and highest coordinates of all joints at rest (m). */
   std::array<dealii::Point<3>, 2> bounding_box(const Lattice &lattice);
 
-  /** Whether @p text is a condition and no name or list: it compares, has
-   * brackets or a logical operator. */
+  /**
+   * Whether @p text is a condition and no name or list: it compares, has
+   * brackets or a logical operator.
+   */
   bool is_condition(const std::string &text);
 
   /**

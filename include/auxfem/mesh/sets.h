@@ -19,8 +19,10 @@ namespace auxfem
                                           const SceneContext &context,
                                           const std::string  &path);
 
-  /** As select_joints(), for struts; conditions are tested at the strut's
-   * middle. */
+  /**
+   * As select_joints(), for struts; conditions are tested at the strut's
+   * middle.
+   */
   std::vector<unsigned int> select_struts(const Lattice      &lattice,
                                           const std::string  &text,
                                           const SceneContext &context,

@@ -19,7 +19,10 @@ namespace auxfem
   class StrutMesh
   {
   public:
-    /** Where an active cell lies: on which strut, and between which fractions of its length. */
+    /**
+     * Where an active cell lies: on which strut, and between which fractions
+     * of its length.
+     */
     struct Place
     {
       unsigned int strut;
@@ -31,7 +34,9 @@ namespace auxfem
      * Makes 2^refinements cells for every strut of @p lattice and divides the
      * struts among the ranks of @p communicator.
      */
-    StrutMesh(const Lattice &lattice, unsigned int refinements, MPI_Comm communicator);
+    StrutMesh(const Lattice &lattice,
+              unsigned int   refinements,
+              MPI_Comm       communicator);
 
     const dealii::parallel::shared::Triangulation<1, 3> &triangulation() const;
 
@@ -47,7 +52,8 @@ namespace auxfem
    * Rank of every strut: METIS on the graph of struts that meet at a joint.
    * All zero for one rank.
    */
-  std::vector<unsigned int> partition_struts(const Lattice &lattice, unsigned int n_ranks);
+  std::vector<unsigned int> partition_struts(const Lattice &lattice,
+                                             unsigned int   n_ranks);
 } // namespace auxfem
 
 #endif

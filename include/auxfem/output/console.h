@@ -36,8 +36,10 @@ namespace auxfem
    */
   std::string format_progress(const Progress &progress);
 
-  /** A time such as `0:07`, `12:30`, `3:05:00` (minutes and seconds; from one
-   * hour on with hours). */
+  /**
+   * A time such as `0:07`, `12:30`, `3:05:00` (minutes and seconds; from one
+   * hour on with hours).
+   */
   std::string format_duration(double seconds);
 
   /** Characters a line of standard output holds; 0 if that is not a terminal.
@@ -94,7 +96,8 @@ namespace auxfem
     bool                    latest_in_log    = true;
     int                     twentieth        = -1;
     double                  last_rewrite     = 0;
-    std::size_t             line_length      = 0; ///< of the open progress line
+    /** Of the open progress line. */
+    std::size_t line_length = 0;
   };
 } // namespace auxfem
 

@@ -15,7 +15,8 @@ namespace auxfem
     Energies latest;
     double   balance         = 0; ///< the latest error of the balance
     double   largest_balance = 0; ///< the largest |balance|
-    double   largest_energy  = 0; ///< of mechanical, dissipated energy and work
+    /** Of mechanical, dissipated energy and work. */
+    double largest_energy = 0;
 
     /** Takes note of @p energies; the first ones are those the balance starts from. */
     void add(const Energies &energies);

@@ -17,8 +17,10 @@ namespace auxfem
     ///@{
     void add(const std::string &name, const std::string &value);
     void add(const std::string &name, const char *value);
-    /** As many digits as are needed to read the same number; null if not
-     * finite. */
+    /**
+     * As many digits as are needed to read the same number; null if not
+     * finite.
+     */
     void add(const std::string &name, double value);
     void add(const std::string &name, unsigned int value);
     void add(const std::string &name, unsigned long value);
@@ -26,8 +28,10 @@ namespace auxfem
     void add(const std::string &name, const JsonObject &value);
     ///@}
 
-    /** The object as text, members indented by two blanks, no line break at the
-     * end. */
+    /**
+     * The object as text, members indented by two blanks, no line break at the
+     * end.
+     */
     std::string text() const;
 
   private:

@@ -17,15 +17,15 @@ namespace auxfem
    * as soon as they are written; what was computed before a failure stays
    * readable.
    *
-   * Results of an earlier run in the same folder are removed first (files of
-   * these names only), so that what is there belongs together.
+   * Results of an earlier run in the same folder are removed in begin() (files
+   * of these names only), so that what is there belongs together.
    */
   class RunOutput
   {
   public:
     /**
-     * Makes the folder. Throws InputError if it cannot be written to. The wall
-     * time of the summary starts here.
+     * The wall time of the summary starts here; nothing is written before
+     * begin(), so that a scene found wrong during set-up costs no results.
      * @param scene must outlive the object.
      * @param communicator all ranks take part in every call.
      */
@@ -33,8 +33,9 @@ namespace auxfem
     ~RunOutput();
 
     /**
-     * Prints and logs counts and what is simulated and left out; starts the
-     * history. Throws InputError for a probe whose joints do not exist.
+     * Makes the folder, prints and logs counts and what is simulated and left
+     * out, starts the history. Throws InputError for a probe whose joints do
+     * not exist, and if the folder cannot be written to.
      */
     void begin(const System &system);
 

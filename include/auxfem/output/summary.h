@@ -34,7 +34,8 @@ namespace auxfem
   struct Resources
   {
     unsigned long largest_memory =
-      0;                            ///< peak of the rank that used most (bytes)
+      /** Peak of the rank that used most (bytes). */
+      0;
     unsigned long memory       = 0; ///< sum of the ranks' peaks (bytes)
     double        cpu_seconds  = 0; ///< over all ranks
     double        wall_seconds = 0; ///< of the slowest rank
@@ -58,18 +59,23 @@ namespace auxfem
     EnergyRecord energies;
     double       largest_rotation = 0; ///< rad
     double       time             = 0; ///< reached (s)
-    std::string  exit_state;           ///< `completed` or the reason it was not
+    /** `completed` or the reason it was not. */
+    std::string exit_state;
   };
 
-  /** Version, revision and build type of the program, e.g. `0.1.0 (1a2b3c4,
-   * Release)`. */
+  /**
+   * Version, revision and build type of the program, e.g. `0.1.0 (1a2b3c4,
+   * Release)`.
+   */
   std::string version_text();
 
   /** The text of summary.json, with the date of now. */
   std::string summary_json(const Scene &scene, const Summary &summary);
 
-  /** Counts, then the effects simulated and left out, each with its reason;
-   * lines without the last line break. */
+  /**
+   * Counts, then the effects simulated and left out, each with its reason;
+   * lines without the last line break.
+   */
   std::string overview_text(const Scene                       &scene,
                             const Counts                      &counts,
                             const std::vector<EffectDecision> &decisions);

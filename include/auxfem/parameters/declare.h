@@ -43,8 +43,10 @@ namespace auxfem
 
     bool contains(double value) const;
 
-    /** The range in words of mathematics, e.g. `> 0 and <= 90`; empty for
-     * any(). */
+    /**
+     * The range in words of mathematics, e.g. `> 0 and <= 90`; empty for
+     * any().
+     */
     std::string text() const;
   };
 

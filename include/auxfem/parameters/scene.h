@@ -13,13 +13,17 @@
 
 namespace auxfem
 {
-  /** `Sets/NAME`: the user's own set of joints or struts, resolved on the
-   * lattice. */
+  /**
+   * `Sets/NAME`: the user's own set of joints or struts, resolved on the
+   * lattice.
+   */
   struct SetDefinition
   {
     std::string name;
-    /** `joints: ...` or `struts: ...` as written; see mesh/sets.h for the
-     * grammar. */
+    /**
+     * `joints: ...` or `struts: ...` as written; see mesh/sets.h for the
+     * grammar.
+     */
     std::string selection;
     std::string path; ///< for messages
   };
@@ -62,13 +66,17 @@ namespace auxfem
     };
     std::string                         name;
     std::shared_ptr<const ConnectorLaw> law;
-    /** Pair set of the cell (`in-cell`, `rod`), or `3 5; 7 9`, or `ground:
-     * SET`. */
+    /**
+     * Pair set of the cell (`in-cell`, `rod`), or `3 5; 7 9`, or `ground:
+     * SET`.
+     */
     std::string          between;
     Geometry             geometry = Geometry::line;
     dealii::Tensor<1, 3> direction; ///< unit vector for Geometry::direction
-    /** For `ground: SET`: the ground point is the joint's place at rest plus
-     * this (m). */
+    /**
+     * For `ground: SET`: the ground point is the joint's place at rest plus
+     * this (m).
+     */
     dealii::Tensor<1, 3> ground_offset;
     std::string          path;
   };
@@ -78,8 +86,10 @@ namespace auxfem
   {
     std::string name;
     std::string joints; ///< joint set
-    /** Which of u_x, u_y, rotation are prescribed, and their course (m, m,
-     * rad). */
+    /**
+     * Which of u_x, u_y, rotation are prescribed, and their course (m, m,
+     * rad).
+     */
     std::array<bool, 3>         fixed = {{false, false, false}};
     std::array<TimeFunction, 3> motion;
     std::string                 path;
@@ -95,8 +105,10 @@ namespace auxfem
     std::string path;
   };
 
-  /** `Loads/NAME` of type `joint`: a dead force and moment on every joint of a
-   * set. */
+  /**
+   * `Loads/NAME` of type `joint`: a dead force and moment on every joint of a
+   * set.
+   */
   struct JointLoadDefinition
   {
     std::string                 name;
@@ -105,8 +117,10 @@ namespace auxfem
     std::string                 path;
   };
 
-  /** `Loads/NAME` of type `line`: a dead force per undeformed length on a set
-   * of struts. */
+  /**
+   * `Loads/NAME` of type `line`: a dead force per undeformed length on a set
+   * of struts.
+   */
   struct LineLoadDefinition
   {
     std::string                 name;
@@ -148,8 +162,10 @@ namespace auxfem
   /** `Time`: scheme and steps. */
   struct TimeParameters
   {
-    /** Name in the integrator table: `newmark`, `hht`, `generalized-alpha`,
-     * `static`. */
+    /**
+     * Name in the integrator table: `newmark`, `hht`, `generalized-alpha`,
+     * `static`.
+     */
     std::string scheme          = "newmark";
     double      beta            = 0.25;
     double      gamma           = 0.5;
@@ -158,8 +174,9 @@ namespace auxfem
     double      end_time        = 1;     ///< s (pseudo time for statics)
     double      step            = 0.01;  ///< s
     double      smallest_step   = 0;     ///< s; 0: step / 1024
-    double      energy_error    = 0.5; ///< energy a step may create, of the largest so far
-    bool        static_start =
+    /** Energy a step may create, of the largest so far. */
+    double energy_error = 0.5;
+    bool   static_start =
       false; ///< start from the static equilibrium under the loads of t = 0
   };
 
@@ -183,8 +200,9 @@ namespace auxfem
   /** `Discretization`. */
   struct DiscretizationParameters
   {
-    unsigned int order       = 3; ///< polynomial order 1..6
-    unsigned int refinements = 0; ///< global refinements: 2^n elements a strut
+    unsigned int order = 3; ///< polynomial order 1..6
+    /** Global refinements: 2^n elements a strut. */
+    unsigned int refinements = 0;
   };
 
   /** `Probes/NAME`: a set of joints whose mean motion goes to history.csv. */
@@ -251,8 +269,10 @@ namespace auxfem
                              const std::string              &name,
                              const std::vector<std::string> &overrides = {});
 
-  /** Every parameter with default, unit, range and sentence, as shown by
-   * --print-parameters. */
+  /**
+   * Every parameter with default, unit, range and sentence, as shown by
+   * --print-parameters.
+   */
   std::string describe_all_parameters();
 
   /** The same as the Markdown page doc/parameters.md. */

@@ -23,8 +23,10 @@ namespace auxfem
     std::function<void(dealii::ParameterHandler &)> declare;
   };
 
-  /** One top-level subsection of the parameter file: what it may hold, what it
-   * means. */
+  /**
+   * One top-level subsection of the parameter file: what it may hold, what it
+   * means.
+   */
   struct SubsectionKind
   {
     enum class Form

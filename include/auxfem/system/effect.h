@@ -6,7 +6,10 @@
 
 namespace auxfem
 {
-  /** What an integrator wants of the tangent: stiffness * K + damping * C + mass * M. */
+  /**
+   * What an integrator wants of the tangent: stiffness * K + damping * C +
+   * mass * M.
+   */
   struct TangentFactors
   {
     double stiffness = 1;
@@ -19,7 +22,11 @@ namespace auxfem
   {
     const State &from;
     State       &to;
-    double       dt; ///< s; infinity in a search for static equilibrium, 0 for forces at rest in time
+    /**
+     * S; infinity in a search for static equilibrium, 0 for forces at rest in
+     * time.
+     */
+    double dt;
   };
 
   /**
@@ -39,7 +46,10 @@ namespace auxfem
     virtual void register_blocks(TangentMatrix & /*matrix*/)
     {}
 
-    /** Called once when a step to time step.to.time is begun, before any evaluation. */
+    /**
+     * Called once when a step to time step.to.time is begun, before any
+     * evaluation.
+     */
     virtual void begin_step(const Step & /*step*/)
     {}
 
@@ -53,15 +63,16 @@ namespace auxfem
     {}
 
     /**
-     * Called when the step is solved: writes history, dissipated energy and work of
-     * step.to from those of step.from. The step may still be undone, so nothing
-     * of it may be kept in the effect itself.
+     * Called when the step is solved: writes history, dissipated energy and
+     * work of step.to from those of step.from. The step may still be undone, so
+     * nothing of it may be kept in the effect itself.
      */
     virtual void accept(const Step & /*step*/)
     {}
 
     /** Adds this rank's energies of @p state, the state last given to add_residual(). */
-    virtual void add_energies(const State & /*state*/, Energies & /*energies*/) const
+    virtual void add_energies(const State & /*state*/,
+                              Energies & /*energies*/) const
     {}
 
     /**

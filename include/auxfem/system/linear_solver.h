@@ -20,7 +20,10 @@ namespace auxfem
   class LinearSolver
   {
   public:
-    /** `auto`: KLU on one rank, MUMPS on several where Trilinos has it, else KLU. */
+    /**
+     * `auto`: KLU on one rank, MUMPS on several where Trilinos has it, else
+     * KLU.
+     */
     LinearSolver(const SolverParameters &parameters,
                  TangentMatrix          &matrix,
                  const DofNumbering     &numbering);
@@ -31,7 +34,10 @@ namespace auxfem
      */
     bool factorize();
 
-    /** Solves A x = b for the values set in right_side(); returns x on the owned rows. */
+    /**
+     * Solves A x = b for the values set in right_side(); returns x on the
+     * owned rows.
+     */
     const Epetra_Vector &solve();
 
     /** Owned rows of the right-hand side, to be filled before solve(). */

@@ -28,8 +28,8 @@ namespace auxfem
 
   /**
    * Velocities at t = 0 by local unknown. A set moves as a rigid body: its
-   * velocity plus the angular velocity about the mean of its joints; nodes inside a
-   * strut move along if both ends belong to the set.
+   * velocity plus the angular velocity about the mean of its joints; nodes
+   * inside a strut move along if both ends belong to the set.
    */
   std::vector<std::pair<int, double>>
   initial_velocities(const Scene        &scene,

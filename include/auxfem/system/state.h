@@ -9,17 +9,23 @@
 
 namespace auxfem
 {
-  /** Values at all local unknowns (owned, then ghosts); ghosts are always up to date. */
+  /**
+   * Values at all local unknowns (owned, then ghosts); ghosts are always up to
+   * date.
+   */
   using Vector = Epetra_Vector;
 
   /** Which parts of the state a scene needs. */
   struct StateLayout
   {
-    bool         velocity               = false; ///< dynamics, or viscosity in statics
-    bool         acceleration           = false; ///< dynamics
-    bool         algorithmic_acceleration = false; ///< alpha methods other than Newmark
-    unsigned int n_history              = 0;     ///< internal variables of connectors
-    unsigned int n_dissipated           = 0;     ///< viscous connectors
+    /** Dynamics, or viscosity in statics. */
+    bool velocity     = false;
+    bool acceleration = false; ///< dynamics
+    /** Alpha methods other than Newmark. */
+    bool algorithmic_acceleration = false;
+    /** Internal variables of connectors. */
+    unsigned int n_history    = 0;
+    unsigned int n_dissipated = 0; ///< viscous connectors
   };
 
   /** Energies at one time (J). */
@@ -29,7 +35,8 @@ namespace auxfem
     double strain     = 0; ///< in the struts (and rotational springs)
     double stored     = 0; ///< in the springs of connectors
     double dissipated = 0; ///< in connectors and struts, since the start
-    double external   = 0; ///< work of loads and prescribed motion since the start
+    /** Work of loads and prescribed motion since the start. */
+    double external = 0;
 
     double total() const
     {
@@ -62,24 +69,34 @@ namespace auxfem
     std::optional<Vector> velocity;     ///< m/s, m/s, rad/s
     std::optional<Vector> acceleration; ///< satisfies equilibrium at `time`
 
-    /** The auxiliary acceleration of Arnold & Bruels 2007; only in alpha methods with a shift. */
+    /**
+     * The auxiliary acceleration of Arnold & Bruels 2007; only in alpha
+     * methods with a shift.
+     */
     std::optional<Vector> algorithmic_acceleration;
 
     /**
      * Internal + inertia - applied force. Zero to the Newton tolerance in free
-     * rows; in prescribed rows the force of the support on the lattice (N, N m).
+     * rows; in prescribed rows the force of the support on the lattice (N, N
+     * m).
      */
     Vector residual;
 
-    /** Internal variables of connectors, group after group (see ConnectorForces). */
+    /**
+     * Internal variables of connectors, group after group (see
+     * ConnectorForces).
+     */
     std::vector<double> history;
 
     /** Energy lost so far in each viscous connector (J). */
     std::vector<double> dissipated;
 
-    double external_work     = 0; ///< by loads and prescribed motion so far, this rank's share (J)
-    double strut_dissipation = 0; ///< lost in the struts' own damping so far, this rank's share (J)
-    double strut_damping_power = 0; ///< being lost there now, this rank's share (W)
+    /** By loads and prescribed motion so far, this rank's share (J). */
+    double external_work = 0;
+    /** Lost in the struts' own damping so far, this rank's share (J). */
+    double strut_dissipation = 0;
+    /** Being lost there now, this rank's share (W). */
+    double strut_damping_power = 0;
 
     /** Energies of the whole lattice, known for accepted states. */
     Energies energies;

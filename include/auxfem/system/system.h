@@ -34,8 +34,8 @@ namespace auxfem
 
   /**
    * The lattice as a system of equations: the list of effects the scene calls
-   * for, the supports, and the two questions an integrator may ask: the residual
-   * and the tangent at a trial state.
+   * for, the supports, and the two questions an integrator may ask: the
+   * residual and the tangent at a trial state.
    */
   class System
   {
@@ -51,7 +51,7 @@ namespace auxfem
     const DofNumbering &numbering() const;
     const StateLayout  &layout() const;
     /** nullptr if the scene has no struts. */
-    const StrutForces  *struts() const;
+    const StrutForces *struts() const;
 
     const std::vector<const ConnectorForces *> &connectors() const;
     const std::vector<Support>                 &supports() const;
@@ -64,7 +64,10 @@ namespace auxfem
     /** Whether one tangent serves all states (for a constant step). */
     bool is_linear() const;
 
-    /** Lets states carry the second acceleration of alpha methods other than Newmark. */
+    /**
+     * Lets states carry the second acceleration of alpha methods other than
+     * Newmark.
+     */
     void use_algorithmic_acceleration();
 
     /** The state at t = 0: at rest or with the scene's initial velocities. */
@@ -76,7 +79,10 @@ namespace auxfem
     /** Sets the loads' and connectors' data for a step. */
     void begin_step(const Step &step);
 
-    /** Displacement, and in dynamics velocity and acceleration, of prescribed unknowns at state.time. */
+    /**
+     * Displacement, and in dynamics velocity and acceleration, of prescribed
+     * unknowns at state.time.
+     */
     void prescribe_motion(State &state, double dt) const;
 
     /** Prescribed displacement minus the trial's, for all prescribed unknowns of this rank, into @p gap (n_owned entries). */
@@ -86,8 +92,9 @@ namespace auxfem
     ResidualNorm residual(const Step &step);
 
     /**
-     * Force size against which the last residual is judged (N): norm of internal
-     * forces (prescribed rows included), moments divided by length_scale().
+     * Force size against which the last residual is judged (N): norm of
+     * internal forces (prescribed rows included), moments divided by
+     * length_scale().
      */
     double force_scale() const;
 
@@ -98,7 +105,9 @@ namespace auxfem
     double round_off_floor(const State &state) const;
 
     /** Fills @p matrix with the tangent at step.to. */
-    void tangent(const Step &step, const TangentFactors &factors, TangentMatrix &matrix) const;
+    void tangent(const Step           &step,
+                 const TangentFactors &factors,
+                 TangentMatrix        &matrix) const;
 
     /**
      * Completes step.to, the state last given to residual(), with history, work
@@ -120,21 +129,25 @@ namespace auxfem
     void make_supports(const Scene &scene);
     void make_effects(const Scene &scene);
 
-    const Lattice                         &graph;
-    SimulatedEffects                       simulated;
-    std::unique_ptr<StrutMesh>             mesh;
-    std::unique_ptr<DofNumbering>          dofs;
-    std::vector<std::unique_ptr<Effect>>   effects;
-    /** The first n_internal effects are internal forces: their sum is the force scale. */
-    unsigned int                           n_internal = 0;
-    std::vector<const ConnectorForces *>   connector_groups;
-    const StrutForces                     *strut_forces = nullptr;
-    std::vector<Support>                   support_list;
-    std::vector<Section>                   section_list;
-    StateLayout                            state_layout;
-    std::vector<std::pair<int, double>>    initial_velocities; ///< local unknown, value
-    double                                 mean_length = 1;
-    double                                 scale       = 0;
+    const Lattice                       &graph;
+    SimulatedEffects                     simulated;
+    std::unique_ptr<StrutMesh>           mesh;
+    std::unique_ptr<DofNumbering>        dofs;
+    std::vector<std::unique_ptr<Effect>> effects;
+    /**
+     * The first n_internal effects are internal forces: their sum is the force
+     * scale.
+     */
+    unsigned int                         n_internal = 0;
+    std::vector<const ConnectorForces *> connector_groups;
+    const StrutForces                   *strut_forces = nullptr;
+    std::vector<Support>                 support_list;
+    std::vector<Section>                 section_list;
+    StateLayout                          state_layout;
+    /** Local unknown, value. */
+    std::vector<std::pair<int, double>> initial_velocities;
+    double                              mean_length = 1;
+    double                              scale       = 0;
   };
 } // namespace auxfem
 

@@ -35,7 +35,8 @@ namespace auxfem
     /** Adds the row-major block @p values to the entries of block @p block. */
     void add(std::size_t block, const double *values)
     {
-      const std::size_t begin = block_begin[block], end = block_begin[block + 1];
+      const std::size_t begin = block_begin[block],
+                        end   = block_begin[block + 1];
       for (std::size_t i = begin; i < end; ++i)
         if (positions[i] >= 0)
           entries[positions[i]] += values[i - begin];
@@ -58,11 +59,14 @@ namespace auxfem
     std::vector<std::size_t> unknowns_begin;
 
     std::vector<std::size_t> block_begin;
-    /** Index into `entries` for each block entry; -1: row of another rank or prescribed. */
+    /**
+     * Index into `entries` for each block entry; -1: row of another rank or
+     * prescribed.
+     */
     std::vector<int> positions;
 
     std::unique_ptr<Epetra_CrsMatrix> crs;
-    double                           *entries = nullptr;
+    double                           *entries   = nullptr;
     int                               n_entries = 0;
     std::vector<int>                  identity_positions;
   };

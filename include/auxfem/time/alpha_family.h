@@ -6,13 +6,13 @@
 namespace auxfem
 {
   /**
-   * Newmark, Hilber-Hughes-Taylor and generalized-alpha as one scheme, in the form
-   * of Arnold & Bruels (2007): equilibrium holds at the end of the step with the true
-   * acceleration v', while displacement and velocity follow Newmark's formulas
-   * with an auxiliary acceleration a,
+   * Newmark, Hilber-Hughes-Taylor and generalized-alpha as one scheme, in the
+   * form of Arnold & Bruels (2007): equilibrium holds at the end of the step
+   * with the true acceleration v', while displacement and velocity follow
+   * Newmark's formulas with an auxiliary acceleration a,
    *
-   *     (1 - alpha_m) a_{n+1} + alpha_m a_n = (1 - alpha_f) v'_{n+1} + alpha_f v'_n
-   *     u_{n+1} = u_n + dt v_n + dt^2 [(1/2 - beta) a_n + beta a_{n+1}]
+   *     (1 - alpha_m) a_{n+1} + alpha_m a_n = (1 - alpha_f) v'_{n+1} + alpha_f
+   * v'_n u_{n+1} = u_n + dt v_n + dt^2 [(1/2 - beta) a_n + beta a_{n+1}]
    *     v_{n+1} = v_n + dt [(1 - gamma) a_n + gamma a_{n+1}]
    *
    * For linear systems this is the method of Chung & Hulbert (1993). With
@@ -35,12 +35,14 @@ namespace auxfem
     /** Hilber, Hughes & Taylor (1977), @p alpha in [-1/3, 0]. */
     static Coefficients hht(double alpha);
 
-    /** Chung & Hulbert (1993) from the spectral radius at infinity, in [0, 1]. */
+    /** Chung & Hulbert (1993) from the spectral radius at infinity, in [0, 1].
+     */
     static Coefficients generalized_alpha(double spectral_radius);
 
     void           predict(const Step &step) const override;
     TangentFactors factors(double dt) const override;
-    void correct(const Vector &increment, double dt, State &trial) const override;
+    void
+    correct(const Vector &increment, double dt, State &trial) const override;
     bool uses_algorithmic_acceleration() const override;
 
   private:

@@ -9,12 +9,14 @@
 namespace auxfem
 {
   /**
-   * Newton's method for one step, with the factorization kept as long as it serves.
+   * Newton's method for one step, with the factorization kept as long as it
+   * serves.
    *
-   * A step is solved when the free force rows are below tolerance * F + floor and
-   * the moment rows below (tolerance * F + floor) * l: F the largest internal
-   * force of this iterate and of all accepted steps, l the mean strut length, floor the round-off
-   * of the residual itself, below which no iteration can go.
+   * A step is solved when the free force rows are below tolerance * F + floor
+   * and the moment rows below (tolerance * F + floor) * l: F the largest
+   * internal force of this iterate and of all accepted steps, l the mean strut
+   * length, floor the round-off of the residual itself, below which no
+   * iteration can go.
    */
   class Newton
   {
@@ -47,17 +49,17 @@ namespace auxfem
     /** Forgets the factorization (the state jumped). */
     void drop_factorization();
 
-    const PhaseTimes   &times() const;
-    LinearSolver       &solver();
-    TangentMatrix      &tangent();
+    const PhaseTimes &times() const;
+    LinearSolver     &solver();
+    TangentMatrix    &tangent();
 
   private:
     ResidualNorm timed_residual(const Step &step);
     bool         factorize(const TimeIntegrator &integrator, const Step &step);
     void         solve_increment(const State &trial);
     /** Largest |rotation| in the increment over all ranks (rad). */
-    double       largest_turn() const;
-    double       in_force_units(const ResidualNorm &norm) const;
+    double largest_turn() const;
+    double in_force_units(const ResidualNorm &norm) const;
 
     System                        &system;
     NewtonParameters               parameters;
@@ -66,8 +68,9 @@ namespace auxfem
     Vector                         increment;
     PhaseTimes                     phase_times;
     /** Of all accepted steps (N). */
-    double                         largest_force = 0;
-    /** Step length the kept factorization belongs to; negative: none is kept. */
+    double largest_force = 0;
+    /** Step length the kept factorization belongs to; negative: none is kept.
+     */
     double factorized_dt = -1;
   };
 } // namespace auxfem

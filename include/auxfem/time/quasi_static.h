@@ -15,7 +15,8 @@ namespace auxfem
   public:
     void           predict(const Step &step) const override;
     TangentFactors factors(double dt) const override;
-    void correct(const Vector &increment, double dt, State &trial) const override;
+    void
+    correct(const Vector &increment, double dt, State &trial) const override;
     bool is_dynamic() const override;
   };
 } // namespace auxfem

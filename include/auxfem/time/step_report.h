@@ -8,10 +8,12 @@ namespace auxfem
   {
     unsigned int iterations     = 0; ///< Newton iterations, retries included
     unsigned int factorizations = 0;
-    unsigned int substeps       = 1; ///< accepted parts the step was divided into
-    unsigned int retries        = 0; ///< attempts that were undone
-    double       relative_residual = 0; ///< of the last iteration, in units of the force scale
-    double       dt = 0; ///< length of the smallest accepted part (s)
+    /** Accepted parts the step was divided into. */
+    unsigned int substeps = 1;
+    unsigned int retries  = 0; ///< attempts that were undone
+    /** Of the last iteration, in units of the force scale. */
+    double relative_residual = 0;
+    double dt                = 0; ///< length of the smallest accepted part (s)
   };
 
   /** Wall seconds by phase since the start of the run. */

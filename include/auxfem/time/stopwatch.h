@@ -16,10 +16,12 @@ namespace auxfem
 
     ~Stopwatch()
     {
-      sum += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+      sum +=
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
+          .count();
     }
 
-    Stopwatch(const Stopwatch &) = delete;
+    Stopwatch(const Stopwatch &)            = delete;
     Stopwatch &operator=(const Stopwatch &) = delete;
 
   private:

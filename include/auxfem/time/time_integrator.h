@@ -9,9 +9,10 @@
 namespace auxfem
 {
   /**
-   * A rule that ties displacement, velocity and acceleration at the end of a step
-   * to those at its start and one unknown increment. It knows nothing of elements:
-   * it predicts, says how the increment enters the tangent, and corrects.
+   * A rule that ties displacement, velocity and acceleration at the end of a
+   * step to those at its start and one unknown increment. It knows nothing of
+   * elements: it predicts, says how the increment enters the tangent, and
+   * corrects.
    */
   class TimeIntegrator
   {
@@ -21,11 +22,15 @@ namespace auxfem
     /** Fills step.to (all but time and residual) with a first guess. */
     virtual void predict(const Step &step) const = 0;
 
-    /** How an increment of displacement changes displacement, velocity and acceleration. */
+    /**
+     * How an increment of displacement changes displacement, velocity and
+     * acceleration.
+     */
     virtual TangentFactors factors(double dt) const = 0;
 
     /** Adds the increment (values at all local unknowns) to the trial state. */
-    virtual void correct(const Vector &increment, double dt, State &trial) const = 0;
+    virtual void
+    correct(const Vector &increment, double dt, State &trial) const = 0;
 
     /** Whether motion and time are related by inertia at all. */
     virtual bool is_dynamic() const
@@ -52,7 +57,8 @@ namespace auxfem
   const std::vector<TimeSchemeEntry> &time_scheme_registry();
 
   /** The integrator named parameters.scheme. */
-  std::unique_ptr<TimeIntegrator> make_integrator(const TimeParameters &parameters);
+  std::unique_ptr<TimeIntegrator>
+  make_integrator(const TimeParameters &parameters);
 } // namespace auxfem
 
 #endif

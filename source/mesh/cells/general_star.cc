@@ -68,8 +68,10 @@ namespace auxfem
         declare(prm, *quantity);
     }
 
-    /** Refuses a notch that reaches the middle: @p symbols is the inequality
-     * extent > depth in formula signs, @p explanation what the depth means. */
+    /**
+     * Refuses a notch that reaches the middle: @p symbols is the inequality
+     * extent > depth in formula signs, @p explanation what the depth means.
+     */
     void check_notch(const Quantity     &extent_entry,
                      const double        extent,
                      const Quantity     &depth_entry,

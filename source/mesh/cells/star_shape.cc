@@ -40,8 +40,10 @@ namespace auxfem
       StarShape shape;
     };
 
-    /** Joints, and in ports the one through which each side meets its
-     * neighbour. */
+    /**
+     * Joints, and in ports the one through which each side meets its
+     * neighbour.
+     */
     void add_joints(UnitCell &cell, const StarShape &shape)
     {
       const double w = shape.half_width;

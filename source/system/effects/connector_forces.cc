@@ -32,17 +32,17 @@ namespace auxfem
         for (unsigned int i = 0; i < 4; ++i)
           {
             const unsigned int joint = i < 2 ? pair.first : pair.second;
-            ends.unknowns[i]         = joint == invalid_index ?
-                                         -1 :
-                                         numbering.joint_unknown(joint, i % 2);
+            ends.unknowns[i]         = joint == invalid_index
+                      ? -1
+                      : numbering.joint_unknown(joint, i % 2);
             is_touched = is_touched || numbering.is_owned(ends.unknowns[i]);
           }
         ends.counted = numbering.is_owned(ends.unknowns[0]);
         if (!is_touched)
           continue;
-        ends.span        = pair.second == invalid_index ?
-                             ground_offset :
-                             lattice.joints[pair.second] - lattice.joints[pair.first];
+        ends.span        = pair.second == invalid_index
+                 ? ground_offset
+                 : lattice.joints[pair.second] - lattice.joints[pair.first];
         ends.rest_length = ends.span.norm();
         if (ends.rest_length == 0 &&
             definition.geometry == ConnectorDefinition::Geometry::line)
@@ -92,34 +92,36 @@ namespace auxfem
     const double *v = state.velocity ? state.velocity->Values() : nullptr;
     for (unsigned int i = 0; i < connectors.size(); ++i)
       {
-        const Ends &ends       = connectors[i];
-        const auto  difference = [&ends](const double *x, const unsigned int c) {
+        const Ends &ends      = connectors[i];
+        const auto difference = [&ends](const double *x, const unsigned int c) {
           return (ends.unknowns[2 + c] >= 0 ? x[ends.unknowns[2 + c]] : 0.) -
-                 (ends.unknowns[c] >= 0 ? x[ends.unknowns[c]] : 0.);
+            (ends.unknowns[c] >= 0 ? x[ends.unknowns[c]] : 0.);
         };
         const double du[2] = {difference(u, 0), difference(u, 1)};
         if (follows_line)
           {
             const double x = ends.span[0] + du[0], y = ends.span[1] + du[1];
             current_length[i] = std::sqrt(x * x + y * y);
-            direction[i]      = {{x / current_length[i], y / current_length[i]}};
-            // L^2 - L0^2 = du.(2 span + du): no difference of nearly equal lengths.
+            direction[i] = {{x / current_length[i], y / current_length[i]}};
+            // L^2 - L0^2 = du.(2 span + du): no difference of nearly equal
+            // lengths.
             motion[i].extension = (du[0] * (2 * ends.span[0] + du[0]) +
                                    du[1] * (2 * ends.span[1] + du[1])) /
-                                  (current_length[i] + ends.rest_length);
+              (current_length[i] + ends.rest_length);
           }
         else
           {
-            const dealii::Tensor<1, 3> along =
-              fixed_direction.norm() > 0 ? fixed_direction : ends.span / ends.rest_length;
-            direction[i]        = {{along[0], along[1]}};
+            const dealii::Tensor<1, 3> along = fixed_direction.norm() > 0
+              ? fixed_direction
+              : ends.span / ends.rest_length;
+            direction[i]                     = {{along[0], along[1]}};
             motion[i].extension = along[0] * du[0] + along[1] * du[1];
           }
         if (v != nullptr)
           velocity_difference[i] = {{difference(v, 0), difference(v, 1)}};
         motion[i].rate = direction[i][0] * velocity_difference[i][0] +
-                         direction[i][1] * velocity_difference[i][1];
-        motion[i].dt   = dt;
+          direction[i][1] * velocity_difference[i][1];
+        motion[i].dt = dt;
       }
   }
 
@@ -157,9 +159,9 @@ namespace auxfem
       return;
     for (unsigned int i = 0; i < connectors.size(); ++i)
       {
-        const auto  &n = direction[i];
+        const auto  &n     = direction[i];
         const double along = factors.stiffness * response[i].stiffness +
-                             factors.damping * response[i].damping;
+          factors.damping * response[i].damping;
         // D: derivative of the force on the second end by the relative motion.
         double D[2][2];
         for (unsigned int a = 0; a < 2; ++a)
@@ -176,7 +178,8 @@ namespace auxfem
                   D[a][b] += turning * response[i].force * across;
                   const double rate_by_position =
                     velocity_difference[i][b] - motion[i].rate * n[b];
-                  D[a][b] += turning * response[i].damping * n[a] * rate_by_position;
+                  D[a][b] +=
+                    turning * response[i].damping * n[a] * rate_by_position;
                 }
           }
         double block[16];
@@ -194,7 +197,9 @@ namespace auxfem
       {
         const unsigned int    at = first_history + i * n_history;
         const ConnectorEnergy energy =
-          law->energy(motion[i], step.from.history.data() + at, step.to.history.data() + at);
+          law->energy(motion[i],
+                      step.from.history.data() + at,
+                      step.to.history.data() + at);
         stored[i] = energy.stored;
         if (law->is_viscous())
           step.to.dissipated[first_dissipated + i] =
@@ -202,7 +207,8 @@ namespace auxfem
       }
   }
 
-  void ConnectorForces::add_energies(const State &state, Energies &energies) const
+  void ConnectorForces::add_energies(const State &state,
+                                     Energies    &energies) const
   {
     for (const unsigned int i : counted)
       {
@@ -212,8 +218,9 @@ namespace auxfem
       }
   }
 
-  double ConnectorForces::round_off_scale(const double largest_displacement,
-                                          const double /*largest_rotation*/) const
+  double
+  ConnectorForces::round_off_scale(const double largest_displacement,
+                                   const double /*largest_rotation*/) const
   {
     double stiffest = 0;
     for (const ConnectorResponse &r : response)
@@ -236,7 +243,8 @@ namespace auxfem
     return counted.size();
   }
 
-  ConnectorReport ConnectorForces::report(const unsigned int i, const State &state) const
+  ConnectorReport ConnectorForces::report(const unsigned int i,
+                                          const State       &state) const
   {
     const unsigned int c    = counted[i];
     const Ends        &ends = connectors[c];
@@ -245,11 +253,13 @@ namespace auxfem
     report.ends[1] = report.ends[0] + ends.span;
     for (unsigned int k = 0; k < 4; ++k)
       if (ends.unknowns[k] >= 0)
-        report.displacements[k / 2][k % 2] = state.displacement[ends.unknowns[k]];
-    report.force      = response[c].force;
-    report.extension  = motion[c].extension;
-    report.dissipated = law->is_viscous() ? state.dissipated[first_dissipated + c] : 0.;
-    report.cell       = ends.cell;
+        report.displacements[k / 2][k % 2] =
+          state.displacement[ends.unknowns[k]];
+    report.force     = response[c].force;
+    report.extension = motion[c].extension;
+    report.dissipated =
+      law->is_viscous() ? state.dissipated[first_dissipated + c] : 0.;
+    report.cell = ends.cell;
     return report;
   }
 } // namespace auxfem

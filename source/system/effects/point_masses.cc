@@ -2,8 +2,7 @@
 
 namespace auxfem
 {
-  PointMasses::PointMasses(const DofNumbering &numbering)
-    : numbering(numbering)
+  PointMasses::PointMasses(const DofNumbering &numbering) : numbering(numbering)
   {}
 
   void PointMasses::add(const unsigned int unknown, const double mass)

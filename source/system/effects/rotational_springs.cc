@@ -54,7 +54,8 @@ namespace auxfem
       }
   }
 
-  void RotationalSprings::add_energies(const State &state, Energies &energies) const
+  void RotationalSprings::add_energies(const State &state,
+                                       Energies    &energies) const
   {
     const double *u = state.displacement.Values();
     for (const Spring &spring : springs)
@@ -65,8 +66,9 @@ namespace auxfem
         }
   }
 
-  double RotationalSprings::round_off_scale(const double /*largest_displacement*/,
-                                            const double largest_rotation) const
+  double
+  RotationalSprings::round_off_scale(const double /*largest_displacement*/,
+                                     const double largest_rotation) const
   {
     double stiffest = 0;
     for (const Spring &spring : springs)

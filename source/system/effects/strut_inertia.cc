@@ -7,8 +7,8 @@ namespace auxfem
   namespace
   {
     /**
-     * Consistent mass M of the struts, translational rho A and rotary rho I, and
-     * with damping the force alpha M v. Constant in the plane.
+     * Consistent mass M of the struts, translational rho A and rotary rho I,
+     * and with damping the force alpha M v. Constant in the plane.
      */
     template <int order, bool damped>
     class StrutInertia : public Effect
@@ -22,13 +22,14 @@ namespace auxfem
       {
         for (const DofNumbering::Element &element : numbering.elements())
           {
-            const Strut   &strut   = lattice.struts[element.place.strut];
-            const Section &section = sections[strut.section];
-            const double   jacobian =
-              lattice.length(strut) * (element.place.end - element.place.begin) / 2;
+            const Strut   &strut    = lattice.struts[element.place.strut];
+            const Section &section  = sections[strut.section];
+            const double   jacobian = lattice.length(strut) *
+              (element.place.end - element.place.begin) / 2;
             elements.push_back(
               {section.mass_per_length() * jacobian,
-               rotary_inertia ? section.rotary_inertia_per_length() * jacobian : 0.,
+               rotary_inertia ? section.rotary_inertia_per_length() * jacobian
+                              : 0.,
                section.mass_proportional_damping,
                numbering.is_owned(element)});
           }
@@ -59,8 +60,9 @@ namespace auxfem
           {
             const int *unknowns = numbering.element_unknowns(e);
             for (int i = 0; i < n; ++i)
-              local[i] = damped ? a[unknowns[i]] + elements[e].damping * v[unknowns[i]] :
-                                  a[unknowns[i]];
+              local[i] = damped
+                ? a[unknowns[i]] + elements[e].damping * v[unknowns[i]]
+                : a[unknowns[i]];
             for (int i = 0; i <= order; ++i)
               {
                 double sum[3] = {0, 0, 0};
@@ -81,15 +83,15 @@ namespace auxfem
         double block[n * n] = {};
         for (unsigned int e = 0; e < elements.size(); ++e)
           {
-            const double factor =
-              factors.mass + (damped ? elements[e].damping * factors.damping : 0.);
+            const double factor = factors.mass +
+              (damped ? elements[e].damping * factors.damping : 0.);
             if (factor == 0)
               continue;
             for (int i = 0; i <= order; ++i)
               for (int j = 0; j <= order; ++j)
                 for (int c = 0; c < 3; ++c)
-                  block[(3 * i + c) * n + 3 * j + c] =
-                    factor * shape.mass[i][j] *
+                  block[(3 * i + c) * n + 3 * j + c] = factor *
+                    shape.mass[i][j] *
                     (c < 2 ? elements[e].mass : elements[e].rotary);
             matrix.add(first_block + e, block);
           }
@@ -104,7 +106,8 @@ namespace auxfem
 
       void add_energies(const State &state, Energies &energies) const override
       {
-        energies.kinetic += sum_v_M_v(state, [](const Element &) { return 0.5; });
+        energies.kinetic +=
+          sum_v_M_v(state, [](const Element &) { return 0.5; });
       }
 
     private:
@@ -126,7 +129,7 @@ namespace auxfem
         for (unsigned int e = 0; e < elements.size(); ++e)
           if (elements[e].counted)
             {
-              const int *unknowns  = numbering.element_unknowns(e);
+              const int *unknowns = numbering.element_unknowns(e);
               double     linear = 0, rotary = 0;
               for (int i = 0; i <= order; ++i)
                 {
@@ -135,11 +138,11 @@ namespace auxfem
                     for (int c = 0; c < 3; ++c)
                       weighted[c] += shape.mass[i][j] * v[unknowns[3 * j + c]];
                   linear += v[unknowns[3 * i]] * weighted[0] +
-                            v[unknowns[3 * i + 1]] * weighted[1];
+                    v[unknowns[3 * i + 1]] * weighted[1];
                   rotary += v[unknowns[3 * i + 2]] * weighted[2];
                 }
               sum += weight(elements[e]) *
-                     (elements[e].mass * linear + elements[e].rotary * rotary);
+                (elements[e].mass * linear + elements[e].rotary * rotary);
             }
         return sum;
       }
@@ -151,16 +154,25 @@ namespace auxfem
     };
   } // namespace
 
-  std::unique_ptr<Effect> make_strut_inertia(const Lattice              &lattice,
-                                             const DofNumbering         &numbering,
-                                             const std::vector<Section> &sections,
-                                             const bool                  rotary_inertia,
-                                             const bool                  damping)
+  std::unique_ptr<Effect>
+  make_strut_inertia(const Lattice              &lattice,
+                     const DofNumbering         &numbering,
+                     const std::vector<Section> &sections,
+                     const bool                  rotary_inertia,
+                     const bool                  damping)
   {
-    return dispatch_order(numbering.order(), [&](auto order) -> std::unique_ptr<Effect> {
-      if (damping)
-        return std::make_unique<StrutInertia<order, true>>(lattice, numbering, sections, rotary_inertia);
-      return std::make_unique<StrutInertia<order, false>>(lattice, numbering, sections, rotary_inertia);
-    });
+    return dispatch_order(
+      numbering.order(),
+      [&](auto order) -> std::unique_ptr<Effect> {
+        if (damping)
+          return std::make_unique<StrutInertia<order, true>>(lattice,
+                                                             numbering,
+                                                             sections,
+                                                             rotary_inertia);
+        return std::make_unique<StrutInertia<order, false>>(lattice,
+                                                            numbering,
+                                                            sections,
+                                                            rotary_inertia);
+      });
   }
 } // namespace auxfem

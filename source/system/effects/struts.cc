@@ -33,9 +33,9 @@ namespace auxfem
         for (unsigned int e = 0; e < n_elements; ++e)
           {
             const DofNumbering::Element &element = numbering.elements()[e];
-            const Strut                 &strut   = lattice.struts[element.place.strut];
-            const Section               &section = sections[strut.section];
-            const double                 length  = lattice.length(strut);
+            const Strut   &strut   = lattice.struts[element.place.strut];
+            const Section &section = sections[strut.section];
+            const double   length  = lattice.length(strut);
 
             Element data;
             data.jacobian =
@@ -54,11 +54,13 @@ namespace auxfem
               std::max({largest_stiffness_per_length,
                         data.stiffness.axial / data.jacobian,
                         data.stiffness.shear / data.jacobian});
-            largest_stiffness = std::max({largest_stiffness,
-                                          data.stiffness.axial,
-                                          data.stiffness.shear});
+            largest_stiffness = std::max(
+              {largest_stiffness, data.stiffness.axial, data.stiffness.shear});
             elements.push_back(data);
-            set_frames(element.place, strut, data.jacobian, &frames[std::size_t(e) * order]);
+            set_frames(element.place,
+                       strut,
+                       data.jacobian,
+                       &frames[std::size_t(e) * order]);
           }
       }
 
@@ -143,7 +145,8 @@ namespace auxfem
         step.to.strut_damping_power += energy.dissipation;
       }
 
-      void add_energies(const State & /*state*/, Energies &energies) const override
+      void add_energies(const State & /*state*/,
+                        Energies &energies) const override
       {
         energies.strain += energy.strain;
       }
@@ -152,7 +155,7 @@ namespace auxfem
                              const double largest_rotation) const override
       {
         return largest_stiffness_per_length * largest_displacement +
-               largest_stiffness * std::min(1., largest_rotation);
+          largest_stiffness * std::min(1., largest_rotation);
       }
 
       std::vector<StrutPoint> sample(const State       &state,
@@ -160,16 +163,21 @@ namespace auxfem
                                      const unsigned int n_points) const override
       {
         const DofNumbering::Element &element = numbering.elements()[e];
-        const Strut                 &strut   = lattice.struts[element.place.strut];
-        const Element               &data    = elements[e];
-        double                       u[n], v[n] = {};
+        const Strut   &strut = lattice.struts[element.place.strut];
+        const Element &data  = elements[e];
+        double         u[n], v[n] = {};
         gather(numbering.element_unknowns(e), state.displacement.Values(), u);
         if (state.velocity)
           gather(numbering.element_unknowns(e), state.velocity->Values(), v);
 
         double forces[order][3];
         for (int g = 0; g < order; ++g)
-          section_forces(data, frames[std::size_t(e) * order + g], g, u, v, forces[g]);
+          section_forces(data,
+                         frames[std::size_t(e) * order + g],
+                         g,
+                         u,
+                         v,
+                         forces[g]);
 
         std::vector<StrutPoint> points(n_points);
         for (unsigned int i = 0; i < n_points; ++i)
@@ -182,7 +190,8 @@ namespace auxfem
             dealii::Tensor<1, 3> tangent;
             lattice.axis(strut,
                          element.place.begin +
-                           (element.place.end - element.place.begin) * (1 + xi) / 2,
+                           (element.place.end - element.place.begin) *
+                             (1 + xi) / 2,
                          point.position,
                          tangent);
             point.rotation = 0;
@@ -227,7 +236,10 @@ namespace auxfem
           local[i] = all[unknowns[i]];
       }
 
-      /** Frames of the true axis; r0' is that of the interpolated axis, so the strut is free of stress at rest. */
+      /**
+       * Frames of the true axis; r0' is that of the interpolated axis, so the
+       * strut is free of stress at rest.
+       */
       void set_frames(const StrutMesh::Place &place,
                       const Strut            &strut,
                       const double            jacobian,
@@ -261,7 +273,8 @@ namespace auxfem
                           double (&forces)[3]) const
       {
         const Beam2D::Kinematics k = Beam2D::kinematics<large_rotation>(
-          frame, Beam2D::interpolate(shape, g, 1 / data.jacobian, u));
+          frame,
+          Beam2D::interpolate(shape, g, 1 / data.jacobian, u));
         forces[0] = data.stiffness.axial * k.epsilon;
         forces[1] = data.stiffness.shear * k.gamma;
         forces[2] = data.stiffness.bending * k.kappa;
@@ -283,33 +296,47 @@ namespace auxfem
       const BeamShape<order>     shape;
       std::vector<Element>       elements;
       std::vector<Beam2D::Frame> frames;
-      std::size_t                first_block = 0;
+      std::size_t                first_block                  = 0;
       double                     largest_stiffness            = 0;
       double                     largest_stiffness_per_length = 0;
       Beam2D::EnergyRate         energy;
     };
 
     template <int order>
-    std::unique_ptr<StrutForces> make_of_order(const Lattice              &lattice,
-                                               const DofNumbering         &numbering,
-                                               const std::vector<Section> &sections,
-                                               const StrutModel           &model)
+    std::unique_ptr<StrutForces>
+    make_of_order(const Lattice              &lattice,
+                  const DofNumbering         &numbering,
+                  const std::vector<Section> &sections,
+                  const StrutModel           &model)
     {
       const bool shear = model.shear_flexibility;
       if (model.large_rotation && model.damping)
-        return std::make_unique<BeamForces<order, true, true>>(lattice, numbering, sections, shear);
+        return std::make_unique<BeamForces<order, true, true>>(lattice,
+                                                               numbering,
+                                                               sections,
+                                                               shear);
       if (model.large_rotation)
-        return std::make_unique<BeamForces<order, true, false>>(lattice, numbering, sections, shear);
+        return std::make_unique<BeamForces<order, true, false>>(lattice,
+                                                                numbering,
+                                                                sections,
+                                                                shear);
       if (model.damping)
-        return std::make_unique<BeamForces<order, false, true>>(lattice, numbering, sections, shear);
-      return std::make_unique<BeamForces<order, false, false>>(lattice, numbering, sections, shear);
+        return std::make_unique<BeamForces<order, false, true>>(lattice,
+                                                                numbering,
+                                                                sections,
+                                                                shear);
+      return std::make_unique<BeamForces<order, false, false>>(lattice,
+                                                               numbering,
+                                                               sections,
+                                                               shear);
     }
   } // namespace
 
-  std::unique_ptr<StrutForces> StrutForces::make(const Lattice              &lattice,
-                                                 const DofNumbering         &numbering,
-                                                 const std::vector<Section> &sections,
-                                                 const StrutModel           &model)
+  std::unique_ptr<StrutForces>
+  StrutForces::make(const Lattice              &lattice,
+                    const DofNumbering         &numbering,
+                    const std::vector<Section> &sections,
+                    const StrutModel           &model)
   {
     return dispatch_order(numbering.order(), [&](auto order) {
       return make_of_order<order>(lattice, numbering, sections, model);

@@ -8,8 +8,10 @@ namespace auxfem
   /** The symmetric star cell (mesh/cells/star.cc). */
   RegistryEntry<Cell> star_cell_entry();
 
-  /** The star cell with free widths, notches and stubs
-   * (mesh/cells/general_star.cc). */
+  /**
+   * The star cell with free widths, notches and stubs
+   * (mesh/cells/general_star.cc).
+   */
   RegistryEntry<Cell> general_star_cell_entry();
 
   /** Joints and struts given one by one (mesh/cells/frame.cc). */

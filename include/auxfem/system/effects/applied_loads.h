@@ -7,8 +7,8 @@
 namespace auxfem
 {
   /**
-   * Dead loads: a fixed distribution over the unknowns times a function of time.
-   * Joint forces, line loads and gravity all take this form.
+   * Dead loads: a fixed distribution over the unknowns times a function of
+   * time. Joint forces, line loads and gravity all take this form.
    */
   class AppliedLoads : public Effect
   {

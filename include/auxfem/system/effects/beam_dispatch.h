@@ -29,7 +29,8 @@ namespace auxfem
         case 6:
           return make(std::integral_constant<int, 6>());
         default:
-          AssertThrow(false, dealii::ExcMessage("Polynomial order must be 1..6."));
+          AssertThrow(false,
+                      dealii::ExcMessage("Polynomial order must be 1..6."));
           return make(std::integral_constant<int, 1>());
       }
   }

@@ -14,10 +14,10 @@ namespace auxfem
     std::array<dealii::Point<3>, 2> ends;
     /** Displacements of its ends (m); zero at the ground. */
     std::array<dealii::Tensor<1, 3>, 2> displacements;
-    double       force;      ///< N, positive in tension
-    double       extension;  ///< m
-    double       dissipated; ///< J so far
-    unsigned int cell;
+    double                              force;      ///< N, positive in tension
+    double                              extension;  ///< m
+    double                              dissipated; ///< J so far
+    unsigned int                        cell;
   };
 
   /** A group of equal connectors between joints, or joints and the ground. */
@@ -37,16 +37,17 @@ namespace auxfem
                     bool                          large_rotation,
                     StateLayout                  &layout);
 
-    bool is_linear() const override;
-    void register_blocks(TangentMatrix &matrix) override;
-    void begin_step(const Step &step) override;
-    void add_residual(const Step &step, double *residual) override;
-    void add_tangent(const Step           &step,
-                     const TangentFactors &factors,
-                     TangentMatrix        &matrix) const override;
-    void accept(const Step &step) override;
-    void add_energies(const State &state, Energies &energies) const override;
-    double round_off_scale(double largest_displacement, double largest_rotation) const override;
+    bool   is_linear() const override;
+    void   register_blocks(TangentMatrix &matrix) override;
+    void   begin_step(const Step &step) override;
+    void   add_residual(const Step &step, double *residual) override;
+    void   add_tangent(const Step           &step,
+                       const TangentFactors &factors,
+                       TangentMatrix        &matrix) const override;
+    void   accept(const Step &step) override;
+    void   add_energies(const State &state, Energies &energies) const override;
+    double round_off_scale(double largest_displacement,
+                           double largest_rotation) const override;
 
     const std::string &name() const;
 
@@ -63,8 +64,9 @@ namespace auxfem
     struct Ends
     {
       /** Local unknowns x1, y1, x2, y2; -1: ground. */
-      std::array<int, 4>   unknowns;
-      dealii::Tensor<1, 3> span;        ///< from first to second end at rest (m)
+      std::array<int, 4> unknowns;
+      /** From first to second end at rest (m). */
+      dealii::Tensor<1, 3> span;
       double               rest_length; ///< m
       unsigned int         first_joint, second_joint, cell;
       bool                 counted; ///< by this rank
@@ -83,12 +85,12 @@ namespace auxfem
     unsigned int                        first_history, first_dissipated;
     std::size_t                         first_block = 0;
 
-    std::vector<ConnectorMotion>      motion;
-    std::vector<ConnectorResponse>    response;
-    std::vector<double>               stored;
+    std::vector<ConnectorMotion>       motion;
+    std::vector<ConnectorResponse>     response;
+    std::vector<double>                stored;
     std::vector<std::array<double, 2>> direction;
     std::vector<std::array<double, 2>> velocity_difference;
-    std::vector<double>               current_length;
+    std::vector<double>                current_length;
   };
 } // namespace auxfem
 

@@ -5,7 +5,8 @@
 
 namespace auxfem
 {
-  /** Linear springs between two rotations of one joint: M = K' (phi_2 - phi_1). */
+  /** Linear springs between two rotations of one joint: M = K' (phi_2 - phi_1).
+   */
   class RotationalSprings : public Effect
   {
   public:

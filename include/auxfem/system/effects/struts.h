@@ -10,12 +10,12 @@ namespace auxfem
   /** Section forces and kinematics at a point of a strut, for output. */
   struct StrutPoint
   {
-    dealii::Point<3>     position;     ///< at rest (m)
-    dealii::Tensor<1, 3> displacement; ///< m
-    dealii::Tensor<1, 3> velocity;     ///< m/s
-    double               rotation;      ///< rad
-    double               axial_force;   ///< N, positive in tension
-    double               shear_force;   ///< N
+    dealii::Point<3>     position;       ///< at rest (m)
+    dealii::Tensor<1, 3> displacement;   ///< m
+    dealii::Tensor<1, 3> velocity;       ///< m/s
+    double               rotation;       ///< rad
+    double               axial_force;    ///< N, positive in tension
+    double               shear_force;    ///< N
     double               bending_moment; ///< N m
     double               energy_density; ///< strain energy per length (J/m)
   };
@@ -33,27 +33,31 @@ namespace auxfem
   {
   public:
     /** Polynomial order is taken from @p numbering. */
-    static std::unique_ptr<StrutForces> make(const Lattice              &lattice,
-                                             const DofNumbering         &numbering,
-                                             const std::vector<Section> &sections,
-                                             const StrutModel           &model);
+    static std::unique_ptr<StrutForces>
+    make(const Lattice              &lattice,
+         const DofNumbering         &numbering,
+         const std::vector<Section> &sections,
+         const StrutModel           &model);
 
     /**
      * State of element @p e of the numbering at @p n_points equally spaced points
      * from its first to its second end. Section forces are those of the
      * Gauss points, interpolated.
      */
-    virtual std::vector<StrutPoint> sample(const State &state,
-                                           unsigned int e,
-                                           unsigned int n_points) const = 0;
+    virtual std::vector<StrutPoint>
+    sample(const State &state, unsigned int e, unsigned int n_points) const = 0;
   };
 
-  /** Inertia of the struts, with mass-proportional damping where a section has it. */
-  std::unique_ptr<Effect> make_strut_inertia(const Lattice              &lattice,
-                                             const DofNumbering         &numbering,
-                                             const std::vector<Section> &sections,
-                                             bool                        rotary_inertia,
-                                             bool                        damping);
+  /**
+   * Inertia of the struts, with mass-proportional damping where a section has
+   * it.
+   */
+  std::unique_ptr<Effect>
+  make_strut_inertia(const Lattice              &lattice,
+                     const DofNumbering         &numbering,
+                     const std::vector<Section> &sections,
+                     bool                        rotary_inertia,
+                     bool                        damping);
 } // namespace auxfem
 
 #endif

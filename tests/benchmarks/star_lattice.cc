@@ -1,0 +1,122 @@
+#include <support/scene_run.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <fstream>
+#include <iomanip>
+#include <iostream>
+#include <sstream>
+
+#include <sys/resource.h>
+
+// Times the star lattice of prm/star-10x10.prm in several sizes, orders and
+// Newton variants: time by phase and microseconds per unknown and iteration.
+// Without arguments all cases; with a number, that many repetitions of each,
+// of which the fastest is shown.
+namespace
+{
+  using namespace auxfem;
+
+  struct Case
+  {
+    unsigned int cells, order;
+    std::string  factorization;
+    std::string  force;
+  };
+
+  struct Measurement
+  {
+    double        cpu_seconds = 0, resident_megabytes = 0;
+    PhaseTimes    phases;
+    unsigned long iterations = 0, factorizations = 0, unknowns = 0;
+    double        displacement = 0;
+  };
+
+  double cpu_seconds()
+  {
+    rusage usage;
+    getrusage(RUSAGE_SELF, &usage);
+    return usage.ru_utime.tv_sec + usage.ru_stime.tv_sec +
+           1e-6 * (usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
+  }
+
+  double resident_megabytes()
+  {
+    dealii::Utilities::System::MemoryStats statistics;
+    dealii::Utilities::System::get_memory_stats(statistics);
+    return statistics.VmRSS / 1024.;
+  }
+
+  Measurement measure(const std::string &prm, const Case &c)
+  {
+    const double before = resident_megabytes();
+    const std::string cells = std::to_string(c.cells);
+    testing_support::SceneRun run(
+      prm,
+      {"Lattice/Cells x=" + cells,
+       "Lattice/Cells y=" + cells,
+       "Discretization/Order=" + std::to_string(c.order),
+       "Newton/Factorization=" + c.factorization,
+       "Constants=F0 = " + c.force + ", t0 = 10e-3"});
+    Measurement  result;
+    const double start = cpu_seconds();
+    run.run();
+    result.cpu_seconds        = cpu_seconds() - start;
+    result.resident_megabytes = resident_megabytes() - before;
+    result.phases             = run.stepper.newton().times();
+    result.iterations         = run.iterations;
+    result.factorizations     = run.factorizations;
+    result.unknowns           = run.system.numbering().n_free();
+    const std::vector<unsigned int> &top = run.lattice.joint_sets.at("top");
+    result.displacement = run.motion(top[c.cells / 2], 1);
+    return result;
+  }
+
+  void print(const Case &c, const Measurement &m)
+  {
+    std::cout << std::setw(2) << c.cells << 'x' << std::left << std::setw(3)
+              << c.cells << std::setw(6) << c.force << std::right << std::setw(2)
+              << c.order << "  " << std::left << std::setw(16)
+              << c.factorization << std::right << std::setw(7) << m.unknowns
+              << std::fixed << std::setprecision(3) << std::setw(8)
+              << m.cpu_seconds << std::setw(9) << m.phases.residual << std::setw(9)
+              << m.phases.tangent << std::setw(9) << m.phases.factorize
+              << std::setw(8) << m.phases.solve << std::setw(7) << m.iterations
+              << std::setw(7) << m.factorizations << std::setw(8)
+              << 1e6 * m.cpu_seconds / m.iterations / m.unknowns
+              << std::setprecision(1) << std::setw(8) << m.resident_megabytes
+              << std::setprecision(9) << std::setw(15) << m.displacement << '\n'
+              << std::defaultfloat;
+  }
+} // namespace
+
+int main(int argc, char *argv[])
+{
+  const int repetitions = argc > 1 ? std::stoi(argv[1]) : 1;
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  std::ifstream     file(AUXFEM_PRM_DIRECTORY "/star-10x10.prm");
+  std::stringstream prm;
+  prm << file.rdbuf();
+
+  std::cout
+    << "cells  F0   order factorization  unknowns  CPU s residual  tangent  factor   solve"
+       "   iter.  fact. us/u/it      MB   u_y at the end\n";
+  for (const Case &c : {Case{4, 2, "kept", "1.0"},
+                        Case{4, 3, "kept", "1.0"},
+                        Case{4, 4, "kept", "1.0"},
+                        Case{4, 4, "every iteration", "1.0"},
+                        Case{10, 2, "kept", "1.0"},
+                        Case{10, 3, "kept", "1.0"},
+                        Case{10, 4, "kept", "1.0"},
+                        Case{10, 2, "every iteration", "1.0"}})
+    {
+      Measurement best;
+      for (int i = 0; i < repetitions; ++i)
+        {
+          const Measurement m = measure(prm.str(), c);
+          if (i == 0 || m.cpu_seconds < best.cpu_seconds)
+            best = m;
+        }
+      print(c, best);
+    }
+}
