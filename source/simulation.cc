@@ -56,19 +56,19 @@ namespace auxfem
     System        system(scene, lattice, communicator);
     TimeStepper   stepper(system, scene);
     State         state = system.initial_state();
+    refuse_mechanism_if_static(scene, system, state, stepper);
     output.begin(system);
     setup.reset();
 
     try
       {
-        refuse_mechanism_if_static(scene, system, state, stepper);
         stepper.start(state);
-        output.write_start(system, state);
+        output.write_start(state);
         while (state.step < stepper.n_steps())
           {
             const StepReport report = stepper.advance(state);
             count(report, totals);
-            output.write_step(system, state, report);
+            output.write_step(state, report);
           }
       }
     catch (const std::exception &failure)

@@ -163,11 +163,19 @@ namespace auxfem
             if (other != invalid_index)
               for (unsigned int component = 0; component < 2; ++component)
                 keep(joint_numbers[other][component]);
+    const std::vector<std::vector<int>> coupled = coupled_rotations(ties);
+    for (const std::vector<int> &numbers : coupled)
+      if (std::any_of(numbers.begin(), numbers.end(), is_mine))
+        std::for_each(numbers.begin(), numbers.end(), keep);
 
     local = std::make_unique<Epetra_Map>(-1, rows.size(), rows.data(), 0, comm);
     import = std::make_unique<Epetra_Import>(*local, *owned);
     kinds.assign(rows.size(), UnknownKind::translation);
     rotations.assign(rows.size(), false);
+    const auto mark_rotation = [this](const int l) {
+      kinds[l]     = UnknownKind::rotation;
+      rotations[l] = true;
+    };
 
     element_numbers.reserve(kept_cells.size() * n);
     for (const std::size_t c : kept_cells)
@@ -176,13 +184,30 @@ namespace auxfem
           const int l = local->LID(cell_numbers[c * n + i]);
           element_numbers.push_back(l);
           if (i % n_components == 2)
-            {
-              kinds[l]     = UnknownKind::rotation;
-              rotations[l] = true;
-            }
+            mark_rotation(l);
         }
+    for (const std::vector<int> &numbers : coupled)
+      for (const int g : numbers)
+        if (const int l = local->LID(g); l >= 0)
+          mark_rotation(l);
     cell_numbers.clear();
     cell_numbers.shrink_to_fit();
+  }
+
+  std::vector<std::vector<int>>
+  DofNumbering::coupled_rotations(const Ties &ties) const
+  {
+    if (ties.sprung_joints.empty())
+      return {};
+    std::vector<std::vector<int>> at_joint(lattice.joints.size());
+    for (unsigned int s = 0; s < lattice.struts.size(); ++s)
+      for (unsigned int end = 0; end < 2; ++end)
+        at_joint[lattice.struts[s].joints[end]].push_back(
+          end_rotation_numbers[s][end]);
+    std::vector<std::vector<int>> coupled;
+    for (const unsigned int joint : ties.sprung_joints)
+      coupled.push_back(at_joint[joint]);
+    return coupled;
   }
 
   unsigned int DofNumbering::order() const

@@ -1,4 +1,5 @@
 #include <auxfem/mesh/strut_mesh.h>
+#include <auxfem/parameters/errors.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
@@ -35,8 +36,14 @@ namespace auxfem
     std::vector<unsigned int> ranks(n_struts, 0);
     if (n_ranks == 1)
       return ranks;
-    AssertThrow(n_ranks <= n_struts,
-                dealii::ExcMessage("More ranks than struts."));
+    if (n_ranks > n_struts)
+      throw InputError("auxfem was started on " + std::to_string(n_ranks) +
+                       " MPI ranks, but the lattice has only " +
+                       std::to_string(n_struts) +
+                       (n_struts == 1 ? " strut" : " struts") +
+                       " to share among them. Use at most " +
+                       std::to_string(n_struts) +
+                       (n_struts == 1 ? " rank." : " ranks."));
 
     std::vector<std::vector<unsigned int>> struts_at(lattice.joints.size());
     for (unsigned int s = 0; s < n_struts; ++s)

@@ -40,7 +40,7 @@ namespace auxfem
     }
 
     void write_row(const State &state);
-    void write_graphics(const State &state, bool connectors);
+    void write_graphics(const State &state);
     void show_progress(const State &state, const StepReport &report);
 
     const Scene   &scene;
@@ -55,8 +55,8 @@ namespace auxfem
     std::optional<VtuWriter> graphics;
     GraphicsSchedule         schedule;
 
-    /** Steps last written; none before write_start(). */
-    std::optional<unsigned long> last_row, last_graphics;
+    /** Times last written (s); none before write_start(). */
+    std::optional<double> last_row, last_graphics;
   };
 
   RunOutput::Implementation::Implementation(const Scene   &scene,
@@ -90,25 +90,23 @@ namespace auxfem
   void RunOutput::Implementation::write_row(const State &state)
   {
     history->write(state);
-    last_row = state.step;
+    last_row = state.time;
   }
 
-  void RunOutput::Implementation::write_graphics(const State &state,
-                                                 const bool   connectors)
+  void RunOutput::Implementation::write_graphics(const State &state)
   {
     if (!graphics)
       return;
     graphics->write_struts(state);
-    if (connectors)
-      graphics->write_connectors(state);
-    last_graphics = state.step;
+    graphics->write_connectors(state);
+    last_graphics = state.time;
   }
 
   void RunOutput::Implementation::write_start(const State &state)
   {
     first_step = Clock::now();
     write_row(state);
-    write_graphics(state, true);
+    write_graphics(state);
   }
 
   void RunOutput::Implementation::write_step(const State      &state,
@@ -117,7 +115,7 @@ namespace auxfem
     if (state.step % scene.output.history_interval == 0)
       write_row(state);
     if (schedule.is_due(state.time))
-      write_graphics(state, true);
+      write_graphics(state);
     if (console)
       show_progress(state, report);
   }
@@ -155,10 +153,10 @@ namespace auxfem
     const bool completed = exit_state == "completed";
     {
       const Stopwatch watch(seconds);
-      if (completed && last_row && last_row != state.step)
+      if (last_row && last_row != state.time)
         write_row(state);
-      if (last_row && last_graphics != state.step)
-        write_graphics(state, completed);
+      if (last_graphics && last_graphics != state.time)
+        write_graphics(state);
     }
 
     Summary summary;
@@ -193,14 +191,13 @@ namespace auxfem
     implementation->begin(system);
   }
 
-  void RunOutput::write_start(const System & /*system*/, const State &state)
+  void RunOutput::write_start(const State &state)
   {
     const Stopwatch watch(implementation->seconds);
     implementation->write_start(state);
   }
 
-  void RunOutput::write_step(const System & /*system*/,
-                             const State      &state,
+  void RunOutput::write_step(const State      &state,
                              const StepReport &report)
   {
     const Stopwatch watch(implementation->seconds);

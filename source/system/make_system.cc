@@ -131,9 +131,14 @@ namespace auxfem
     ties.released.assign(graph.struts.size(), {{false, false}});
     if (simulated.hinges)
       for (const Release &release : collect_releases(scene, graph))
-        for (const auto &at_joint : release.ends_at_joint)
-          for (const auto &[strut, end] : at_joint.second)
-            ties.released[strut][end] = true;
+        for (const auto &[joint, ends] : release.ends_at_joint)
+          {
+            for (const auto &[strut, end] : ends)
+              ties.released[strut][end] = true;
+            if (release.definition->type ==
+                JointDefinition::Type::rotational_spring)
+              ties.sprung_joints.push_back(joint);
+          }
     for (const ConnectorDefinition &definition : scene.connectors)
       {
         const std::vector<JointPair> pairs =

@@ -23,8 +23,10 @@ namespace auxfem
       unsigned int        worst     = 0;
       for (unsigned int i = 0; i < numbering.n_owned(); ++i)
         {
+          // A strut that turns about its middle moves its ends by half its
+          // length times the angle.
           const double size = std::abs(mode[i]) *
-            (numbering.is_rotation(i) ? system.length_scale() : 1.);
+            (numbering.is_rotation(i) ? system.length_scale() / 2 : 1.);
           if (size > largest)
             {
               largest = size;

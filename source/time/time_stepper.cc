@@ -84,14 +84,19 @@ namespace auxfem
 
   void TimeStepper::complete_start(State &state)
   {
-    const State before = state;
-    const Step  step{before, state, /*dt=*/0.};
-    system.begin_step(step);
-    system.residual(step);
-    system.accept(step);
+    evaluate_at_rest_in_time(state);
+    system.accept({trial, state, /*dt=*/0.});
     // What brought the lattice into its first state is not part of the run.
     state.external_work     = 0;
     state.energies.external = 0;
+  }
+
+  void TimeStepper::evaluate_at_rest_in_time(State &state)
+  {
+    trial = state;
+    const Step step{trial, state, /*dt=*/0.};
+    system.begin_step(step);
+    system.residual(step);
   }
 
   StepReport TimeStepper::advance(State &state)
@@ -124,6 +129,7 @@ namespace auxfem
         ++report.retries;
         if (dt / 2 < parameters.smallest_step)
           {
+            evaluate_at_rest_in_time(state);
             std::ostringstream message;
             message
               << "The step from t = " << state.time

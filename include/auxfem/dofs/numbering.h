@@ -23,6 +23,9 @@ namespace auxfem
 
     /** Pairs of joints whose motions act on each other through a connector. */
     std::vector<JointPair> connected;
+
+    /** Joints where springs couple the rotations of released strut ends. */
+    std::vector<unsigned int> sprung_joints;
   };
 
   /** Kinds of unknowns, measured apart in convergence tests. */
@@ -137,6 +140,8 @@ namespace auxfem
   private:
     void number_unknowns(const StrutMesh &mesh, const Ties &ties);
     void collect_local(const StrutMesh &mesh, const Ties &ties);
+    /** Global numbers of all rotations at each of the sprung joints. */
+    std::vector<std::vector<int>> coupled_rotations(const Ties &ties) const;
 
     const Lattice &lattice;
     unsigned int   polynomial_order;

@@ -50,7 +50,8 @@ namespace auxfem
 
   /**
    * Rank of every strut: METIS on the graph of struts that meet at a joint.
-   * All zero for one rank.
+   * All zero for one rank. Throws InputError if there are more ranks than
+   * struts.
    */
   std::vector<unsigned int> partition_struts(const Lattice &lattice,
                                              unsigned int   n_ranks);

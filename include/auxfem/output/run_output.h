@@ -40,16 +40,14 @@ namespace auxfem
     void begin(const System &system);
 
     /** Rows and files for the state at t = 0. */
-    void write_start(const System &system, const State &state);
+    void write_start(const State &state);
 
     /**
      * A finished step: progress line; history row and graphics when due.
      * @p state must be the last given to System::residual(). Throws
      * ComputationError if the disk takes no more.
      */
-    void write_step(const System     &system,
-                    const State      &state,
-                    const StepReport &report);
+    void write_step(const State &state, const StepReport &report);
 
     /**
      * Closes the run: last graphics, summary.json. @p exit_state is `completed`

@@ -37,6 +37,12 @@ namespace auxfem
     Newton &newton();
 
   private:
+    /**
+     * Brings all that effects keep for output (forces of connectors, strain
+     * energy) to those of an accepted state, without a step.
+     */
+    void evaluate_at_rest_in_time(State &state);
+
     void   complete_start(State &state);
     bool   creates_energy(const Step &step) const;
     bool   try_step(State &state, double time, double dt, StepReport &report);

@@ -1,0 +1,370 @@
+#!/usr/bin/env python3
+"""Draws the results of a run as pictures: the lattice at given times, or curves
+of history.csv.
+
+    scripts/render.py lattice PICTURE.png RUN TIME... [--color FIELD] [options]
+    scripts/render.py curves  PICTURE.png RUN COLUMN... [options]
+
+RUN is the output folder of a run. Struts are drawn as tubes at their current
+place, connectors as thin lines, one panel for each TIME (s, the nearest frame
+is taken). FIELD is a field of solution.pvd; of vectors the magnitude is shown.
+Curves of several runs come into one picture with --compare RUN.
+
+Needs python3-vtk9 and a display; without one (`xvfb` and `xauth` installed):
+
+    xvfb-run -a scripts/render.py ...
+"""
+
+import argparse
+import csv
+import pathlib
+import sys
+import xml.etree.ElementTree
+
+try:
+    import vtk
+except ImportError:
+    sys.exit("render.py: no VTK for this python3; install python3-vtk9 and "
+             "call /usr/bin/python3 scripts/render.py")
+
+TITLES = {
+    "displacement": "displacement (m)",
+    "velocity": "velocity (m/s)",
+    "rotation": "rotation (rad)",
+    "axial_force": "axial force (N)",
+    "shear_force": "shear force (N)",
+    "bending_moment": "bending moment (N m)",
+    "strain_energy_density": "strain energy density (J/m)",
+}
+COLORS = [(31, 119, 180), (214, 39, 40), (44, 160, 44), (148, 103, 189),
+          (255, 127, 14), (90, 90, 90)]
+DARK = (0.15, 0.15, 0.15)
+
+# Lattices are drawn this much larger and scaled down: software renderers do not
+# smooth edges themselves. Charts would choose other ticks then.
+SAMPLES = 3
+
+# Heights (pixels) of the strips for the time below each panel and the colour
+# bar below all of them.
+TIME_STRIP, BAR_STRIP = 26, 76
+
+
+def frames_of(series):
+    """Time and file of each frame of a .pvd file."""
+    root = xml.etree.ElementTree.parse(series).getroot()
+    return [(float(data.get("timestep")), series.parent / data.get("file"))
+            for data in root.iter("DataSet")]
+
+
+def nearest_frame(series, time):
+    return min(frames_of(series), key=lambda frame: abs(frame[0] - time))
+
+
+def moved_lines(file):
+    """Lines of a .vtu or .pvtu file, moved by their displacement."""
+    reader = (vtk.vtkXMLPUnstructuredGridReader() if file.suffix == ".pvtu"
+              else vtk.vtkXMLUnstructuredGridReader())
+    reader.SetFileName(str(file))
+    reader.Update()
+    grid = reader.GetOutput()
+    grid.GetPointData().SetActiveVectors("displacement")
+    warp = vtk.vtkWarpVector()
+    warp.SetInputData(grid)
+    surface = vtk.vtkGeometryFilter()
+    surface.SetInputConnection(warp.GetOutputPort())
+    strips = vtk.vtkStripper()
+    strips.SetInputConnection(surface.GetOutputPort())
+    strips.Update()
+    return strips.GetOutput()
+
+
+def tubes_of(lines, thickness):
+    """The struts as tubes; their field `radius` times @p thickness."""
+    scaled = vtk.vtkArrayCalculator()
+    scaled.SetInputData(lines)
+    scaled.AddScalarArrayName("radius")
+    scaled.SetFunction(f"{thickness} * radius")
+    scaled.SetResultArrayName("drawn_radius")
+    scaled.Update()
+    data = scaled.GetOutput()
+    data.GetPointData().SetActiveScalars("drawn_radius")
+    tubes = vtk.vtkTubeFilter()
+    tubes.SetInputData(data)
+    tubes.SetVaryRadiusToVaryRadiusByAbsoluteScalar()
+    tubes.SetNumberOfSides(12)
+    tubes.CappingOn()
+    tubes.Update()
+    return tubes.GetOutput()
+
+
+def value_range(lines, field):
+    """Range of a scalar, symmetric about zero; of a vector's magnitude."""
+    array = lines.GetPointData().GetArray(field)
+    if array is None:
+        names = [lines.GetPointData().GetArrayName(i)
+                 for i in range(lines.GetPointData().GetNumberOfArrays())]
+        sys.exit(f"render.py: there is no field {field}; there are "
+                 + ", ".join(names))
+    if array.GetNumberOfComponents() > 1:
+        return 0.0, array.GetRange(-1)[1]
+    largest = max(abs(value) for value in array.GetRange(0))
+    return -largest, largest
+
+
+def color_map(low, high):
+    colors = vtk.vtkColorTransferFunction()
+    colors.SetColorSpaceToDiverging()
+    if low < 0:
+        colors.AddRGBPoint(low, 0.23, 0.30, 0.75)
+        colors.AddRGBPoint(0, 0.82, 0.82, 0.82)
+        colors.AddRGBPoint(high, 0.71, 0.02, 0.15)
+    else:
+        colors.SetColorSpaceToLab()
+        colors.AddRGBPoint(low, 0.78, 0.80, 0.86)
+        colors.AddRGBPoint((low + high) / 2, 0.16, 0.47, 0.72)
+        colors.AddRGBPoint(high, 0.03, 0.12, 0.36)
+    return colors
+
+
+def tube_actor(tubes, field, colors, bounds):
+    mapper = vtk.vtkPolyDataMapper()
+    mapper.SetInputData(tubes)
+    mapper.SetScalarModeToUsePointFieldData()
+    mapper.SelectColorArray(field)
+    mapper.SetLookupTable(colors)
+    mapper.SetScalarRange(*bounds)
+    if tubes.GetPointData().GetArray(field).GetNumberOfComponents() > 1:
+        colors.SetVectorModeToMagnitude()
+    actor = vtk.vtkActor()
+    actor.SetMapper(mapper)
+    actor.GetProperty().SetAmbient(0.5)
+    actor.GetProperty().SetDiffuse(0.5)
+    return actor
+
+
+def line_actor(lines):
+    mapper = vtk.vtkPolyDataMapper()
+    mapper.SetInputData(lines)
+    mapper.ScalarVisibilityOff()
+    actor = vtk.vtkActor()
+    actor.SetMapper(mapper)
+    actor.GetProperty().SetColor(0.10, 0.55, 0.25)
+    actor.GetProperty().SetLineWidth(1.5 * SAMPLES)
+    return actor
+
+
+def label(text, x, y, size):
+    actor = vtk.vtkTextActor()
+    actor.SetInput(text)
+    actor.GetTextProperty().SetFontSize(size * SAMPLES)
+    actor.GetTextProperty().SetColor(*DARK)
+    actor.GetTextProperty().SetJustificationToCentered()
+    actor.GetPositionCoordinate().SetCoordinateSystemToNormalizedViewport()
+    actor.SetPosition(x, y)
+    return actor
+
+
+def color_bar(colors, field):
+    bar = vtk.vtkScalarBarActor()
+    bar.SetLookupTable(colors)
+    bar.SetTitle(TITLES.get(field, field))
+    bar.SetOrientationToHorizontal()
+    bar.SetNumberOfLabels(5)
+    bar.SetVerticalTitleSeparation(5 * SAMPLES)
+    bar.SetLabelFormat("%.3g")
+    bar.SetPosition(0.3, 0.02)
+    bar.SetWidth(0.4)
+    bar.SetHeight(0.8)
+    bar.UnconstrainedFontSizeOn()
+    for text in (bar.GetTitleTextProperty(), bar.GetLabelTextProperty()):
+        text.SetColor(*DARK)
+        text.SetFontSize(14 * SAMPLES)
+        text.ItalicOff()
+        text.BoldOff()
+        text.ShadowOff()
+    return bar
+
+
+def write_picture(window, file, samples):
+    window.Render()
+    image = vtk.vtkWindowToImageFilter()
+    image.SetInput(window)
+    image.ReadFrontBufferOff()
+    smaller = vtk.vtkImageShrink3D()
+    smaller.SetInputConnection(image.GetOutputPort())
+    smaller.SetShrinkFactors(samples, samples, 1)
+    smaller.AveragingOn()
+    writer = vtk.vtkPNGWriter()
+    writer.SetCompressionLevel(9)
+    writer.SetFileName(str(file))
+    writer.SetInputConnection(smaller.GetOutputPort())
+    writer.Write()
+
+
+def draw_lattice(arguments):
+    run = pathlib.Path(arguments.run)
+    frames = [nearest_frame(run / "solution.pvd", time)
+              for time in arguments.values]
+    lines = [moved_lines(file) for _, file in frames]
+    ranges = [value_range(data, arguments.color) for data in lines]
+    bounds = (min(low for low, _ in ranges), max(high for _, high in ranges))
+    if arguments.largest is not None:
+        bounds = (-arguments.largest if bounds[0] < 0 else 0, arguments.largest)
+    colors = color_map(*bounds)
+
+    box = vtk.vtkBoundingBox()
+    for data in lines:
+        box.AddBounds(data.GetBounds())
+    box.Inflate(0.03 * box.GetDiagonalLength())
+    width, height = box.GetLength(0), box.GetLength(1)
+    centre = [0.0, 0.0, 0.0]
+    box.GetCenter(centre)
+
+    n_panels = len(frames)
+    panel_height = round(arguments.width * height / (n_panels * width))
+    total = panel_height + TIME_STRIP + BAR_STRIP
+    window = vtk.vtkRenderWindow()
+    window.SetOffScreenRendering(1)
+    window.SetSize(SAMPLES * arguments.width, SAMPLES * total)
+    for i, (time, _) in enumerate(frames):
+        left, right = i / n_panels, (i + 1) / n_panels
+        panel = vtk.vtkRenderer()
+        panel.SetBackground(1, 1, 1)
+        panel.SetViewport(left, (BAR_STRIP + TIME_STRIP) / total, right, 1)
+        panel.AddActor(tube_actor(tubes_of(lines[i], arguments.thickness),
+                                  arguments.color, colors, bounds))
+        if (run / "connectors.pvd").exists():
+            _, file = nearest_frame(run / "connectors.pvd", time)
+            panel.AddActor(line_actor(moved_lines(file)))
+        camera = panel.GetActiveCamera()
+        camera.ParallelProjectionOn()
+        camera.SetFocalPoint(centre)
+        camera.SetPosition(centre[0], centre[1], centre[2] + 10 * height)
+        camera.SetParallelScale(height / 2)
+        panel.ResetCameraClippingRange()
+        window.AddRenderer(panel)
+        strip = vtk.vtkRenderer()
+        strip.SetBackground(1, 1, 1)
+        strip.SetViewport(left, BAR_STRIP / total, right,
+                          (BAR_STRIP + TIME_STRIP) / total)
+        strip.AddActor2D(label(f"t = {time:g} s", 0.5, 0.2, 14))
+        window.AddRenderer(strip)
+    below = vtk.vtkRenderer()
+    below.SetBackground(1, 1, 1)
+    below.SetViewport(0, 0, 1, BAR_STRIP / total)
+    below.AddActor2D(color_bar(colors, arguments.color))
+    window.AddRenderer(below)
+    write_picture(window, arguments.picture, SAMPLES)
+
+
+def read_history(run, columns):
+    file = pathlib.Path(run) / "history.csv"
+    with open(file, encoding="utf-8") as stream:
+        rows = list(csv.DictReader(stream))
+    for column in columns:
+        if column not in rows[0]:
+            sys.exit(f"render.py: {file} has no column {column}; it has "
+                     + ", ".join(rows[0]))
+    return {column: [float(row[column]) for row in rows] for column in columns}
+
+
+def unit_of(run, column):
+    with open(pathlib.Path(run) / "history.units.csv",
+              encoding="utf-8") as stream:
+        for row in csv.reader(stream):
+            if row[0] == column:
+                return row[1]
+    return ""
+
+
+def curve_table(abscissa, values, name):
+    table = vtk.vtkTable()
+    for title, numbers in (("x", abscissa), (name, values)):
+        array = vtk.vtkDoubleArray()
+        array.SetName(title)
+        array.SetNumberOfValues(len(numbers))
+        for i, value in enumerate(numbers):
+            array.SetValue(i, value)
+        table.AddColumn(array)
+    return table
+
+
+def draw_curves(arguments):
+    abscissa = arguments.over
+    columns = arguments.values
+    chart = vtk.vtkChartXY()
+    chart.SetShowLegend(True)
+    color = 0
+    for run in [arguments.run] + arguments.compare:
+        history = read_history(run, [abscissa] + columns)
+        prefix = f"{pathlib.Path(run).name}: " if arguments.compare else ""
+        for column in columns:
+            plot = chart.AddPlot(vtk.vtkChart.LINE)
+            plot.SetInputData(curve_table(history[abscissa], history[column],
+                                          prefix + column), 0, 1)
+            plot.SetColor(*COLORS[color % len(COLORS)], 255)
+            plot.SetWidth(2)
+            color += 1
+    units = {unit_of(arguments.run, column) for column in columns}
+    titles = {vtk.vtkAxis.BOTTOM:
+              f"{abscissa} ({unit_of(arguments.run, abscissa)})",
+              vtk.vtkAxis.LEFT: " / ".join(sorted(units))}
+    for place, title in titles.items():
+        axis = chart.GetAxis(place)
+        axis.SetTitle(title)
+        axis.GetTitleProperties().SetFontSize(15)
+        axis.GetTitleProperties().BoldOff()
+        axis.GetLabelProperties().SetFontSize(13)
+        axis.GetGridPen().SetColor(225, 225, 225, 255)
+    legend = chart.GetLegend()
+    legend.GetLabelProperties().SetFontSize(14)
+    legend.SetHorizontalAlignment(vtk.vtkChartLegend.RIGHT)
+    legend.SetVerticalAlignment({"top": vtk.vtkChartLegend.TOP,
+                                 "centre": vtk.vtkChartLegend.CENTER,
+                                 "bottom": vtk.vtkChartLegend.BOTTOM
+                                 }[arguments.legend])
+
+    view = vtk.vtkContextView()
+    view.GetRenderer().SetBackground(1, 1, 1)
+    view.GetScene().AddItem(chart)
+    window = view.GetRenderWindow()
+    window.SetOffScreenRendering(1)
+    window.SetMultiSamples(8)
+    window.SetSize(arguments.width, round(0.45 * arguments.width))
+    write_picture(window, arguments.picture, 1)
+
+
+def main():
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
+    kinds = parser.add_subparsers(dest="kind", required=True)
+    lattice = kinds.add_parser("lattice", help="the lattice at given times")
+    curves = kinds.add_parser("curves", help="columns of history.csv")
+    for kind in (lattice, curves):
+        kind.add_argument("picture", help="file to write (PNG)")
+        kind.add_argument("run", help="output folder of a run")
+        kind.add_argument("--width", type=int, default=900,
+                          help="of the picture, in pixels")
+    lattice.add_argument("values", metavar="time", nargs="+", type=float)
+    lattice.add_argument("--color", default="bending_moment", metavar="FIELD")
+    lattice.add_argument("--thickness", type=float, default=1, metavar="FACTOR",
+                         help="draw struts this much thicker than they are")
+    lattice.add_argument("--largest", type=float, metavar="VALUE",
+                         help="end of the colour scale; larger values look "
+                              "like it")
+    curves.add_argument("values", metavar="column", nargs="+")
+    curves.add_argument("--over", default="time", metavar="COLUMN",
+                        help="what is plotted to the right")
+    curves.add_argument("--compare", action="append", default=[],
+                        metavar="RUN", help="another run in the same picture")
+    curves.add_argument("--legend", choices=["top", "centre", "bottom"],
+                        default="top", help="its place on the right")
+    arguments = parser.parse_args()
+    if arguments.kind == "lattice":
+        draw_lattice(arguments)
+    else:
+        draw_curves(arguments)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,186 @@
+#include <support/graphics_series.h>
+
+namespace
+{
+  using namespace auxfem::testing_support;
+  namespace fs = std::filesystem;
+
+  /** A computation that fails ends with exit code 2 and keeps its results. */
+  class FailedRun : public ProgramTest
+  {
+  protected:
+    static void expect_failure(const ProgramRun &run, const Words &parts)
+    {
+      EXPECT_EQ(run.exit_code, 2) << run.output << run.errors;
+      expect_contains(run.errors, parts);
+      EXPECT_LE(count_lines(run.errors), 25u) << run.errors;
+      expect_without(run.errors,
+                     {"Stacktrace",
+                      "An error occurred in line",
+                      "internal error",
+                      "terminate called"});
+    }
+
+    /** Everything in the output folder is whole, and ends at one time. */
+    void expect_results_until(const double time,
+                              const Words &reasons,
+                              const double x,
+                              const double y,
+                              const std::string &probe) const
+    {
+      const Table table = history();
+      EXPECT_NEAR(table["time"].back(), time, 1e-12);
+      for (const std::string &name : table.names)
+        for (const double value : table[name])
+          EXPECT_TRUE(std::isfinite(value)) << name;
+
+      expect_contains(summary("exit_state"), reasons);
+      expect_contains(read_text(path("out/log.txt")), reasons);
+      EXPECT_GE(std::stod(summary("time_reached")), time - 1e-12);
+
+      const GraphicsSeries solution(path("out/solution.pvd"), path("vtk"));
+      ASSERT_GE(solution.datasets.n_rows, 2u);
+      for (unsigned int i = 0; i < solution.datasets.n_rows; ++i)
+        {
+          const Table &points = solution.points[i];
+          for (const std::string &name : points.names)
+            for (const double value : points[name])
+              ASSERT_TRUE(std::isfinite(value)) << name;
+
+          // The last one may lie between two rows of the history.
+          const double written = solution.datasets["time"][i];
+          if (written > time + 1e-12)
+            continue;
+          const unsigned int row  = row_at_time(table, written);
+          const auto         rows = rows_at(points, x, y);
+          ASSERT_FALSE(rows.empty());
+          // Single precision keeps 6e-8 of a number.
+          EXPECT_NEAR(points["displacement.1"][rows[0]],
+                      table[probe + ".uy"][row],
+                      1e-7 * std::abs(table[probe + ".uy"][row]));
+        }
+    }
+  };
+
+  TEST_F(FailedRun, LoadThatBecomesNoNumberInDynamics)
+  {
+    // Real up to step 25 of 50.
+    write("scene.prm",
+          replaced(data_text("star.prm"),
+                   "= -4e3 * t",
+                   "= -80 * sqrt(0.51e-3 - t)"));
+    expect_failure(run_auxfem({"scene.prm", "--output", "out"}),
+                   {"Loads/hit/Force y",
+                    "'-80 * sqrt(0.51e-3 - t)'",
+                    "not a finite number at t = 0.0005",
+                    "root"});
+    EXPECT_EQ(history().n_rows, 26u);
+    expect_results_until(0.5e-3,
+                         {"Loads/hit/Force y", "not a finite number"},
+                         0,
+                         0.0409807621,
+                         "apex");
+  }
+
+
+
+  TEST_F(FailedRun, MotionThatBecomesNoNumberInStatics)
+  {
+    write("scene.prm",
+          data_text("star.prm") +
+            "\nsubsection Supports\n"
+            "  subsection press\n"
+            "    set Joints = top\n"
+            "    set Type = prescribed\n"
+            "    set Displacement y = -1e-4 / (0.31e-3 - t) * (t < 0.31e-3)\n"
+            "  end\n"
+            "end\n");
+    // 0 / 0 at the one step that meets 0.31 ms exactly
+    expect_failure(run_auxfem({"scene.prm",
+                               "--output",
+                               "out",
+                               "--set",
+                               "Time/Scheme=static",
+                               "--set",
+                               "Supports/press/Displacement y="
+                               "-1e-4 * log(1 - t / 0.31e-3) / log(0.01)"}),
+                   {"Supports/press/Displacement y", "not a finite number"});
+    expect_results_until(
+      0.3e-3, {"Supports/press/Displacement y"}, 0, 0.0409807621, "apex");
+  }
+
+
+
+  TEST_F(FailedRun, LoadThatIsNoNumberFromTheStart)
+  {
+    write("scene.prm", data_text("star.prm"));
+    expect_failure(run_auxfem({"scene.prm",
+                               "--output",
+                               "out",
+                               "--set",
+                               "Loads/hit/Force y=1 / t"}),
+                   {"Loads/hit/Force y: '1 / t'",
+                    "not a finite number at t = 0 s",
+                    "division by zero"});
+    EXPECT_EQ(history().n_rows, 0u);
+    EXPECT_EQ(history().names.front(), "time");
+    expect_contains(summary("exit_state"), {"'1 / t'"});
+    EXPECT_EQ(std::stod(summary("time_reached")), 0);
+  }
+
+
+
+  TEST_F(FailedRun, DeadLoadBeyondTheLastEquilibrium)
+  {
+    // With the spring's length d at the angle w from the line to the ground
+    // point, d^2 = 3 - 2 sqrt(2) cos(w), the moment about the pin is
+    // k (d - 1) dd/dw; the largest one is the limit.
+    double limit = 0;
+    for (double w = 0; w < 3; w += 1e-4)
+      {
+        const double d = std::sqrt(3 - 2 * std::sqrt(2) * std::cos(w));
+        limit = std::max(limit, (d - 1) * std::sqrt(2) * std::sin(w) / d);
+      }
+
+    write("scene.prm", data_text("overload.prm"));
+    expect_failure(run_auxfem({"scene.prm", "--output", "out"}),
+                   {"did not converge",
+                    "Time/Smallest time step = 0.001 s",
+                    "joint",
+                    "All steps until then are in the output folder",
+                    "smaller smallest step"});
+
+    // The last piece tried is shorter than two smallest steps (1 ms each), and
+    // the moment is t. The bar itself is stiff, but shortens by 1e-6.
+    const double reached = std::stod(summary("time_reached"));
+    EXPECT_LE(reached, limit + 1e-5);
+    EXPECT_GE(reached, limit - 2e-3);
+
+    const double last_whole_step = 0.02 * std::floor(reached / 0.02);
+    expect_results_until(last_whole_step, {"did not converge"}, 1, 0, "tip");
+  }
+
+
+
+  TEST_F(FailedRun, StepAtItsFloorInDynamics)
+  {
+    write("scene.prm", data_text("star.prm"));
+    // From 0.1 ms on, one iteration is too few for any step.
+    expect_failure(run_auxfem({"scene.prm",
+                               "--output",
+                               "out",
+                               "--set",
+                               "Loads/hit/Force y=if(t < 1e-4, 0, -50)",
+                               "--set",
+                               "Newton/Maximum iterations=1",
+                               "--set",
+                               "Time/Smallest time step=5 us",
+                               "--set",
+                               "Output/Graphics interval=0.02 ms"}),
+                   {"did not converge even with dt = 5e-06 s",
+                    "1 iteration",
+                    "joint"});
+    expect_results_until(
+      0.08e-3, {"did not converge"}, 0, 0.0409807621, "apex");
+  }
+} // namespace

@@ -1,0 +1,250 @@
+#include <support/scene_run.h>
+#include <verification/comparison_table.h>
+#include <verification/label.h>
+#include <verification/one_mass_scene.h>
+
+#include <functional>
+
+using namespace auxfem;
+using namespace auxfem::testing_support;
+
+// Creep, relaxation, ramps and cycles of viscoelastic connectors without
+// inertia; closed forms of the standard models (e.g. Findley, Lai & Onaran
+// 1976). K = 1000 N/m, C = 50 N s/m (tau = 0.05 s), spring beside it 400 N/m.
+
+namespace
+{
+  constexpr double k = 1000, c = 50, tau = c / k, k0 = 400;
+
+  const std::string kelvin_voigt =
+    "    set Law = kelvin-voigt\n    set Spring stiffness = 1000\n"
+    "    set Damping coefficient = 50";
+  const std::string maxwell =
+    "    set Law = maxwell\n    set Spring stiffness = 1000\n"
+    "    set Damping coefficient = 50";
+  const std::string standard_linear_solid =
+    "    set Law = standard-linear-solid\n    set Long-time stiffness = 400\n"
+    "    set Spring stiffness = 1000\n    set Damping coefficient = 50";
+
+  std::string static_steps(const double dt, const double end)
+  {
+    return "  set Scheme = static\n  set Time step = " + text(dt) +
+      "\n  set End time = " + text(end) + "\n";
+  }
+
+  std::string force(const std::string &course)
+  {
+    return "subsection Loads\n subsection weight\n  set Joints = 0\n"
+           "  set Force x = " +
+      course + "\n end\nend\n";
+  }
+
+  std::string motion(const std::string &course)
+  {
+    return "subsection Supports\n subsection drive\n  set Joints = 0\n"
+           "  set Type = prescribed\n  set Displacement x = " +
+      course + "\n end\nend\n";
+  }
+
+  /** Displacements under 1 N from t = 0 on, after @p n steps of @p dt each. */
+  std::vector<double>
+  creep(const std::string &law, const double dt, const unsigned int n)
+  {
+    SceneRun run(one_mass_scene(law, static_steps(dt, n * dt), force("1")));
+    std::vector<double> u;
+    run.run([&] { u.push_back(run.motion(0, 0)); });
+    return u;
+  }
+
+  struct ClosedForm
+  {
+    std::string                   name, law;
+    std::function<double(double)> value;
+  };
+
+  const std::vector<double> moments = {0.01, 0.05, 0.1, 0.2};
+} // namespace
+
+TEST(ConnectorCreep, FollowsTheClosedForms)
+{
+  const double                  creep_time = tau * (k0 + k) / k0;
+  const std::vector<ClosedForm> forms      = {
+    {"kelvin-voigt",
+     kelvin_voigt,
+     [](double t) { return (1 - std::exp(-t / tau)) / k; }},
+    {"maxwell", maxwell, [](double t) { return 1 / k + t / c; }},
+    {"standard-linear-solid", standard_linear_solid, [=](double t) {
+       return (1 - k / (k0 + k) * std::exp(-t / creep_time)) / k0;
+     }}};
+
+  ComparisonTable table("Creep under 1 N (m), extrapolated from steps of 0.5 "
+                        "and 0.25 ms, closed forms");
+  for (const ClosedForm &form : forms)
+    {
+      const double              dt     = 5e-4;
+      const std::vector<double> coarse = creep(form.law, dt, 400),
+                                fine   = creep(form.law, dt / 2, 800);
+      for (const double t : moments)
+        {
+          const unsigned int n = std::lround(t / dt);
+          const double       first_order =
+            std::abs(coarse[n - 1] - form.value(t));
+          // The jump of the force is taken as a rise over the first step, and
+          // the rate of Kelvin-Voigt as a backward difference: first order...
+          EXPECT_LT(first_order, dt / tau * form.value(t));
+          EXPECT_GT(first_order, 1e-3 * dt / tau * form.value(t));
+          // ...so extrapolation leaves (dt / tau)^2 = 1e-4 by the factors of
+          // the second-order term: 1/12 for the jump, up to 1/2 for the rate
+          // in relation to u where u is small.
+          table.relative(label(form.name + ", t", t),
+                         2 * fine[2 * n - 1] - coarse[n - 1],
+                         form.value(t),
+                         dt * dt / (tau * tau) / 2);
+        }
+    }
+}
+
+TEST(ConnectorCreep, IsTheExactDiscreteOne)
+{
+  const double       dt = 5e-3, a = dt / tau;
+  const unsigned int n = 40;
+
+  // Backward Euler: each step divides the distance from 1/k by 1 + dt / tau.
+  const std::vector<double> of_kelvin_voigt = creep(kelvin_voigt, dt, n);
+  // Extension linear in each step: first that of the jump, then flow.
+  const std::vector<double> of_maxwell = creep(maxwell, dt, n);
+  for (unsigned int i = 0; i < n; ++i)
+    {
+      // Newton's tolerance is 1e-13 of the force.
+      EXPECT_NEAR(of_kelvin_voigt[i],
+                  (1 - std::pow(1 + a, -int(i + 1))) / k,
+                  1e-12 / k);
+      EXPECT_NEAR(of_maxwell[i],
+                  (a / -std::expm1(-a) + i * a) / k,
+                  1e-12 * (1 + i * a) / k);
+    }
+}
+
+TEST(ConnectorRamp, IsExactForAnyStep)
+{
+  // The update of internal variables is exact for constant rates, and so is
+  // the backward difference. s = 0.1 m/s; dt = tau / 5.
+  const double                  s     = 0.1, dt = 0.01;
+  const std::vector<ClosedForm> forms = {
+    {"kelvin-voigt", kelvin_voigt, [=](double t) { return k * s * t + c * s; }},
+    {"maxwell",
+     maxwell,
+     [=](double t) { return c * s * -std::expm1(-t / tau); }},
+    {"standard-linear-solid", standard_linear_solid, [=](double t) {
+       return k0 * s * t + c * s * -std::expm1(-t / tau);
+     }}};
+  ComparisonTable table("Force under a ramp of 0.1 m/s (N), steps of tau / 5, "
+                        "closed forms");
+  for (const ClosedForm &form : forms)
+    {
+      SceneRun run(one_mass_scene(form.law,
+                                  static_steps(dt, moments.back()),
+                                  motion("0.1 * t")));
+      auto     moment = moments.begin();
+      run.run([&] {
+        if (moment == moments.end() || run.state.time < *moment - dt / 2)
+          return;
+        table.relative(label(form.name + ", t", *moment),
+                       run.reaction("drive", 0),
+                       form.value(*moment),
+                       1e-12);
+        ++moment;
+      });
+      EXPECT_EQ(moment, moments.end());
+    }
+}
+
+TEST(ConnectorRelaxation, DecaysByTheExactExponential)
+{
+  // 0.01 m reached in the first step: after it the exact decay of what a ramp
+  // over that step leaves, K U (1 - exp(-a)) / a, whatever the step.
+  const double    U = 0.01;
+  ComparisonTable table("Force at 0.2 s after a ramp to 0.01 m over the first "
+                        "step (N), closed forms");
+  for (const double dt : {1e-3, 1e-2, 0.1})
+    {
+      const double a     = dt / tau;
+      const double decay = -std::expm1(-a) / a * std::exp(-(0.2 - dt) / tau);
+      SceneRun     fluid(one_mass_scene(maxwell,
+                                    static_steps(dt, 0.2),
+                                    motion("0.01")));
+      fluid.run();
+      table.relative(label("maxwell, dt", dt),
+                     fluid.reaction("drive", 0),
+                     k * U * decay,
+                     1e-11);
+      SceneRun solid(one_mass_scene(standard_linear_solid,
+                                    static_steps(dt, 0.2),
+                                    motion("0.01")));
+      solid.run();
+      table.relative(label("standard-linear-solid, dt", dt),
+                     solid.reaction("drive", 0),
+                     U * (k0 + k * decay),
+                     1e-12);
+    }
+}
+
+TEST(ConnectorCycle, HasTheMaterialsModuliAndLoss)
+{
+  struct Case
+  {
+    std::string name, law;
+    double      storage, loss;
+  };
+  // K' and K'' of the closed forms at w tau = 1.
+  const std::vector<Case> cases = {{"kelvin-voigt", kelvin_voigt, 1000, 1000},
+                                   {"maxwell", maxwell, 500, 500},
+                                   {"standard-linear-solid",
+                                    standard_linear_solid,
+                                    900,
+                                    500}};
+  const double       U = 0.01, w = 20, period = 2 * std::acos(-1.) / w;
+  const unsigned int steps_a_period = 1000, n_periods = 5;
+  const double       dt             = period / steps_a_period;
+
+  ComparisonTable table("Moduli (N/m) and loss per cycle (J) of connectors at "
+                        "20 rad/s, amplitude 0.01 m, closed forms");
+  for (const Case &law : cases)
+    {
+      // With inertia, so that the rate of Kelvin-Voigt is that of the motion.
+      SceneRun run(one_mass_scene(
+        law.law,
+        "  set Time step = " + text(dt) +
+          "\n  set End time = " + text(n_periods * period) + "\n",
+        mass_and_velocity(1e-9, 0) + motion("0.01 * sin(20 * t)")));
+      double in_phase = 0, out_of_phase = 0, loss_before = 0, work_before = 0;
+      run.run([&] {
+        const unsigned long last = (n_periods - 1) * steps_a_period;
+        if (run.state.step == last)
+          {
+            loss_before = run.state.energies.dissipated;
+            work_before = run.state.energies.external;
+          }
+        if (run.state.step <= last)
+          return;
+        const double weight = 2. / steps_a_period * run.reaction("drive", 0);
+        in_phase += weight * std::sin(w * run.state.time) / U;
+        out_of_phase += weight * std::cos(w * run.state.time) / U;
+      });
+      // Second order: (w dt)^2 / 12 for the modulus of a Maxwell element,
+      // (w dt)^2 / 6 for trapezoidal work, together 1/4. Transients have died
+      // to exp(-25) = 1e-11; the inertia of 1e-9 kg is 4e-10 of the force.
+      const double allowed = 1.05 * w * w * dt * dt / 4;
+      const double loss    = std::acos(-1.) * law.loss * U * U;
+      table.relative(law.name + ", K'", in_phase, law.storage, allowed);
+      table.relative(law.name + ", K''", out_of_phase, law.loss, allowed);
+      table.relative(law.name + ", dissipated",
+                     run.state.energies.dissipated - loss_before,
+                     loss,
+                     allowed);
+      table.relative(law.name + ", work of the drive",
+                     run.state.energies.external - work_before,
+                     loss,
+                     allowed);
+    }
+}

@@ -1,0 +1,226 @@
+#include <deal.II/lac/lapack_full_matrix.h>
+
+#include <support/scene_run.h>
+#include <verification/comparison_table.h>
+#include <verification/frame_text.h>
+
+#include <array>
+
+using namespace auxfem;
+using namespace auxfem::testing_support;
+
+// Bending vibration of a steel bar 1 m x 0.1 m x 0.1 m: exact frequencies of
+// the Timoshenko beam (transfer matrix) and of the Euler-Bernoulli beam.
+
+namespace
+{
+  constexpr unsigned int n_modes = 5;
+  using Frequencies              = std::array<double, n_modes>;
+
+  const std::string timoshenko = "";
+  const std::string euler_bernoulli =
+    "subsection Effects\n  set Shear flexibility = off\n"
+    "  set Rotary inertia = off\nend\n";
+
+  std::string support(const std::string &name,
+                      const std::string &joint,
+                      const std::string &type)
+  {
+    return "subsection Supports\n subsection " + name + "\n  set Joints = " +
+      joint + "\n  set Type = " + type + "\n end\nend\n";
+  }
+
+  std::string bar(const std::string &supports, const std::string &effects)
+  {
+    return R"(
+subsection Lattice
+  set Cell   = frame
+  set Joints = 0 0; 1 0
+  set Struts = 0 1
+end
+subsection Sections
+  subsection steel
+    set Shape            = rectangle
+    set Width            = 0.1 m
+    set Height           = 0.1 m
+    set Shear correction = 5/6
+    set Young's modulus  = 210 GPa
+    set Poisson's ratio  = 0.3
+    set Density          = 7850 kg/m3
+  end
+end
+subsection Discretization
+  set Order              = 6
+  set Global refinements = 3
+end
+)" + supports + effects;
+  }
+
+  /** Free unknowns but those along the bar, whose motion has no part in bending. */
+  std::vector<int> bending_unknowns(const System &system)
+  {
+    const DofNumbering &numbering = system.numbering();
+    std::vector<bool>   along(numbering.n_owned(), false);
+    for (unsigned int e = 0; e < numbering.elements().size(); ++e)
+      for (unsigned int node = 0; node <= numbering.order(); ++node)
+        along[numbering.element_unknowns(e)[3 * node]] = true;
+    std::vector<int> unknowns;
+    for (unsigned int i = 0; i < numbering.n_owned(); ++i)
+      if (!along[i] && numbering.kind(i) != UnknownKind::prescribed)
+        unknowns.push_back(i);
+    return unknowns;
+  }
+
+  /** The tangent with @p factors at rest, in the rows and columns @p unknowns. */
+  dealii::LAPACKFullMatrix<double>
+  matrix_at_rest(SceneRun               &run,
+                 const TangentFactors   &factors,
+                 const std::vector<int> &unknowns)
+  {
+    const State before = run.state;
+    const Step  step{before, run.state, 1};
+    run.system.begin_step(step);
+    run.system.residual(step);
+    const auto tangent = run.system.make_tangent();
+    run.system.tangent(step, factors, *tangent);
+
+    std::vector<int> place(run.system.numbering().n_owned(), -1);
+    for (unsigned int i = 0; i < unknowns.size(); ++i)
+      place[unknowns[i]] = i;
+    dealii::LAPACKFullMatrix<double> matrix(unknowns.size(), unknowns.size());
+    for (unsigned int i = 0; i < unknowns.size(); ++i)
+      {
+        int     n;
+        double *values;
+        int    *columns;
+        tangent->matrix().ExtractMyRowView(unknowns[i], n, values, columns);
+        for (int k = 0; k < n; ++k)
+          if (const int column =
+                place[run.system.numbering().local_map().LID(
+                  tangent->matrix().GCID(columns[k]))];
+              column >= 0)
+            matrix(i, column) += values[k];
+      }
+    return matrix;
+  }
+
+  /** The lowest frequencies (Hz) above zero. */
+  Frequencies frequencies(const std::string &supports,
+                          const std::string &effects)
+  {
+    SceneRun               run(bar(supports, effects));
+    const std::vector<int> unknowns = bending_unknowns(run.system);
+    // M x = mu (K + s M) x: positive definite on the right even if the bar is
+    // free or has no rotary inertia; the lowest frequencies have the largest
+    // mu, which come out best.
+    const double shift = std::pow(2 * std::acos(-1.) * 500, 2);
+    auto         mass  = matrix_at_rest(run, {0, 0, 1}, unknowns);
+    auto shifted       = matrix_at_rest(run, {1, 0, shift}, unknowns);
+    std::vector<dealii::Vector<double>> modes(0);
+    mass.compute_generalized_eigenvalues_symmetric(shifted, modes);
+
+    Frequencies        result{};
+    unsigned int       found     = 0;
+    const unsigned int n         = unknowns.size();
+    const double       threshold = std::pow(2 * std::acos(-1.), 2);
+    for (unsigned int i = 0; i < n && found < n_modes; ++i)
+      {
+        const double mu      = mass.eigenvalue(n - 1 - i).real();
+        const double squared = 1 / mu - shift;
+        if (squared > threshold)
+          result[found++] = std::sqrt(squared) / (2 * std::acos(-1.));
+      }
+    return result;
+  }
+
+  void compare(const std::string &name,
+               const Frequencies &computed,
+               const Frequencies &exact,
+               const Frequencies &allowed,
+               ComparisonTable   &table)
+  {
+    for (unsigned int i = 0; i < n_modes; ++i)
+      table.relative(name + ", f" + std::to_string(i + 1),
+                     computed[i],
+                     exact[i],
+                     allowed[i]);
+  }
+
+  const std::string free_free = "";
+  const std::string cantilever = support("wall", "0", "clamp");
+  const std::string pinned =
+    support("left", "0", "pin") + support("right", "1", "pin");
+} // namespace
+
+TEST(NaturalFrequencies, TimoshenkoBar)
+{
+  ComparisonTable table("Natural frequencies of a Timoshenko bar (Hz), transfer "
+                        "matrix; 8 elements of order 6");
+  // Round-off only: the highest eigenvalue of the mesh is 1e7 times the first.
+  const double      e = 2e-9;
+  const Frequencies allowed{e, e, e, e, e};
+  compare("free-free",
+          frequencies(free_free, timoshenko),
+          {513.486056, 1335.675928, 2436.332636, 3717.532326, 5112.796653},
+          allowed,
+          table);
+  compare("cantilever",
+          frequencies(cantilever, timoshenko),
+          {82.894363, 496.814532, 1306.698073, 2370.308406, 3608.255034},
+          allowed,
+          table);
+  compare("pinned",
+          frequencies(pinned, timoshenko),
+          {230.680407, 881.522233, 1857.204082, 3057.511789, 4403.749439},
+          allowed,
+          table);
+}
+
+TEST(NaturalFrequencies, EulerBernoulliBar)
+{
+  // f = (bL)^2 / (2 pi L^2) sqrt(EI / rho A)
+  const double EI_over_rhoA = 210e9 / 7850 * 0.01 / 12;
+  const auto   exact        = [&](const Frequencies &bL) {
+    Frequencies f;
+    for (unsigned int i = 0; i < n_modes; ++i)
+      f[i] = bL[i] * bL[i] * std::sqrt(EI_over_rhoA) / (2 * std::acos(-1.));
+    return f;
+  };
+  // Shear is suppressed by a stiffness of 1e6 * 12 EI / L^2, which lowers a
+  // frequency by the part (bL)^2 / 2.4e7.
+  const auto allowed = [](const Frequencies &bL) {
+    Frequencies part;
+    for (unsigned int i = 0; i < n_modes; ++i)
+      part[i] = 1.5 * bL[i] * bL[i] / 2.4e7;
+    return part;
+  };
+  const double      pi = std::acos(-1.);
+  const Frequencies free_roots{4.73004074486,
+                               7.8532046241,
+                               10.995607838,
+                               14.1371654913,
+                               17.2787596574},
+    cantilever_roots{1.87510406871,
+                     4.69409113297,
+                     7.85475743824,
+                     10.9955407349,
+                     14.137168391},
+    pinned_roots{pi, 2 * pi, 3 * pi, 4 * pi, 5 * pi};
+  ComparisonTable table("Natural frequencies of an Euler-Bernoulli bar (Hz), "
+                        "closed form; 8 elements of order 6");
+  compare("free-free",
+          frequencies(free_free, euler_bernoulli),
+          exact(free_roots),
+          allowed(free_roots),
+          table);
+  compare("cantilever",
+          frequencies(cantilever, euler_bernoulli),
+          exact(cantilever_roots),
+          allowed(cantilever_roots),
+          table);
+  compare("pinned",
+          frequencies(pinned, euler_bernoulli),
+          exact(pinned_roots),
+          allowed(pinned_roots),
+          table);
+}
