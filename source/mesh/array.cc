@@ -225,8 +225,8 @@ namespace auxfem
                                lattice.struts.size());
             if (known.second || is_of_this_cell(known.first->second))
               {
-                if (!unit.set.empty())
-                  lattice.strut_sets[unit.set].push_back(lattice.struts.size());
+                for (const auto &set : unit.sets)
+                  lattice.strut_sets[set].push_back(lattice.struts.size());
                 lattice.struts.push_back(strut);
               }
           }
@@ -289,11 +289,17 @@ namespace auxfem
             for (unsigned int i = 0; i < lattice.joints.size(); ++i)
               {
                 if (lattice.joints[i][d] <= low + tolerance)
-                  lattice.joint_sets[names[d][0]].push_back(i);
+                  add_to_side(names[d][0], i);
                 if (lattice.joints[i][d] >= high - tolerance)
-                  lattice.joint_sets[names[d][1]].push_back(i);
+                  add_to_side(names[d][1], i);
               }
           }
+      }
+
+      void add_to_side(const std::string &side, const unsigned int joint)
+      {
+        if (cell.joint_sets.count(side) == 0)
+          lattice.joint_sets[side].push_back(joint);
       }
 
       void finish_sets()

@@ -35,7 +35,6 @@ namespace auxfem
     ResidualNorm norm      = timed_residual(step);
     double       size      = in_force_units(norm);
     double       reduction = std::numeric_limits<double>::infinity();
-    const double floor     = system.round_off_floor(step.to);
     // Prescribed unknowns may still have to move to their place.
     bool is_in_place = integrator.is_dynamic();
 
@@ -49,7 +48,12 @@ namespace auxfem
             return result;
           }
         result.relative_residual = force > 0 ? size / force : 0.;
-        if (is_in_place && size <= parameters.tolerance * force + floor)
+        // The floor is that of the iterate: a static step from rest begins without
+        // motion, hence without round-off.
+        const double wanted = parameters.tolerance * force;
+        if (is_in_place &&
+            (size <= wanted ||
+             size <= wanted + system.round_off_floor(step.to)))
           {
             result.converged = true;
             largest_force    = force;

@@ -16,10 +16,10 @@ namespace
   {
     UnitCell cell;
     cell.joints            = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
-    cell.struts            = {{0, 1, 0, "rails"},
-                              {1, 2, 0, "posts"},
-                              {3, 2, 0, "rails"},
-                              {0, 3, 0, "posts"}};
+    cell.struts            = {{0, 1, 0, {"rails"}},
+                              {1, 2, 0, {"posts"}},
+                              {3, 2, 0, {"rails"}},
+                              {0, 3, 0, {"posts"}}};
     cell.period[0]         = 1;
     cell.period[1]         = 1;
     cell.pairs["diagonal"] = {{0, 2}};

@@ -9,10 +9,14 @@
 
 namespace auxfem
 {
-  /** Makes the registered cell @p name from parameter lines as a user writes
-   * them. */
-  inline std::unique_ptr<Cell> cell_from_text(const std::string &name,
-                                              const std::string &text)
+  /**
+   * Makes the registered cell @p name from parameter lines as a user writes
+   * them in a file in @p directory.
+   */
+  inline std::unique_ptr<Cell>
+  cell_from_text(const std::string &name,
+                 const std::string &text,
+                 const std::string &directory = ".")
   {
     for (const auto &entry : cell_registry())
       if (entry.name == name)
@@ -21,7 +25,8 @@ namespace auxfem
           entry.declare(prm);
           prm.parse_input_from_string(text);
           SceneContext context;
-          context.path = "Lattice";
+          context.path      = "Lattice";
+          context.directory = directory;
           return entry.make(prm, context);
         }
     throw std::logic_error("no cell " + name);

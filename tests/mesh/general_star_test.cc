@@ -53,7 +53,7 @@ TEST(GeneralStarCell, EqualsTheSymmetricStar)
     {
       EXPECT_EQ(general.struts[i].first, star.struts[i].first);
       EXPECT_EQ(general.struts[i].second, star.struts[i].second);
-      EXPECT_EQ(general.struts[i].set, star.struts[i].set);
+      EXPECT_EQ(general.struts[i].sets, star.struts[i].sets);
     }
   EXPECT_EQ(general.pairs, star.pairs);
   EXPECT_NEAR((general.period - star.period).norm(), 0, 1e-16);

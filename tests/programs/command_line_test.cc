@@ -199,7 +199,7 @@ namespace
     EXPECT_EQ(read_text(path("out/original.prm")), data_text("star.prm"));
     EXPECT_EQ(summary("exit_state"), "completed");
     EXPECT_EQ(summary("steps"), "10");
-    EXPECT_EQ(std::stod(summary("time_reached")), 200e-6);
+    EXPECT_DOUBLE_EQ(std::stod(summary("time_reached")), 200e-6);
     EXPECT_EQ(summary("joints"), "44");
 
     // What was printed is in the log, except for progress, which may be denser.

@@ -118,6 +118,31 @@ namespace auxfem
     }
 
     /**
+     * A frame of straight struts with section stiffnesses of about one and a
+     * mass of 1.5 kg/m, with @p further subsections.
+     */
+    inline std::string frame_scene(const std::string &joints,
+                                   const std::string &struts,
+                                   const std::string &further)
+    {
+      return "subsection Lattice\n  set Cell = frame\n  set Joints = " +
+             joints + "\n  set Struts = " + struts + R"(
+end
+subsection Sections
+  subsection band
+    set Shape = given
+    set Area = 3
+    set Shear area = 5
+    set Second moment of area = 0.7
+    set Young's modulus = 1
+    set Poisson's ratio = 0.25
+    set Density = 0.5
+  end
+end
+)" + further;
+    }
+
+    /**
      * Star cells with strut length 1 and section stiffnesses of about one, and
      * everything a scene may have: hinges, rotational springs, connectors of
      * several laws, prescribed motion, masses, loads, gravity, damping.

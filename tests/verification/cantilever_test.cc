@@ -26,9 +26,8 @@ namespace
    * n elements, phi being their argument at the end. Under constant moment the
    * rotation is exact and the position its quadrature.
    */
-  double quadrature_error(const unsigned int p,
-                          const unsigned int n,
-                          const double       phi)
+  double
+  quadrature_error(const unsigned int p, const unsigned int n, const double phi)
   {
     const double f = std::tgamma(p + 1.), g = std::tgamma(2. * p + 1.);
     return std::pow(phi / n, 2. * p) * std::pow(f, 4) /
@@ -66,9 +65,7 @@ namespace
           EXPECT_NEAR(run.motion(1, 2), phi, 1e-9);
         });
         // Strain energy M^2 L / (2 EI)
-        EXPECT_NEAR(run.state.energies.strain,
-                    4 * pi * pi,
-                    1e-9 * 4 * pi * pi);
+        EXPECT_NEAR(run.state.energies.strain, 4 * pi * pi, 1e-9 * 4 * pi * pi);
         EXPECT_NEAR(run.reaction("clamp", 2), -4 * pi, 1e-9);
       }
   }
@@ -105,8 +102,8 @@ namespace
 
     ComparisonTable table("Circle unrolled by an end moment, closed form");
     // The axis at rest is interpolated as well as the current one, so the bound
-    // for 16 cubic elements of a full turn, over the length 10, counts twice; so
-    // does a component of a vector that has two.
+    // for 16 cubic elements of a full turn, over the length 10, counts twice;
+    // so does a component of a vector that has two.
     const double allowed = 4 * 10 * quadrature_error(3, 16, 2 * pi) + 5e-9;
     run.run([&] {
       if (run.state.step == 5)
@@ -151,19 +148,20 @@ namespace
   void compare_with_elastica(const double angle, const double step)
   {
     const std::string force = text(std::sin(angle)) + " * t";
-    SceneRun          run(cantilever({axial_stiffness, axial_stiffness, 1}, angle)
-                   .load("force", "1", {force, text(-std::cos(angle)) + " * t", "0"})
-                   .mesh(4, 3)
-                   .time(10, step)
-                   .str());
-    ComparisonTable   table(
+    SceneRun          run(
+      cantilever({axial_stiffness, axial_stiffness, 1}, angle)
+        .load("force", "1", {force, text(-std::cos(angle)) + " * t", "0"})
+        .mesh(4, 3)
+        .time(10, step)
+        .str());
+    ComparisonTable table(
       "Cantilever at " + text(std::round(angle * 180 / pi)) +
       " deg under a dead transverse tip force, elliptic integrals");
     run.run([&] {
       for (const ElasticaRow &row : mattiasson)
         if (std::abs(row[0] - run.state.time) < 1e-6)
           {
-            const double u = run.motion(1, 0), v = run.motion(1, 1);
+            const double      u = run.motion(1, 0), v = run.motion(1, 1);
             const std::string at = "P L^2/EI = " + text(row[0]) + ": ";
             table.row(at + "u/L",
                       -u * std::cos(angle) - v * std::sin(angle),

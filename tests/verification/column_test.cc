@@ -9,8 +9,9 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  constexpr double pi       = 3.14159265358979323846;
-  constexpr double critical = pi * pi / 4; // of a clamped-free column, EI = L = 1
+  constexpr double pi = 3.14159265358979323846;
+  constexpr double critical =
+    pi * pi / 4; // of a clamped-free column, EI = L = 1
 
   // As for any strut with EA = kGA, rotations are those of the inextensible
   // column, buckling load included, and the tip moves by P L / EA more.
@@ -34,8 +35,9 @@ namespace
     {150, 3.105361984, -0.2222683829, 0.6979073638}};
 
   /**
-   * A column along x with a lateral force that acts only while the load grows to
-   * the fourth row; the rows with no lateral force follow one after the other.
+   * A column along x with a lateral force that acts only while the load grows
+   * to the fourth row; the rows with no lateral force follow one after the
+   * other.
    */
   StaticScene column(const std::vector<unsigned int> &rows)
   {
@@ -86,21 +88,21 @@ namespace
     follow({3, 4, 5});
   }
 
-  // Below the critical load a lateral force leaves nothing behind, above it does.
+  // Below the critical load a lateral force leaves nothing behind, above it
+  // does.
   TEST(Column, CriticalLoadSeparatesStraightFromBuckled)
   {
     for (const double load : {0.99, 1.01})
       {
         StaticScene scene("0 0; 1 0", "0 1");
-        SceneRun    run(scene.section({axial_stiffness, axial_stiffness, 1})
-                       .support("clamp", "0", "clamp")
-                       .load("axial",
-                             "1",
-                             {through({load, load}, -critical), "0", "0"})
-                       .load("lateral", "1", {"0", through({0.1, 0}), "0"})
-                       .mesh(4, 2)
-                       .time(2, 0.125)
-                       .str());
+        SceneRun    run(
+          scene.section({axial_stiffness, axial_stiffness, 1})
+            .support("clamp", "0", "clamp")
+            .load("axial", "1", {through({load, load}, -critical), "0", "0"})
+            .load("lateral", "1", {"0", through({0.1, 0}), "0"})
+            .mesh(4, 2)
+            .time(2, 0.125)
+            .str());
         run.run();
         // alpha^2 / 8 = P/Pcr - 1 near the critical load, up to terms of
         // relative size alpha^2 / 23, here 1e-3

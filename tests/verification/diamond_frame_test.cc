@@ -151,7 +151,7 @@ namespace
         run.run();
         EXPECT_NEAR(run.motion(1, 1),
                     1. / (is_pinned ? 12 : 48) + 0.5 / axial_stiffness,
-                    1e-12);
+                    1e-9); // round-off of stretching against bending
       }
   }
 } // namespace

@@ -176,7 +176,8 @@ namespace auxfem
     };
 
     /**
-     * A function of t that passes through 0 at t = 0 and values[i] at t = i + 1,
+     * A function of t that passes through 0 at t = 0 and values[i] at t = i +
+     * 1,
      * linear in between, times @p factor.
      */
     inline std::string through(const std::vector<double> &values,

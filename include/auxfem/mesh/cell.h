@@ -6,14 +6,14 @@
 
 namespace auxfem
 {
-  /** One strut of a unit cell and the strut set it belongs to. */
+  /** One strut of a unit cell and the strut sets it belongs to. */
   struct UnitStrut
   {
     unsigned int first, second;
     /** Rise of the arc over the chord (m), signed as Strut::sagitta. */
     double sagitta = 0;
-    /** Name of the strut set, e.g. `edges`, `stubs`; empty for none. */
-    std::string set = {};
+    /** Names of the strut sets, e.g. `edges`, `stubs`. */
+    std::vector<std::string> sets = {};
   };
 
   /**
@@ -47,7 +47,7 @@ namespace auxfem
      * Joints through which cells meet, by side (`left`, `right`, `bottom`,
      * `top`, `back`, `front`); on the array's boundary they form the set of
      * that name. Empty: the sets are the joints on the faces of the bounding
-     * box.
+     * box, except where joint_sets has a set of that name.
      */
     std::map<std::string, std::vector<unsigned int>> ports;
 

@@ -6,7 +6,8 @@ namespace auxfem
   {
     static const Registry<Cell> registry = {star_cell_entry(),
                                             general_star_cell_entry(),
-                                            frame_cell_entry()};
+                                            frame_cell_entry(),
+                                            mesh_file_cell_entry()};
     return registry;
   }
 } // namespace auxfem

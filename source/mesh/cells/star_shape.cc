@@ -72,7 +72,7 @@ namespace auxfem
               end[axis] += sign * length;
               port = cell.joints.size();
               cell.joints.push_back(end);
-              cell.struts.push_back({first_vertex + i, port, 0., "stubs"});
+              cell.struts.push_back({first_vertex + i, port, 0., {"stubs"}});
             }
           cell.ports[sides[i]] = {port};
         }
@@ -86,7 +86,7 @@ namespace auxfem
       // quadrants and sides alternate: 0 between right and top, and so on.
       for (unsigned int tip = 0; tip < 4; ++tip)
         for (const unsigned int vertex : {tip, (tip + 1) % 4})
-          cell.struts.push_back({tip, first_vertex + vertex, 0., "edges"});
+          cell.struts.push_back({tip, first_vertex + vertex, 0., {"edges"}});
     }
 
     void set_period(UnitCell &cell, const StarShape &shape)

@@ -85,7 +85,7 @@ namespace auxfem
         const double *u = step.to.displacement.Values();
         const double *v = damped ? step.to.velocity->Values() : nullptr;
         energy          = {};
-        double local_u[n], local_v[n], force[n];
+        double local_u[n], local_v[n] = {}, force[n];
         for (unsigned int e = 0; e < elements.size(); ++e)
           {
             const int *unknowns = numbering.element_unknowns(e);
@@ -119,7 +119,7 @@ namespace auxfem
           return;
         const double *u = step.to.displacement.Values();
         const double *v = damped ? step.to.velocity->Values() : nullptr;
-        double        local_u[n], local_v[n], block[n * n];
+        double        local_u[n], local_v[n] = {}, block[n * n];
         for (unsigned int e = 0; e < elements.size(); ++e)
           {
             const int *unknowns = numbering.element_unknowns(e);

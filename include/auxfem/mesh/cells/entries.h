@@ -16,6 +16,9 @@ namespace auxfem
 
   /** Joints and struts given one by one (mesh/cells/frame.cc). */
   RegistryEntry<Cell> frame_cell_entry();
+
+  /** Line elements of a file that gmsh reads (mesh/cells/mesh_file.cc). */
+  RegistryEntry<Cell> mesh_file_cell_entry();
 } // namespace auxfem
 
 #endif

@@ -1,0 +1,319 @@
+#include <deal.II/base/numbers.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+
+#include "cell_from_text.h"
+
+using namespace auxfem;
+
+namespace
+{
+  const std::string portal_directory = AUXFEM_PRM_DIRECTORY "/../meshes";
+
+  using Indices = std::vector<unsigned int>;
+
+  Lattice read(const std::string &file,
+               const std::string &directory,
+               const std::string &further_lines = "")
+  {
+    const auto cell =
+      cell_from_text("mesh file",
+                     "set File = " + file + "\n" + further_lines,
+                     directory);
+    return make_array(cell->build(), {{1, 1, 1}});
+  }
+
+  /**
+   * Writes @p text into a file with the name of the running test. gmsh ignores
+   * a geometry of one line without line break.
+   */
+  std::string write(const std::string &text, const std::string &ending)
+  {
+    const auto *test = testing::UnitTest::GetInstance()->current_test_info();
+    const std::string file =
+      "mesh_file_" + std::string(test->name()) + "." + ending;
+    std::ofstream(AUXFEM_TEST_OUTPUT_DIRECTORY "/" + file) << text << '\n';
+    return file;
+  }
+
+  Lattice read_text(const std::string &text, const std::string &ending)
+  {
+    return read(write(text, ending), AUXFEM_TEST_OUTPUT_DIRECTORY);
+  }
+
+  std::string refusal(const std::string &text, const std::string &ending)
+  {
+    return input_error_of([&]() { read_text(text, ending); });
+  }
+
+  /** A mesh in version 2.2 of gmsh's format from its nodes and elements. */
+  std::string mesh(const std::vector<std::string> &nodes,
+                   const std::vector<std::string> &elements,
+                   const std::vector<std::string> &names = {})
+  {
+    std::string text = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n";
+    const auto  add  = [&text](const std::string              &section,
+                             const std::vector<std::string> &lines) {
+      text += "$" + section + "\n" + std::to_string(lines.size()) + "\n";
+      for (const auto &line : lines)
+        text += line + "\n";
+      text += "$End" + section + "\n";
+    };
+    if (!names.empty())
+      add("PhysicalNames", names);
+    add("Nodes", nodes);
+    add("Elements", elements);
+    return text;
+  }
+
+  void expect_portal(const Lattice &lattice)
+  {
+    const std::vector<dealii::Point<3>> joints = {{0, 0, 0},
+                                                  {0, 1.5, 0},
+                                                  {1.2, 1.9, 0},
+                                                  {2.4, 1.5, 0},
+                                                  {2.4, 0, 0}};
+    ASSERT_EQ(lattice.joints.size(), joints.size());
+    // Round-off of millimetres that become metres.
+    for (unsigned int i = 0; i < joints.size(); ++i)
+      EXPECT_NEAR(lattice.joints[i].distance(joints[i]), 0, 1e-15);
+
+    ASSERT_EQ(lattice.struts.size(), 4u);
+    for (unsigned int i = 0; i < 4; ++i)
+      EXPECT_EQ(lattice.struts[i].joints,
+                (std::array<unsigned int, 2>{{i, i + 1}}));
+    EXPECT_EQ(lattice.struts[0].sagitta, 0);
+    EXPECT_EQ(lattice.struts[3].sagitta, 0);
+    // gmsh leaves the middle node on the circle of radius 2 m up to round-off
+    // of coordinates of 2000 mm (4e-16 m), seen from the middle of the arc ten
+    // times as far away as the arc rises over its chord.
+    const double length = 2. * std::acos(0.8);
+    EXPECT_NEAR(lattice.length(lattice.struts[1]), length, 1e-13);
+    EXPECT_NEAR(lattice.length(lattice.struts[2]), length, 1e-13);
+    EXPECT_GT(lattice.struts[1].sagitta, 0);
+    EXPECT_GT(lattice.struts[2].sagitta, 0);
+
+    EXPECT_EQ(lattice.joint_sets.at("feet"), (Indices{0, 4}));
+    EXPECT_EQ(lattice.joint_sets.at("crown"), (Indices{2}));
+    EXPECT_EQ(lattice.joint_sets.at("bottom"), (Indices{0, 4}));
+    EXPECT_EQ(lattice.joint_sets.at("top"), (Indices{2}));
+    EXPECT_EQ(lattice.strut_sets.at("all"), (Indices{0, 1, 2, 3}));
+    EXPECT_EQ(lattice.strut_sets.at("legs"), (Indices{0, 3}));
+    EXPECT_EQ(lattice.strut_sets.at("arch"), (Indices{1, 2}));
+    EXPECT_EQ(lattice.strut_sets.at("left half"), (Indices{0, 1}));
+  }
+} // namespace
+
+TEST(MeshFileCell, Portal)
+{
+  expect_portal(read("portal.msh", portal_directory, "set Length unit = 1 mm"));
+}
+
+TEST(MeshFileCell, MeshesAGeometry)
+{
+  expect_portal(read("portal.geo", portal_directory, "set Length unit = 1 mm"));
+}
+
+TEST(MeshFileCell, OptionsOfOneGeometryDoNotReachTheNext)
+{
+  read("portal.geo", portal_directory);
+  const auto lattice = read_text("Point(1) = {0, 0, 0}; Point(2) = {2, 0, 0};"
+                                 "Point(3) = {1, 0, 0};"
+                                 "Circle(1) = {1, 3, 2};"
+                                 "Transfinite Curve {1} = 3;",
+                                 "geo");
+  ASSERT_EQ(lattice.struts.size(), 2u);
+  for (const auto &strut : lattice.struts)
+    EXPECT_EQ(strut.sagitta, 0);
+}
+
+TEST(MeshFileCell, NumbersJointsByNodeAndStrutsByElement)
+{
+  const auto lattice =
+    read_text(mesh({"9 0 0 0", "4 1 0 0", "7 1 1 0", "2 5 5 0"},
+                   {"8 1 2 0 1 7 9", "3 1 2 0 2 4 7"}),
+              "msh");
+  ASSERT_EQ(lattice.joints.size(), 3u);
+  EXPECT_EQ(lattice.joints[0], dealii::Point<3>(1, 0, 0));
+  EXPECT_EQ(lattice.joints[1], dealii::Point<3>(1, 1, 0));
+  EXPECT_EQ(lattice.joints[2], dealii::Point<3>(0, 0, 0));
+  ASSERT_EQ(lattice.struts.size(), 2u);
+  EXPECT_EQ(lattice.struts[0].joints, (std::array<unsigned int, 2>{{0, 1}}));
+  EXPECT_EQ(lattice.struts[1].joints, (std::array<unsigned int, 2>{{1, 2}}));
+}
+
+TEST(MeshFileCell, LinesRepeatedForTheirGroupsAreOneStrut)
+{
+  const auto lattice = read_text(
+    mesh({"1 0 0 0", "2 1 0 0", "3 2 0 0"},
+         {"1 1 2 5 1 1 2", "2 1 2 6 1 2 1", "3 1 2 6 2 2 3", "4 15 2 3 3 3"},
+         {"1 5 \"web\""}),
+    "msh");
+  ASSERT_EQ(lattice.struts.size(), 2u);
+  EXPECT_EQ(lattice.strut_sets.at("web"), (Indices{0}));
+  EXPECT_EQ(lattice.strut_sets.at("group 6"), (Indices{0, 1}));
+  EXPECT_EQ(lattice.joint_sets.at("group 3"), (Indices{2}));
+}
+
+TEST(MeshFileCell, AGroupTakesTheNameOfASide)
+{
+  const auto lattice =
+    read_text(mesh({"1 0 0 0", "2 1 0 0", "3 1 1 0"},
+                   {"1 1 2 0 1 1 2", "2 1 2 0 2 2 3", "3 15 2 8 3 2"},
+                   {"0 8 \"right\""}),
+              "msh");
+  EXPECT_EQ(lattice.joint_sets.at("right"), (Indices{1}));
+  EXPECT_EQ(lattice.joint_sets.at("left"), (Indices{0}));
+}
+
+TEST(MeshFileCell, ArcsLeadThroughTheirMiddleNode)
+{
+  // Unit circle: a quarter to the left of its direction with its node off the
+  // middle, a half to the right, three quarters; then a straight line. A node
+  // at 16 digits is off the circle by round-off, which the sagitta shows up to
+  // ten times as large.
+  const auto lattice = read_text(mesh({"1 1 0 0",
+                                       "2 0 1 0",
+                                       "3 0 -1 0",
+                                       "4 0.8 0.6 0",
+                                       "5 -1 0 0",
+                                       "6 -0.6 0.8 0",
+                                       "7 0.6 -0.8 0",
+                                       "8 3 2 0",
+                                       "9 2.1 1.4 0",
+                                       "10 0 0 0"},
+                                      {"1 8 2 0 1 2 1 4",
+                                       "2 8 2 0 2 3 2 7",
+                                       "3 8 2 0 3 1 3 6",
+                                       "4 8 2 0 4 10 8 9",
+                                       "5 8 2 0 5 3 2 5"}),
+                                 "msh");
+  ASSERT_EQ(lattice.struts.size(), 5u);
+  const double root = std::sqrt(0.5);
+  EXPECT_NEAR(lattice.struts[0].sagitta, 1 - root, 1e-15);
+  EXPECT_NEAR(lattice.struts[1].sagitta, -1, 2e-15);
+  EXPECT_NEAR(lattice.struts[2].sagitta, -(1 + root), 1e-14);
+  EXPECT_EQ(lattice.struts[3].sagitta, 0);
+  EXPECT_NEAR(lattice.struts[4].sagitta, 1, 2e-15);
+  EXPECT_NEAR(lattice.length(lattice.struts[2]),
+              1.5 * dealii::numbers::PI,
+              1e-14);
+}
+
+TEST(MeshFileCell, RefusesFilesItCannotRead)
+{
+  const auto missing =
+    input_error_of([]() { read("no such.msh", portal_directory); });
+  EXPECT_TRUE(contains(missing, "Lattice/File: cannot read the mesh file"))
+    << missing;
+  EXPECT_TRUE(contains(missing, "/no such.msh")) << missing;
+  EXPECT_TRUE(contains(missing, "folder of the parameter file")) << missing;
+  EXPECT_TRUE(contains(input_error_of([]() { read(".", portal_directory); }),
+                       "cannot read the mesh file"));
+}
+
+TEST(MeshFileCell, PassesOnWhatGmshSays)
+{
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  const auto syntax = refusal("Point(1) = {0, 0, 0};\nPoint(2) = {0, 1;\n"
+                              "\x01\x02",
+                              "geo");
+  const auto node =
+    refusal(mesh({"1 0 0 0", "2 1 0 0"}, {"1 1 2 0 1 1 5"}), "msh");
+  const auto text = refusal("some other file", "txt");
+  EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+
+  EXPECT_TRUE(contains(syntax, "Lattice/File: gmsh cannot read")) << syntax;
+  EXPECT_TRUE(contains(syntax, "line 2: syntax error")) << syntax;
+  EXPECT_FALSE(contains(syntax, "\x01")) << syntax;
+  EXPECT_TRUE(contains(node, "Wrong node index 5")) << node;
+  EXPECT_TRUE(contains(text, "syntax error")) << text;
+
+  // A file that cannot be read leaves no traces in gmsh.
+  read("portal.geo", portal_directory);
+}
+
+TEST(MeshFileCell, RefusesMeshesWithoutLines)
+{
+  const auto triangle =
+    refusal(mesh({"1 0 0 0", "2 1 0 0", "3 0 1 0"}, {"1 2 2 0 1 1 2 3"}),
+            "msh");
+  EXPECT_TRUE(contains(triangle, "no line elements")) << triangle;
+  EXPECT_TRUE(
+    contains(refusal("Point(1) = {0, 0, 0};", "geo"), "no line elements"));
+  EXPECT_TRUE(contains(refusal("", "msh"), "no line elements"));
+}
+
+TEST(MeshFileCell, RefusesLinesOfHigherOrder)
+{
+  const auto message =
+    refusal(mesh({"1 0 0 0", "2 3 0 0", "3 1 0 0", "4 2 0 0"},
+                 {"6 26 2 0 1 1 2 3 4"}),
+            "msh");
+  EXPECT_TRUE(contains(message, "line elements of 4 nodes")) << message;
+  EXPECT_TRUE(contains(message, "element 6")) << message;
+  EXPECT_TRUE(contains(message, "Mesh.ElementOrder")) << message;
+}
+
+TEST(MeshFileCell, RefusesNodesOutsideThePlane)
+{
+  const auto message =
+    refusal(mesh({"1 0 0 0", "2 1 0 0.25"}, {"1 1 2 0 1 1 2"}), "msh");
+  EXPECT_TRUE(contains(message, "node 2 lies at (1, 0, 0.25) m")) << message;
+  EXPECT_TRUE(contains(refusal(mesh({"1 0 0 0", "2 1 0 0", "3 0.5 0 1"},
+                                    {"1 8 2 0 1 1 2 3"}),
+                               "msh"),
+                       "node 3 lies at"));
+}
+
+TEST(MeshFileCell, RefusesStrutsWithoutLength)
+{
+  const auto message = refusal(mesh({"1 0 0 0", "2 1 0 0", "3 1 0 0"},
+                                    {"1 1 2 0 1 1 2", "2 1 2 0 1 2 3"}),
+                               "msh");
+  EXPECT_TRUE(contains(message, "line element 2 (from node 2 to node 3)"))
+    << message;
+  EXPECT_TRUE(contains(message, "zero length")) << message;
+  EXPECT_TRUE(contains(refusal(mesh({"1 0 0 0"}, {"1 1 2 0 1 1 1"}), "msh"),
+                       "zero length"));
+}
+
+TEST(MeshFileCell, RefusesArcsThatCannotBe)
+{
+  const auto behind =
+    refusal(mesh({"1 0 0 0", "2 1 0 0", "3 2 0 0"}, {"1 8 2 0 1 1 2 3"}),
+            "msh");
+  EXPECT_TRUE(contains(behind, "turns back: its middle node 3")) << behind;
+  const auto joined = refusal(mesh({"1 0 0 0", "2 2 0 0", "3 1 1 0", "4 1 2 0"},
+                                   {"1 8 2 0 1 1 2 3", "2 1 2 0 2 3 4"}),
+                              "msh");
+  EXPECT_TRUE(contains(joined, "node 3 in its middle")) << joined;
+}
+
+TEST(MeshFileCell, RefusesGroupsThatCannotBe)
+{
+  const std::vector<std::string> nodes = {"1 0 0 0", "2 1 0 0", "3 0 1 0"};
+  const auto                     loose =
+    refusal(mesh(nodes, {"1 1 2 0 1 1 2", "2 15 2 4 2 3"}, {"0 4 \"load\""}),
+            "msh");
+  EXPECT_TRUE(contains(loose, "group \"load\" has node 3")) << loose;
+  const auto all =
+    refusal(mesh(nodes, {"1 1 2 4 1 1 2"}, {"1 4 \"all\""}), "msh");
+  EXPECT_TRUE(contains(all, "named \"all\"")) << all;
+}
+
+TEST(MeshFileCell, CannotBeRepeated)
+{
+  const auto cell =
+    cell_from_text("mesh file", "set File = portal.msh", portal_directory);
+  const auto message = input_error_of([&]() {
+    make_array(cell->build(), {{2, 1, 1}});
+  });
+  EXPECT_TRUE(contains(message, "2 cells along x")) << message;
+  EXPECT_TRUE(contains(message, "no neighbour cells")) << message;
+}

@@ -1,0 +1,185 @@
+#include <support/run_program.h>
+
+namespace
+{
+  using namespace auxfem::testing_support;
+
+  /** What a run says that it simulates and leaves out. */
+  class EffectsProgram : public ProgramTest
+  {
+  protected:
+    /** Reasons by name of the effect, of the two lists on the screen. */
+    struct Lists
+    {
+      std::map<std::string, std::string> simulated, left_out;
+    };
+
+    static Lists read_lists(const std::string &text)
+    {
+      Lists                               lists;
+      std::map<std::string, std::string> *list = nullptr;
+      std::istringstream                  stream(text);
+      std::smatch                         match;
+      for (std::string line; std::getline(stream, line);)
+        if (line == "Simulated")
+          list = &lists.simulated;
+        else if (line == "Left out")
+          list = &lists.left_out;
+        else if (line.empty())
+          list = nullptr;
+        else if (list && std::regex_match(line,
+                                          match,
+                                          std::regex("  (.*?\\S)  +(.*)")))
+          (*list)[match[1]] = match[2];
+      return lists;
+    }
+
+    Lists check(const Words       &overrides,
+                const std::string &text = data_text("star.prm")) const
+    {
+      write("scene.prm", text);
+      Words arguments = {"--check", "scene.prm"};
+      for (const std::string &text : overrides)
+        {
+          arguments.push_back("--set");
+          arguments.push_back(text);
+        }
+      const ProgramRun run = run_auxfem(arguments);
+      EXPECT_EQ(run.exit_code, 0) << run.errors;
+      return read_lists(run.output);
+    }
+
+    Table run(const std::string &name, const Words &overrides) const
+    {
+      write("scene.prm", data_text("star.prm"));
+      Words arguments = {"scene.prm",
+                         "--output",
+                         name,
+                         "--set",
+                         "Output/Graphics=false"};
+      for (const std::string &text : overrides)
+        {
+          arguments.push_back("--set");
+          arguments.push_back(text);
+        }
+      const ProgramRun run = run_auxfem(arguments);
+      EXPECT_EQ(run.exit_code, 0) << run.errors;
+      return history(name);
+    }
+  };
+
+  TEST_F(EffectsProgram, AutoFollowsTheScene)
+  {
+    const Lists lists = check({});
+    EXPECT_EQ(lists.simulated,
+              (std::map<std::string, std::string>{
+                {"large rotation",
+                 "size of the displacements not known beforehand"},
+                {"shear flexibility", "the sections have a shear area"},
+                {"inertia", "time scheme newmark"},
+                {"rotary inertia", "inertia is simulated"},
+                {"connector viscosity", "a connector law has a dashpot"}}));
+    EXPECT_EQ(lists.left_out,
+              (std::map<std::string, std::string>{
+                {"strut damping", "no section has damping"},
+                {"gravity", "no acceleration given"},
+                {"hinges", "all joints are rigid"}}));
+  }
+
+
+
+  TEST_F(EffectsProgram, WhatASceneAddsIsSimulated)
+  {
+    const Lists lists =
+      check({"Gravity/Acceleration y=-9.81",
+             "Joints/loose/Joints=tips",
+             "Sections/steel/Stiffness-proportional damping=1 us"});
+    EXPECT_EQ(lists.simulated.size(), 8u);
+    EXPECT_TRUE(lists.left_out.empty());
+    EXPECT_EQ(lists.simulated.at("gravity"), "an acceleration is given");
+    EXPECT_EQ(lists.simulated.at("hinges"), "joints with released struts");
+    EXPECT_EQ(lists.simulated.at("strut damping"), "a section has damping");
+  }
+
+
+
+  TEST_F(EffectsProgram, StaticsAndElasticConnectorsLeaveOutTheirEffects)
+  {
+    const Lists lists =
+      check({"Time/Scheme=static", "Connectors/damper/Law=spring"},
+            replaced(data_text("star.prm"),
+                     "set Damping coefficient",
+                     "# set Damping coefficient"));
+    EXPECT_EQ(lists.left_out.at("inertia"), "time scheme static");
+    EXPECT_EQ(lists.left_out.at("rotary inertia"), "no inertia");
+    EXPECT_EQ(lists.left_out.at("connector viscosity"),
+              "no connector has a dashpot");
+  }
+
+
+
+  TEST_F(EffectsProgram, WhatIsSwitchedOffIsLeftOutAsSet)
+  {
+    const Lists lists = check({"Effects/Large rotation=off",
+                               "Effects/Shear flexibility=off",
+                               "Effects/Rotary inertia=off",
+                               "Effects/Connector viscosity=off",
+                               "Gravity/Acceleration y=-9.81",
+                               "Effects/Gravity=off"});
+    EXPECT_EQ(lists.simulated.size(), 1u);
+    EXPECT_EQ(lists.simulated.count("inertia"), 1u);
+    for (const char *name : {"large rotation",
+                             "shear flexibility",
+                             "rotary inertia",
+                             "connector viscosity",
+                             "gravity"})
+      EXPECT_EQ(lists.left_out.at(name), "as set") << name;
+  }
+
+
+
+  TEST_F(EffectsProgram, EverySwitchChangesTheResult)
+  {
+    const Words scene = {"Time/End time=0.2 ms",
+                         "Gravity/Acceleration y=-9.81",
+                         "Sections/steel/Stiffness-proportional damping=1 us",
+                         "Joints/loose/Joints=tips"};
+    const double motion = run("all", scene)["top.uy"].back();
+    for (const char *name : {"Large rotation",
+                             "Shear flexibility",
+                             "Rotary inertia",
+                             "Connector viscosity",
+                             "Strut damping",
+                             "Gravity",
+                             "Hinges"})
+      {
+        Words overrides = scene;
+        overrides.push_back("Effects/" + std::string(name) + "=off");
+        // far above the round-off of the same computation twice
+        EXPECT_GT(std::abs(run("less", overrides)["top.uy"].back() - motion),
+                  1e-9 * std::abs(motion))
+          << name;
+      }
+  }
+
+
+
+  TEST_F(EffectsProgram, ALinearSceneIsFactorizedOnce)
+  {
+    const Words linear = {"Effects/Large rotation=off",
+                          "Connectors/damper/Geometry=direction",
+                          "Connectors/damper/Direction=0 1"};
+    const Table once   = run("once", linear);
+    EXPECT_EQ(summary("factorizations", "once"), "1");
+    EXPECT_EQ(summary("newton_iterations", "once"), "50");
+
+    Words twice = linear;
+    twice.push_back("Loads/hit/Force y=-8e3 * t");
+    const Table doubled = run("twice", twice);
+    for (const char *name : {"top.uy", "top.vy", "foundation.ry"})
+      // Every step is solved to 1e-8 of the forces.
+      EXPECT_NEAR(doubled[name].back(),
+                  2 * once[name].back(),
+                  1e-7 * doubled.largest(name));
+  }
+} // namespace

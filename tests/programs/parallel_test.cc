@@ -1,0 +1,252 @@
+#include <support/graphics_series.h>
+
+namespace
+{
+  using namespace auxfem::testing_support;
+
+  /** Whole runs on two ranks. */
+  class ParallelProgram : public ProgramTest
+  {
+  protected:
+    static unsigned int count(const std::string &text, const std::string &part)
+    {
+      unsigned int n = 0;
+      for (std::size_t place = text.find(part); place != std::string::npos;
+           place             = text.find(part, place + 1))
+        ++n;
+      return n;
+    }
+
+    /** The message is there, once, and the run ends with @p exit_code. */
+    static void expect_one_message(const ProgramRun  &run,
+                                   const int          exit_code,
+                                   const std::string &message)
+    {
+      EXPECT_EQ(run.exit_code, exit_code) << run.errors;
+      EXPECT_EQ(count(run.errors, message), 1u) << run.errors;
+      EXPECT_EQ(count(run.errors, "auxfem: "), 1u) << run.errors;
+      expect_without(run.errors, {"Stacktrace", "internal error"});
+    }
+
+    /** All columns of two histories agree to 1e-10 of the largest value. */
+    static void expect_same(const Table &one, const Table &two)
+    {
+      ASSERT_EQ(one.names, two.names);
+      ASSERT_EQ(one.n_rows, two.n_rows);
+      for (const std::string &name : one.names)
+        {
+          // The balance is a small difference of energies.
+          const double scale =
+            one.largest(name == "balance" ? "external" : name);
+          for (unsigned int i = 0; i < one.n_rows; ++i)
+            EXPECT_NEAR(one[name][i], two[name][i], 1e-10 * scale)
+              << name << " in row " << i;
+        }
+    }
+
+    /** A push from the side, so that no column is zero by symmetry. */
+    const Words lopsided = {"scene.prm",
+                            "--set",
+                            "Loads/hit/Force x=1e3 * t",
+                            "--set",
+                            "Loads/hit/Moment=0.5 * t"};
+
+    Words with(Words words, const Words &more) const
+    {
+      words.insert(words.end(), more.begin(), more.end());
+      return words;
+    }
+  };
+
+  TEST_F(ParallelProgram, TwoRanksComputeWhatOneDoes)
+  {
+    write("scene.prm", data_text("star.prm"));
+    const ProgramRun one = run_auxfem(with(lopsided, {"--output", "one"}));
+    const ProgramRun two =
+      run_auxfem_on(2, with(lopsided, {"--output", "two"}));
+    ASSERT_EQ(one.exit_code, 0) << one.errors;
+    ASSERT_EQ(two.exit_code, 0) << two.errors;
+    EXPECT_EQ(count(two.output, "Completed at t ="), 1u);
+    expect_same(history("one"), history("two"));
+    EXPECT_EQ(summary("ranks", "two"), "2");
+    for (const char *key : {"elements",
+                            "connectors",
+                            "unknowns",
+                            "free_unknowns",
+                            "steps",
+                            "newton_iterations"})
+      EXPECT_EQ(summary(key, "one"), summary(key, "two")) << key;
+  }
+
+
+
+  TEST_F(ParallelProgram, TwoRanksComputeStaticsAsOneDoes)
+  {
+    write("scene.prm", data_text("star.prm"));
+    const Words arguments = with(lopsided,
+                                 {"--set",
+                                  "Time/Scheme=static",
+                                  "--set",
+                                  "Time/End time=0.2 ms",
+                                  "--set",
+                                  "Newton/Factorization=every iteration"});
+    ASSERT_EQ(run_auxfem(with(arguments, {"--output", "one"})).exit_code, 0);
+    ASSERT_EQ(run_auxfem_on(2, with(arguments, {"--output", "two"})).exit_code,
+              0);
+    const Table table = history("one");
+    EXPECT_EQ(table.largest("kinetic"), 0);
+    expect_same(table, history("two"));
+  }
+
+
+
+  TEST_F(ParallelProgram, GraphicsOfTwoRanksAreWhole)
+  {
+    write("scene.prm", data_text("star.prm"));
+    ASSERT_EQ(run_auxfem(with(lopsided, {"--output", "one"})).exit_code, 0);
+    ASSERT_EQ(run_auxfem_on(2, with(lopsided, {"--output", "two"})).exit_code,
+              0);
+    for (const std::string name : {"solution", "connectors"})
+      {
+        const GraphicsSeries one(path("one/" + name + ".pvd"),
+                                 path("vtk_one_" + name));
+        const GraphicsSeries two(path("two/" + name + ".pvd"),
+                                 path("vtk_two_" + name));
+        ASSERT_EQ(one.datasets["time"], two.datasets["time"]);
+        ASSERT_EQ(one.datasets.n_rows, 6u);
+        for (unsigned int i = 0; i < 6; ++i)
+          {
+            EXPECT_EQ(two.datasets["pieces"][i], 2);
+            EXPECT_EQ(one.datasets["segments"][i], two.datasets["segments"][i]);
+            EXPECT_EQ(one.points[i].names, two.points[i].names);
+
+            // Sums do not depend on the order of the pieces. Two values that
+            // differ by round-off may differ by single precision, 6e-8.
+            for (const std::string &field : one.points[i].names)
+              if (field != "mpi_rank")
+                {
+                  double sum = 0, size = 0, other_sum = 0;
+                  for (const double value : one.points[i][field])
+                    {
+                      sum += value;
+                      size += std::abs(value);
+                    }
+                  for (const double value : two.points[i][field])
+                    other_sum += value;
+                  EXPECT_NEAR(sum, other_sum, 1e-7 * size) << field;
+                }
+          }
+        if (name == "solution")
+          {
+            const std::vector<double> &ranks = two.points.back()["mpi_rank"];
+            const auto n_first = std::count(ranks.begin(), ranks.end(), 0.);
+            const auto n_second = std::count(ranks.begin(), ranks.end(), 1.);
+            EXPECT_GT(n_first, 0);
+            EXPECT_GT(n_second, 0);
+            EXPECT_EQ(std::size_t(n_first + n_second), ranks.size());
+          }
+      }
+  }
+
+
+
+  TEST_F(ParallelProgram, CheckCountsTheWhole)
+  {
+    write("scene.prm", data_text("star.prm"));
+    const ProgramRun run = run_auxfem_on(2, {"--check", "scene.prm"});
+    EXPECT_EQ(run.exit_code, 0) << run.errors;
+    for (const char *pattern : {"Joints +44\n",
+                                "Struts +48\n",
+                                "Elements +48 of order 3\n",
+                                "Connectors +4\n",
+                                "Unknowns +420, 414 of them free\n",
+                                "MPI ranks +2\n"})
+      EXPECT_TRUE(std::regex_search(run.output, std::regex(pattern)))
+        << pattern << run.output;
+    EXPECT_EQ(count(run.output, "MPI ranks"), 1u);
+    EXPECT_FALSE(std::filesystem::exists(path("output")));
+  }
+
+
+
+  TEST_F(ParallelProgram, OneRankAnswersForAll)
+  {
+    EXPECT_EQ(count(run_auxfem_on(2, {"--version"}).output, "auxfem "), 1u);
+    EXPECT_EQ(count(run_auxfem_on(2, {"--help"}).output, "Usage:"), 1u);
+  }
+
+
+
+  TEST_F(ParallelProgram, BadInputIsRefusedOnce)
+  {
+    write("scene.prm", data_text("star.prm"));
+    write("file", "");
+    expect_one_message(run_auxfem_on(2, {"lost.prm"}),
+                       1,
+                       "\"lost.prm\" cannot be opened");
+    expect_one_message(run_auxfem_on(2, {"scene.prm", "--set", "Time/Tiem=1"}),
+                       1,
+                       "Time/Tiem: unknown parameter");
+    expect_one_message(
+      run_auxfem_on(2,
+                    {"scene.prm", "--set", "Connectors/damper/Between=3 500"}),
+      1,
+      "there is no joint 500");
+    expect_one_message(run_auxfem_on(2, {"scene.prm", "--output", "file/out"}),
+                       1,
+                       "cannot be used");
+    expect_one_message(run_auxfem_on(2,
+                                     {"scene.prm",
+                                      "--set",
+                                      "Time/Scheme=static",
+                                      "--set",
+                                      "Supports/foundation/Type=roller x"}),
+                       1,
+                       "horizontal displacement of joint");
+  }
+
+
+
+  TEST_F(ParallelProgram, MoreRanksThanStrutsAreRefused)
+  {
+    write("scene.prm", data_text("arch.prm"));
+    expect_one_message(run_auxfem_on(3, {"scene.prm"}),
+                       1,
+                       "3 MPI ranks, but the lattice has only 2 struts");
+  }
+
+
+
+  TEST_F(ParallelProgram, FailuresEndAllRanks)
+  {
+    write("scene.prm", data_text("star.prm"));
+    // Only one rank has the loaded joint.
+    expect_one_message(
+      run_auxfem_on(2,
+                    {"scene.prm",
+                     "--output",
+                     "out",
+                     "--set",
+                     "Loads/hit/Joints=nearest: 0, 0.04",
+                     "--set",
+                     "Loads/hit/Force y=-80 * sqrt(0.31e-3 - t)"}),
+      2,
+      "not a finite number at t = 0.0003");
+    EXPECT_EQ(history().n_rows, 16u);
+    expect_contains(summary("exit_state"), {"not a finite number"});
+    EXPECT_EQ(
+      GraphicsSeries(path("out/solution.pvd"), path("vtk")).datasets.n_rows,
+      3u);
+
+    expect_one_message(run_auxfem_on(2,
+                                     {"scene.prm",
+                                      "--output",
+                                      "floor",
+                                      "--set",
+                                      "Loads/hit/Force y=if(t < 81e-6, 0, -50)",
+                                      "--set",
+                                      "Newton/Maximum iterations=1"}),
+                       2,
+                       "did not converge");
+  }
+} // namespace

@@ -1,0 +1,192 @@
+#include <gtest/gtest.h>
+
+#include <mesh/cell_from_text.h>
+
+#include "system_on_ranks.h"
+
+using namespace auxfem;
+using namespace auxfem::testing_support;
+
+namespace
+{
+  /** Two struts in line, joints 0, 1, 2 at x = 0, 1, 2, with @p further text. */
+  std::string two_struts(const std::string &further)
+  {
+    return frame_scene("0 0; 1 0; 2 0", "0 1; 1 2", further);
+  }
+
+  std::string refusal_of(const std::string &further)
+  {
+    return input_error_of(
+      [&] { SystemOnRanks(two_struts(further), {}, MPI_COMM_SELF); });
+  }
+
+  const std::string hinge_in_the_middle = "subsection Joints\n"
+                                          "  subsection middle\n"
+                                          "    set Joints = 1\n"
+                                          "  end\n"
+                                          "end\n";
+} // namespace
+
+TEST(MakeSystem, TwoSupportsMayHoldTheSameJointAtRest)
+{
+  const SystemOnRanks of_scene(two_struts("subsection Supports\n"
+                                          "  subsection wall\n"
+                                          "    set Joints = 0\n"
+                                          "    set Type = clamp\n"
+                                          "  end\n"
+                                          "  subsection floor\n"
+                                          "    set Joints = 0, 2\n"
+                                          "    set Type = roller x\n"
+                                          "  end\n"
+                                          "end\n"),
+                               {},
+                               MPI_COMM_SELF);
+  ASSERT_EQ(of_scene.system.supports().size(), 2u);
+  EXPECT_EQ(of_scene.system.supports()[0].name, "wall");
+  // The reaction is counted once, with the first.
+  EXPECT_EQ(of_scene.system.supports()[0].unknowns.size(), 3u);
+  ASSERT_EQ(of_scene.system.supports()[1].unknowns.size(), 1u);
+  EXPECT_EQ(of_scene.system.supports()[1].unknowns[0].component, 1u);
+  EXPECT_EQ(of_scene.system.supports()[1].unknowns[0].unknown,
+            of_scene.dofs().joint_unknown(2, 1));
+  EXPECT_EQ(of_scene.dofs().n_free(), of_scene.dofs().n_unknowns() - 4);
+}
+
+TEST(MakeSystem, ContradictingSupportsAreRefusedByName)
+{
+  const std::string message = refusal_of("subsection Supports\n"
+                                         "  subsection wall\n"
+                                         "    set Joints = 0\n"
+                                         "    set Type = clamp\n"
+                                         "  end\n"
+                                         "  subsection shaker\n"
+                                         "    set Joints = 0\n"
+                                         "    set Type = prescribed\n"
+                                         "    set Displacement y = 0.1 * t\n"
+                                         "  end\n"
+                                         "end\n");
+  EXPECT_TRUE(contains(message, "Supports/shaker")) << message;
+  EXPECT_TRUE(contains(message, "Supports/wall")) << message;
+  EXPECT_TRUE(contains(message, "vertical displacement of joint 0")) << message;
+}
+
+TEST(MakeSystem, TwoMotionsOfOneJointAreRefused)
+{
+  const std::string message = refusal_of("subsection Supports\n"
+                                         "  subsection first\n"
+                                         "    set Joints = 2\n"
+                                         "    set Type = prescribed\n"
+                                         "    set Rotation = 0.1 * t\n"
+                                         "  end\n"
+                                         "  subsection second\n"
+                                         "    set Joints = 2\n"
+                                         "    set Type = prescribed\n"
+                                         "    set Rotation = 0.1 * t\n"
+                                         "  end\n"
+                                         "end\n");
+  EXPECT_TRUE(contains(message, "rotation of joint 2")) << message;
+}
+
+TEST(MakeSystem, AMomentOnAHingeIsRefused)
+{
+  const std::string message =
+    refusal_of(hinge_in_the_middle + "subsection Loads\n"
+                                     "  subsection twist\n"
+                                     "    set Joints = 1\n"
+                                     "    set Moment = 2\n"
+                                     "  end\n"
+                                     "end\n");
+  EXPECT_TRUE(contains(message, "Loads/twist/Moment: joint 1")) << message;
+}
+
+TEST(MakeSystem, AForceOnAHingeIsNot)
+{
+  EXPECT_EQ(refusal_of(hinge_in_the_middle + "subsection Loads\n"
+                                             "  subsection push\n"
+                                             "    set Joints = 1\n"
+                                             "    set Force y = 2\n"
+                                             "  end\n"
+                                             "end\n"),
+            "");
+}
+
+TEST(MakeSystem, ARotationPrescribedAtAHingeIsRefusedUnlessItIsZero)
+{
+  const auto turned_by = [](const std::string &angle) {
+    return hinge_in_the_middle + "subsection Supports\n"
+                                 "  subsection drive\n"
+                                 "    set Joints = 1\n"
+                                 "    set Type = prescribed\n"
+                                 "    set Rotation = " +
+           angle + "\n  end\nend\n";
+  };
+  const std::string message = refusal_of(turned_by("0.1 * t"));
+  EXPECT_TRUE(contains(message, "Supports/drive/Rotation: joint 1")) << message;
+  EXPECT_EQ(refusal_of(turned_by("0")), "");
+}
+
+TEST(MakeSystem, AHingeAtWhichNoneOfTheStrutsEndsIsRefused)
+{
+  const std::string message = refusal_of("subsection Joints\n"
+                                         "  subsection middle\n"
+                                         "    set Joints = 0, 1\n"
+                                         "    set Struts = 1\n"
+                                         "  end\n"
+                                         "end\n");
+  EXPECT_TRUE(contains(message, "Joints/middle")) << message;
+  EXPECT_TRUE(contains(message, "joint 0")) << message;
+}
+
+TEST(MakeSystem, HingesAddRotationsAndCanBeSwitchedOff)
+{
+  const SystemOnRanks rigid(two_struts(""), {}, MPI_COMM_SELF),
+    hinged(two_struts(hinge_in_the_middle), {}, MPI_COMM_SELF),
+    off(two_struts(hinge_in_the_middle), {"Effects/Hinges=off"}, MPI_COMM_SELF);
+  EXPECT_EQ(hinged.dofs().n_unknowns(), rigid.dofs().n_unknowns() + 1);
+  EXPECT_FALSE(hinged.dofs().joint_has(1, 2));
+  EXPECT_EQ(off.dofs().n_unknowns(), rigid.dofs().n_unknowns());
+}
+
+TEST(MakeSystem, ASpringActsBetweenTheReleasedStrutAndTheJoint)
+{
+  // Strut 1 released against strut 0, or both: the same relative rotation.
+  for (const std::string struts : {"1", "all"})
+    {
+      SystemOnRanks of_scene(
+        two_struts("subsection Joints\n  subsection middle\n"
+                   "    set Joints = 1\n    set Struts = " +
+                   struts +
+                   "\n    set Type = rotational spring\n"
+                   "    set Stiffness = 7\n  end\nend\n"),
+        {"Time/Scheme=static"},
+        MPI_COMM_SELF);
+      State from = of_scene.system.initial_state(), to = from;
+      // All of strut 1 turns rigidly by a tiny angle, so it has no forces.
+      const double angle = 1e-9;
+      const auto names = name_unknowns(of_scene.system);
+      for (unsigned int i = 0; i < names.size(); ++i)
+        {
+          const unsigned int c = std::get<3>(names[i].name);
+          if (c == 1)
+            to.displacement[i] = angle * std::max(0., names[i].position[0] - 1);
+          if (c == 2 && names[i].position[0] > 1)
+            to.displacement[i] = angle;
+        }
+      to.displacement[of_scene.dofs().end_rotation(1, 0)] = angle;
+      const Step step{from, to, 1.};
+      of_scene.system.begin_step(step);
+      of_scene.system.residual(step);
+      // Strains of 1e-18 are left of the rotation's square.
+      EXPECT_NEAR(to.residual[of_scene.dofs().end_rotation(1, 0)],
+                  7 * angle,
+                  1e-6 * angle);
+      EXPECT_NEAR(to.residual[of_scene.dofs().end_rotation(0, 1)],
+                  -7 * angle,
+                  1e-6 * angle);
+      of_scene.system.accept(step);
+      EXPECT_NEAR(to.energies.strain,
+                  3.5 * angle * angle,
+                  1e-6 * angle * angle);
+    }
+}

@@ -1,0 +1,259 @@
+#include <gtest/gtest.h>
+
+#include "system_on_ranks.h"
+
+using namespace auxfem;
+using namespace auxfem::testing_support;
+
+namespace
+{
+  /** A system with an irregular step to evaluate. */
+  struct Trial
+  {
+    explicit Trial(const std::vector<std::string> &overrides = {})
+      : of_scene(star_with_everything(1, 1), overrides, MPI_COMM_SELF)
+      , from(of_scene.system.initial_state())
+      , to(from)
+    {
+      to.time = dt;
+      fill_by_place(of_scene.system, 0.1, from.displacement);
+      fill_by_place(of_scene.system, 0.4, to.displacement);
+      if (to.velocity)
+        fill_by_place(of_scene.system, 0.7, *to.velocity);
+      if (to.acceleration)
+        fill_by_place(of_scene.system, 1.1, *to.acceleration);
+    }
+
+    /** Residual of the step with unknown @p i moved by @p h, as an increment moves it. */
+    Vector moved_residual(const int             i,
+                          const double          h,
+                          const TangentFactors &factors)
+    {
+      State moved = to;
+      moved.displacement[i] += factors.stiffness * h;
+      if (moved.velocity)
+        (*moved.velocity)[i] += factors.damping * h;
+      if (moved.acceleration)
+        (*moved.acceleration)[i] += factors.mass * h;
+      of_scene.system.residual({from, moved, dt});
+      return moved.residual;
+    }
+
+    double        dt = 0.4;
+    SystemOnRanks of_scene;
+    State         from, to;
+  };
+
+  /** Compares the tangent at a trial with differences of residuals. */
+  void check_tangent(const std::vector<std::string> &overrides,
+                     const TangentFactors           &factors)
+  {
+    Trial      trial(overrides);
+    System    &system = trial.of_scene.system;
+    const auto matrix = system.make_tangent();
+    const Step step{trial.from, trial.to, trial.dt};
+    system.begin_step(step);
+    system.residual(step);
+    system.tangent(step, factors, *matrix);
+
+    const int     n = system.numbering().n_unknowns();
+    Epetra_Vector unit(system.numbering().owned_map()), column(unit);
+    double        worst = 0, scale = 0;
+    const double  h = 1e-5;
+    for (int j = 0; j < n; ++j)
+      {
+        unit.PutScalar(0);
+        unit[j] = 1;
+        matrix->matrix().Multiply(false, unit, column);
+        const Vector right = trial.moved_residual(j, h, factors),
+                     left  = trial.moved_residual(j, -h, factors);
+        for (int i = 0; i < n; ++i)
+          if (system.numbering().kind(i) == UnknownKind::prescribed)
+            EXPECT_EQ(column[i], i == j ? 1. : 0.);
+          else
+            {
+              worst = std::max(worst,
+                               std::abs(column[i] -
+                                        (right[i] - left[i]) / (2 * h)));
+              scale = std::max(scale, std::abs(column[i]));
+            }
+      }
+    // The difference is right to h^2 and 1e-16 / h, 1e-10 and 1e-11.
+    EXPECT_LT(worst, 1e-8 * scale);
+  }
+} // namespace
+
+TEST(System, TangentOfEverythingIsTheDerivativeOfTheResidual)
+{
+  // Newmark's factors with beta = 1/4, gamma = 1/2 and a step of 0.4.
+  check_tangent({}, {1., 5., 25.});
+}
+
+TEST(System, EveryFactorOfTheTangentStandsForItsOwnDerivative)
+{
+  check_tangent({}, {1., 0., 0.});
+  check_tangent({}, {0., 1., 0.});
+  check_tangent({}, {0., 0., 1.});
+}
+
+TEST(System, TangentInStaticsIsTheDerivativeOfTheResidual)
+{
+  check_tangent({"Time/Scheme=static"}, {1., 2.5, 0.});
+}
+
+TEST(System, TangentOfSmallDisplacementsIsTheDerivativeOfTheResidual)
+{
+  check_tangent({"Effects/Large rotation=off"}, {1., 5., 25.});
+}
+
+TEST(System, TangentHoldsForEveryOrder)
+{
+  for (const char *order : {"1", "3", "4", "5", "6"})
+    {
+      SCOPED_TRACE(order);
+      check_tangent({std::string("Discretization/Order=") + order},
+                    {1., 5., 25.});
+    }
+}
+
+TEST(System, ScenesWithoutLargeRotationAreLinear)
+{
+  EXPECT_FALSE(SystemOnRanks(star_with_everything(1, 1)).system.is_linear());
+  EXPECT_TRUE(
+    SystemOnRanks(star_with_everything(1, 1), {"Effects/Large rotation=off"})
+      .system.is_linear());
+}
+
+TEST(System, ResidualNormLeavesPrescribedRowsOut)
+{
+  Trial        trial;
+  System      &system = trial.of_scene.system;
+  const Step   step{trial.from, trial.to, trial.dt};
+  system.begin_step(step);
+  const ResidualNorm norm = system.residual(step);
+  double             sums[2] = {0, 0};
+  for (unsigned int i = 0; i < system.numbering().n_owned(); ++i)
+    if (system.numbering().kind(i) != UnknownKind::prescribed)
+      sums[system.numbering().is_rotation(i)] +=
+        trial.to.residual[i] * trial.to.residual[i];
+  EXPECT_DOUBLE_EQ(norm.force, std::sqrt(sums[0]));
+  EXPECT_DOUBLE_EQ(norm.moment, std::sqrt(sums[1]));
+  EXPECT_GT(system.force_scale(), 0);
+}
+
+TEST(System, WorstUnknownIsFreeAndHasTheLargestResidual)
+{
+  Trial         trial;
+  const System &system = trial.of_scene.system;
+  const auto   &dofs   = system.numbering();
+  trial.to.residual.PutScalar(0);
+  const unsigned int joint = trial.of_scene.lattice.joint_sets.at("tips")[1];
+  trial.to.residual[dofs.joint_unknown(joint, 1)] = -2;
+  trial.to.residual[dofs.joint_unknown(
+    trial.of_scene.lattice.joint_sets.at("bottom")[0], 0)] = 5;
+  EXPECT_EQ(system.worst_unknown(trial.to),
+            dofs.describe(dofs.joint_unknown(joint, 1)));
+}
+
+TEST(System, LengthScaleIsTheMeanStrutLength)
+{
+  // All struts of the star have length 1; the sum of 12 of them is rounded.
+  EXPECT_NEAR(SystemOnRanks(star_with_everything(1, 1)).system.length_scale(),
+              1.,
+              1e-14);
+}
+
+TEST(System, PrescribedMotionAndGapFollowTheSupports)
+{
+  SystemOnRanks of_scene(star_with_everything(1, 1), {}, MPI_COMM_SELF);
+  System       &system = of_scene.system;
+  const int     shaken = system.numbering().joint_unknown(
+    of_scene.lattice.joint_sets.at("left")[0], 0);
+  State state = system.initial_state();
+  state.time  = 0.2;
+
+  Epetra_Vector gap(system.numbering().owned_map());
+  state.displacement[shaken] = 0.001;
+  system.prescribed_gap(state, gap.Values());
+  const double place = 0.02 * std::sin(3 * 0.2);
+  EXPECT_NEAR(gap[shaken], place - 0.001, 1e-16);
+  double size = 0;
+  gap.NormInf(&size);
+  EXPECT_DOUBLE_EQ(size, std::abs(gap[shaken]));
+
+  system.prescribe_motion(state, 0.01);
+  EXPECT_DOUBLE_EQ(state.displacement[shaken], place);
+  // Fourth-order differences over 0.01 s: 3^5 * 0.02 * 1e-8 in the rate.
+  EXPECT_NEAR((*state.velocity)[shaken], 0.06 * std::cos(0.6), 1e-7);
+  EXPECT_NEAR((*state.acceleration)[shaken], -9 * place, 1e-6);
+}
+
+TEST(System, WhatIsLeftOutCostsNoState)
+{
+  const StateLayout whole =
+    SystemOnRanks(star_with_everything(2, 2), {}, MPI_COMM_SELF)
+      .system.layout();
+  EXPECT_TRUE(whole.velocity);
+  EXPECT_TRUE(whole.acceleration);
+  EXPECT_FALSE(whole.algorithmic_acceleration);
+  // Maxwell elements in 4 connectors across and 2 fixed ones; dashpots in these,
+  // the 4 in the cells, and 2 anchors.
+  EXPECT_EQ(whole.n_history, 6u);
+  EXPECT_EQ(whole.n_dissipated, 12u);
+
+  const StateLayout in_statics =
+    SystemOnRanks(star_with_everything(2, 2),
+                  {"Time/Scheme=static"},
+                  MPI_COMM_SELF)
+      .system.layout();
+  EXPECT_TRUE(in_statics.velocity);
+  EXPECT_FALSE(in_statics.acceleration);
+
+  const SystemOnRanks elastic(star_with_everything(2, 2),
+                              {"Time/Scheme=static",
+                               "Effects/Connector viscosity=off",
+                               "Effects/Strut damping=off"},
+                              MPI_COMM_SELF);
+  EXPECT_FALSE(elastic.system.layout().velocity);
+  EXPECT_EQ(elastic.system.layout().n_history, 0u);
+  EXPECT_EQ(elastic.system.layout().n_dissipated, 0u);
+  const State state = elastic.system.initial_state();
+  EXPECT_FALSE(state.velocity);
+  EXPECT_FALSE(state.acceleration);
+  EXPECT_FALSE(state.algorithmic_acceleration);
+  EXPECT_FALSE(elastic.system.is_dynamic());
+}
+
+TEST(System, StatesCarryASecondAccelerationOnlyIfAsked)
+{
+  SystemOnRanks of_scene(star_with_everything(1, 1));
+  EXPECT_FALSE(of_scene.system.initial_state().algorithmic_acceleration);
+  of_scene.system.use_algorithmic_acceleration();
+  EXPECT_TRUE(of_scene.system.initial_state().algorithmic_acceleration);
+}
+
+TEST(System, WithoutViscosityConnectorsAreTheirLongTimeSprings)
+{
+  SystemOnRanks of_scene(star_with_everything(1, 1),
+                         {"Effects/Connector viscosity=off"},
+                         MPI_COMM_SELF);
+  State         from = of_scene.system.initial_state(), to = from;
+  fill_by_place(of_scene.system, 0.2, to.displacement);
+  fill_by_place(of_scene.system, 5., *to.velocity);
+  const Step step{from, to, 0.1};
+  of_scene.system.begin_step(step);
+  of_scene.system.residual(step);
+  const double stiffness[4] = {0.6, 0, 0.2, 0.4};
+  ASSERT_EQ(of_scene.system.connectors().size(), 4u);
+  for (unsigned int g = 0; g < 4; ++g)
+    {
+      const ConnectorForces &group = *of_scene.system.connectors()[g];
+      EXPECT_FALSE(group.is_viscous());
+      for (unsigned int i = 0; i < group.n_reported(); ++i)
+        {
+          const ConnectorReport report = group.report(i, to);
+          EXPECT_NE(report.extension, 0);
+          EXPECT_DOUBLE_EQ(report.force, stiffness[g] * report.extension);
+        }
+    }
+}

@@ -1,0 +1,42 @@
+#ifndef auxfem_tests_verification_star_scene_h
+#define auxfem_tests_verification_star_scene_h
+
+#include <verification/frame_text.h>
+
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace auxfem
+{
+  namespace testing_support
+  {
+    /** Text of `prm/star-10x10.prm`. */
+    inline std::string star_scene()
+    {
+      std::ifstream     file(AUXFEM_PRM_DIRECTORY "/star-10x10.prm");
+      std::stringstream content;
+      content << file.rdbuf();
+      return content.str();
+    }
+
+    /** Overrides that make it @p n x @p n cells under @p load (N) on each top joint. */
+    inline std::vector<std::string> star_size(const unsigned int n,
+                                              const double       load)
+    {
+      return {"Lattice/Cells x=" + std::to_string(n),
+              "Lattice/Cells y=" + std::to_string(n),
+              "Constants=F0 = " + text(load) + ", t0 = 10e-3"};
+    }
+
+    inline std::vector<std::string> operator+(std::vector<std::string>        a,
+                                              const std::vector<std::string> &b)
+    {
+      a.insert(a.end(), b.begin(), b.end());
+      return a;
+    }
+  } // namespace testing_support
+} // namespace auxfem
+
+#endif
