@@ -201,59 +201,73 @@ def write_picture(window, file, samples):
     writer.Write()
 
 
+def renderer(window, left, bottom, right, top):
+    """An empty part of the window, given by fractions of its sides."""
+    part = vtk.vtkRenderer()
+    part.SetBackground(1, 1, 1)
+    part.SetViewport(left, bottom, right, top)
+    window.AddRenderer(part)
+    return part
+
+
+def look_at(panel, box):
+    centre = [0.0, 0.0, 0.0]
+    box.GetCenter(centre)
+    height = box.GetLength(1)
+    camera = panel.GetActiveCamera()
+    camera.ParallelProjectionOn()
+    camera.SetFocalPoint(centre)
+    camera.SetPosition(centre[0], centre[1], centre[2] + 10 * height)
+    camera.SetParallelScale(height / 2)
+    panel.ResetCameraClippingRange()
+
+
+def box_around(lines):
+    box = vtk.vtkBoundingBox()
+    for data in lines:
+        box.AddBounds(data.GetBounds())
+    box.Inflate(0.03 * box.GetDiagonalLength())
+    return box
+
+
+def color_bounds(lines, arguments):
+    ranges = [value_range(data, arguments.color) for data in lines]
+    low, high = (min(low for low, _ in ranges), max(high for _, high in ranges))
+    if arguments.largest is None:
+        return low, high
+    return (-arguments.largest if low < 0 else 0.0), arguments.largest
+
+
 def draw_lattice(arguments):
     run = pathlib.Path(arguments.run)
     frames = [nearest_frame(run / "solution.pvd", time)
               for time in arguments.values]
     lines = [moved_lines(file) for _, file in frames]
-    ranges = [value_range(data, arguments.color) for data in lines]
-    bounds = (min(low for low, _ in ranges), max(high for _, high in ranges))
-    if arguments.largest is not None:
-        bounds = (-arguments.largest if bounds[0] < 0 else 0, arguments.largest)
+    bounds = color_bounds(lines, arguments)
     colors = color_map(*bounds)
-
-    box = vtk.vtkBoundingBox()
-    for data in lines:
-        box.AddBounds(data.GetBounds())
-    box.Inflate(0.03 * box.GetDiagonalLength())
-    width, height = box.GetLength(0), box.GetLength(1)
-    centre = [0.0, 0.0, 0.0]
-    box.GetCenter(centre)
+    box = box_around(lines)
 
     n_panels = len(frames)
-    panel_height = round(arguments.width * height / (n_panels * width))
+    panel_height = round(arguments.width * box.GetLength(1)
+                         / (n_panels * box.GetLength(0)))
     total = panel_height + TIME_STRIP + BAR_STRIP
+    bar_top, strip_top = BAR_STRIP / total, (BAR_STRIP + TIME_STRIP) / total
     window = vtk.vtkRenderWindow()
     window.SetOffScreenRendering(1)
     window.SetSize(SAMPLES * arguments.width, SAMPLES * total)
     for i, (time, _) in enumerate(frames):
         left, right = i / n_panels, (i + 1) / n_panels
-        panel = vtk.vtkRenderer()
-        panel.SetBackground(1, 1, 1)
-        panel.SetViewport(left, (BAR_STRIP + TIME_STRIP) / total, right, 1)
+        panel = renderer(window, left, strip_top, right, 1)
         panel.AddActor(tube_actor(tubes_of(lines[i], arguments.thickness),
                                   arguments.color, colors, bounds))
         if (run / "connectors.pvd").exists():
             _, file = nearest_frame(run / "connectors.pvd", time)
             panel.AddActor(line_actor(moved_lines(file)))
-        camera = panel.GetActiveCamera()
-        camera.ParallelProjectionOn()
-        camera.SetFocalPoint(centre)
-        camera.SetPosition(centre[0], centre[1], centre[2] + 10 * height)
-        camera.SetParallelScale(height / 2)
-        panel.ResetCameraClippingRange()
-        window.AddRenderer(panel)
-        strip = vtk.vtkRenderer()
-        strip.SetBackground(1, 1, 1)
-        strip.SetViewport(left, BAR_STRIP / total, right,
-                          (BAR_STRIP + TIME_STRIP) / total)
+        look_at(panel, box)
+        strip = renderer(window, left, bar_top, right, strip_top)
         strip.AddActor2D(label(f"t = {time:g} s", 0.5, 0.2, 14))
-        window.AddRenderer(strip)
-    below = vtk.vtkRenderer()
-    below.SetBackground(1, 1, 1)
-    below.SetViewport(0, 0, 1, BAR_STRIP / total)
-    below.AddActor2D(color_bar(colors, arguments.color))
-    window.AddRenderer(below)
+    bar = renderer(window, 0, 0, 1, bar_top)
+    bar.AddActor2D(color_bar(colors, arguments.color))
     write_picture(window, arguments.picture, SAMPLES)
 
 
@@ -289,26 +303,7 @@ def curve_table(abscissa, values, name):
     return table
 
 
-def draw_curves(arguments):
-    abscissa = arguments.over
-    columns = arguments.values
-    chart = vtk.vtkChartXY()
-    chart.SetShowLegend(True)
-    color = 0
-    for run in [arguments.run] + arguments.compare:
-        history = read_history(run, [abscissa] + columns)
-        prefix = f"{pathlib.Path(run).name}: " if arguments.compare else ""
-        for column in columns:
-            plot = chart.AddPlot(vtk.vtkChart.LINE)
-            plot.SetInputData(curve_table(history[abscissa], history[column],
-                                          prefix + column), 0, 1)
-            plot.SetColor(*COLORS[color % len(COLORS)], 255)
-            plot.SetWidth(2)
-            color += 1
-    units = {unit_of(arguments.run, column) for column in columns}
-    titles = {vtk.vtkAxis.BOTTOM:
-              f"{abscissa} ({unit_of(arguments.run, abscissa)})",
-              vtk.vtkAxis.LEFT: " / ".join(sorted(units))}
+def label_axes(chart, titles):
     for place, title in titles.items():
         axis = chart.GetAxis(place)
         axis.SetTitle(title)
@@ -316,13 +311,42 @@ def draw_curves(arguments):
         axis.GetTitleProperties().BoldOff()
         axis.GetLabelProperties().SetFontSize(13)
         axis.GetGridPen().SetColor(225, 225, 225, 255)
+
+
+def place_legend(chart, place):
+    chart.SetShowLegend(True)
     legend = chart.GetLegend()
     legend.GetLabelProperties().SetFontSize(14)
     legend.SetHorizontalAlignment(vtk.vtkChartLegend.RIGHT)
     legend.SetVerticalAlignment({"top": vtk.vtkChartLegend.TOP,
                                  "centre": vtk.vtkChartLegend.CENTER,
-                                 "bottom": vtk.vtkChartLegend.BOTTOM
-                                 }[arguments.legend])
+                                 "bottom": vtk.vtkChartLegend.BOTTOM}[place])
+
+
+def add_plots(chart, arguments):
+    color = 0
+    for run in [arguments.run] + arguments.compare:
+        history = read_history(run, [arguments.over] + arguments.values)
+        prefix = f"{pathlib.Path(run).name}: " if arguments.compare else ""
+        for column in arguments.values:
+            plot = chart.AddPlot(vtk.vtkChart.LINE)
+            plot.SetInputData(curve_table(history[arguments.over],
+                                          history[column], prefix + column),
+                              0, 1)
+            plot.SetColor(*COLORS[color % len(COLORS)], 255)
+            plot.SetWidth(2)
+            color += 1
+
+
+def draw_curves(arguments):
+    chart = vtk.vtkChartXY()
+    add_plots(chart, arguments)
+    units = {unit_of(arguments.run, column) for column in arguments.values}
+    label_axes(chart, {
+        vtk.vtkAxis.BOTTOM:
+            f"{arguments.over} ({unit_of(arguments.run, arguments.over)})",
+        vtk.vtkAxis.LEFT: " / ".join(sorted(units))})
+    place_legend(chart, arguments.legend)
 
     view = vtk.vtkContextView()
     view.GetRenderer().SetBackground(1, 1, 1)

@@ -13,17 +13,27 @@ namespace auxfem
       line.action = action;
       has_action  = true;
     };
+    const auto set_file = [&](const std::string &file) {
+      if (!line.file.empty())
+        throw InputError("Two parameter files given, '" + line.file +
+                         "' and '" + file + "'; auxfem runs one at a time.");
+      line.file = file;
+    };
     for (std::size_t i = 0; i < arguments.size(); ++i)
       {
         const std::string &argument = arguments[i];
+        if (argument.rfind("-", 0) != 0)
+          {
+            set_file(argument);
+            continue;
+          }
         // Accepts `--option value` and `--option=value`.
-        const std::size_t equals = argument.find('=');
-        const std::string name =
-          argument.rfind("--", 0) == 0 ? argument.substr(0, equals) : argument;
-        const auto value = [&]() -> std::string {
-          if (name.size() < argument.size())
+        const std::string name      = argument.substr(0, argument.find('='));
+        const bool        has_value = name.size() < argument.size();
+        const auto        value     = [&]() -> std::string {
+          if (has_value)
             return argument.substr(name.size() + 1);
-          if (i + 1 == arguments.size())
+          if (i + 1 == arguments.size() || arguments[i + 1].rfind("--", 0) == 0)
             throw InputError(name + " needs a value.\n\n" + usage());
           return arguments[++i];
         };
@@ -31,24 +41,22 @@ namespace auxfem
           choose(CommandLine::Action::help);
         else if (name == "--version")
           choose(CommandLine::Action::version);
-        else if (name == "--print-parameters")
-          choose(name.size() < argument.size() && value() == "markdown"
-                   ? CommandLine::Action::print_parameters_markdown
-                   : CommandLine::Action::print_parameters);
+        else if (argument == "--print-parameters")
+          choose(CommandLine::Action::print_parameters);
+        else if (argument == "--print-parameters=markdown")
+          choose(CommandLine::Action::print_parameters_markdown);
         else if (name == "--check")
-          choose(CommandLine::Action::check);
+          {
+            choose(CommandLine::Action::check);
+            if (has_value)
+              set_file(value());
+          }
         else if (name == "--set")
           line.overrides.push_back(value());
         else if (name == "--output")
           line.overrides.push_back("Output/Directory=" + value());
-        else if (argument.rfind("-", 0) == 0)
-          throw InputError("Unknown option '" + argument + "'.\n\n" + usage());
-        else if (!line.file.empty())
-          throw InputError("Two parameter files given, '" + line.file +
-                           "' and '" + argument +
-                           "'; auxfem runs one at a time.");
         else
-          line.file = argument;
+          throw InputError("Unknown option '" + argument + "'.\n\n" + usage());
       }
     if (!has_action)
       line.action = CommandLine::Action::run;

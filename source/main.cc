@@ -54,6 +54,15 @@ int main(int argc, char *argv[])
     if (speaks)
       std::cerr << "\nauxfem: " << message << std::endl;
   };
+  // It may be on this rank only: the others must not wait for it.
+  const auto report_internal = [](const std::string &what) {
+    std::cerr << "\nauxfem: internal error, please report it together with the "
+                 "parameter file:\n"
+              << what << std::endl;
+    if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
+      MPI_Abort(MPI_COMM_WORLD, 2);
+    return 2;
+  };
   try
     {
       execute(read_command_line(arguments), speaks);
@@ -71,9 +80,10 @@ int main(int argc, char *argv[])
     }
   catch (const std::exception &error)
     {
-      report(std::string("internal error, please report it together with the "
-                         "parameter file:\n") +
-             error.what());
-      return 2;
+      return report_internal(error.what());
+    }
+  catch (...)
+    {
+      return report_internal("an exception of Trilinos or another library");
     }
 }

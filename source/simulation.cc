@@ -6,6 +6,8 @@
 #include <auxfem/time/stopwatch.h>
 #include <auxfem/time/time_stepper.h>
 
+#include <limits>
+
 namespace auxfem
 {
   namespace
@@ -41,6 +43,9 @@ namespace auxfem
         return;
       refuse_mechanism(system,
                        state,
+                       scene.time.static_start
+                         ? std::numeric_limits<double>::infinity()
+                         : scene.time.step,
                        stepper.newton().tangent(),
                        stepper.newton().solver());
     }
@@ -64,7 +69,7 @@ namespace auxfem
       {
         stepper.start(state);
         output.write_start(state);
-        while (state.step < stepper.n_steps())
+        while (state.step < scene.time.n_steps())
           {
             const StepReport report = stepper.advance(state);
             count(report, totals);

@@ -154,7 +154,14 @@ namespace auxfem
           continue;
         std::for_each(numbers, numbers + n, keep);
         kept_cells.push_back(c);
-        element_list.push_back({mesh.place(c), cell->subdomain_id()});
+        // The rank of the last node owns an unknown of the element, so it
+        // keeps the element; the rank of the cell may not.
+        const int last_rank = std::upper_bound(first_owned.begin(),
+                                               first_owned.end(),
+                                               numbers[n - 1]) -
+          first_owned.begin() - 1;
+        element_list.push_back(
+          {mesh.place(c), static_cast<unsigned int>(last_rank)});
       }
     for (const JointPair &pair : ties.connected)
       for (const unsigned int mine : {pair.first, pair.second})
@@ -314,6 +321,36 @@ namespace auxfem
   void DofNumbering::prescribe(const unsigned int local_number)
   {
     kinds[local_number] = UnknownKind::prescribed;
+  }
+
+  OwnedRows DofNumbering::owned_rows() const
+  {
+    OwnedRows rows;
+    for (unsigned int i = 0; i < n_owned(); ++i)
+      if (kinds[i] == UnknownKind::prescribed)
+        (rotations[i] ? rows.prescribed_rotations
+                      : rows.prescribed_translations)
+          .push_back(i);
+      else
+        (rotations[i] ? rows.free_rotations : rows.free_translations)
+          .push_back(i);
+    return rows;
+  }
+
+  std::string
+  DofNumbering::describe_largest(const std::vector<double> &size) const
+  {
+    const auto place   = std::max_element(size.begin(), size.end());
+    double     largest = size.empty() ? -1. : *place;
+    double     of_all  = 0;
+    comm.MaxAll(&largest, &of_all, 1);
+    // Every rank gets the words of the lowest rank that has the largest value.
+    int mine = largest == of_all ? comm.MyPID() : comm.NumProc();
+    int who  = 0;
+    comm.MinAll(&mine, &who, 1);
+    const std::string words =
+      who == comm.MyPID() ? describe(place - size.begin()) : "";
+    return dealii::Utilities::MPI::broadcast(comm.Comm(), words, who);
   }
 
   unsigned int DofNumbering::n_free() const

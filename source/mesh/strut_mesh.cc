@@ -37,13 +37,12 @@ namespace auxfem
     if (n_ranks == 1)
       return ranks;
     if (n_ranks > n_struts)
-      throw InputError("auxfem was started on " + std::to_string(n_ranks) +
-                       " MPI ranks, but the lattice has only " +
-                       std::to_string(n_struts) +
-                       (n_struts == 1 ? " strut" : " struts") +
-                       " to share among them. Use at most " +
-                       std::to_string(n_struts) +
-                       (n_struts == 1 ? " rank." : " ranks."));
+      throw InputError(
+        "auxfem was started on " + std::to_string(n_ranks) +
+        " MPI ranks, but the lattice has only " + std::to_string(n_struts) +
+        (n_struts == 1 ? " strut" : " struts") +
+        " to share among them. Use at most " + std::to_string(n_struts) +
+        (n_struts == 1 ? " rank." : " ranks."));
 
     std::vector<std::vector<unsigned int>> struts_at(lattice.joints.size());
     for (unsigned int s = 0; s < n_struts; ++s)

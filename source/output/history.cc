@@ -216,6 +216,11 @@ namespace auxfem
     on_first_rank(communicator, [&]() { table->append(row); });
   }
 
+  void History::note(const State &state)
+  {
+    record.add(state.energies);
+  }
+
   const EnergyRecord &History::energies() const
   {
     return record;

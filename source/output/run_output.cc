@@ -77,7 +77,10 @@ namespace auxfem
 
     on_first_rank(communicator, [&]() {
       log = open_run_folder(scene, folder);
-      console.emplace(std::cout, terminal_width(), log);
+      // The pseudo-terminals of mpirun often end in a file.
+      const bool is_alone =
+        dealii::Utilities::MPI::n_mpi_processes(communicator) == 1;
+      console.emplace(std::cout, is_alone ? terminal_width() : 0, log);
     });
     const Counts counts = count(system);
     if (console)
@@ -114,6 +117,8 @@ namespace auxfem
   {
     if (state.step % scene.output.history_interval == 0)
       write_row(state);
+    else
+      history->note(state);
     if (schedule.is_due(state.time))
       write_graphics(state);
     if (console)
@@ -132,9 +137,7 @@ namespace auxfem
     progress.retries           = report.retries;
     progress.relative_residual = report.relative_residual;
     progress.seconds           = since(first_step);
-    // The last step may be a shorter one; round-off must not make it one more.
-    progress.n_steps =
-      std::ceil(scene.time.end_time / scene.time.step * (1 - 1e-12));
+    progress.n_steps           = scene.time.n_steps();
 
     const EnergyRecord &energies = history->energies();
     if (energies.largest_energy > 0)
@@ -197,8 +200,7 @@ namespace auxfem
     implementation->write_start(state);
   }
 
-  void RunOutput::write_step(const State      &state,
-                             const StepReport &report)
+  void RunOutput::write_step(const State &state, const StepReport &report)
   {
     const Stopwatch watch(implementation->seconds);
     implementation->write_step(state, report);

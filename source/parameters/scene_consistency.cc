@@ -36,6 +36,20 @@ namespace auxfem
                              "the time step"));
     }
 
+    void check_smallest_step(const Scene &scene, Mistakes &mistakes)
+    {
+      // Halving more often than this only delays the news.
+      const double          halvings = 1 << 20;
+      const TimeParameters &time     = scene.time;
+      if (time.smallest_step > 0 && time.smallest_step < time.step / halvings)
+        mistakes.add(message(scene,
+                             "Time/Smallest time step = ",
+                             time.smallest_step,
+                             " s is less than a millionth of Time/Time step = ",
+                             time.step,
+                             " s. Increase it, or reduce the time step"));
+    }
+
     void check_newmark(const Scene &scene, Mistakes &mistakes)
     {
       const TimeParameters &time = scene.time;
@@ -125,6 +139,7 @@ namespace auxfem
   void check_consistency(const Scene &scene, Mistakes &mistakes)
   {
     check_steps(scene, mistakes);
+    check_smallest_step(scene, mistakes);
     check_newmark(scene, mistakes);
     check_inertia(scene, mistakes);
     check_density(scene, mistakes);

@@ -1,6 +1,8 @@
 #include <auxfem/parameters/errors.h>
 #include <auxfem/parameters/scene_sections.h>
 
+#include <deal.II/base/utilities.h>
+
 namespace auxfem
 {
   namespace
@@ -15,7 +17,16 @@ namespace auxfem
                                const TimeExpression &entry,
                                const SceneContext   &context)
     {
-      return TimeFunction(get(prm, entry), entry.name, context);
+      using dealii::Utilities::trim;
+
+      const std::string text   = get(prm, entry);
+      const std::string prefix = "table:";
+      if (trim(text).compare(0, prefix.size(), prefix) == 0)
+        {
+          const std::string file = trim(trim(text).substr(prefix.size()));
+          prm.set(entry.name, prefix + " " + absolute_file(file, context));
+        }
+      return TimeFunction(text, entry.name, context);
     }
 
     // Supports

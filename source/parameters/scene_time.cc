@@ -162,7 +162,7 @@ namespace auxfem
       "0.5",
       "1",
       Range::positive(),
-      "A dynamic step that creates more energy than this part of the largest "
+      "A step that creates more energy than this part of the largest "
       "so far is repeated with half its length."};
     const Choice start = {"Start from",
                           "rest",

@@ -74,8 +74,12 @@ namespace auxfem
       decide("rotary inertia",
              set.rotary_inertia,
              {effects.inertia, "inertia is simulated", "no inertia"},
-             list) &&
-      effects.inertia;
+             list);
+    if (effects.rotary_inertia && !effects.inertia)
+      {
+        effects.rotary_inertia = false;
+        list.back()            = {"rotary inertia", false, "no inertia"};
+      }
     effects.connector_viscosity = decide("connector viscosity",
                                          set.connector_viscosity,
                                          {is_viscous,

@@ -3,31 +3,38 @@
 
 #include <Teuchos_ParameterList.hpp>
 
+#include <limits>
+
 #include <Amesos.h>
 
 namespace auxfem
 {
   namespace
   {
-    std::string choose(const SolverParameters &parameters, const int n_ranks)
+    /**
+     * Below this number of unknowns KLU on one rank, with the matrix sent
+     * there, is quicker than MUMPS on all.
+     */
+    constexpr unsigned int klu_limit = 200000;
+
+    std::string choose(const SolverParameters &parameters,
+                       const DofNumbering     &numbering)
     {
-      Amesos factory;
-      if (parameters.type == "klu" ||
-          (parameters.type == "auto" && n_ranks == 1))
-        return "Amesos_Klu";
-      if (factory.Query("Amesos_Mumps"))
-        return "Amesos_Mumps";
-      if (parameters.type == "mumps")
+      const bool wants_mumps = parameters.type == "mumps" ||
+        (parameters.type == "auto" && numbering.n_ranks() > 1 &&
+         numbering.n_unknowns() > klu_limit);
+      const bool has_mumps = Amesos().Query("Amesos_Mumps");
+      if (parameters.type == "mumps" && !has_mumps)
         throw InputError(
           "Solver/Type: this Trilinos has no MUMPS. Use `klu` or `auto`.");
-      return "Amesos_Klu";
+      return wants_mumps && has_mumps ? "Amesos_Mumps" : "Amesos_Klu";
     }
   } // namespace
 
   LinearSolver::LinearSolver(const SolverParameters &parameters,
                              TangentMatrix          &matrix,
                              const DofNumbering     &numbering)
-    : type(choose(parameters, numbering.n_ranks()))
+    : type(choose(parameters, numbering))
     , rhs(numbering.owned_map())
     , solution(numbering.owned_map())
     , problem(&matrix.matrix(), &solution, &rhs)
@@ -52,17 +59,14 @@ namespace auxfem
 
   const Epetra_Vector &LinearSolver::solve()
   {
-    solver->Solve();
+    // A failed solution must show: the next residual is then not finite.
+    if (solver->Solve() != 0)
+      solution.PutScalar(std::numeric_limits<double>::quiet_NaN());
     return solution;
   }
 
   Epetra_Vector &LinearSolver::right_side()
   {
     return rhs;
-  }
-
-  const std::string &LinearSolver::name() const
-  {
-    return type;
   }
 } // namespace auxfem

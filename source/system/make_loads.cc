@@ -176,6 +176,13 @@ namespace auxfem
           {
             const double mass =
               c < 2 ? definition.mass : definition.rotary_inertia;
+            if (mass > 0 && !numbering.joint_has(joint, c))
+              throw InputError(
+                definition.path + "/Rotary inertia: joint " +
+                std::to_string(joint) +
+                " has no rotation of its own, because every strut is "
+                "released there or no strut ends there. Leave one strut "
+                "unreleased, or set it to 0.");
             const int unknown = numbering.joint_unknown(joint, c);
             if (mass > 0 && unknown >= 0)
               masses.emplace_back(unknown, mass);
@@ -191,7 +198,9 @@ namespace auxfem
   {
     if (scene.joint_loads.empty() && scene.line_loads.empty() && !gravity)
       return nullptr;
-    auto loads = std::make_unique<AppliedLoads>(numbering);
+    auto loads = std::make_unique<AppliedLoads>(numbering,
+                                                scene.time.scheme == "static" &&
+                                                  !scene.time.static_start);
     add_joint_loads(scene, lattice, numbering, *loads);
     add_line_loads(scene, lattice, numbering, *loads);
     if (gravity)

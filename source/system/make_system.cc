@@ -6,7 +6,7 @@
 #include <auxfem/system/system.h>
 
 #include <algorithm>
-#include <set>
+#include <map>
 
 namespace auxfem
 {
@@ -63,10 +63,31 @@ namespace auxfem
       return releases;
     }
 
+    /** What a released strut end turns against. */
+    struct SpringBase
+    {
+      /** -1 without `is_ground`: not on this rank. */
+      int  unknown   = -1;
+      bool is_ground = false;
+    };
+
     /**
-     * The rotation springs act against: that of the joint if one strut is rigid
-     * there, else that of the first released strut.
+     * The rotation springs at a joint act against: that of the joint if a strut
+     * is rigid there, else that of the first of several released struts, else,
+     * for a strut alone, the ground.
      */
+    SpringBase
+    spring_base(const unsigned int                                joint,
+                const std::vector<std::pair<unsigned, unsigned>> &ends,
+                const DofNumbering                               &numbering)
+    {
+      if (numbering.joint_has(joint, 2))
+        return {numbering.joint_unknown(joint, 2), false};
+      if (ends.size() == 1)
+        return {-1, true};
+      return {numbering.end_rotation(ends[0].first, ends[0].second), false};
+    }
+
     std::unique_ptr<RotationalSprings>
     make_rotational_springs(const std::vector<Release> &releases,
                             const DofNumbering         &numbering)
@@ -78,17 +99,16 @@ namespace auxfem
             JointDefinition::Type::rotational_spring)
           for (const auto &[joint, ends] : release.ends_at_joint)
             {
-              const bool has_own = numbering.joint_has(joint, 2);
-              const int  base    = has_own
-                    ? numbering.joint_unknown(joint, 2)
-                    : numbering.end_rotation(ends[0].first, ends[0].second);
-              for (unsigned int i = has_own ? 0 : 1; i < ends.size(); ++i)
+              const SpringBase base = spring_base(joint, ends, numbering);
+              for (const auto &[strut, end] : ends)
                 {
-                  const int end =
-                    numbering.end_rotation(ends[i].first, ends[i].second);
-                  if (base < 0 || end < 0)
+                  const int rotation = numbering.end_rotation(strut, end);
+                  if (rotation < 0 || rotation == base.unknown ||
+                      (base.unknown < 0 && !base.is_ground))
                     continue;
-                  springs->add(base, end, release.definition->stiffness);
+                  springs->add(base.unknown,
+                               rotation,
+                               release.definition->stiffness);
                   is_used = true;
                 }
             }
@@ -165,7 +185,7 @@ namespace auxfem
     std::map<std::pair<unsigned, unsigned>, Holder> holders;
     for (const SupportDefinition &definition : scene.supports)
       {
-        Support support{definition.name, {}};
+        Support support{definition.name, {}, definition.motion};
         for (const unsigned int joint :
              select_joints(graph,
                            definition.joints,
@@ -207,10 +227,11 @@ namespace auxfem
               if (unknown < 0)
                 continue;
               dofs->prescribe(unknown);
-              support.unknowns.push_back({unknown, c, definition.motion[c]});
+              support.unknowns.push_back({unknown, c});
             }
         support_list.push_back(support);
       }
+    rows = dofs->owned_rows();
   }
 
   void System::make_effects(const Scene &scene)
@@ -278,6 +299,7 @@ namespace auxfem
             effects.push_back(std::move(effect));
           }
       }
+    n_balanced = effects.size();
     if (auto loads =
           make_loads(scene, graph, *dofs, section_list, simulated.gravity))
       effects.push_back(std::move(loads));

@@ -11,39 +11,24 @@ namespace auxfem
   {
     /**
      * A mode whose stiffness is below this part of the diagonal's is a
-     * mechanism: far above round-off (1e-16), far below the softest sound
-     * lattice (a cantilever of 1000 slender struts has 4e-13).
+     * mechanism: the round-off of its energy is 1e-16 of it, the softest sound
+     * lattice lies far above (a cantilever of 1000 slender struts at 4e-13).
      */
-    constexpr double softest = 1e-14;
+    constexpr double softest = 2e-15;
+
+    /** The softest mode is found far sooner when it is that of a mechanism. */
+    constexpr unsigned int n_inverse_iterations = 6;
 
     [[noreturn]] void refuse(const System &system, const Epetra_Vector &mode)
     {
       const DofNumbering &numbering = system.numbering();
-      double              largest   = -1;
-      unsigned int        worst     = 0;
-      for (unsigned int i = 0; i < numbering.n_owned(); ++i)
-        {
-          // A strut that turns about its middle moves its ends by half its
-          // length times the angle.
-          const double size = std::abs(mode[i]) *
-            (numbering.is_rotation(i) ? system.length_scale() / 2 : 1.);
-          if (size > largest)
-            {
-              largest = size;
-              worst   = i;
-            }
-        }
-      double of_all = 0;
-      numbering.communicator().MaxAll(&largest, &of_all, 1);
-      int mine =
-        largest == of_all ? int(numbering.rank()) : int(numbering.n_ranks());
-      int who = 0;
-      numbering.communicator().MinAll(&mine, &who, 1);
-      std::string words =
-        who == int(numbering.rank()) ? numbering.describe(worst) : "";
-      words = dealii::Utilities::MPI::broadcast(numbering.communicator().Comm(),
-                                                words,
-                                                who);
+      std::vector<double> sizes(numbering.n_owned());
+      // A strut that turns about its end moves the other by its length times the
+      // angle; half of that leaves the first word to the joint.
+      for (unsigned int i = 0; i < sizes.size(); ++i)
+        sizes[i] = std::abs(mode[i]) *
+          (numbering.is_rotation(i) ? system.length_scale() / 2 : 1.);
+      const std::string words = numbering.describe_largest(sizes);
       throw InputError(
         "The structure is not supported: it can move without any resistance, most of "
         "all the " +
@@ -56,41 +41,46 @@ namespace auxfem
 
   void refuse_mechanism(System        &system,
                         State          state,
+                        const double   dt,
                         TangentMatrix &matrix,
                         LinearSolver  &solver)
   {
     const DofNumbering &numbering = system.numbering();
-    const State         before    = state;
-    const Step step{before, state, std::numeric_limits<double>::infinity()};
+    if (numbering.n_free() == 0)
+      return;
+    const State before = state;
+    const Step  step{before, state, dt};
     // Effects keep what the tangent needs from the last residual.
     system.begin_step(step);
     system.residual(step);
-    system.tangent(step, {1., 0., 0.}, matrix);
+    system.tangent(step, {1., 1 / dt, 0.}, matrix);
 
-    Epetra_Vector diagonal(numbering.owned_map()),
-      shifted(numbering.owned_map());
-    matrix.matrix().ExtractDiagonalCopy(diagonal);
-    double largest = 0;
-    diagonal.MaxValue(&largest);
+    Epetra_Vector stiffness_diagonal(numbering.owned_map());
+    matrix.matrix().ExtractDiagonalCopy(stiffness_diagonal);
+    double stiffest = 0;
+    stiffness_diagonal.MaxValue(&stiffest);
+    Epetra_Vector weight(stiffness_diagonal), shifted(stiffness_diagonal);
     for (unsigned int i = 0; i < numbering.n_owned(); ++i)
-      if (diagonal[i] <= 0)
-        diagonal[i] = softest * largest;
-    shifted = diagonal;
-    shifted.Scale(1 + softest);
+      {
+        // A row without any stiffness counts as the stiffest: its motion is
+        // then the softest of all.
+        if (weight[i] <= 0)
+          weight[i] = stiffest > 0 ? stiffest : 1.;
+        shifted[i] += softest * weight[i];
+      }
     const Epetra_CrsMatrix stiffness(matrix.matrix());
     matrix.matrix().ReplaceDiagonalValues(shifted);
 
     Epetra_Vector mode(numbering.owned_map()), image(numbering.owned_map());
     mode.SetSeed(1);
     mode.Random();
-    double softness  = 0;
-    bool   is_solved = solver.factorize();
-    for (unsigned int i = 0; is_solved && i < 6; ++i)
+    bool is_solved = solver.factorize();
+    for (unsigned int i = 0; is_solved && i < n_inverse_iterations; ++i)
       {
         for (unsigned int k = 0; k < numbering.n_owned(); ++k)
           solver.right_side()[k] = numbering.kind(k) == UnknownKind::prescribed
             ? 0.
-            : diagonal[k] * mode[k];
+            : weight[k] * mode[k];
         mode        = solver.solve();
         double size = 0;
         mode.NormInf(&size);
@@ -100,10 +90,9 @@ namespace auxfem
     double energy = 0, scale = 0;
     stiffness.Multiply(false, mode, image);
     mode.Dot(image, &energy);
-    image.Multiply(1., diagonal, mode, 0.);
+    image.Multiply(1., weight, mode, 0.);
     mode.Dot(image, &scale);
-    softness = energy / scale;
-    if (!(softness > softest))
+    if (!is_solved || !(energy > softest * scale))
       refuse(system, mode);
   }
 } // namespace auxfem

@@ -1,4 +1,3 @@
-#include <auxfem/parameters/errors.h>
 #include <auxfem/system/system.h>
 
 #include <algorithm>
@@ -7,6 +6,31 @@
 
 namespace auxfem
 {
+  namespace
+  {
+    /** Sum of squares in some rows; four sums, as one would wait for itself. */
+    double sum_of_squares(const double *values, const std::vector<int> &rows)
+    {
+      double            sums[4]   = {0, 0, 0, 0};
+      const std::size_t n         = rows.size();
+      const std::size_t n_in_four = n - n % 4;
+      for (std::size_t i = 0; i < n_in_four; i += 4)
+        for (unsigned int k = 0; k < 4; ++k)
+          sums[k] += values[rows[i + k]] * values[rows[i + k]];
+      for (std::size_t i = n_in_four; i < n; ++i)
+        sums[0] += values[rows[i]] * values[rows[i]];
+      return sums[0] + sums[1] + sums[2] + sums[3];
+    }
+
+    double largest(const double *values, const std::vector<int> &rows)
+    {
+      double result = 0;
+      for (const int row : rows)
+        result = std::max(result, std::abs(values[row]));
+      return result;
+    }
+  } // namespace
+
   const Lattice &System::lattice() const
   {
     return graph;
@@ -90,61 +114,71 @@ namespace auxfem
   void System::prescribe_motion(State &state, const double dt) const
   {
     for (const Support &support : support_list)
-      for (const auto &prescribed : support.unknowns)
-        {
-          if (prescribed.motion.is_zero())
-            {
-              state.displacement[prescribed.unknown] = 0;
-              if (state.velocity)
-                (*state.velocity)[prescribed.unknown] = 0;
-              if (state.acceleration)
-                (*state.acceleration)[prescribed.unknown] = 0;
-              continue;
-            }
-          const std::array<double, 3> motion =
-            prescribed.motion.jet(state.time, dt);
-          state.displacement[prescribed.unknown] = motion[0];
-          if (state.velocity)
-            (*state.velocity)[prescribed.unknown] = motion[1];
-          if (state.acceleration)
-            (*state.acceleration)[prescribed.unknown] = motion[2];
-        }
+      {
+        std::array<std::array<double, 3>, 3> jets = {};
+        for (unsigned int c = 0; c < 3; ++c)
+          if (!support.motion[c].is_zero())
+            jets[c] = support.motion[c].jet(state.time, dt);
+        for (const auto &[unknown, component] : support.unknowns)
+          {
+            state.displacement[unknown] = jets[component][0];
+            if (state.velocity)
+              (*state.velocity)[unknown] = jets[component][1];
+            if (state.acceleration)
+              (*state.acceleration)[unknown] = jets[component][2];
+          }
+      }
   }
 
   void System::prescribed_gap(const State &state, double *gap) const
   {
     for (const Support &support : support_list)
-      for (const auto &prescribed : support.unknowns)
-        if (dofs->is_owned(prescribed.unknown))
-          gap[prescribed.unknown] = prescribed.motion.value(state.time) -
-            state.displacement[prescribed.unknown];
+      {
+        std::array<double, 3> places;
+        for (unsigned int c = 0; c < 3; ++c)
+          places[c] = support.motion[c].value(state.time);
+        for (const auto &[unknown, component] : support.unknowns)
+          if (dofs->is_owned(unknown))
+            gap[unknown] = places[component] - state.displacement[unknown];
+      }
   }
 
   ResidualNorm System::residual(const Step &step)
   {
     double *residual = step.to.residual.Values();
     std::fill(residual, residual + dofs->n_local(), 0.);
-    for (unsigned int i = 0; i < n_internal; ++i)
-      effects[i]->add_residual(step, residual);
-
-    // Sums of squares: internal forces and moments of all rows, then the
-    // residual of free rows.
-    double             mine[4] = {0, 0, 0, 0}, sums[4];
-    const unsigned int n       = dofs->n_owned();
-    for (unsigned int i = 0; i < n; ++i)
-      mine[dofs->is_rotation(i)] += residual[i] * residual[i];
-    for (unsigned int i = n_internal; i < effects.size(); ++i)
-      effects[i]->add_residual(step, residual);
-    for (unsigned int i = 0; i < n; ++i)
-      if (dofs->kind(i) != UnknownKind::prescribed)
-        mine[2 + dofs->is_rotation(i)] += residual[i] * residual[i];
+    // Sums of squares of forces and moments: of internal forces, of internal
+    // and inertia forces, and of the residual in free rows.
+    double     mine[6] = {0, 0, 0, 0, 0, 0}, sums[6];
+    const auto add     = [&](const unsigned int begin, const unsigned int end) {
+      for (unsigned int i = begin; i < end; ++i)
+        effects[i]->add_residual(step, residual);
+    };
+    const auto sum_all_rows = [&](double *sum) {
+      sum[0] = sum_of_squares(residual, rows.free_translations) +
+        sum_of_squares(residual, rows.prescribed_translations);
+      sum[1] = sum_of_squares(residual, rows.free_rotations) +
+        sum_of_squares(residual, rows.prescribed_rotations);
+    };
+    add(0, n_internal);
+    sum_all_rows(mine);
+    if (n_balanced > n_internal)
+      {
+        add(n_internal, n_balanced);
+        sum_all_rows(mine + 2);
+      }
+    add(n_balanced, effects.size());
+    mine[4] = sum_of_squares(residual, rows.free_translations);
+    mine[5] = sum_of_squares(residual, rows.free_rotations);
     if (dofs->n_ranks() > 1)
-      dofs->communicator().SumAll(mine, sums, 4);
+      dofs->communicator().SumAll(mine, sums, 6);
     else
-      std::copy(mine, mine + 4, sums);
+      std::copy(mine, mine + 6, sums);
 
-    scale = std::sqrt(std::max(sums[0], sums[1] / (mean_length * mean_length)));
-    return {std::sqrt(sums[2]), std::sqrt(sums[3])};
+    const double forces  = std::max(sums[0], sums[2]),
+                 moments = std::max(sums[1], sums[3]);
+    scale = std::sqrt(std::max(forces, moments / (mean_length * mean_length)));
+    return {std::sqrt(sums[4]), std::sqrt(sums[5])};
   }
 
   double System::force_scale() const
@@ -157,20 +191,23 @@ namespace auxfem
     return mean_length;
   }
 
-  std::pair<double, double> System::largest_motion(const State &state) const
+  std::pair<double, double> System::largest_motion(const Vector &motion) const
   {
-    double        mine[2] = {0, 0}, all[2];
-    const double *u       = state.displacement.Values();
-    for (unsigned int i = 0; i < dofs->n_owned(); ++i)
-      mine[dofs->is_rotation(i)] =
-        std::max(mine[dofs->is_rotation(i)], std::abs(u[i]));
+    const double *values  = motion.Values();
+    double        mine[2] = {std::max(largest(values, rows.free_translations),
+                               largest(values, rows.prescribed_translations)),
+                             std::max(largest(values, rows.free_rotations),
+                               largest(values, rows.prescribed_rotations))};
+    if (dofs->n_ranks() == 1)
+      return {mine[0], mine[1]};
+    double all[2];
     dofs->communicator().MaxAll(mine, all, 2);
     return {all[0], all[1]};
   }
 
   double System::round_off_floor(const State &state) const
   {
-    const auto [displacement, rotation] = largest_motion(state);
+    const auto [displacement, rotation] = largest_motion(state.displacement);
     double mine = 0, scale_of_row = 0;
     for (const auto &effect : effects)
       mine = std::max(mine, effect->round_off_scale(displacement, rotation));
@@ -204,9 +241,8 @@ namespace auxfem
     // Prescribed motion works by the mean of the support forces over the step.
     for (const Support &support : support_list)
       for (const auto &prescribed : support.unknowns)
-        if (dofs->is_owned(prescribed.unknown))
+        if (const int i = prescribed.unknown; dofs->is_owned(i))
           {
-            const int i = prescribed.unknown;
             step.to.external_work +=
               (step.from.residual[i] + step.to.residual[i]) / 2 *
               (step.to.displacement[i] - step.from.displacement[i]);
@@ -235,29 +271,17 @@ namespace auxfem
 
   std::string System::worst_unknown(const State &state) const
   {
-    double       largest = -1;
-    unsigned int worst   = 0;
-    for (unsigned int i = 0; i < dofs->n_owned(); ++i)
-      if (dofs->kind(i) != UnknownKind::prescribed)
+    std::vector<double> sizes(dofs->n_owned(), 0.);
+    const auto measure = [&](const std::vector<int> &of, const double unit) {
+      for (const int row : of)
         {
-          const double size = std::abs(state.residual[i]) /
-            (dofs->is_rotation(i) ? mean_length : 1.);
-          if (!(size <= largest))
-            {
-              largest =
-                std::isfinite(size) ? size : std::numeric_limits<double>::max();
-              worst = i;
-            }
+          const double size = std::abs(state.residual[row]) / unit;
+          sizes[row] =
+            std::isfinite(size) ? size : std::numeric_limits<double>::max();
         }
-    double of_all = 0;
-    dofs->communicator().MaxAll(&largest, &of_all, 1);
-    // Every rank gets the words of the lowest rank that has the largest value.
-    int mine = largest == of_all ? int(dofs->rank()) : int(dofs->n_ranks()),
-        who  = 0;
-    dofs->communicator().MinAll(&mine, &who, 1);
-    std::string words = who == int(dofs->rank()) ? dofs->describe(worst) : "";
-    return dealii::Utilities::MPI::broadcast(dofs->communicator().Comm(),
-                                             words,
-                                             who);
+    };
+    measure(rows.free_translations, 1.);
+    measure(rows.free_rotations, mean_length);
+    return dofs->describe_largest(sizes);
   }
 } // namespace auxfem

@@ -13,7 +13,11 @@ namespace auxfem
     : numbering(numbering)
     , unknowns_begin(1, 0)
     , block_begin(1, 0)
-  {}
+  {
+    const unsigned int n = (numbering.order() + 1) * DofNumbering::n_components;
+    for (unsigned int e = 0; e < numbering.elements().size(); ++e)
+      register_block(numbering.element_unknowns(e), n);
+  }
 
   std::size_t TangentMatrix::register_block(const int         *unknowns,
                                             const unsigned int n)
@@ -120,12 +124,5 @@ namespace auxfem
     crs->ExtractDiagonalCopy(values);
     return std::vector<double>(values.Values(),
                                values.Values() + values.MyLength());
-  }
-
-  std::size_t TangentMatrix::memory_consumption() const
-  {
-    return n_entries * (sizeof(double) + sizeof(int)) +
-      positions.capacity() * sizeof(int) +
-      block_begin.capacity() * sizeof(std::size_t);
   }
 } // namespace auxfem

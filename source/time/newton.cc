@@ -48,12 +48,14 @@ namespace auxfem
             return result;
           }
         result.relative_residual = force > 0 ? size / force : 0.;
-        // The floor is that of the iterate: a static step from rest begins without
-        // motion, hence without round-off.
+        // The floor is that of the iterate: a static step from rest begins
+        // without motion, hence without round-off.
         const double wanted = parameters.tolerance * force;
+        const bool   stagnates =
+          reduction < parameters.kept_reduction || result.iterations == 0;
         if (is_in_place &&
             (size <= wanted ||
-             size <= wanted + system.round_off_floor(step.to)))
+             (stagnates && size <= wanted + system.round_off_floor(step.to))))
           {
             result.converged = true;
             largest_force    = force;
@@ -80,7 +82,8 @@ namespace auxfem
             ++result.factorizations;
           }
         solve_increment(step.to);
-        if (!system.is_linear() && largest_turn() > half_turn)
+        if (!system.is_linear() &&
+            system.largest_motion(increment).second > half_turn)
           {
             result.reason =
               "an iteration turned a section by more than half a turn";
@@ -106,14 +109,9 @@ namespace auxfem
     timed_residual(step);
 
     system.tangent(step, {0., 0., 1.}, *matrix);
-    const std::vector<double> diagonal = matrix->diagonal();
-    int mine = std::any_of(diagonal.begin(), diagonal.end(), [](double d) {
-      return d == 0;
-    });
-    int any  = 0;
-    system.numbering().communicator().MaxAll(&mine, &any, 1);
-    if (any != 0)
-      system.tangent(step, {dt * dt / 4, 0., 1.}, *matrix);
+    if (has_empty_row())
+      system.tangent(step, {dt * dt / 4, dt / 2, 1.}, *matrix);
+    refuse_empty_rows();
     drop_factorization();
     if (!linear_solver.factorize())
       throw ComputationError(
@@ -124,6 +122,28 @@ namespace auxfem
     if (state.algorithmic_acceleration)
       *state.algorithmic_acceleration = *state.acceleration;
     timed_residual(step);
+  }
+
+  bool Newton::has_empty_row() const
+  {
+    const std::vector<double> diagonal = matrix->diagonal();
+    int mine = std::count(diagonal.begin(), diagonal.end(), 0.);
+    int all  = 0;
+    system.numbering().communicator().SumAll(&mine, &all, 1);
+    return all > 0;
+  }
+
+  void Newton::refuse_empty_rows() const
+  {
+    if (!has_empty_row())
+      return;
+    std::vector<double> emptiness;
+    for (const double entry : matrix->diagonal())
+      emptiness.push_back(entry == 0 ? 1. : 0.);
+    throw InputError(
+      "Nothing resists the " + system.numbering().describe_largest(emptiness) +
+      ": no mass, no strut and no connector. Give the joint a mass, "
+      "connect it or leave it out.");
   }
 
   void Newton::drop_factorization()
@@ -180,21 +200,10 @@ namespace auxfem
       increment.Import(solution, numbering.importer(), Insert);
   }
 
-  double Newton::largest_turn() const
-  {
-    const DofNumbering &numbering = system.numbering();
-    double              mine = 0, all = 0;
-    for (unsigned int i = 0; i < numbering.n_owned(); ++i)
-      if (numbering.is_rotation(i))
-        mine = std::max(mine, std::abs(increment[i]));
-    if (numbering.n_ranks() == 1)
-      return mine;
-    numbering.communicator().MaxAll(&mine, &all, 1);
-    return all;
-  }
-
   double Newton::in_force_units(const ResidualNorm &norm) const
   {
-    return std::max(norm.force, norm.moment / system.length_scale());
+    const double moment = norm.moment / system.length_scale();
+    // std::max would drop a NaN in its second place.
+    return std::isfinite(moment) ? std::max(norm.force, moment) : moment;
   }
 } // namespace auxfem

@@ -33,26 +33,7 @@ namespace auxfem
 
   unsigned long TimeStepper::n_steps() const
   {
-    return std::ceil(parameters.end_time / parameters.step * (1 - 1e-12));
-  }
-
-  double TimeStepper::time_at(const unsigned long step,
-                              const double        fraction) const
-  {
-    // From the step count, never accumulated.
-    const double time = (step + fraction) * parameters.step;
-    return time > parameters.end_time - 1e-6 * parameters.step
-      ? parameters.end_time
-      : time;
-  }
-
-  double TimeStepper::length_of_step(const double from,
-                                     const double to,
-                                     const double piece) const
-  {
-    // Equal steps must have exactly equal lengths to share a factorization.
-    const double nominal = parameters.step * piece;
-    return std::abs(to - from - nominal) < 1e-6 * nominal ? nominal : to - from;
+    return parameters.n_steps();
   }
 
   void TimeStepper::start(State &state)
@@ -84,14 +65,14 @@ namespace auxfem
 
   void TimeStepper::complete_start(State &state)
   {
-    evaluate_at_rest_in_time(state);
+    evaluate_accepted(state);
     system.accept({trial, state, /*dt=*/0.});
     // What brought the lattice into its first state is not part of the run.
     state.external_work     = 0;
     state.energies.external = 0;
   }
 
-  void TimeStepper::evaluate_at_rest_in_time(State &state)
+  void TimeStepper::evaluate_accepted(State &state)
   {
     trial = state;
     const Step step{trial, state, /*dt=*/0.};
@@ -105,21 +86,29 @@ namespace auxfem
     report.substeps = 0;
     report.dt       = parameters.step;
 
-    // The step is covered by pieces of 1/2^level, piece number `position` next.
-    unsigned int        level = 0, position = 0;
-    const unsigned long step = state.step;
+    const double begin = parameters.time_at(state.step),
+                 end   = parameters.time_at(state.step + 1);
+    // Equal steps must have exactly equal lengths to share a factorization.
+    const double length =
+      std::abs(end - begin - parameters.step) < 1e-6 * parameters.step
+      ? parameters.step
+      : end - begin;
+
+    // The step is covered by pieces of 1/2^level, number `position` next.
+    unsigned int level = 0, position = 0;
     while (position < (1u << level))
       {
-        const double piece = 1. / (1u << level);
-        const double time  = time_at(step, (position + 1) * piece);
-        const double dt =
-          length_of_step(time_at(step, position * piece), time, piece);
+        const double piece   = 1. / (1u << level);
+        const bool   is_last = position + 1 == (1u << level);
+        const double time =
+          is_last ? end : begin + length * piece * (position + 1);
+        const double dt = length * piece;
         if (try_step(state, time, dt, report))
           {
             ++report.substeps;
             report.dt = std::min(report.dt, dt);
             ++position;
-            if (position < (1u << level) && level > 0 && position % 2 == 0)
+            if (!is_last && level > 0 && position % 2 == 0)
               {
                 --level;
                 position /= 2;
@@ -128,25 +117,46 @@ namespace auxfem
           }
         ++report.retries;
         if (dt / 2 < parameters.smallest_step)
-          {
-            evaluate_at_rest_in_time(state);
-            std::ostringstream message;
-            message
-              << "The step from t = " << state.time
-              << " s did not converge even with dt = " << dt
-              << " s (Time/Smallest time step = " << parameters.smallest_step
-              << " s): " << last_failure
-              << ".\nAll steps until then are in the output "
-              << "folder. A smaller smallest step, numerical damping (Scheme = "
-              << "generalized-alpha) or, in statics, prescribed motion in place of a force "
-              << "may carry it further; an unstable structure will not be carried by any.";
-            throw ComputationError(message.str());
-          }
+          give_up(state, dt);
         ++level;
         position *= 2;
       }
-    state.step = step + 1;
+    ++state.step;
     return report;
+  }
+
+  void TimeStepper::give_up(State &state, const double dt)
+  {
+    evaluate_accepted(state);
+    std::ostringstream message;
+    message
+      << "The step from t = " << state.time
+      << " s did not converge even with dt = " << dt
+      << " s (Time/Smallest time step = " << parameters.smallest_step
+      << " s): " << last_failure
+      << ".\nAll steps until then are in the output folder. A smaller smallest "
+         "step, numerical damping (Scheme = generalized-alpha) or, in statics, "
+         "prescribed motion in place of a force may carry it further; an "
+         "unstable structure will not be carried by any.";
+    throw ComputationError(message.str());
+  }
+
+  Newton::Result TimeStepper::solve_trial(State &state, const Step &step)
+  {
+    try
+      {
+        integrator->predict(step);
+        if (integrator->is_dynamic())
+          system.prescribe_motion(trial, parameters.step);
+        system.begin_step(step);
+        return solver.solve(*integrator, step);
+      }
+    catch (const ComputationError &)
+      {
+        // A load that is not a number, say: what is on disk stays complete.
+        evaluate_accepted(state);
+        throw;
+      }
   }
 
   bool TimeStepper::try_step(State       &state,
@@ -155,13 +165,8 @@ namespace auxfem
                              StepReport  &report)
   {
     trial.time = time;
-    const Step step{state, trial, dt};
-    integrator->predict(step);
-    if (integrator->is_dynamic())
-      system.prescribe_motion(trial, parameters.step);
-    system.begin_step(step);
-
-    const Newton::Result result = solver.solve(*integrator, step);
+    const Step           step{state, trial, dt};
+    const Newton::Result result = solve_trial(state, step);
     report.iterations += result.iterations;
     report.factorizations += result.factorizations;
     report.relative_residual = result.relative_residual;
@@ -176,7 +181,7 @@ namespace auxfem
         return false;
       }
     system.accept(step);
-    if (integrator->is_dynamic() && creates_energy(step))
+    if (creates_energy(step))
       {
         last_failure =
           "the step would create energy (more than Time/Largest energy error)";

@@ -3,7 +3,6 @@
 #include <deal.II/base/mpi.h>
 
 #include <gtest/gtest.h>
-
 #include <mesh/cell_from_text.h>
 
 #include <algorithm>
@@ -42,7 +41,8 @@ namespace
     return make_array(cell_from_text("star", "")->build(), {{nx, ny, 1}});
   }
 
-  /** Joint 0 in the middle, joints 1, 2, 3 around it, strut i from 0 to i + 1. */
+  /** Joint 0 in the middle, joints 1, 2, 3 around it, strut i from 0 to i + 1.
+   */
   Lattice tripod()
   {
     return make_array(cell_from_text("frame",
@@ -119,7 +119,7 @@ TEST(DofNumbering, ElementsOfAStrutShareTheNodeBetweenThem)
     if (dofs.elements()[e].place.strut == 0)
       of_first_strut.push_back(e);
   ASSERT_EQ(of_first_strut.size(), 2u);
-  const int *first = dofs.element_unknowns(of_first_strut[0]),
+  const int *first  = dofs.element_unknowns(of_first_strut[0]),
             *second = dofs.element_unknowns(of_first_strut[1]);
   if (dofs.elements()[of_first_strut[0]].place.begin > 0)
     std::swap(first, second);

@@ -14,12 +14,12 @@ namespace
   template <bool large_rotation, bool damped, class Beam>
   void check_tangent(const Beam &beam)
   {
-    using Vector             = typename Beam::Vector;
-    const auto   u           = beam.moved(irregular<Vector>(0.3, 1), 2.2, {{1, -2}});
-    const auto   v           = irregular<Vector>(2., 2);
-    const double stiffness   = 0.9, damping = 2.5;
-    const auto   matrix      = beam.template tangent<large_rotation, damped>(
-      u, v, stiffness, damping);
+    using Vector   = typename Beam::Vector;
+    const auto   u = beam.moved(irregular<Vector>(0.3, 1), 2.2, {{1, -2}});
+    const auto   v = irregular<Vector>(2., 2);
+    const double stiffness = 0.9, damping = 2.5;
+    const auto   matrix =
+      beam.template tangent<large_rotation, damped>(u, v, stiffness, damping);
     const double step = 1e-5, scale = largest(matrix);
 
     double worst = 0;
@@ -144,14 +144,16 @@ TEST(Beam2D, RigidMotionGivesNoForceAlsoAfterSeveralTurns)
 TEST(Beam2D, ForcesTurnWithASuperposedRotation)
 {
   for_each_beam([](const auto &beam) {
-    using Beam     = std::decay_t<decltype(beam)>;
-    using Vector   = typename Beam::Vector;
-    const auto   u = irregular<Vector>(0.4, 5);
+    using Beam         = std::decay_t<decltype(beam)>;
+    using Vector       = typename Beam::Vector;
+    const auto   u     = irregular<Vector>(0.4, 5);
     const double angle = 9.1, c = std::cos(angle), s = std::sin(angle);
     Vector       force, turned;
     const auto   energy = beam.template force<true, false>(u, u, force);
-    const auto   same   = beam.template force<true, false>(
-      beam.moved(u, angle, {{2, 1}}), u, turned);
+    const auto   same =
+      beam.template force<true, false>(beam.moved(u, angle, {{2, 1}}),
+                                       u,
+                                       turned);
     EXPECT_NEAR(energy.strain, same.strain, round_off * energy.strain);
     const double tolerance = round_off * largest(force);
     for (int a = 0; a <= Beam::order; ++a)
@@ -178,8 +180,8 @@ TEST(Beam2D, ForcesAreInEquilibriumInAnyState)
         sum[0] += force[3 * a];
         sum[1] += force[3 * a + 1];
         sum[2] += force[3 * a + 2] +
-                  (beam.nodes[a][0] + u[3 * a]) * force[3 * a + 1] -
-                  (beam.nodes[a][1] + u[3 * a + 1]) * force[3 * a];
+          (beam.nodes[a][0] + u[3 * a]) * force[3 * a + 1] -
+          (beam.nodes[a][1] + u[3 * a + 1]) * force[3 * a];
       }
     EXPECT_LT(largest(std::array<double, 3>{{sum[0], sum[1], sum[2]}}),
               round_off * largest(force));
@@ -189,9 +191,9 @@ TEST(Beam2D, ForcesAreInEquilibriumInAnyState)
 TEST(Beam2D, SmallDisplacementFormIsTheDerivativeAtRest)
 {
   for_each_beam([](const auto &beam) {
-    using Beam        = std::decay_t<decltype(beam)>;
-    using Vector      = typename Beam::Vector;
-    const auto u      = irregular<Vector>(1., 8), v = irregular<Vector>(1., 9);
+    using Beam   = std::decay_t<decltype(beam)>;
+    using Vector = typename Beam::Vector;
+    const auto u = irregular<Vector>(1., 8), v = irregular<Vector>(1., 9);
     Vector     rest;
     rest.fill(0);
     const auto exact  = beam.template tangent<true, true>(rest, rest, 1., 2.);
@@ -207,8 +209,8 @@ TEST(Beam2D, SmallDisplacementFormIsTheDerivativeAtRest)
       {
         double sum = 0;
         for (int j = 0; j < Beam::n; ++j)
-          sum += stiffness[i * Beam::n + j] * u[j] +
-                 damping[i * Beam::n + j] * v[j];
+          sum +=
+            stiffness[i * Beam::n + j] * u[j] + damping[i * Beam::n + j] * v[j];
         EXPECT_NEAR(force[i], sum, round_off * largest(force));
       }
   });
@@ -239,7 +241,8 @@ namespace
     for (unsigned int order = 1; order <= 6; ++order)
       {
         SCOPED_TRACE("order " + std::to_string(order));
-        dispatch_order(order, [&](auto p) { check(BeamOnTrial<p>(1.6, 0, 0)); });
+        dispatch_order(order,
+                       [&](auto p) { check(BeamOnTrial<p>(1.6, 0, 0)); });
       }
   }
 } // namespace
@@ -252,9 +255,9 @@ TEST(Beam2D, UniformStretchGivesTheNormalForceAtTheEndsOnly)
     });
     for (unsigned int i = 0; i < force.size(); ++i)
       EXPECT_NEAR(force[i],
-                  i == 0 ? -beam.section.axial * 0.2 :
-                  i == 3 ? beam.section.axial * 0.2 :
-                           0.,
+                  i == 0     ? -beam.section.axial * 0.2
+                    : i == 3 ? beam.section.axial * 0.2
+                             : 0.,
                   round_off);
   });
 }
@@ -270,9 +273,9 @@ TEST(Beam2D, UniformShearGivesTheShearForceAndItsMoment)
       {
         EXPECT_NEAR(force[3 * a], 0., round_off);
         EXPECT_NEAR(force[3 * a + 1],
-                    a == 0 ? -shear :
-                    a == 1 ? shear :
-                             0.,
+                    a == 0     ? -shear
+                      : a == 1 ? shear
+                               : 0.,
                     round_off);
         // Virtual work -Q dphi along the axis. The Gauss rule integrates the
         // shape functions exactly (degree p <= 2 p - 1).
@@ -292,15 +295,10 @@ TEST(Beam2D, UniformCurvatureWithoutShearGivesEndMomentsOnly)
       const BeamOnTrial<p> beam(1.6, 0, 0);
       const double         moment = beam.section.bending * curvature;
       const auto force = forces_under(beam, [curvature](const double s) {
-        return std::array<double, 3>{
-          {0, curvature * s * s / 2, curvature * s}};
+        return std::array<double, 3>{{0, curvature * s * s / 2, curvature * s}};
       });
       for (unsigned int i = 0; i < force.size(); ++i)
-        EXPECT_NEAR(force[i],
-                    i == 2 ? -moment :
-                    i == 5 ? moment :
-                             0.,
-                    1e-12);
+        EXPECT_NEAR(force[i], i == 2 ? -moment : i == 5 ? moment : 0., 1e-12);
     });
 }
 

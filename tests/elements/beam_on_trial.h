@@ -23,14 +23,14 @@ namespace auxfem
     class BeamOnTrial
     {
     public:
-      static constexpr int order      = p;
-      static constexpr int n          = 3 * (p + 1);
-      using Vector                    = std::array<double, n>;
-      using Matrix                    = std::array<double, n * n>;
-      using Place                     = std::array<double, 2>;
-      const Beam2D::Stiffness section = {3, 2, 0.7, 0.4};
-      const double            jacobian;
-      const BeamShape<p>      shape;
+      static constexpr int order       = p;
+      static constexpr int n           = 3 * (p + 1);
+      using Vector                     = std::array<double, n>;
+      using Matrix                     = std::array<double, n * n>;
+      using Place                      = std::array<double, 2>;
+      const Beam2D::Stiffness  section = {3, 2, 0.7, 0.4};
+      const double             jacobian;
+      const BeamShape<p>       shape;
       std::array<Place, p + 1> nodes;
 
       /**
@@ -43,8 +43,7 @@ namespace auxfem
         : jacobian(length / 2)
       {
         for (int a = 0; a <= p; ++a)
-          nodes[a] =
-            axis(jacobian * (1 + shape.node[a]), angle, curvature);
+          nodes[a] = axis(jacobian * (1 + shape.node[a]), angle, curvature);
         for (int g = 0; g < p; ++g)
           {
             const double turned =
@@ -94,7 +93,8 @@ namespace auxfem
       }
 
       /** Displacements @p u turned by @p angle about (0, 0), then moved. */
-      Vector moved(const Vector &u, const double angle, const Place &shift) const
+      Vector
+      moved(const Vector &u, const double angle, const Place &shift) const
       {
         Vector result;
         for (int a = 0; a <= p; ++a)
@@ -115,9 +115,9 @@ namespace auxfem
       {
         if (curvature == 0)
           return {{s * std::cos(angle), s * std::sin(angle)}};
-        return {{(std::sin(angle + curvature * s) - std::sin(angle)) / curvature,
-                 (std::cos(angle) - std::cos(angle + curvature * s)) /
-                   curvature}};
+        return {
+          {(std::sin(angle + curvature * s) - std::sin(angle)) / curvature,
+           (std::cos(angle) - std::cos(angle + curvature * s)) / curvature}};
       }
 
       std::array<Beam2D::Frame, p> frames;

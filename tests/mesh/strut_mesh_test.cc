@@ -56,10 +56,8 @@ TEST(StrutMesh, EveryStrutIsAChainOfItsOwn)
 {
   const Lattice   lattice = stars(2, 2);
   const StrutMesh mesh(lattice, 2, MPI_COMM_WORLD);
-  EXPECT_EQ(mesh.triangulation().n_active_cells(),
-            4 * lattice.struts.size());
-  EXPECT_EQ(mesh.triangulation().n_used_vertices(),
-            5 * lattice.struts.size());
+  EXPECT_EQ(mesh.triangulation().n_active_cells(), 4 * lattice.struts.size());
+  EXPECT_EQ(mesh.triangulation().n_used_vertices(), 5 * lattice.struts.size());
 }
 
 TEST(StrutMesh, PlacesTellWhereACellLiesAfterRefinement)
@@ -128,15 +126,16 @@ TEST(StrutMesh, MetisDividesTheStrutsEvenlyAndInOnePieceEach)
 
 TEST(StrutMesh, ACutMeetsFewJoints)
 {
-  const Lattice                   lattice = stars(10, 10);
-  const std::vector<unsigned int> ranks   = partition_struts(lattice, 2);
+  const Lattice                       lattice = stars(10, 10);
+  const std::vector<unsigned int>     ranks   = partition_struts(lattice, 2);
   std::vector<std::set<unsigned int>> ranks_at(lattice.joints.size());
   for (unsigned int s = 0; s < lattice.struts.size(); ++s)
     for (const unsigned int joint : lattice.struts[s].joints)
       ranks_at[joint].insert(ranks[s]);
-  const auto n_shared = std::count_if(ranks_at.begin(),
-                                      ranks_at.end(),
-                                      [](const auto &r) { return r.size() > 1; });
+  const auto n_shared =
+    std::count_if(ranks_at.begin(), ranks_at.end(), [](const auto &r) {
+      return r.size() > 1;
+    });
   // A straight cut through the stubs of 10 cells meets 10 joints; METIS is
   // heuristic, a random division would share most of the 1020 joints.
   EXPECT_GE(n_shared, 1);

@@ -1,7 +1,5 @@
 #include <support/run_program.h>
 
-#include <algorithm>
-
 namespace
 {
   using namespace auxfem::testing_support;
@@ -139,9 +137,9 @@ namespace
   TEST_F(BadInput, SeveralMistakesAtOnce)
   {
     std::string scene = data_text("star.prm");
-    scene             = replaced(scene, "subsection Probes", "subsection Probe");
-    scene             = replaced(scene, "= 200 N/m", "= soft");
-    scene             = replaced(scene, "= 20 us", "= 20 ms");
+    scene = replaced(scene, "subsection Probes", "subsection Probe");
+    scene = replaced(scene, "= 200 N/m", "= soft");
+    scene = replaced(scene, "= 20 us", "= 20 ms");
     write("scene.prm", scene);
     expect_refusal(run_auxfem({"scene.prm"}),
                    {"3 mistakes",
@@ -193,11 +191,9 @@ namespace
   TEST_F(BadInput, UnsupportedStructureNamesTheJointThatMoves)
   {
     // On a roller the lattice slides, all joints equally far.
-    expect_refusal_with({"Time/Scheme=static",
-                         "Supports/foundation/Type=roller x"},
-                        {"not supported",
-                         "horizontal displacement of joint",
-                         "Supports"});
+    expect_refusal_with(
+      {"Time/Scheme=static", "Supports/foundation/Type=roller x"},
+      {"not supported", "horizontal displacement of joint", "Supports"});
 
     // Joint 2 moves farthest: the two bars it hinges on lie in one line.
     write("bars.prm",
@@ -316,8 +312,11 @@ namespace
   {
     write("scene.prm", data_text("star.prm"));
     expect_refusal(run_auxfem({"--frobnicate", "scene.prm"}),
-                   {"Unknown option '--frobnicate'", "Usage: auxfem", "--check"});
-    expect_refusal(run_auxfem({}), {"No parameter file given", "Usage: auxfem"});
+                   {"Unknown option '--frobnicate'",
+                    "Usage: auxfem",
+                    "--check"});
+    expect_refusal(run_auxfem({}),
+                   {"No parameter file given", "Usage: auxfem"});
     expect_refusal(run_auxfem({"scene.prm", "other.prm"}),
                    {"Two parameter files", "scene.prm", "other.prm"});
     expect_refusal(run_auxfem({"scene.prm", "--output"}),
@@ -347,8 +346,11 @@ namespace
   TEST_F(BadInput, LeavesTheResultsOfAFormerRunAlone)
   {
     write("scene.prm", data_text("star.prm"));
-    const Words run = {
-      "scene.prm", "--output", "out", "--set", "Time/End time=40 us"};
+    const Words run = {"scene.prm",
+                       "--output",
+                       "out",
+                       "--set",
+                       "Time/End time=40 us"};
     ASSERT_EQ(run_auxfem(run).exit_code, 0);
     const std::string history = read_text(path("out/history.csv"));
 

@@ -63,13 +63,14 @@ namespace
     EXPECT_EQ(run.errors, "");
 
     // Free text has no range; what it may be is said in its sentence.
-    const Words free_text = {"set Title",
-                             "set Constants",
-                             "set Joints",
-                             "set Struts",
-                             "set Between",
-                             "set Directory",
-                             "set NAME = TEXT"};
+    const Words        free_text = {"set Title",
+                                    "set Constants",
+                                    "set Joints",
+                                    "set Struts",
+                                    "set Between",
+                                    "set Directory",
+                                    "set File",
+                                    "set NAME = TEXT"};
     std::istringstream stream(run.output);
     std::string        line, comment, all_comments;
     unsigned int       n_parameters = 0;
@@ -187,11 +188,11 @@ namespace
   TEST_F(CommandLineProgram, ARunRecordsItself)
   {
     write("star.prm", data_text("star.prm"));
-    const Words      overrides = {"--set",
-                                  "Time/End time=200 us",
-                                  "--set",
-                                  "Connectors/damper/Law=maxwell"};
-    Words            arguments = {"star.prm", "--output", "out"};
+    const Words overrides = {"--set",
+                             "Time/End time=200 us",
+                             "--set",
+                             "Connectors/damper/Law=maxwell"};
+    Words       arguments = {"star.prm", "--output", "out"};
     arguments.insert(arguments.end(), overrides.begin(), overrides.end());
     const ProgramRun run = run_auxfem(arguments);
     ASSERT_EQ(run.exit_code, 0) << run.errors;
@@ -217,6 +218,29 @@ namespace
               read_text(path("out/history.csv")));
     expect_contains(single_blanks(read_text(path("again/parameters.prm"))),
                     {"set Law = maxwell"});
+  }
+
+
+
+  TEST_F(CommandLineProgram, RecordedParametersFindTheTablesOfTheScene)
+  {
+    fs::create_directory(path("scenes"));
+    fs::copy(AUXFEM_TEST_DATA_DIRECTORY "/force.csv", path("scenes/force.csv"));
+    write("scenes/star.prm",
+          replaced(data_text("star.prm"), "= -4e3 * t", "= table: force.csv"));
+    const ProgramRun run = run_auxfem({"scenes/star.prm",
+                                       "--output",
+                                       "results/out",
+                                       "--set",
+                                       "Time/End time=0.2 ms"});
+    ASSERT_EQ(run.exit_code, 0) << run.errors;
+    EXPECT_NE(history("results/out")["top.uy"].back(), 0);
+
+    const ProgramRun again =
+      run_auxfem({"results/out/parameters.prm", "--output", "again"});
+    ASSERT_EQ(again.exit_code, 0) << again.errors;
+    EXPECT_EQ(read_text(path("again/history.csv")),
+              read_text(path("results/out/history.csv")));
   }
 
 

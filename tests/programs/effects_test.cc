@@ -27,9 +27,8 @@ namespace
           list = &lists.left_out;
         else if (line.empty())
           list = nullptr;
-        else if (list && std::regex_match(line,
-                                          match,
-                                          std::regex("  (.*?\\S)  +(.*)")))
+        else if (list &&
+                 std::regex_match(line, match, std::regex("  (.*?\\S)  +(.*)")))
           (*list)[match[1]] = match[2];
       return lists;
     }
@@ -140,10 +139,10 @@ namespace
 
   TEST_F(EffectsProgram, EverySwitchChangesTheResult)
   {
-    const Words scene = {"Time/End time=0.2 ms",
-                         "Gravity/Acceleration y=-9.81",
-                         "Sections/steel/Stiffness-proportional damping=1 us",
-                         "Joints/loose/Joints=tips"};
+    const Words  scene  = {"Time/End time=0.2 ms",
+                           "Gravity/Acceleration y=-9.81",
+                           "Sections/steel/Stiffness-proportional damping=1 us",
+                           "Joints/loose/Joints=tips"};
     const double motion = run("all", scene)["top.uy"].back();
     for (const char *name : {"Large rotation",
                              "Shear flexibility",

@@ -1,5 +1,7 @@
 #include <support/graphics_series.h>
 
+#include <array>
+
 namespace
 {
   using namespace auxfem::testing_support;
@@ -166,13 +168,14 @@ namespace
   TEST_F(GraphicsProgram, JointsMoveAsInTheHistory)
   {
     run_arch();
-    const Table          table    = history();
-    const GraphicsSeries solution = series("solution");
-    const std::map<std::string, std::string> columns = {{"displacement.0", "ux"},
-                                                        {"displacement.1", "uy"},
-                                                        {"rotation", "phi"},
-                                                        {"velocity.0", "vx"},
-                                                        {"velocity.1", "vy"}};
+    const Table                              table    = history();
+    const GraphicsSeries                     solution = series("solution");
+    const std::map<std::string, std::string> columns  = {
+       {"displacement.0", "ux"},
+       {"displacement.1", "uy"},
+       {"rotation", "phi"},
+       {"velocity.0", "vx"},
+       {"velocity.1", "vy"}};
     for (unsigned int i = 0; i < solution.datasets.n_rows; ++i)
       {
         const Table       &points = solution.points[i];
@@ -182,8 +185,8 @@ namespace
         ASSERT_EQ(knee.size(), 2u) << "both struts end there";
         ASSERT_EQ(tip.size(), 1u);
         for (const auto &[field, column] : columns)
-          for (const auto &[probe, rows] : {std::make_pair("knee", knee),
-                                            std::make_pair("tip", tip)})
+          for (const auto &[probe, rows] :
+               {std::make_pair("knee", knee), std::make_pair("tip", tip)})
             for (const unsigned int point : rows)
               {
                 const double value =
@@ -262,8 +265,8 @@ namespace
   TEST_F(GraphicsProgram, ConnectorsSumUpToTheHistory)
   {
     run_arch();
-    const Table                              table = history();
-    const GraphicsSeries                     links = series("connectors");
+    const Table                              table   = history();
+    const GraphicsSeries                     links   = series("connectors");
     const std::map<std::string, std::string> columns = {
       {"force", "force"},
       {"extension", "extension"},

@@ -42,10 +42,11 @@ namespace
           EXPECT_EQ(run.exit_code, 0) << entry.path() << run.errors;
           EXPECT_EQ(run.errors, "");
         }
-    EXPECT_GE(n_scenes, 5u);
+    EXPECT_GE(n_scenes, 6u);
     for (const char *name : {"lattice",
                              "squeeze",
                              "cantilever",
+                             "portal",
                              "star-10x10",
                              "star-10x10-maxwell"})
       EXPECT_TRUE(std::filesystem::exists(scene_file(name))) << name;
@@ -175,6 +176,20 @@ namespace
     EXPECT_LT(table["top.uy"].back(), 0);
     EXPECT_GT(table["damper.dissipated"].back(), 0);
     EXPECT_GT(table["foundation.ry"].back(), 0);
+  }
+
+
+
+  TEST_F(ShippedScenes, ThePortalRunsAgainFromItsRecordedParameters)
+  {
+    // Its mesh file is found from another folder, too.
+    run_scene("portal");
+    const ProgramRun again =
+      run_auxfem({"out/parameters.prm", "--output", "again"});
+    ASSERT_EQ(again.exit_code, 0) << again.errors;
+    EXPECT_EQ(read_text(path("again/history.csv")),
+              read_text(path("out/history.csv")));
+    EXPECT_GT(history().n_rows, 2u);
   }
 
 

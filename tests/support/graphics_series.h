@@ -3,8 +3,6 @@
 
 #include <support/run_program.h>
 
-#include <cmath>
-
 namespace auxfem
 {
   namespace testing_support

@@ -37,7 +37,7 @@ namespace auxfem
       /** Advances to the end; calls @p after_step after each step. */
       void run(const std::function<void()> &after_step = [] {})
       {
-        while (state.step < stepper.n_steps())
+        while (state.step < scene.time.n_steps())
           {
             const StepReport report = stepper.advance(state);
             iterations += report.iterations;

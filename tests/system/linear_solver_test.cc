@@ -111,13 +111,3 @@ TEST(LinearSolver, ASingularMatrixIsReported)
       EXPECT_LT(system.residual(system.solver.solve()), round_off);
     }
 }
-
-TEST(LinearSolver, AutomaticTakesKluOnOneRankAndMumpsOnSeveral)
-{
-  const SolvableSystem automatic("auto"), klu("klu"), mumps("mumps");
-  EXPECT_EQ(klu.solver.name(), "Amesos_Klu");
-  EXPECT_EQ(mumps.solver.name(), "Amesos_Mumps");
-  EXPECT_EQ(automatic.solver.name(),
-            automatic.of_scene.dofs().n_ranks() == 1 ? "Amesos_Klu" :
-                                                       "Amesos_Mumps");
-}

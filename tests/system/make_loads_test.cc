@@ -11,7 +11,8 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  /** An L of two struts, 2 m along x and 1.5 m along y, and a half circle of radius 1. */
+  /** An L of two struts, 2 m along x and 1.5 m along y, and a half circle of
+   * radius 1. */
   std::string three_struts(const std::string &further)
   {
     return frame_scene("0 0; 2 0; 2 1.5; 2 3.5", "0 1; 1 2; 2 3 1", further);
@@ -40,8 +41,8 @@ namespace
           forces[i]            = -to.residual[i];
           sum[c] += forces[i];
           if (c < 2)
-            moment += forces[i] * (c == 0 ? -names[i].position[1] :
-                                            names[i].position[0]);
+            moment += forces[i] *
+              (c == 0 ? -names[i].position[1] : names[i].position[0]);
         }
     }
 
@@ -137,18 +138,18 @@ TEST(MakeLoads, ALineLoadActsInTheMiddleOfItsStrut)
 
 TEST(MakeLoads, GravityPullsStrutsAndPointMasses)
 {
-  const std::string text = three_struts("subsection Gravity\n"
-                                        "  set Acceleration x = 2\n"
-                                        "  set Acceleration y = -10\n"
-                                        "end\n"
-                                        "subsection Masses\n"
-                                        "  subsection weights\n"
-                                        "    set Joints = 1, 3\n"
-                                        "    set Mass = 0.4\n"
-                                        "    set Rotary inertia = 5\n"
-                                        "  end\n"
-                                        "end\n");
-  const double mass      = 0.5 * 3 * total_length + 2 * 0.4;
+  const std::string   text = three_struts("subsection Gravity\n"
+                                          "  set Acceleration x = 2\n"
+                                          "  set Acceleration y = -10\n"
+                                          "end\n"
+                                          "subsection Masses\n"
+                                          "  subsection weights\n"
+                                          "    set Joints = 1, 3\n"
+                                          "    set Mass = 0.4\n"
+                                          "    set Rotary inertia = 5\n"
+                                          "  end\n"
+                                          "end\n");
+  const double        mass = 0.5 * 3 * total_length + 2 * 0.4;
   const AppliedForces applied(text, 1.);
   EXPECT_NEAR(applied.sum[0], 2 * mass, 10 * round_off);
   EXPECT_NEAR(applied.sum[1], -10 * mass, 10 * round_off);
@@ -171,17 +172,17 @@ TEST(MakeLoads, ASceneWithoutLoadsHasNone)
 
 TEST(MakeLoads, PointMassesOfOneJointAreListedEach)
 {
-  const SystemOnRanks of_scene(three_struts("subsection Masses\n"
-                                            "  subsection first\n"
-                                            "    set Joints = 1\n"
-                                            "    set Mass = 0.4\n"
-                                            "  end\n"
-                                            "  subsection second\n"
-                                            "    set Joints = 1, 2\n"
-                                            "    set Mass = 0.5\n"
-                                            "    set Rotary inertia = 0.1\n"
-                                            "  end\n"
-                                            "end\n"),
+  const SystemOnRanks   of_scene(three_struts("subsection Masses\n"
+                                              "  subsection first\n"
+                                              "    set Joints = 1\n"
+                                              "    set Mass = 0.4\n"
+                                              "  end\n"
+                                              "  subsection second\n"
+                                              "    set Joints = 1, 2\n"
+                                              "    set Mass = 0.5\n"
+                                              "    set Rotary inertia = 0.1\n"
+                                              "  end\n"
+                                              "end\n"),
                                {},
                                MPI_COMM_SELF);
   std::map<int, double> sums;
@@ -209,13 +210,13 @@ TEST(MakeLoads, InitialVelocitiesAreThoseOfARigidBody)
                                {"Discretization/Order=4",
                                 "Discretization/Global refinements=1"},
                                MPI_COMM_SELF);
-  const State        state = of_scene.system.initial_state();
-  const double       centre[2] = {(0. + 2 + 2 + 2) / 4, (0. + 0 + 1.5 + 3.5) / 4};
-  const auto         names     = name_unknowns(of_scene.system);
+  const State         state = of_scene.system.initial_state();
+  const double centre[2]    = {(0. + 2 + 2 + 2) / 4, (0. + 0 + 1.5 + 3.5) / 4};
+  const auto   names        = name_unknowns(of_scene.system);
   for (unsigned int i = 0; i < names.size(); ++i)
     {
-      const double x = names[i].position[0] - centre[0],
-                   y = names[i].position[1] - centre[1];
+      const double x           = names[i].position[0] - centre[0],
+                   y           = names[i].position[1] - centre[1];
       const double expected[3] = {3 - 2 * y, -1 + 2 * x, 2};
       EXPECT_NEAR((*state.velocity)[i],
                   expected[std::get<3>(names[i].name)],

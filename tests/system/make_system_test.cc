@@ -1,5 +1,4 @@
 #include <gtest/gtest.h>
-
 #include <mesh/cell_from_text.h>
 
 #include "system_on_ranks.h"
@@ -90,36 +89,38 @@ TEST(MakeSystem, TwoMotionsOfOneJointAreRefused)
 
 TEST(MakeSystem, AMomentOnAHingeIsRefused)
 {
-  const std::string message =
-    refusal_of(hinge_in_the_middle + "subsection Loads\n"
-                                     "  subsection twist\n"
-                                     "    set Joints = 1\n"
-                                     "    set Moment = 2\n"
-                                     "  end\n"
-                                     "end\n");
+  const std::string message = refusal_of(hinge_in_the_middle +
+                                         "subsection Loads\n"
+                                         "  subsection twist\n"
+                                         "    set Joints = 1\n"
+                                         "    set Moment = 2\n"
+                                         "  end\n"
+                                         "end\n");
   EXPECT_TRUE(contains(message, "Loads/twist/Moment: joint 1")) << message;
 }
 
 TEST(MakeSystem, AForceOnAHingeIsNot)
 {
-  EXPECT_EQ(refusal_of(hinge_in_the_middle + "subsection Loads\n"
-                                             "  subsection push\n"
-                                             "    set Joints = 1\n"
-                                             "    set Force y = 2\n"
-                                             "  end\n"
-                                             "end\n"),
+  EXPECT_EQ(refusal_of(hinge_in_the_middle +
+                       "subsection Loads\n"
+                       "  subsection push\n"
+                       "    set Joints = 1\n"
+                       "    set Force y = 2\n"
+                       "  end\n"
+                       "end\n"),
             "");
 }
 
 TEST(MakeSystem, ARotationPrescribedAtAHingeIsRefusedUnlessItIsZero)
 {
   const auto turned_by = [](const std::string &angle) {
-    return hinge_in_the_middle + "subsection Supports\n"
-                                 "  subsection drive\n"
-                                 "    set Joints = 1\n"
-                                 "    set Type = prescribed\n"
-                                 "    set Rotation = " +
-           angle + "\n  end\nend\n";
+    return hinge_in_the_middle +
+      "subsection Supports\n"
+      "  subsection drive\n"
+      "    set Joints = 1\n"
+      "    set Type = prescribed\n"
+      "    set Rotation = " +
+      angle + "\n  end\nend\n";
   };
   const std::string message = refusal_of(turned_by("0.1 * t"));
   EXPECT_TRUE(contains(message, "Supports/drive/Rotation: joint 1")) << message;
@@ -153,18 +154,18 @@ TEST(MakeSystem, ASpringActsBetweenTheReleasedStrutAndTheJoint)
   // Strut 1 released against strut 0, or both: the same relative rotation.
   for (const std::string struts : {"1", "all"})
     {
-      SystemOnRanks of_scene(
-        two_struts("subsection Joints\n  subsection middle\n"
-                   "    set Joints = 1\n    set Struts = " +
-                   struts +
-                   "\n    set Type = rotational spring\n"
-                   "    set Stiffness = 7\n  end\nend\n"),
-        {"Time/Scheme=static"},
-        MPI_COMM_SELF);
-      State from = of_scene.system.initial_state(), to = from;
+      SystemOnRanks of_scene(two_struts(
+                               "subsection Joints\n  subsection middle\n"
+                               "    set Joints = 1\n    set Struts = " +
+                               struts +
+                               "\n    set Type = rotational spring\n"
+                               "    set Stiffness = 7\n  end\nend\n"),
+                             {"Time/Scheme=static"},
+                             MPI_COMM_SELF);
+      State         from = of_scene.system.initial_state(), to = from;
       // All of strut 1 turns rigidly by a tiny angle, so it has no forces.
       const double angle = 1e-9;
-      const auto names = name_unknowns(of_scene.system);
+      const auto   names = name_unknowns(of_scene.system);
       for (unsigned int i = 0; i < names.size(); ++i)
         {
           const unsigned int c = std::get<3>(names[i].name);

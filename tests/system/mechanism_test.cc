@@ -1,8 +1,9 @@
 #include <auxfem/system/mechanism.h>
 
 #include <gtest/gtest.h>
-
 #include <mesh/cell_from_text.h>
+
+#include <limits>
 
 #include "system_on_ranks.h"
 
@@ -11,9 +12,12 @@ using namespace auxfem::testing_support;
 
 namespace
 {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+
   /** What refuse_mechanism() has against a scene; empty if nothing. */
   std::string refusal_of(const std::string              &text,
-                         const std::vector<std::string> &overrides = {})
+                         const std::vector<std::string> &overrides = {},
+                         const double                    dt        = infinity)
   {
     SystemOnRanks of_scene(text, overrides, MPI_COMM_SELF);
     const auto    matrix = of_scene.system.make_tangent();
@@ -21,6 +25,7 @@ namespace
     return input_error_of([&] {
       refuse_mechanism(of_scene.system,
                        of_scene.system.initial_state(),
+                       dt,
                        *matrix,
                        solver);
     });
@@ -30,7 +35,7 @@ namespace
   std::string square(const std::string &further)
   {
     return frame_scene("0 0; 1 0; 1 1; 0 1", "0 1; 1 2; 2 3; 3 0", further) +
-           "subsection Time\n  set Scheme = static\nend\n";
+      "subsection Time\n  set Scheme = static\nend\n";
   }
 
   const std::string hinges = "subsection Joints\n"
@@ -52,10 +57,10 @@ namespace
            "  subsection brace\n"
            "    set Law = spring\n"
            "    set Spring stiffness = " +
-           stiffness +
-           "\n    set Between = 0 2\n"
-           "  end\n"
-           "end\n";
+      stiffness +
+      "\n    set Between = 0 2\n"
+      "  end\n"
+      "end\n";
   }
 } // namespace
 
@@ -77,6 +82,20 @@ TEST(Mechanism, ASoftBraceHoldsASquareToo)
 {
   // A million times softer than the struts, still far above round-off.
   EXPECT_EQ(refusal_of(square(hinges + two_pins + brace("1e-6"))), "");
+}
+
+TEST(Mechanism, ADashpotHoldsASquareForAStepButNotForEver)
+{
+  const std::string text = square(hinges + two_pins +
+                                  "subsection Connectors\n"
+                                  "  subsection brace\n"
+                                  "    set Law = dashpot\n"
+                                  "    set Damping coefficient = 1\n"
+                                  "    set Between = 0 2\n"
+                                  "  end\n"
+                                  "end\n");
+  EXPECT_EQ(refusal_of(text, {}, 0.1), "");
+  EXPECT_NE(refusal_of(text), "");
 }
 
 TEST(Mechanism, ARigidSquareOnTwoPinsStands)
@@ -116,16 +135,15 @@ TEST(Mechanism, OnePinLeavesARotation)
 TEST(Mechanism, APieceOfItsOwnIsFound)
 {
   // The second strut touches nothing.
-  const std::string message =
-    refusal_of(frame_scene("0 0; 1 0; 3 0; 4 0",
-                           "0 1; 2 3",
-                           "subsection Supports\n"
-                           "  subsection wall\n"
-                           "    set Joints = 0\n"
-                           "    set Type = clamp\n"
-                           "  end\n"
-                           "end\n"),
-               {"Time/Scheme=static"});
+  const std::string message = refusal_of(frame_scene("0 0; 1 0; 3 0; 4 0",
+                                                     "0 1; 2 3",
+                                                     "subsection Supports\n"
+                                                     "  subsection wall\n"
+                                                     "    set Joints = 0\n"
+                                                     "    set Type = clamp\n"
+                                                     "  end\n"
+                                                     "end\n"),
+                                         {"Time/Scheme=static"});
   EXPECT_TRUE(contains(message, "joint 2") || contains(message, "joint 3") ||
               contains(message, "strut 1"))
     << message;

@@ -111,7 +111,7 @@ namespace
       , state(on_ranks.system.initial_state())
     {
       stepper.start(state);
-      while (state.step < stepper.n_steps())
+      while (state.step < on_ranks.scene.time.n_steps())
         iterations += stepper.advance(state).iterations;
     }
 
@@ -155,7 +155,7 @@ namespace
 
     // Round-off through some ten steps of a few iterations each.
     const double  tolerance = 1e-10;
-    const System &system = all.on_ranks.system,
+    const System &system    = all.on_ranks.system,
                  &reference = alone.on_ranks.system;
     expect_equal(system,
                  all.state.displacement,
@@ -163,8 +163,11 @@ namespace
                  alone.state.displacement,
                  tolerance);
     if (all.state.velocity)
-      expect_equal(
-        system, *all.state.velocity, reference, *alone.state.velocity, tolerance);
+      expect_equal(system,
+                   *all.state.velocity,
+                   reference,
+                   *alone.state.velocity,
+                   tolerance);
     if (all.state.acceleration)
       expect_equal(system,
                    *all.state.acceleration,

@@ -38,8 +38,9 @@ namespace auxfem
     };
 
     /**
-     * What an unknown is, independent of its number: joint or strut, fraction of
-     * the strut's length, component. Released ends count as points of the strut.
+     * What an unknown is, independent of its number: joint or strut, fraction
+     * of the strut's length, component. Released ends count as points of the
+     * strut.
      */
     using UnknownName = std::tuple<bool, unsigned int, double, unsigned int>;
 
@@ -62,9 +63,9 @@ namespace auxfem
           for (unsigned int a = 0; a <= dofs.order(); ++a)
             for (unsigned int c = 0; c < 3; ++c)
               {
-                const double s =
-                  place.begin + (place.end - place.begin) *
-                                  fe.get_unit_support_points()[a][0];
+                const double s = place.begin +
+                  (place.end - place.begin) *
+                    fe.get_unit_support_points()[a][0];
                 dealii::Tensor<1, 3> tangent;
                 NamedUnknown        &unknown =
                   names[dofs.element_unknowns(e)[3 * a + c]];
@@ -101,8 +102,9 @@ namespace auxfem
         {
           const auto &[at_joint, index, fraction, component] = names[i].name;
           const double phase = 2. * component + (at_joint ? 0. : 0.7 * index);
-          vector[i] = size * std::sin(1.3 * names[i].position[0] +
-                                      2.1 * names[i].position[1] + phase);
+          vector[i]          = size *
+            std::sin(1.3 * names[i].position[0] + 2.1 * names[i].position[1] +
+                     phase);
         }
     }
 
@@ -126,7 +128,7 @@ namespace auxfem
                                    const std::string &further)
     {
       return "subsection Lattice\n  set Cell = frame\n  set Joints = " +
-             joints + "\n  set Struts = " + struts + R"(
+        joints + "\n  set Struts = " + struts + R"(
 end
 subsection Sections
   subsection band
@@ -153,8 +155,8 @@ end
       return "subsection Lattice\n"
              "  set Cell = star\n"
              "  set Cells x = " +
-             std::to_string(n_x) + "\n  set Cells y = " + std::to_string(n_y) +
-             R"(
+        std::to_string(n_x) + "\n  set Cells y = " + std::to_string(n_y) +
+        R"(
   set Strut length = 1
   set Opening angle = 60 deg
 end
@@ -226,6 +228,10 @@ subsection Masses
   subsection weights
     set Joints = tips
     set Mass = 0.3
+  end
+  subsection flywheels
+    set Joints = notches
+    set Mass = 0.1
     set Rotary inertia = 0.2
   end
 end

@@ -25,9 +25,8 @@ namespace
     }
 
     /** Residual of the step with unknown @p i moved by @p h, as an increment moves it. */
-    Vector moved_residual(const int             i,
-                          const double          h,
-                          const TangentFactors &factors)
+    Vector
+    moved_residual(const int i, const double h, const TangentFactors &factors)
     {
       State moved = to;
       moved.displacement[i] += factors.stiffness * h;
@@ -72,9 +71,9 @@ namespace
             EXPECT_EQ(column[i], i == j ? 1. : 0.);
           else
             {
-              worst = std::max(worst,
-                               std::abs(column[i] -
-                                        (right[i] - left[i]) / (2 * h)));
+              worst =
+                std::max(worst,
+                         std::abs(column[i] - (right[i] - left[i]) / (2 * h)));
               scale = std::max(scale, std::abs(column[i]));
             }
       }
@@ -126,11 +125,11 @@ TEST(System, ScenesWithoutLargeRotationAreLinear)
 
 TEST(System, ResidualNormLeavesPrescribedRowsOut)
 {
-  Trial        trial;
-  System      &system = trial.of_scene.system;
-  const Step   step{trial.from, trial.to, trial.dt};
+  Trial      trial;
+  System    &system = trial.of_scene.system;
+  const Step step{trial.from, trial.to, trial.dt};
   system.begin_step(step);
-  const ResidualNorm norm = system.residual(step);
+  const ResidualNorm norm    = system.residual(step);
   double             sums[2] = {0, 0};
   for (unsigned int i = 0; i < system.numbering().n_owned(); ++i)
     if (system.numbering().kind(i) != UnknownKind::prescribed)
@@ -149,8 +148,9 @@ TEST(System, WorstUnknownIsFreeAndHasTheLargestResidual)
   trial.to.residual.PutScalar(0);
   const unsigned int joint = trial.of_scene.lattice.joint_sets.at("tips")[1];
   trial.to.residual[dofs.joint_unknown(joint, 1)] = -2;
-  trial.to.residual[dofs.joint_unknown(
-    trial.of_scene.lattice.joint_sets.at("bottom")[0], 0)] = 5;
+  trial.to.residual[dofs.joint_unknown(trial.of_scene.lattice.joint_sets.at(
+                                         "bottom")[0],
+                                       0)]        = 5;
   EXPECT_EQ(system.worst_unknown(trial.to),
             dofs.describe(dofs.joint_unknown(joint, 1)));
 }
@@ -167,8 +167,9 @@ TEST(System, PrescribedMotionAndGapFollowTheSupports)
 {
   SystemOnRanks of_scene(star_with_everything(1, 1), {}, MPI_COMM_SELF);
   System       &system = of_scene.system;
-  const int     shaken = system.numbering().joint_unknown(
-    of_scene.lattice.joint_sets.at("left")[0], 0);
+  const int     shaken =
+    system.numbering().joint_unknown(of_scene.lattice.joint_sets.at("left")[0],
+                                     0);
   State state = system.initial_state();
   state.time  = 0.2;
 
@@ -196,16 +197,15 @@ TEST(System, WhatIsLeftOutCostsNoState)
   EXPECT_TRUE(whole.velocity);
   EXPECT_TRUE(whole.acceleration);
   EXPECT_FALSE(whole.algorithmic_acceleration);
-  // Maxwell elements in 4 connectors across and 2 fixed ones; dashpots in these,
-  // the 4 in the cells, and 2 anchors.
+  // Maxwell elements in 4 connectors across and 2 fixed ones; dashpots in
+  // these, the 4 in the cells, and 2 anchors.
   EXPECT_EQ(whole.n_history, 6u);
   EXPECT_EQ(whole.n_dissipated, 12u);
 
-  const StateLayout in_statics =
-    SystemOnRanks(star_with_everything(2, 2),
-                  {"Time/Scheme=static"},
-                  MPI_COMM_SELF)
-      .system.layout();
+  const StateLayout in_statics = SystemOnRanks(star_with_everything(2, 2),
+                                               {"Time/Scheme=static"},
+                                               MPI_COMM_SELF)
+                                   .system.layout();
   EXPECT_TRUE(in_statics.velocity);
   EXPECT_FALSE(in_statics.acceleration);
 

@@ -2,8 +2,9 @@
 
 #include <support/scene_run.h>
 #include <verification/comparison_table.h>
-#include <verification/label.h>
 #include <verification/one_mass_scene.h>
+
+#include <verification/label.h>
 #include <verification/schemes.h>
 
 using namespace auxfem;
@@ -28,16 +29,17 @@ namespace
     dealii::LAPACKFullMatrix<double> matrix(3, 3);
     for (unsigned int j = 0; j < 3; ++j)
       {
-        // The unit states are no motions of the mass: their energies mean nothing.
+        // The unit states are no motions of the mass: their energies mean
+        // nothing.
         SceneRun  run(one_mass_scene(unit_spring,
                                     scheme.steps(O, O) +
                                       "  set Largest energy error = 1e30\n",
                                     mass_and_velocity(1, 1)));
-        const int i     = run.system.numbering().joint_unknown(0, 0);
-        State    &state = run.state;
-        Vector   &a     = state.algorithmic_acceleration ?
-                 *state.algorithmic_acceleration :
-                 *state.acceleration;
+        const int i              = run.system.numbering().joint_unknown(0, 0);
+        State    &state          = run.state;
+        Vector   &a              = state.algorithmic_acceleration
+                         ? *state.algorithmic_acceleration
+                         : *state.acceleration;
         state.displacement[i]    = j == 0 ? 1 / (O * O) : 0;
         (*state.velocity)[i]     = j == 1 ? 1 / O : 0;
         (*state.acceleration)[i] = -state.displacement[i];
@@ -76,7 +78,7 @@ TEST(AlphaFamilyOneMass, NewmarkFrequencyIsTheExactDiscreteOne)
     "exactly 2 atan(O/2)");
   for (const double O : {0.1, 0.5, 1.})
     {
-      SceneRun run(one_mass_scene(unit_spring,
+      SceneRun            run(one_mass_scene(unit_spring,
                                   newmark().steps(O, 20 * O),
                                   mass_and_velocity(1, 1)));
       std::vector<double> u = {run.motion(0, 0)};

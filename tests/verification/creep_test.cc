@@ -1,9 +1,10 @@
 #include <support/scene_run.h>
 #include <verification/comparison_table.h>
-#include <verification/label.h>
 #include <verification/one_mass_scene.h>
 
 #include <functional>
+
+#include <verification/label.h>
 
 using namespace auxfem;
 using namespace auxfem::testing_support;
@@ -69,11 +70,11 @@ TEST(ConnectorCreep, FollowsTheClosedForms)
 {
   const double                  creep_time = tau * (k0 + k) / k0;
   const std::vector<ClosedForm> forms      = {
-    {"kelvin-voigt",
-     kelvin_voigt,
-     [](double t) { return (1 - std::exp(-t / tau)) / k; }},
-    {"maxwell", maxwell, [](double t) { return 1 / k + t / c; }},
-    {"standard-linear-solid", standard_linear_solid, [=](double t) {
+         {"kelvin-voigt",
+          kelvin_voigt,
+          [](double t) { return (1 - std::exp(-t / tau)) / k; }},
+         {"maxwell", maxwell, [](double t) { return 1 / k + t / c; }},
+         {"standard-linear-solid", standard_linear_solid, [=](double t) {
        return (1 - k / (k0 + k) * std::exp(-t / creep_time)) / k0;
      }}};
 
@@ -86,9 +87,8 @@ TEST(ConnectorCreep, FollowsTheClosedForms)
                                 fine   = creep(form.law, dt / 2, 800);
       for (const double t : moments)
         {
-          const unsigned int n = std::lround(t / dt);
-          const double       first_order =
-            std::abs(coarse[n - 1] - form.value(t));
+          const unsigned int n     = std::lround(t / dt);
+          const double first_order = std::abs(coarse[n - 1] - form.value(t));
           // The jump of the force is taken as a rise over the first step, and
           // the rate of Kelvin-Voigt as a backward difference: first order...
           EXPECT_LT(first_order, dt / tau * form.value(t));
@@ -129,7 +129,7 @@ TEST(ConnectorRamp, IsExactForAnyStep)
 {
   // The update of internal variables is exact for constant rates, and so is
   // the backward difference. s = 0.1 m/s; dt = tau / 5.
-  const double                  s     = 0.1, dt = 0.01;
+  const double                  s = 0.1, dt = 0.01;
   const std::vector<ClosedForm> forms = {
     {"kelvin-voigt", kelvin_voigt, [=](double t) { return k * s * t + c * s; }},
     {"maxwell",
@@ -170,9 +170,8 @@ TEST(ConnectorRelaxation, DecaysByTheExactExponential)
     {
       const double a     = dt / tau;
       const double decay = -std::expm1(-a) / a * std::exp(-(0.2 - dt) / tau);
-      SceneRun     fluid(one_mass_scene(maxwell,
-                                    static_steps(dt, 0.2),
-                                    motion("0.01")));
+      SceneRun     fluid(
+        one_mass_scene(maxwell, static_steps(dt, 0.2), motion("0.01")));
       fluid.run();
       table.relative(label("maxwell, dt", dt),
                      fluid.reaction("drive", 0),
@@ -197,15 +196,13 @@ TEST(ConnectorCycle, HasTheMaterialsModuliAndLoss)
     double      storage, loss;
   };
   // K' and K'' of the closed forms at w tau = 1.
-  const std::vector<Case> cases = {{"kelvin-voigt", kelvin_voigt, 1000, 1000},
-                                   {"maxwell", maxwell, 500, 500},
-                                   {"standard-linear-solid",
-                                    standard_linear_solid,
-                                    900,
-                                    500}};
+  const std::vector<Case> cases = {
+    {"kelvin-voigt", kelvin_voigt, 1000, 1000},
+    {"maxwell", maxwell, 500, 500},
+    {"standard-linear-solid", standard_linear_solid, 900, 500}};
   const double       U = 0.01, w = 20, period = 2 * std::acos(-1.) / w;
   const unsigned int steps_a_period = 1000, n_periods = 5;
-  const double       dt             = period / steps_a_period;
+  const double       dt = period / steps_a_period;
 
   ComparisonTable table("Moduli (N/m) and loss per cycle (J) of connectors at "
                         "20 rad/s, amplitude 0.01 m, closed forms");
@@ -217,7 +214,7 @@ TEST(ConnectorCycle, HasTheMaterialsModuliAndLoss)
         "  set Time step = " + text(dt) +
           "\n  set End time = " + text(n_periods * period) + "\n",
         mass_and_velocity(1e-9, 0) + motion("0.01 * sin(20 * t)")));
-      double in_phase = 0, out_of_phase = 0, loss_before = 0, work_before = 0;
+      double   in_phase = 0, out_of_phase = 0, loss_before = 0, work_before = 0;
       run.run([&] {
         const unsigned long last = (n_periods - 1) * steps_a_period;
         if (run.state.step == last)

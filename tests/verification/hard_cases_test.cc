@@ -1,105 +1,357 @@
 #include <auxfem/parameters/errors.h>
 
-#include <support/scene_run.h>
 #include <verification/comparison_table.h>
-#include <verification/label.h>
+#include <verification/node_unknowns.h>
 #include <verification/star_scene.h>
+
+#include <verification/label.h>
 
 using namespace auxfem;
 using namespace auxfem::testing_support;
 
 // What breaks finite-element programs: a lattice that collapses, long steps,
-// extreme connectors, tolerances below round-off. Here a run goes on or ends
-// with a clear error, and never with a state that is not finite.
+// extreme connectors, tolerances below round-off, many turns. A run goes on or
+// ends with a clear error, and never with a state that is not finite.
 
 namespace
 {
   using Overrides = std::vector<std::string>;
 
-  bool is_finite(const SceneRun &run)
+  const double pi = std::acos(-1.);
+
+  /** The star lattice, 2 x 2 cells, under @p load (N) on each top joint until @p end (s). */
+  Overrides small_star(const double load, const double end = 20e-3)
+  {
+    return star_size(2, load) + Overrides{"Time/End time=" + text(end)};
+  }
+
+  Overrides connector(const std::string &parameter, const double value)
+  {
+    return {"Connectors/damper/" + parameter + "=" + text(value)};
+  }
+
+  void expect_finite(const SceneRun &run)
   {
     const State &state = run.state;
     for (int i = 0; i < state.displacement.MyLength(); ++i)
-      if (!std::isfinite(state.displacement[i]) ||
-          !std::isfinite((*state.velocity)[i]) ||
-          !std::isfinite((*state.acceleration)[i]) ||
-          !std::isfinite(state.residual[i]))
-        return false;
-    return std::isfinite(run.balance());
+      ASSERT_TRUE(std::isfinite(state.displacement[i]) &&
+                  std::isfinite((*state.velocity)[i]) &&
+                  std::isfinite((*state.acceleration)[i]) &&
+                  std::isfinite(state.residual[i]))
+        << "unknown " << i << " at t = " << state.time;
+    for (const double force : state.history)
+      ASSERT_TRUE(std::isfinite(force)) << "at t = " << state.time;
+    ASSERT_TRUE(std::isfinite(run.balance())) << "at t = " << state.time;
   }
 
-  Overrides scene(const unsigned int n, const double load, const double end)
+  /** Height lost by the right one of the two top joints (m). */
+  double shortening(const SceneRun &run)
   {
-    return star_size(n, load) + Overrides{"Time/End time=" + text(end)};
+    return -run.motion(run.lattice.joint_sets.at("top")[1], 1);
   }
 
-  /** Displacement of the middle top stub end. */
-  double top(const SceneRun &run)
+  /** What remains to be seen of a run. */
+  struct Outcome
   {
-    const auto &joints = run.lattice.joint_sets.at("top");
-    return run.motion(joints[joints.size() / 2], 1);
+    double       shortening, balance, work;
+    unsigned int iterations, factorizations;
+  };
+
+  /** Runs to the end, all states being finite. */
+  Outcome outcome(const Overrides   &overrides,
+                  const std::string &prm = star_scene())
+  {
+    SceneRun run(prm, overrides);
+    run.run([&] { expect_finite(run); });
+    return {shortening(run),
+            run.balance(),
+            run.state.energies.external,
+            run.iterations,
+            run.factorizations};
   }
 
-  double end_of_run(const Overrides &overrides)
+  /** The scene with plain springs in place of its Kelvin-Voigt connectors. */
+  std::string star_scene_with_springs()
   {
-    SceneRun run(star_scene(), overrides);
-    run.run();
-    EXPECT_TRUE(is_finite(run));
-    return top(run);
+    std::string       prm   = star_scene();
+    const std::string entry = "set Damping coefficient = 0.05 N s/m";
+    prm.erase(prm.find(entry), entry.size());
+    const std::string law = "kelvin-voigt\n";
+    return prm.replace(prm.find(law), law.size(), "spring\n");
   }
 } // namespace
 
-TEST(HardCases, ExploreCollapse)
+TEST(HardCases, CollapseStaysFinite)
 {
-  for (const double load : {2.0, 10.0})
-  {
-  SceneRun run(star_scene(), scene(4, load, 20e-3));
-  unsigned retries = 0;
+  // Ten times the load that struts can bear: they fold through each other
+  // (there is no contact), with retries all along. The motion is chaotic, so
+  // whether it gets to the end may depend on the compiler; either way all
+  // states are sound.
+  SceneRun     run(star_scene(), small_star(10));
+  unsigned int n_retries = 0;
   try
     {
-      run.run([&] {
-        ASSERT_TRUE(is_finite(run)) << run.state.time;
-      });
+      while (run.state.step < run.stepper.n_steps())
+        {
+          n_retries += run.stepper.advance(run.state).retries;
+          ASSERT_NO_FATAL_FAILURE(expect_finite(run));
+        }
+      EXPECT_DOUBLE_EQ(run.state.time, 20e-3);
+      EXPECT_GT(n_retries, 0u);
     }
   catch (const ComputationError &error)
     {
-      std::cout << error.what() << std::endl;
+      EXPECT_NE(std::string(error.what()).find("Smallest time step"),
+                std::string::npos)
+        << error.what();
+      expect_finite(run);
     }
-  std::cout << "load " << load << " t " << run.state.time << " top " << top(run) << " it " << run.iterations << " bal " << run.balance()
-            << " ext " << run.state.energies.external << " tot "<<run.state.energies.total() << " diss " << run.state.energies.dissipated << " " << retries << std::endl;
-  }
+  // It did collapse: lower by more than a quarter of its height of 82 mm.
+  EXPECT_GT(shortening(run), 0.02);
+  // The scheme does not conserve energy in so violent a motion (2 % lost
+  // here), but must not live on energy from nowhere.
+  EXPECT_LT(std::abs(run.balance()), 0.1 * run.state.energies.external);
 }
-TEST(HardCases, ExploreOthers)
+
+TEST(HardCases, CollapseEndsWithAnErrorAtTheSmallestStep)
 {
-  const auto show = [](const std::string &name, const Overrides &o){
-    try {
-    SceneRun run(star_scene(), o); 
-    run.run();
-    std::cout << name << ": top " << std::setprecision(12) << top(run) << " it " << run.iterations << " fact " << run.factorizations << " steps " << run.state.step << " bal " << run.balance() << " ext " << run.state.energies.external << " finite " << is_finite(run) << std::endl;
-    } catch (const std::exception &e) { std::cout << name << ": " << e.what() << std::endl; }
-  };
-  const Overrides base = scene(4, 1.0, 20e-3);
-  show("base", base);
-  show("dt*20", base + Overrides{"Time/Time step=0.4e-3"});
-  show("full", base + Overrides{"Newton/Factorization=every iteration"});
-  show("tol 1e-12", base + Overrides{"Newton/Tolerance=1e-12"});
-  show("tol 1e-12 full", base + Overrides{"Newton/Tolerance=1e-12", "Newton/Factorization=every iteration"});
-  show("tiny load tol 1e-12", scene(4, 1e-9, 5e-3) + Overrides{"Newton/Tolerance=1e-12"});
-  show("tiny load tol 1e-15", scene(4, 1e-9, 5e-3) + Overrides{"Newton/Tolerance=1e-15"});
-  show("zero load tol 1e-15", scene(4, 0, 5e-3) + Overrides{"Newton/Tolerance=1e-15"});
-  show("K*1e6", base + Overrides{"Connectors/damper/Spring stiffness=2e8"});
-  show("K*1e7", base + Overrides{"Connectors/damper/Spring stiffness=2e9"});
-  show("C*1e6", base + Overrides{"Connectors/damper/Damping coefficient=5e4"});
-  show("C*1e7", base + Overrides{"Connectors/damper/Damping coefficient=5e5"});
-  show("C*1e6 2N", scene(4,2.1,20e-3) + Overrides{"Connectors/damper/Damping coefficient=5e4"});
-  show("C=0", base + Overrides{"Connectors/damper/Damping coefficient=0"});
-  show("spring", base + Overrides{"Connectors/damper/Law=spring"});
-  for (double x : {1e-6, 1e-4, 1e-2, 1., 1e2, 1e4, 1e6})
-    show(label("maxwell dt/tau", x), base + Overrides{"Connectors/damper/Law=maxwell", "Connectors/damper/Damping coefficient=" + text(200*20e-6/x)});
-  show("maxwell C=0", base + Overrides{"Connectors/damper/Law=maxwell", "Connectors/damper/Damping coefficient=0"});
-  show("KV K=0 C=0", base + Overrides{"Connectors/damper/Spring stiffness=0", "Connectors/damper/Damping coefficient=0"});
-  show("linear", base + Overrides{"Effects/Large rotation=off"});
-  show("linear half", base + Overrides{"Effects/Large rotation=off", "Time/Time step=13us"});
-  show("dt/2", base + Overrides{"Time/Time step=10e-6"});
-  show("dt*2", base + Overrides{"Time/Time step=40e-6"});
+  // Ten times the load in steps twenty times as long, which may be halved once.
+  SceneRun    run(star_scene(),
+               small_star(10) +
+                 Overrides{"Time/Time step=0.4e-3",
+                           "Time/Smallest time step=0.2e-3"});
+  std::string message;
+  try
+    {
+      run.run([&] { expect_finite(run); });
+    }
+  catch (const ComputationError &error)
+    {
+      message = error.what();
+    }
+  EXPECT_NE(message.find("did not converge"), std::string::npos) << message;
+  EXPECT_NE(message.find("Smallest time step"), std::string::npos) << message;
+  // The last accepted state stays, complete.
+  EXPECT_GT(run.state.time, 0);
+  EXPECT_LT(run.state.time, 20e-3);
+  expect_finite(run);
+}
+
+TEST(HardCases, StepTwentyTimesAsLong)
+{
+  const Outcome base = outcome(small_star(1)),
+                coarse =
+                  outcome(small_star(1) + Overrides{"Time/Time step=0.4e-3"});
+  // Second order: the error is large but bounded; 2 to 6 % were measured with
+  // other programs for 4 x 4 cells.
+  ComparisonTable table("Step 20 times as long, shortening of the lattice (m)");
+  table.relative("at 20 ms", coarse.shortening, base.shortening, 0.06);
+}
+
+TEST(HardCases, ConnectorsMillionTimesAsStiff)
+{
+  // The connectors then are bars in line with the stubs: per column of joints
+  // F (4 L / EA + 2 / K); EA = 70e9 * 1.6e-7, L = 10 mm.
+  const double    EA = 70e9 * 1.6e-7, K = 2e8;
+  ComparisonTable table("Connectors a million times as stiff or as viscous, "
+                        "shortening of the lattice (m)");
+  const Outcome   stiff =
+    outcome(small_star(1) + connector("Spring stiffness", K));
+  // The edges bear about 1e-3 of the load, and the column still swings by
+  // about as much.
+  table.relative("stiff", stiff.shortening, 4 * 0.01 / EA + 2 / K, 5e-3);
+
+  // As dashpots they give way by the impulse over C: (t0 / 2 + t0) F / C each.
+  const double  C = 5e4;
+  const Outcome viscous =
+    outcome(small_star(1) + connector("Damping coefficient", C));
+  table.relative("viscous",
+                 viscous.shortening,
+                 4 * 0.01 / EA + 2 * 0.015 / C,
+                 5e-3);
+
+  // At the load at which struts buckle the dashpots turn with their joints.
+  outcome(small_star(2.1) + connector("Damping coefficient", C));
+}
+
+TEST(HardCases, ConnectorsWithoutDashpotOrWithoutAnything)
+{
+  // Kelvin-Voigt with C = 0 is the spring: the same operations, to round-off
+  // gathered in 1000 steps.
+  const Outcome none =
+                  outcome(small_star(1) + connector("Damping coefficient", 0)),
+                spring = outcome(small_star(1), star_scene_with_springs());
+  EXPECT_NEAR(none.shortening / spring.shortening, 1, 1e-12);
+
+  // A Maxwell element with C = 0 carries nothing.
+  const Outcome empty =
+                  outcome(small_star(1) + connector("Damping coefficient", 0) +
+                          connector("Spring stiffness", 0)),
+                slipping = outcome(small_star(1) +
+                                   Overrides{"Connectors/damper/Law=maxwell"} +
+                                   connector("Damping coefficient", 0));
+  EXPECT_NEAR(slipping.shortening / empty.shortening, 1, 1e-12);
+  // These two differ by far more than all tolerances here.
+  EXPECT_GT(empty.shortening, 1.05 * spring.shortening);
+}
+
+TEST(HardCases, MaxwellElementsOfAnyRelaxationTime)
+{
+  const double  dt = 20e-6, end = 20e-3, K = 200;
+  const Outcome spring = outcome(small_star(1), star_scene_with_springs()),
+                empty =
+                  outcome(small_star(1) + connector("Damping coefficient", 0) +
+                          connector("Spring stiffness", 0));
+  const double span = empty.shortening - spring.shortening;
+
+  ComparisonTable table("Maxwell connectors from dt / tau = 1e-6 (spring) to "
+                        "1e6 (nothing), shortening of the lattice (m)");
+  for (const double ratio : {1e-6, 1e-4, 1e-2, 1., 1e2, 1e4, 1e6})
+    {
+      const double  tau = dt / ratio;
+      const Outcome run =
+        outcome(small_star(1) + Overrides{"Connectors/damper/Law=maxwell"} +
+                connector("Damping coefficient", K * tau));
+      // What a spring loses by relaxation is end / tau of its part; what is
+      // left of a dashpot falls with C.
+      if (ratio <= 1e-4)
+        table.row(label("dt / tau", ratio),
+                  run.shortening,
+                  spring.shortening,
+                  end / tau * span);
+      else if (ratio >= 1e2)
+        table.row(label("dt / tau", ratio),
+                  run.shortening,
+                  empty.shortening,
+                  10 / ratio * span);
+      // In between the lattice swings to beyond that without connectors.
+      EXPECT_GT(run.shortening, spring.shortening) << ratio;
+      EXPECT_LT(run.shortening, empty.shortening + span / 2) << ratio;
+      // Energy to second order in dt.
+      EXPECT_LT(std::abs(run.balance), 1e-5 * run.work) << ratio;
+    }
+}
+
+TEST(HardCases, RigidTurnsGiveNoForce)
+{
+  SceneRun                       run(star_scene(), small_star(0));
+  const std::vector<NodeUnknown> unknowns = node_unknowns(run);
+  const double                   EA       = 70e9 * 1.6e-7;
+  ComparisonTable table("The lattice turned rigidly: strain and connector "
+                        "energy over EA L");
+  for (const double turns : {0.25, 0.49, 0.51, 1., 3.3, -7.8})
+    {
+      const double angle = 2 * pi * turns;
+      // cos - 1, without cancellation
+      const double versine = 2 * std::pow(std::sin(angle / 2), 2);
+      for (unsigned int i = 0; i < unknowns.size(); ++i)
+        {
+          const auto  &x            = unknowns[i].position;
+          const double motion[]     = {-versine * x[0] - std::sin(angle) * x[1],
+                                       std::sin(angle) * x[0] - versine * x[1],
+                                       angle};
+          run.state.displacement[i] = motion[unknowns[i].component];
+        }
+      const State before = run.state;
+      const Step  step{before, run.state, 0};
+      run.system.begin_step(step);
+      const ResidualNorm norm = run.system.residual(step);
+      run.system.accept(step);
+      // Strains are round-off, about 1e-15 * 80 mm / 10 mm; 56 struts.
+      table.row(label("turns", turns),
+                (run.state.energies.strain + run.state.energies.stored) /
+                  (EA * 0.01),
+                0,
+                56 * std::pow(1e-14, 2));
+      const double floor = run.system.round_off_floor(run.state);
+      EXPECT_LT(norm.force, floor);
+      EXPECT_LT(norm.moment, floor * run.system.length_scale());
+    }
+}
+
+TEST(HardCases, LatticeHeldAtOneJointTurnsAlong)
+{
+  // One joint is turned two and a half times in steps of 18 deg; equilibrium is
+  // a rigid turn of all, found from a start that is bent at that joint. There
+  // is no force to compare residuals with.
+  const double turns = 2.5;
+  SceneRun     run(star_scene(),
+               small_star(0, 1) +
+                 Overrides{"Supports/foundation/Joints=0",
+                           "Supports/foundation/Type=prescribed",
+                           "Supports/foundation/Displacement x=0",
+                           "Supports/foundation/Displacement y=0",
+                           "Supports/foundation/Rotation=" +
+                             text(2 * pi * turns) + " * t",
+                           "Effects/Connector viscosity=off",
+                           "Time/Scheme=static",
+                           "Time/Time step=20e-3"});
+  const double EA = 70e9 * 1.6e-7;
+  run.run([&] {
+    const Energies &energies = run.state.energies;
+    EXPECT_LT(energies.strain + energies.stored, 1e-18 * EA * 0.01)
+      << run.state.time;
+    for (const unsigned int joint : run.lattice.joint_sets.at("top"))
+      EXPECT_NEAR(run.motion(joint, 2), 2 * pi * turns * run.state.time, 1e-8);
+  });
+}
+
+TEST(HardCases, TolerancesBelowRoundOffAreMet)
+{
+  // The base run, then 1e-15 of the forces; 1e-12 of forces that are
+  // themselves a billionth.
+  const Outcome base =
+                  outcome(small_star(1) + Overrides{"Newton/Tolerance=1e-10"}),
+                strict =
+                  outcome(small_star(1) +
+                          Overrides{"Newton/Tolerance=1e-15",
+                                    "Newton/Factorization=every iteration"});
+  // Full Newton converges quadratically: 2 iterations and at most 2 more to
+  // see that round-off is reached.
+  EXPECT_LE(strict.iterations, 4 * 1000u);
+  EXPECT_NEAR(strict.shortening / base.shortening, 1, 1e-9);
+
+  const Outcome faint =
+    outcome(small_star(1e-9) + Overrides{"Newton/Tolerance=1e-12"});
+  EXPECT_LE(faint.iterations, 4 * 1000u);
+  const Outcome linear =
+    outcome(small_star(1e-9) +
+            Overrides{"Newton/Tolerance=1e-12", "Effects/Large rotation=off"});
+  // At this load rotations are 1e-9 of those at 1 N: linear to 1e-8.
+  EXPECT_NEAR(faint.shortening / linear.shortening, 1, 1e-8);
+}
+
+TEST(HardCases, EnergyBalancesToSecondOrder)
+{
+  const Outcome coarse = outcome(small_star(1)),
+                fine =
+                  outcome(small_star(1) + Overrides{"Time/Time step=10e-6"});
+  ComparisonTable table("Error of the energy balance over the work done, "
+                        "average-acceleration Newmark, large rotations");
+  table.row("step 20 us", coarse.balance / coarse.work, 0, 1e-6);
+  table.row("step 10 us", fine.balance / fine.work, 0, 2.5e-7);
+  table.row("ratio", coarse.balance / fine.balance, 4, 0.2);
+}
+
+TEST(HardCases, KeptFactorizationAgreesWithFullNewton)
+{
+  const Overrides strict = small_star(1) + Overrides{"Newton/Tolerance=1e-11"};
+  const Outcome   kept   = outcome(strict),
+                full     = outcome(
+                  strict + Overrides{"Newton/Factorization=every iteration"});
+  EXPECT_EQ(full.factorizations, full.iterations);
+  EXPECT_LT(kept.factorizations, full.factorizations / 5);
+  // 1000 steps, each solved to 1e-11 of the forces.
+  EXPECT_NEAR(kept.shortening / full.shortening, 1, 1e-8);
+}
+
+TEST(HardCases, LinearSceneFactorizesOnce)
+{
+  const Outcome linear =
+    outcome(small_star(1) + Overrides{"Effects/Large rotation=off"});
+  EXPECT_EQ(linear.factorizations, 1u);
+  EXPECT_EQ(linear.iterations, 1000u);
+  // Linear with average acceleration: energy balances to round-off of 1000
+  // steps.
+  EXPECT_NEAR(linear.balance / linear.work, 0, 1e-12);
 }

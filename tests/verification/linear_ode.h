@@ -4,6 +4,7 @@
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/vector.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -18,9 +19,9 @@ namespace auxfem
                      const dealii::Vector<double>     &start,
                      const double                      time)
     {
-      const unsigned int n           = A.m();
-      const int          n_squarings = std::max(
-        0, int(std::ceil(std::log2(A.frobenius_norm() * time))) + 1);
+      const unsigned int n = A.m();
+      const int          n_squarings =
+        std::max(0, int(std::ceil(std::log2(A.frobenius_norm() * time))) + 1);
       dealii::FullMatrix<double> small(A), power{dealii::IdentityMatrix(n)},
         exponential(power), product(n, n);
       small *= time / std::pow(2., n_squarings);

@@ -1,9 +1,7 @@
 #ifndef auxfem_tests_verification_momenta_h
 #define auxfem_tests_verification_momenta_h
 
-#include <deal.II/fe/fe_q.h>
-
-#include <support/scene_run.h>
+#include <verification/node_unknowns.h>
 
 namespace auxfem
 {
@@ -24,11 +22,10 @@ namespace auxfem
         : run(run)
         , mass(run.system.make_tangent())
         , momentum(run.system.numbering().owned_map())
-        , places(momentum.MyLength())
+        , unknowns(node_unknowns(run))
       {
         const State before = run.state;
         run.system.tangent({before, run.state, 0}, {0, 0, 1}, *mass);
-        find_nodes();
       }
 
       Momenta operator()()
@@ -38,7 +35,7 @@ namespace auxfem
         Momenta       sum;
         for (int i = 0; i < momentum.MyLength(); ++i)
           {
-            const Place &at = places[i];
+            const NodeUnknown &at = unknowns[i];
             if (at.component == 0)
               {
                 sum.x += momentum[i];
@@ -56,44 +53,10 @@ namespace auxfem
       }
 
     private:
-      struct Place
-      {
-        unsigned int     component = 0;
-        int              partner   = 0; ///< the node's other displacement
-        dealii::Point<3> position;      ///< at rest
-      };
-
-      void find_nodes()
-      {
-        const DofNumbering &numbering = run.system.numbering();
-        const auto          nodes =
-          dealii::FE_Q<1>(numbering.order()).get_unit_support_points();
-        for (unsigned int e = 0; e < numbering.elements().size(); ++e)
-          {
-            const StrutMesh::Place &place    = numbering.elements()[e].place;
-            const int              *unknowns = numbering.element_unknowns(e);
-            for (unsigned int a = 0; a < nodes.size(); ++a)
-              {
-                dealii::Point<3>     position;
-                dealii::Tensor<1, 3> tangent;
-                run.lattice.axis(run.lattice.struts[place.strut],
-                                 place.begin +
-                                   (place.end - place.begin) * nodes[a][0],
-                                 position,
-                                 tangent);
-                for (unsigned int c = 0; c < 3; ++c)
-                  places[unknowns[3 * a + c]] = {c,
-                                                 c < 2 ? unknowns[3 * a + 1 - c]
-                                                       : 0,
-                                                 position};
-              }
-          }
-      }
-
       SceneRun                      &run;
       std::unique_ptr<TangentMatrix> mass;
       Epetra_Vector                  momentum;
-      std::vector<Place>             places;
+      std::vector<NodeUnknown>       unknowns;
     };
   } // namespace testing_support
 } // namespace auxfem

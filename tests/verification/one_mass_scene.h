@@ -10,8 +10,8 @@ namespace auxfem
   namespace testing_support
   {
     /**
-     * Text of a scene with one degree of freedom: joint 0 moves along x only and
-     * hangs on one connector to the ground. Its extension is minus the
+     * Text of a scene with one degree of freedom: joint 0 moves along x only
+     * and hangs on one connector to the ground. Its extension is minus the
      * displacement of the joint. The strut a frame must have is held at both
      * ends and takes no part.
      * @param link entries of the connector, e.g. its law
@@ -51,7 +51,8 @@ subsection Connectors
     set Between   = ground: 0
     set Geometry  = direction
     set Direction = 1 0
-)" + link + R"(
+)" + link +
+        R"(
   end
 end
 subsection Discretization
@@ -64,19 +65,22 @@ subsection Newton
   set Tolerance = 1e-13
 end
 subsection Time
-)" + time + R"(
+)" + time +
+        R"(
 end
 )" + more;
     }
 
-    /** Subsections that give joint 0 a mass (kg) and a velocity (m/s) at t = 0. */
-    inline std::string mass_and_velocity(const double mass, const double velocity)
+    /** Subsections that give joint 0 a mass (kg) and a velocity (m/s) at t = 0.
+     */
+    inline std::string mass_and_velocity(const double mass,
+                                         const double velocity)
     {
       return "subsection Masses\n subsection body\n  set Joints = 0\n  set Mass = " +
-             text(mass) +
-             "\n end\nend\nsubsection Initial velocities\n subsection push\n"
-             "  set Joints = 0\n  set Velocity x = " +
-             text(velocity) + "\n end\nend\n";
+        text(mass) +
+        "\n end\nend\nsubsection Initial velocities\n subsection push\n"
+        "  set Joints = 0\n  set Velocity x = " +
+        text(velocity) + "\n end\nend\n";
     }
   } // namespace testing_support
 } // namespace auxfem

@@ -1,8 +1,9 @@
 #include <support/scene_run.h>
 #include <verification/comparison_table.h>
-#include <verification/label.h>
 #include <verification/linear_ode.h>
 #include <verification/one_mass_scene.h>
+
+#include <verification/label.h>
 #include <verification/schemes.h>
 
 using namespace auxfem;
@@ -53,15 +54,15 @@ namespace
 
   constexpr double end_time = 1;
 
-  /** Distance to the exact motion at the end, in displacement units (w = 10 / s). */
+  /** Distance to the exact motion at the end, in displacement units (w = 10 /
+   * s). */
   struct MotionError
   {
     double motion, acceleration;
   };
 
-  MotionError error(const LawCase     &law,
-                    const Scheme      &scheme,
-                    const unsigned int n_steps)
+  MotionError
+  error(const LawCase &law, const Scheme &scheme, const unsigned int n_steps)
   {
     SceneRun run(one_mass_scene(law.entries,
                                 scheme.steps(end_time / n_steps, end_time),
@@ -69,9 +70,10 @@ namespace
     run.run();
     const dealii::Vector<double> x = law.exact.at(end_time, 0, 1);
     const double                 w = 10;
-    const int    i = run.system.numbering().joint_unknown(0, 0);
-    const double a = (*run.state.acceleration)[i];
-    return {std::hypot(run.motion(0, 0) - x(0), (run.velocity(0, 0) - x(1)) / w),
+    const int                    i = run.system.numbering().joint_unknown(0, 0);
+    const double                 a = (*run.state.acceleration)[i];
+    return {std::hypot(run.motion(0, 0) - x(0),
+                       (run.velocity(0, 0) - x(1)) / w),
             std::abs(a - law.exact.acceleration(x)) / (w * w)};
   }
 
@@ -87,7 +89,7 @@ namespace
         run.state.history[e] = -exact.elements[e].first * u0;
         stiffness += exact.elements[e].first;
       }
-    run.state.energies.stored = stiffness / 2 * u0 * u0;
+    run.state.energies.stored    = stiffness / 2 * u0 * u0;
     (*run.state.acceleration)[i] = exact.acceleration(exact.at(0, u0, 0));
   }
 } // namespace
@@ -101,7 +103,7 @@ TEST(OscillatorOrder, EverySchemeIsOfSecondOrderWithEveryLaw)
                                        generalized_alpha("0")};
   ComparisonTable           table(
     "Observed order in dt of one mass pushed off at 1 m/s, error at 1 s "
-    "against the exact solution, 200 and 400 steps");
+              "against the exact solution, 200 and 400 steps");
   for (const LawCase &law : laws)
     for (const Scheme &scheme : schemes)
       {
@@ -144,8 +146,7 @@ namespace
       release(run, law(name).exact, u0);
     auto moment = moments.begin();
     run.run([&] {
-      if (moment == moments.end() ||
-          run.state.time < moment->time - dt / 2)
+      if (moment == moments.end() || run.state.time < moment->time - dt / 2)
         return;
       // Newmark's motion is late by (w dt)^2 / 12 of its time; w < 12.3 / s,
       // amplitude 0.1 m. Twice that, as viscosity has an error of that size.
@@ -213,7 +214,7 @@ TEST(OscillatorMotion, ForcedAmplitudeIsThatOfTheTransferFunction)
           "subsection Loads\n subsection shaker\n  set Joints = 0\n"
                     "  set Force x = sin(" +
           text(w) + " * t)\n end\nend\n"));
-      double sine = 0, cosine = 0;
+      double             sine = 0, cosine = 0;
       run.run([&] {
         if (run.state.step <= (n_periods - 1) * steps_a_period)
           return;

@@ -60,7 +60,7 @@ namespace
   /** Stub ends of a star cell, in the order right, top, left, bottom. */
   const std::vector<unsigned int> stub_ends = {8, 9, 10, 11};
 
-  TEST(StarCell, ConstantsOfGeneralStars)
+  TEST(StarHoneycomb, ConstantsOfGeneralStars)
   {
     ComparisonTable table("Four-point star cells, closed form");
     const auto      compare_star = [&](const double         p,
@@ -112,7 +112,7 @@ namespace
 
   // The classic star, tied at its points (q < p / 2), is no star of ours: a
   // frame.
-  TEST(StarCell, ConstantsOfTheStarTiedAtItsPoints)
+  TEST(StarHoneycomb, ConstantsOfTheStarTiedAtItsPoints)
   {
     LatticePart part{{"1 0; 0 1; -1 0; 0 -1; 0.2 0.2; -0.2 0.2; -0.2 -0.2; "
                       "0.2 -0.2; 1.2 0; 0 1.2; -1.2 0; 0 -1.2",
@@ -146,7 +146,7 @@ namespace
     return 2 * (1 + std::sin(angle) - std::cos(angle));
   }
 
-  TEST(StarCell, ConstantsOfTheSymmetricStar)
+  TEST(StarHoneycomb, ConstantsOfTheSymmetricStar)
   {
     ComparisonTable table("Star cells of 12 equal struts, closed form");
     const auto      compare_cell = [&](const double         angle,
@@ -192,7 +192,7 @@ namespace
 
   // Any number of cells has the constants of one: cut at all outer stub ends,
   // or between plates at left and right with free upper and lower sides.
-  TEST(StarCell, ArrayHasTheConstantsOfOneCell)
+  TEST(StarHoneycomb, ArrayHasTheConstantsOfOneCell)
   {
     const unsigned int n     = 3;
     const double       side  = n * period(60);
@@ -232,7 +232,7 @@ namespace
   // Finite strain, uniaxial along x, p = 0.4, q = 1, a = 3, EI = 1: each wall
   // carries X along x, a ligament 2 X. With EA = kGA the rotations are those of
   // inextensible struts and the cell gets longer by 2 (2 l X + 2 g X)/EA more.
-  TEST(StarCell, FiniteStrain)
+  TEST(StarHoneycomb, FiniteStrain)
   {
     const double p = 0.4, q = 1, a = 3, axial_stiffness = 1e4;
     const double wall = std::hypot(q - p, q), ligament = a / 2 - p;

@@ -89,8 +89,9 @@ TEST(StarLattice, OrderFourGivesTheReferenceToRoundOff)
 
 TEST(StarLattice, OrderThreeIsWithinItsError)
 {
-  ComparisonTable table("4 x 4 star lattice, order 3, displacement (m) and "
-                        "reaction (N) against another implementation of order 4");
+  ComparisonTable table(
+    "4 x 4 star lattice, order 3, displacement (m) and "
+    "reaction (N) against another implementation of order 4");
   // That implementation finds 3.9e-5 as the error of its order 3, over all
   // times; forces at the clamps converge a little later.
   compare(3, 4.5e-5, 1e-4, table);

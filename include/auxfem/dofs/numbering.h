@@ -36,6 +36,13 @@ namespace auxfem
     prescribed
   };
 
+  /** Owned rows apart by what is measured and by whether they are free. */
+  struct OwnedRows
+  {
+    std::vector<int> free_translations, free_rotations, prescribed_translations,
+      prescribed_rotations;
+  };
+
   /**
    * Numbering of the unknowns of a planar lattice: u_x, u_y and the rotation at
    * every node. The ends of all struts at a joint share its two displacements,
@@ -128,6 +135,10 @@ namespace auxfem
     /** Marks a local unknown as prescribed. */
     void prescribe(unsigned int local);
 
+    /** The owned rows by kind; to be asked for once all unknowns are
+     * prescribed. */
+    OwnedRows owned_rows() const;
+
     /** Number of unknowns that are not prescribed, over all ranks. */
     unsigned int n_free() const;
 
@@ -136,6 +147,12 @@ namespace auxfem
      * for nodes inside a strut that strut is named.
      */
     std::string describe(unsigned int local) const;
+
+    /**
+     * Words for the owned unknown of largest @p size (n_owned entries, rotations
+     * made comparable by the caller) over all ranks; the same on every rank.
+     */
+    std::string describe_largest(const std::vector<double> &size) const;
 
   private:
     void number_unknowns(const StrutMesh &mesh, const Ties &ties);

@@ -62,6 +62,9 @@ namespace auxfem
     /** Energies up to the last row. */
     const EnergyRecord &energies() const;
 
+    /** Takes note of the energies of a state that gets no row. */
+    void note(const State &state);
+
     /** Largest |rotation| (rad) in all rows so far, of unknowns of this rank.
      */
     double largest_rotation() const;

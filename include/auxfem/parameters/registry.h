@@ -53,6 +53,13 @@ namespace auxfem
      */
     std::string path;
   };
+
+  /**
+   * Absolute name of @p file, which may be relative to the folder of the
+   * parameter file. Recorded in `parameters.prm`, which lies in another folder.
+   */
+  std::string absolute_file(const std::string  &file,
+                            const SceneContext &context);
 } // namespace auxfem
 
 #endif

@@ -7,6 +7,7 @@
 #include <auxfem/mesh/cell.h>
 
 #include <array>
+#include <cmath>
 #include <memory>
 #include <string>
 #include <vector>
@@ -176,19 +177,32 @@ namespace auxfem
     double      smallest_step   = 0;     ///< s; 0: step / 1024
     /** Energy a step may create, of the largest so far. */
     double energy_error = 0.5;
-    bool   static_start =
-      false; ///< start from the static equilibrium under the loads of t = 0
+    /** Start from the static equilibrium under the loads of t = 0. */
+    bool static_start = false;
+
+    /** Number of steps to the end time; the last may be shorter. */
+    unsigned long n_steps() const
+    {
+      // A last step of a millionth of a step is round-off of the input.
+      return static_cast<unsigned long>(std::ceil(end_time / step - 1e-6));
+    }
+
+    /** Time at the end of step @p n, from the count, never accumulated (s). */
+    double time_at(const unsigned long n) const
+    {
+      return n >= n_steps() ? end_time : n * step;
+    }
   };
 
   /** `Newton`: when a step counts as solved. */
   struct NewtonParameters
   {
-    double tolerance =
-      1e-8; ///< relative to the scene's own force and moment scale
+    /** Relative to the scene's own force and moment scale. */
+    double       tolerance          = 1e-8;
     unsigned int maximum_iterations = 30;
     bool         keep_factorization = true; ///< false: full Newton
-    double       kept_reduction = 5; ///< a kept factorization must reduce the
-                                     ///< residual by this factor an iteration
+    /** A kept factorization must reduce the residual so much an iteration. */
+    double kept_reduction = 5;
   };
 
   /** `Solver`: linear solver. */

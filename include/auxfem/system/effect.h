@@ -42,7 +42,10 @@ namespace auxfem
     /** True if force is linear in displacement, velocity and acceleration. */
     virtual bool is_linear() const = 0;
 
-    /** Registers the blocks in which this effect couples unknowns. */
+    /**
+     * Registers the blocks, besides those of elements, in which this effect
+     * couples unknowns.
+     */
     virtual void register_blocks(TangentMatrix & /*matrix*/)
     {}
 

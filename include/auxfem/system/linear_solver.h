@@ -43,9 +43,6 @@ namespace auxfem
     /** Owned rows of the right-hand side, to be filled before solve(). */
     Epetra_Vector &right_side();
 
-    /** Name of the solver in use. */
-    const std::string &name() const;
-
   private:
     std::string                        type;
     Epetra_Vector                      rhs, solution;

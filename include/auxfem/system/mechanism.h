@@ -13,10 +13,14 @@ namespace auxfem
    * @p state is found by inverse iteration; if its energy is round-off, an InputError
    * names the joint that moves most in it.
    *
+   * @param dt length of the step (s) that viscosity resists in; infinity: it
+   *   does not.
+   *
    * Uses and overwrites @p matrix and the factorization of @p solver.
    */
   void refuse_mechanism(System        &system,
                         State          state,
+                        double         dt,
                         TangentMatrix &matrix,
                         LinearSolver  &solver);
 } // namespace auxfem

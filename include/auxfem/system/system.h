@@ -19,10 +19,11 @@ namespace auxfem
     {
       int          unknown; ///< local number
       unsigned int component;
-      TimeFunction motion;
     };
     std::string                    name;
     std::vector<PrescribedUnknown> unknowns;
+    /** Course of each component (m, m, rad). */
+    std::array<TimeFunction, 3> motion;
   };
 
   /** Norms of force rows (N) and moment rows (N m) of a residual. */
@@ -92,9 +93,9 @@ namespace auxfem
     ResidualNorm residual(const Step &step);
 
     /**
-     * Force size against which the last residual is judged (N): norm of
-     * internal forces (prescribed rows included), moments divided by
-     * length_scale().
+     * Force size against which the last residual is judged (N): norm of the
+     * internal forces or of internal and inertia forces, whichever is larger,
+     * prescribed rows included, moments divided by length_scale().
      */
     double force_scale() const;
 
@@ -115,8 +116,11 @@ namespace auxfem
      */
     void accept(const Step &step);
 
-    /** Largest |displacement| (m) and |rotation| (rad) in @p state over all ranks. */
-    std::pair<double, double> largest_motion(const State &state) const;
+    /**
+     * Largest |displacement| (m) and |rotation| (rad) over all ranks in
+     * @p motion, displacements or an increment of them.
+     */
+    std::pair<double, double> largest_motion(const Vector &motion) const;
 
     /** Unknown with the largest free residual, in words, over all ranks. */
     std::string worst_unknown(const State &state) const;
@@ -138,7 +142,13 @@ namespace auxfem
      * The first n_internal effects are internal forces: their sum is the force
      * scale.
      */
-    unsigned int                         n_internal = 0;
+    unsigned int n_internal = 0;
+    /**
+     * The first n_balanced effects are internal and inertia forces; the rest
+     * are loads.
+     */
+    unsigned int                         n_balanced = 0;
+    OwnedRows                            rows;
     std::vector<const ConnectorForces *> connector_groups;
     const StrutForces                   *strut_forces = nullptr;
     std::vector<Support>                 support_list;

@@ -18,6 +18,7 @@ namespace auxfem
   class TangentMatrix
   {
   public:
+    /** Registers block e on the unknowns of each element e of @p numbering. */
     explicit TangentMatrix(const DofNumbering &numbering);
 
     /**
@@ -47,9 +48,6 @@ namespace auxfem
 
     /** Entries of the diagonal of owned rows. */
     std::vector<double> diagonal() const;
-
-    /** Bytes held by the matrix and its tables. */
-    std::size_t memory_consumption() const;
 
   private:
     const DofNumbering &numbering;

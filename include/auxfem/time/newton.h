@@ -42,7 +42,8 @@ namespace auxfem
 
     /**
      * Accelerations of @p state from M a = f - f_int: exact, or if a free
-     * unknown has no mass, with M + @p dt^2 / 4 K in place of M.
+     * unknown has no mass, with M + @p dt / 2 C + @p dt^2 / 4 K in place of M.
+     * Throws InputError for an unknown without mass, damping and stiffness.
      */
     void find_initial_acceleration(State &state, double dt);
 
@@ -57,9 +58,9 @@ namespace auxfem
     ResidualNorm timed_residual(const Step &step);
     bool         factorize(const TimeIntegrator &integrator, const Step &step);
     void         solve_increment(const State &trial);
-    /** Largest |rotation| in the increment over all ranks (rad). */
-    double largest_turn() const;
-    double in_force_units(const ResidualNorm &norm) const;
+    bool         has_empty_row() const;
+    void         refuse_empty_rows() const;
+    double       in_force_units(const ResidualNorm &norm) const;
 
     System                        &system;
     NewtonParameters               parameters;

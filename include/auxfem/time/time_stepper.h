@@ -16,7 +16,7 @@ namespace auxfem
     /** Lets @p system carry what the integrator needs. */
     TimeStepper(System &system, const Scene &scene);
 
-    /** Number of steps from 0 to the end time. */
+    /** Number of steps to the end time. */
     unsigned long n_steps() const;
 
     /**
@@ -41,13 +41,13 @@ namespace auxfem
      * Brings all that effects keep for output (forces of connectors, strain
      * energy) to those of an accepted state, without a step.
      */
-    void evaluate_at_rest_in_time(State &state);
+    void evaluate_accepted(State &state);
 
-    void   complete_start(State &state);
-    bool   creates_energy(const Step &step) const;
-    bool   try_step(State &state, double time, double dt, StepReport &report);
-    double time_at(unsigned long step, double fraction) const;
-    double length_of_step(double from, double to, double piece) const;
+    void              complete_start(State &state);
+    [[noreturn]] void give_up(State &state, double dt);
+    Newton::Result    solve_trial(State &state, const Step &step);
+    bool              creates_energy(const Step &step) const;
+    bool try_step(State &state, double time, double dt, StepReport &report);
 
     System                         &system;
     TimeParameters                  parameters;

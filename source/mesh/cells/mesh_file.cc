@@ -464,6 +464,7 @@ namespace auxfem
       const std::string file =
         (std::filesystem::path(context.directory) / get(prm, file_entry))
           .string();
+      prm.set(file_entry.name, absolute_file(get(prm, file_entry), context));
       const Mesh mesh = MeshReader(file, get(prm, length_unit), context).read();
       return std::make_unique<MeshFileCell>(
         MeshToCell(mesh, file, context).build());

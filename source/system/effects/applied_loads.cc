@@ -2,8 +2,10 @@
 
 namespace auxfem
 {
-  AppliedLoads::AppliedLoads(const DofNumbering &numbering)
+  AppliedLoads::AppliedLoads(const DofNumbering &numbering,
+                             const bool          raised_from_zero)
     : numbering(numbering)
+    , raised_from_zero(raised_from_zero)
   {}
 
   unsigned int AppliedLoads::add_load(const TimeFunction &course)
@@ -28,7 +30,9 @@ namespace auxfem
   {
     for (Load &load : loads)
       {
-        load.before = load.course.value(step.from.time);
+        load.before = raised_from_zero && step.from.time == 0
+          ? 0.
+          : load.course.value(step.from.time);
         load.now    = load.course.value(step.to.time);
       }
   }

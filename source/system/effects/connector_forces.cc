@@ -16,7 +16,6 @@ namespace auxfem
     , law(definition.law)
     , follows_line(definition.geometry == ConnectorDefinition::Geometry::line &&
                    large_rotation)
-    , fixed_direction(definition.direction)
     , ground_offset(definition.ground_offset)
     , lattice(lattice)
     , first_history(layout.n_history)
@@ -37,9 +36,7 @@ namespace auxfem
                       : numbering.joint_unknown(joint, i % 2);
             is_touched = is_touched || numbering.is_owned(ends.unknowns[i]);
           }
-        ends.counted = numbering.is_owned(ends.unknowns[0]);
-        if (!is_touched)
-          continue;
+        ends.counted     = numbering.is_owned(ends.unknowns[0]);
         ends.span        = pair.second == invalid_index
                  ? ground_offset
                  : lattice.joints[pair.second] - lattice.joints[pair.first];
@@ -51,14 +48,20 @@ namespace auxfem
             std::to_string(pair.first) +
             " has length zero, so no line leads along it. Give `Geometry = "
             "direction` with a `Direction`, or a `Ground offset`.");
+        if (!is_touched)
+          continue;
         if (ends.counted)
           counted.push_back(connectors.size());
         connectors.push_back(ends);
+        const dealii::Tensor<1, 3> along =
+          definition.geometry == ConnectorDefinition::Geometry::direction
+          ? definition.direction
+          : ends.span / ends.rest_length;
+        direction.push_back({{along[0], along[1]}});
       }
     const unsigned int n = connectors.size();
     motion.resize(n);
     response.resize(n);
-    direction.resize(n);
     velocity_difference.resize(n, {{0, 0}});
     current_length.resize(n);
     stored.resize(n, 0.);
@@ -86,6 +89,12 @@ namespace auxfem
       }
   }
 
+  bool ConnectorForces::differences_extension(const State &state,
+                                              const double dt)
+  {
+    return !state.acceleration && dt > 0;
+  }
+
   void ConnectorForces::evaluate_motion(const State &state, const double dt)
   {
     const double *u = state.displacement.Values();
@@ -110,18 +119,17 @@ namespace auxfem
               (current_length[i] + ends.rest_length);
           }
         else
-          {
-            const dealii::Tensor<1, 3> along = fixed_direction.norm() > 0
-              ? fixed_direction
-              : ends.span / ends.rest_length;
-            direction[i]                     = {{along[0], along[1]}};
-            motion[i].extension = along[0] * du[0] + along[1] * du[1];
-          }
+          motion[i].extension =
+            direction[i][0] * du[0] + direction[i][1] * du[1];
         if (v != nullptr)
           velocity_difference[i] = {{difference(v, 0), difference(v, 1)}};
-        motion[i].rate = direction[i][0] * velocity_difference[i][0] +
-          direction[i][1] * velocity_difference[i][1];
-        motion[i].dt = dt;
+        // Without inertia a velocity is a difference over a step in which the
+        // line turns; that of the extension does not see the turn.
+        motion[i].rate = differences_extension(state, dt)
+          ? (motion[i].extension - motion[i].previous_extension) / dt
+          : direction[i][0] * velocity_difference[i][0] +
+            direction[i][1] * velocity_difference[i][1];
+        motion[i].dt   = dt;
       }
   }
 
@@ -151,7 +159,7 @@ namespace auxfem
         }
   }
 
-  void ConnectorForces::add_tangent(const Step & /*step*/,
+  void ConnectorForces::add_tangent(const Step           &step,
                                     const TangentFactors &factors,
                                     TangentMatrix        &matrix) const
   {
@@ -176,6 +184,8 @@ namespace auxfem
                 {
                   const double across = (a == b ? 1. : 0.) - n[a] * n[b];
                   D[a][b] += turning * response[i].force * across;
+                  if (differences_extension(step.to, step.dt))
+                    continue;
                   const double rate_by_position =
                     velocity_difference[i][b] - motion[i].rate * n[b];
                   D[a][b] +=

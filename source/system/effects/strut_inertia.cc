@@ -40,17 +40,6 @@ namespace auxfem
         return true;
       }
 
-      void register_blocks(TangentMatrix &matrix) override
-      {
-        for (unsigned int e = 0; e < elements.size(); ++e)
-          {
-            const std::size_t block =
-              matrix.register_block(numbering.element_unknowns(e), n);
-            if (e == 0)
-              first_block = block;
-          }
-      }
-
       void add_residual(const Step &step, double *residual) override
       {
         const double *a = step.to.acceleration->Values();
@@ -93,7 +82,7 @@ namespace auxfem
                   block[(3 * i + c) * n + 3 * j + c] = factor *
                     shape.mass[i][j] *
                     (c < 2 ? elements[e].mass : elements[e].rotary);
-            matrix.add(first_block + e, block);
+            matrix.add(e, block);
           }
       }
 
@@ -150,7 +139,6 @@ namespace auxfem
       const DofNumbering    &numbering;
       const BeamShape<order> shape;
       std::vector<Element>   elements;
-      std::size_t            first_block = 0;
     };
   } // namespace
 

@@ -69,17 +69,6 @@ namespace auxfem
         return !large_rotation;
       }
 
-      void register_blocks(TangentMatrix &matrix) override
-      {
-        for (unsigned int e = 0; e < elements.size(); ++e)
-          {
-            const std::size_t block =
-              matrix.register_block(numbering.element_unknowns(e), n);
-            if (e == 0)
-              first_block = block;
-          }
-      }
-
       void add_residual(const Step &step, double *residual) override
       {
         const double *u = step.to.displacement.Values();
@@ -136,7 +125,7 @@ namespace auxfem
               factors.stiffness,
               factors.damping,
               block);
-            matrix.add(first_block + e, block);
+            matrix.add(e, block);
           }
       }
 
@@ -170,14 +159,15 @@ namespace auxfem
         if (state.velocity)
           gather(numbering.element_unknowns(e), state.velocity->Values(), v);
 
-        double forces[order][3];
+        double elastic[order][3], viscous[order][3];
         for (int g = 0; g < order; ++g)
           section_forces(data,
                          frames[std::size_t(e) * order + g],
                          g,
                          u,
                          v,
-                         forces[g]);
+                         elastic[g],
+                         viscous[g]);
 
         std::vector<StrutPoint> points(n_points);
         for (unsigned int i = 0; i < n_points; ++i)
@@ -204,17 +194,19 @@ namespace auxfem
                   }
                 point.rotation += N[a] * u[3 * a + 2];
               }
-            double interpolated[3] = {0, 0, 0};
+            double E[3] = {0, 0, 0}, V[3] = {0, 0, 0};
             for (int g = 0; g < order; ++g)
               for (unsigned int k = 0; k < 3; ++k)
-                interpolated[k] += H[g] * forces[g][k];
-            point.axial_force    = interpolated[0];
-            point.shear_force    = interpolated[1];
-            point.bending_moment = interpolated[2];
-            point.energy_density =
-              (interpolated[0] * interpolated[0] / data.stiffness.axial +
-               interpolated[1] * interpolated[1] / data.stiffness.shear +
-               interpolated[2] * interpolated[2] / data.stiffness.bending) /
+                {
+                  E[k] += H[g] * elastic[g][k];
+                  V[k] += H[g] * viscous[g][k];
+                }
+            point.axial_force    = E[0] + V[0];
+            point.shear_force    = E[1] + V[1];
+            point.bending_moment = E[2] + V[2];
+            point.energy_density = (E[0] * E[0] / data.stiffness.axial +
+                                    E[1] * E[1] / data.stiffness.shear +
+                                    E[2] * E[2] / data.stiffness.bending) /
               2;
           }
         return points;
@@ -265,30 +257,30 @@ namespace auxfem
           }
       }
 
+      /** N, Q, M of the strains and those of the strain rates. */
       void section_forces(const Element       &data,
                           const Beam2D::Frame &frame,
                           const int            g,
                           const double        *u,
                           const double        *v,
-                          double (&forces)[3]) const
+                          double (&elastic)[3],
+                          double (&viscous)[3]) const
       {
         const Beam2D::Kinematics k = Beam2D::kinematics<large_rotation>(
           frame,
           Beam2D::interpolate(shape, g, 1 / data.jacobian, u));
-        forces[0] = data.stiffness.axial * k.epsilon;
-        forces[1] = data.stiffness.shear * k.gamma;
-        forces[2] = data.stiffness.bending * k.kappa;
-        if (damped)
-          {
-            const Beam2D::Gradient rate =
-              Beam2D::interpolate(shape, g, 1 / data.jacobian, v);
-            double epsilon_rate, gamma_rate;
-            Beam2D::strain_rates(k, rate, epsilon_rate, gamma_rate);
-            const double beta = data.stiffness.damping_time;
-            forces[0] += beta * data.stiffness.axial * epsilon_rate;
-            forces[1] += beta * data.stiffness.shear * gamma_rate;
-            forces[2] += beta * data.stiffness.bending * rate.kappa;
-          }
+        elastic[0] = data.stiffness.axial * k.epsilon;
+        elastic[1] = data.stiffness.shear * k.gamma;
+        elastic[2] = data.stiffness.bending * k.kappa;
+
+        const Beam2D::Gradient rate =
+          Beam2D::interpolate(shape, g, 1 / data.jacobian, v);
+        double epsilon_rate, gamma_rate;
+        Beam2D::strain_rates(k, rate, epsilon_rate, gamma_rate);
+        const double beta = damped ? data.stiffness.damping_time : 0.;
+        viscous[0]        = beta * data.stiffness.axial * epsilon_rate;
+        viscous[1]        = beta * data.stiffness.shear * gamma_rate;
+        viscous[2]        = beta * data.stiffness.bending * rate.kappa;
       }
 
       const Lattice             &lattice;
@@ -296,7 +288,6 @@ namespace auxfem
       const BeamShape<order>     shape;
       std::vector<Element>       elements;
       std::vector<Beam2D::Frame> frames;
-      std::size_t                first_block                  = 0;
       double                     largest_stiffness            = 0;
       double                     largest_stiffness_per_length = 0;
       Beam2D::EnergyRate         energy;

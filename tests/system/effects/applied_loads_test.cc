@@ -1,7 +1,6 @@
 #include <auxfem/system/effects/applied_loads.h>
 
 #include <gtest/gtest.h>
-
 #include <system/system_on_ranks.h>
 
 using namespace auxfem;
@@ -17,9 +16,9 @@ namespace
   /** Two loads: 3 t on unknowns 1 and 2 (weights 1 and -2), and 5 on 2. */
   struct LoadsAlone
   {
-    LoadsAlone()
+    explicit LoadsAlone(const bool raised_from_zero = false)
       : of_scene(frame_scene("0 0; 1 0", "0 1", ""), {}, MPI_COMM_SELF)
-      , loads(of_scene.dofs())
+      , loads(of_scene.dofs(), raised_from_zero)
       , from(of_scene.system.initial_state())
       , to(from)
     {
@@ -60,6 +59,22 @@ TEST(AppliedLoads, WorkIsTheMeanForceTimesTheDisplacement)
   applied.loads.accept(step);
   // Means: 3 N and 5 N; exact in binary numbers.
   EXPECT_EQ(applied.to.external_work, 10 + 3 * (0.5 - 2 * 0.125) + 5 * 0.125);
+}
+
+TEST(AppliedLoads, LoadsRaisedFromZeroDoLessWorkInTheFirstStep)
+{
+  for (const bool raised : {false, true})
+    {
+      LoadsAlone applied(raised);
+      const Step step{applied.from, applied.to, 1.};
+      applied.from.time          = 0;
+      applied.to.displacement[2] = 0.125;
+      applied.loads.begin_step(step);
+      applied.loads.accept(step);
+      // 3 t grows to 4.5 anyway; 5 acts from the start or grows as well.
+      EXPECT_EQ(applied.to.external_work,
+                (-2 * 4.5 / 2 + (raised ? 2.5 : 5.)) * 0.125);
+    }
 }
 
 TEST(AppliedLoads, DeadLoadsAreLinear)

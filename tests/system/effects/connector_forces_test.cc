@@ -1,7 +1,6 @@
 #include <auxfem/system/effects/connector_forces.h>
 
 #include <gtest/gtest.h>
-
 #include <mesh/cell_from_text.h>
 #include <system/system_on_ranks.h>
 
@@ -37,14 +36,18 @@ namespace
                                      "set Geometry = direction\n"
                                      "set Direction = 5 0\n";
 
-  /** The connector alone, with a step from one state to another. */
+  /**
+   * The connector alone, with a step from one state to another, in dynamics
+   * unless the state has no acceleration.
+   */
   struct ConnectorAlone
   {
     explicit ConnectorAlone(const std::string &law,
                             const std::string &place,
-                            const bool         large_rotation = true)
+                            const bool         large_rotation = true,
+                            const bool         is_dynamic     = true)
       : of_scene(with_connector(law, place), {}, MPI_COMM_SELF)
-      , layout{true, false, false, 0, 0}
+      , layout{true, is_dynamic, false, 0, 0}
       , forces(of_scene.scene.connectors[0],
                select_pairs(of_scene.lattice,
                             of_scene.scene.connectors[0].between,
@@ -71,13 +74,14 @@ namespace
       (*to.velocity)[of_scene.dofs().joint_unknown(joint, 1)] = y;
     }
 
-    /** Moves joints 0 and 1 as a rigid body turned and turning about (2, -1). */
+    /** Moves joints 0 and 1 as a rigid body turned and turning about (2, -1).
+     */
     void turn(const double angle, const double angular_velocity)
     {
       for (const unsigned int joint : {0, 1})
         {
-          const double x = of_scene.lattice.joints[joint][0] - 2,
-                       y = of_scene.lattice.joints[joint][1] + 1;
+          const double x        = of_scene.lattice.joints[joint][0] - 2,
+                       y        = of_scene.lattice.joints[joint][1] + 1;
           const double turned_x = std::cos(angle) * x - std::sin(angle) * y,
                        turned_y = std::sin(angle) * x + std::cos(angle) * y;
           move(joint, turned_x - x, turned_y - y);
@@ -197,8 +201,7 @@ TEST(ConnectorForces, ExtensionHasAllDigitsHoweverSmall)
       EXPECT_NEAR(connector.report().extension / size, 1., round_off);
       // Across it: s^2 / (sqrt(25 + s^2) + 5).
       connector.move(1, -0.8 * size, 0.6 * size);
-      const double across =
-        size * size / (std::sqrt(25 + size * size) + 5);
+      const double across = size * size / (std::sqrt(25 + size * size) + 5);
       // The displacement's own digits limit it: 6 u_y - 8 u_x cancels.
       EXPECT_NEAR(connector.report().extension, across, 1e-15 * size);
     }
@@ -223,7 +226,7 @@ TEST(ConnectorForces, RateIsTheRateOfTheExtension)
   ConnectorAlone dashpot("set Law = dashpot\nset Damping coefficient = 1\n",
                          from_0_to_1);
   ConnectorAlone position(spring, from_0_to_1);
-  const double   h = 1e-5;
+  const double   h            = 1e-5;
   const auto     extension_at = [&position](const double t) {
     position.move(0, 0.7 - 2 * t, 0.3 + t);
     position.move(1, -4 + 3 * t, 1 + 2 * t);
@@ -239,62 +242,93 @@ TEST(ConnectorForces, RateIsTheRateOfTheExtension)
               1e-9);
 }
 
+namespace
+{
+  /** Compares the tangent at a fast motion far from rest with differences. */
+  void check_tangent(ConnectorAlone &connector, const TangentFactors &factors)
+  {
+    // Nearly upside down, long, and fast.
+    connector.from.displacement.PutScalar(0.1);
+    connector.move(0, 1, 2);
+    connector.move(1, -5, -9);
+    connector.push(0, 3, -2);
+    connector.push(1, -4, 5);
+
+    TangentMatrix matrix(connector.of_scene.dofs());
+    connector.forces.register_blocks(matrix);
+    matrix.finalize();
+    matrix.reset();
+    connector.evaluate();
+    connector.forces.add_tangent({connector.from, connector.to, connector.dt},
+                                 factors,
+                                 matrix);
+
+    const unsigned int n = connector.residual.size();
+    Epetra_Vector unit(connector.of_scene.dofs().owned_map()), column(unit);
+    const double  h     = 1e-5;
+    double        worst = 0, scale = 0;
+    for (unsigned int j = 0; j < n; ++j)
+      {
+        unit.PutScalar(0);
+        unit[j] = 1;
+        matrix.matrix().Multiply(false, unit, column);
+        const auto moved = [&](const double step) {
+          const State kept = connector.to;
+          connector.to.displacement[j] += factors.stiffness * step;
+          (*connector.to.velocity)[j] += factors.damping * step;
+          const std::vector<double> result = connector.evaluate();
+          connector.to                     = kept;
+          return result;
+        };
+        const std::vector<double> right = moved(h), left = moved(-h);
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            scale = std::max(scale, std::abs(column[i]));
+            worst =
+              std::max(worst,
+                       std::abs(column[i] - (right[i] - left[i]) / (2 * h)));
+          }
+      }
+    EXPECT_GT(scale, 0.1);
+    // h^2 = 1e-10 and 1e-16 / h = 1e-11, times numbers of about 10.
+    EXPECT_LT(worst, 1e-8 * scale);
+  }
+} // namespace
+
 TEST(ConnectorForces, TangentIsTheDerivativeOfTheForceAtLargeRotations)
 {
-  const TangentFactors factors{0.8, 1.7, 3.};
   for (const std::string &law : {spring, kelvin_voigt, maxwell})
     for (const std::string &place :
          {from_0_to_1, along_1_1, to_the_ground, ground_along_x})
       for (const bool large : {true, false})
         {
           SCOPED_TRACE(law + place);
-          ConnectorAlone connector(law, place, large);
-          // Nearly upside down, long, and fast.
-          connector.from.displacement.PutScalar(0.1);
-          connector.move(0, 1, 2);
-          connector.move(1, -5, -9);
-          connector.push(0, 3, -2);
-          connector.push(1, -4, 5);
-
-          TangentMatrix matrix(connector.of_scene.dofs());
-          connector.forces.register_blocks(matrix);
-          matrix.finalize();
-          matrix.reset();
-          connector.evaluate();
-          connector.forces.add_tangent(
-            {connector.from, connector.to, connector.dt}, factors, matrix);
-
-          const unsigned int n = connector.residual.size();
-          Epetra_Vector      unit(connector.of_scene.dofs().owned_map()),
-            column(unit);
-          const double h = 1e-5;
-          double       worst = 0, scale = 0;
-          for (unsigned int j = 0; j < n; ++j)
-            {
-              unit.PutScalar(0);
-              unit[j] = 1;
-              matrix.matrix().Multiply(false, unit, column);
-              const auto moved = [&](const double step) {
-                const State kept = connector.to;
-                connector.to.displacement[j] += factors.stiffness * step;
-                (*connector.to.velocity)[j] += factors.damping * step;
-                const std::vector<double> result = connector.evaluate();
-                connector.to                     = kept;
-                return result;
-              };
-              const std::vector<double> right = moved(h), left = moved(-h);
-              for (unsigned int i = 0; i < n; ++i)
-                {
-                  scale = std::max(scale, std::abs(column[i]));
-                  worst = std::max(
-                    worst,
-                    std::abs(column[i] - (right[i] - left[i]) / (2 * h)));
-                }
-            }
-          EXPECT_GT(scale, 0.1);
-          // h^2 = 1e-10 and 1e-16 / h = 1e-11, times numbers of about 10.
-          EXPECT_LT(worst, 1e-8 * scale);
+          ConnectorAlone in_dynamics(law, place, large),
+            in_statics(law, place, large, /*is_dynamic=*/false);
+          check_tangent(in_dynamics, {0.8, 1.7, 3.});
+          // There a velocity is a difference over the step.
+          check_tangent(in_statics, {0.8, 0.8 / in_statics.dt, 0.});
         }
+}
+
+TEST(ConnectorForces, InStaticsATurnOfTheLineIsNoRate)
+{
+  ConnectorAlone connector(kelvin_voigt,
+                           from_0_to_1,
+                           /*large_rotation=*/true,
+                           /*is_dynamic=*/false);
+  // The velocities of a difference over the turn would stretch the line.
+  connector.turn(2.5, 0.);
+  for (const int i : {0, 1})
+    (*connector.to.velocity)[connector.of_scene.dofs().joint_unknown(1, i)] =
+      connector.to.displacement[connector.of_scene.dofs().joint_unknown(1, i)] /
+      connector.dt;
+  EXPECT_NEAR(connector.report().force, 0., 20 * round_off);
+
+  // Stretched from 5 to 7 in half a second.
+  connector.move(0, 0, 0);
+  connector.move(1, -3, 3);
+  EXPECT_NEAR(connector.report().force, 2 * 2. + 3 * 2. / 0.5, 20 * round_off);
 }
 
 TEST(ConnectorForces, HistoryAndStateAreKeptForWhatTheLawNeedsOnly)
@@ -304,9 +338,9 @@ TEST(ConnectorForces, HistoryAndStateAreKeptForWhatTheLawNeedsOnly)
   EXPECT_EQ(ConnectorAlone(kelvin_voigt, from_0_to_1).layout.n_history, 0u);
   EXPECT_EQ(ConnectorAlone(kelvin_voigt, from_0_to_1).layout.n_dissipated, 1u);
   EXPECT_EQ(ConnectorAlone(maxwell, from_0_to_1).layout.n_history, 1u);
-  EXPECT_EQ(ConnectorAlone(maxwell, "set Between = 0 1; 1 2; 0 2\n")
-              .layout.n_history,
-            3u);
+  EXPECT_EQ(
+    ConnectorAlone(maxwell, "set Between = 0 1; 1 2; 0 2\n").layout.n_history,
+    3u);
 }
 
 TEST(ConnectorForces, AcceptedStepsKnowStoredAndLostEnergy)

@@ -1,7 +1,6 @@
 #include <auxfem/system/effects/point_masses.h>
 
 #include <gtest/gtest.h>
-
 #include <system/system_on_ranks.h>
 
 using namespace auxfem;
@@ -9,7 +8,8 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  /** 2 kg on the vertical displacement and 5 kg m2 on the rotation of joint 1. */
+  /** 2 kg on the vertical displacement and 5 kg m2 on the rotation of joint 1.
+   */
   struct MassAlone
   {
     MassAlone()
@@ -49,7 +49,7 @@ TEST(PointMasses, KineticEnergyIsThatOfTheMass)
 {
   MassAlone    one;
   Energies     energies;
-  const double v = (*one.to.velocity)[one.y],
+  const double v     = (*one.to.velocity)[one.y],
                omega = (*one.to.velocity)[one.turn];
   one.masses.add_energies(one.to, energies);
   EXPECT_DOUBLE_EQ(energies.kinetic, v * v + 2.5 * omega * omega);

@@ -1,7 +1,6 @@
 #include <auxfem/system/effects/rotational_springs.h>
 
 #include <gtest/gtest.h>
-
 #include <system/system_on_ranks.h>
 
 using namespace auxfem;

@@ -1,5 +1,4 @@
 #include <gtest/gtest.h>
-
 #include <system/system_on_ranks.h>
 
 using namespace auxfem;
@@ -56,8 +55,7 @@ namespace
 TEST(StrutInertia, KineticEnergyOfATurningStrutIsExact)
 {
   // L^3 / 3 about the end, and the cross-sections' own turning.
-  const double moment =
-    mass_per_length * 125. / 3 + rotary_per_length * 5;
+  const double moment = mass_per_length * 125. / 3 + rotary_per_length * 5;
   for (const std::string &order : orders)
     {
       InertiaAlone one(oblique_strut, {"Discretization/Order=" + order});
@@ -110,9 +108,10 @@ TEST(StrutInertia, MassProportionalDampingIsAForceOnTheVelocity)
                 *by_acceleration.to.acceleration);
   by_velocity.inertia->add_residual({by_velocity.from, by_velocity.to, 1.},
                                     by_velocity.residual.data());
-  by_acceleration.inertia->add_residual(
-    {by_acceleration.from, by_acceleration.to, 1.},
-    by_acceleration.residual.data());
+  by_acceleration.inertia->add_residual({by_acceleration.from,
+                                         by_acceleration.to,
+                                         1.},
+                                        by_acceleration.residual.data());
   for (unsigned int i = 0; i < by_velocity.residual.size(); ++i)
     EXPECT_NEAR(by_velocity.residual[i], by_acceleration.residual[i], 1e-14);
 

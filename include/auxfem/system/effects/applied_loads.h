@@ -13,7 +13,12 @@ namespace auxfem
   class AppliedLoads : public Effect
   {
   public:
-    explicit AppliedLoads(const DofNumbering &numbering);
+    /**
+     * @param raised_from_zero the first step raises the loads from nothing, even if
+     *   they have a value at t = 0 (statics from rest); else they act from the
+     * start.
+     */
+    AppliedLoads(const DofNumbering &numbering, bool raised_from_zero);
 
     /** Starts a new load that follows @p course in time; returns its number. */
     unsigned int add_load(const TimeFunction &course);
@@ -40,6 +45,7 @@ namespace auxfem
       double              now    = 0; ///< value at its end
     };
     const DofNumbering &numbering;
+    const bool          raised_from_zero;
     std::vector<Load>   loads;
   };
 } // namespace auxfem

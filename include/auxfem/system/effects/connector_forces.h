@@ -72,12 +72,12 @@ namespace auxfem
       bool                 counted; ///< by this rank
     };
 
-    void evaluate_motion(const State &state, double dt);
+    static bool differences_extension(const State &state, double dt);
+    void        evaluate_motion(const State &state, double dt);
 
     std::string                         group_name;
     std::shared_ptr<const ConnectorLaw> law;
     bool                                follows_line;
-    dealii::Tensor<1, 3>                fixed_direction;
     dealii::Tensor<1, 3>                ground_offset;
     const Lattice                      &lattice;
     std::vector<Ends>                   connectors;

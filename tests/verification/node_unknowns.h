@@ -1,0 +1,52 @@
+#ifndef auxfem_tests_verification_node_unknowns_h
+#define auxfem_tests_verification_node_unknowns_h
+
+#include <deal.II/fe/fe_q.h>
+
+#include <support/scene_run.h>
+
+namespace auxfem
+{
+  namespace testing_support
+  {
+    /** Where an unknown lies. */
+    struct NodeUnknown
+    {
+      unsigned int     component; ///< 0, 1: displacement, 2: rotation
+      int              partner;   ///< the node's other displacement
+      dealii::Point<3> position;  ///< of its node at rest (m)
+    };
+
+    /** Nodes of all unknowns of the struts, by local number. */
+    inline std::vector<NodeUnknown> node_unknowns(const SceneRun &run)
+    {
+      const DofNumbering      &numbering = run.system.numbering();
+      std::vector<NodeUnknown> result(numbering.n_local());
+      const auto               nodes =
+        dealii::FE_Q<1>(numbering.order()).get_unit_support_points();
+      for (unsigned int e = 0; e < numbering.elements().size(); ++e)
+        {
+          const StrutMesh::Place &place    = numbering.elements()[e].place;
+          const int              *unknowns = numbering.element_unknowns(e);
+          for (unsigned int a = 0; a < nodes.size(); ++a)
+            {
+              dealii::Point<3>     position;
+              dealii::Tensor<1, 3> tangent;
+              run.lattice.axis(run.lattice.struts[place.strut],
+                               place.begin +
+                                 (place.end - place.begin) * nodes[a][0],
+                               position,
+                               tangent);
+              for (unsigned int c = 0; c < 3; ++c)
+                result[unknowns[3 * a + c]] = {c,
+                                               c < 2 ? unknowns[3 * a + 1 - c]
+                                                     : -1,
+                                               position};
+            }
+        }
+      return result;
+    }
+  } // namespace testing_support
+} // namespace auxfem
+
+#endif
