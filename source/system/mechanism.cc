@@ -23,8 +23,8 @@ namespace auxfem
     {
       const DofNumbering &numbering = system.numbering();
       std::vector<double> sizes(numbering.n_owned());
-      // A strut that turns about its end moves the other by its length times the
-      // angle; half of that leaves the first word to the joint.
+      // A strut that turns about its end moves the other by its length times
+      // the angle; half of that leaves the first word to the joint.
       for (unsigned int i = 0; i < sizes.size(); ++i)
         sizes[i] = std::abs(mode[i]) *
           (numbering.is_rotation(i) ? system.length_scale() / 2 : 1.);

@@ -332,6 +332,31 @@ TEST(DofNumbering, BothEndsOfAConnectorAreKeptWhereOneIsOwned)
           }
 }
 
+TEST(DofNumbering, AllRotationsAtASprungJointAreKeptWhereOneIsOwned)
+{
+  const Lattice lattice = stars(3, 3);
+  Ties          ties;
+  ties.released.assign(lattice.struts.size(), {{true, true}});
+  ties.sprung_joints = lattice.joint_sets.at("all");
+  const Numbered numbered(lattice, 1, 0, ties);
+  const auto    &dofs = numbered.dofs;
+
+  std::vector<std::vector<int>> rotations(lattice.joints.size());
+  for (unsigned int s = 0; s < lattice.struts.size(); ++s)
+    for (unsigned int end = 0; end < 2; ++end)
+      rotations[lattice.struts[s].joints[end]].push_back(
+        dofs.end_rotation(s, end));
+  for (const std::vector<int> &at_joint : rotations)
+    if (std::any_of(at_joint.begin(), at_joint.end(), [&](const int rotation) {
+          return dofs.is_owned(rotation);
+        }))
+      for (const int rotation : at_joint)
+        {
+          ASSERT_GE(rotation, 0);
+          EXPECT_TRUE(dofs.is_rotation(rotation));
+        }
+}
+
 TEST(DofNumbering, WordsForAGhostAreThoseOfItsOwner)
 {
   const Numbered numbered(stars(3, 3), 1);

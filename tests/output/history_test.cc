@@ -139,6 +139,7 @@ TEST(History, RowHoldsMeansOfProbesAndSumsOfSupportsAndConnectors)
     set_joints(to.residual, system, c, [c](const unsigned int j) {
       return 10. * (c + 1) + j;
     });
+  to.energies = {1, 2, 4, 8, 16};
   history.write(to);
 
   std::map<std::string, double> row = last_row(folder);
@@ -157,8 +158,11 @@ TEST(History, RowHoldsMeansOfProbesAndSumsOfSupportsAndConnectors)
   EXPECT_NEAR(row["damper.extension"], 0.5, 1e-14);
   EXPECT_NEAR(row["damper.force"], 100, 1e-11);
   EXPECT_EQ(row["damper.dissipated"], 0);
-  EXPECT_GT(row["kinetic"], 0);
-  EXPECT_GT(row["strain"], 0);
+  EXPECT_EQ(row["kinetic"], 1);
+  EXPECT_EQ(row["strain"], 2);
+  EXPECT_EQ(row["stored"], 4);
+  EXPECT_EQ(row["dissipated"], 8);
+  EXPECT_EQ(row["external"], 16);
   // The first row is what the balance starts from.
   EXPECT_EQ(row["balance"], 0);
   // Joint 3 turns most; known to its rank only.

@@ -15,6 +15,12 @@ namespace auxfem
     springs.push_back({{first, second}, stiffness});
   }
 
+  double RotationalSprings::angle(const Spring &spring, const double *u)
+  {
+    const int base = spring.unknowns[0];
+    return u[spring.unknowns[1]] - (base >= 0 ? u[base] : 0.);
+  }
+
   bool RotationalSprings::is_linear() const
   {
     return true;
@@ -35,9 +41,9 @@ namespace auxfem
     const double *u = step.to.displacement.Values();
     for (const Spring &spring : springs)
       {
-        const double moment =
-          spring.stiffness * (u[spring.unknowns[1]] - u[spring.unknowns[0]]);
-        residual[spring.unknowns[0]] -= moment;
+        const double moment = spring.stiffness * angle(spring, u);
+        if (spring.unknowns[0] >= 0)
+          residual[spring.unknowns[0]] -= moment;
         residual[spring.unknowns[1]] += moment;
       }
   }
@@ -59,11 +65,9 @@ namespace auxfem
   {
     const double *u = state.displacement.Values();
     for (const Spring &spring : springs)
-      if (numbering.is_owned(spring.unknowns[0]))
-        {
-          const double angle = u[spring.unknowns[1]] - u[spring.unknowns[0]];
-          energies.strain += spring.stiffness / 2 * angle * angle;
-        }
+      if (numbering.is_owned(spring.unknowns[1]))
+        energies.strain +=
+          spring.stiffness / 2 * angle(spring, u) * angle(spring, u);
   }
 
   double

@@ -12,7 +12,10 @@ namespace auxfem
   public:
     explicit RotationalSprings(const DofNumbering &numbering);
 
-    /** Adds a spring of @p stiffness (N m/rad) between two local rotations. */
+    /**
+     * Adds a spring of @p stiffness (N m/rad) between two local rotations;
+     * @p first = -1: between the ground and the second.
+     */
     void add(int first, int second, double stiffness);
 
     bool   is_linear() const override;
@@ -31,6 +34,9 @@ namespace auxfem
       int    unknowns[2];
       double stiffness;
     };
+    /** phi_2 - phi_1 (rad). */
+    static double angle(const Spring &spring, const double *u);
+
     const DofNumbering &numbering;
     std::vector<Spring> springs;
     std::size_t         first_block = 0;
