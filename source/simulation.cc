@@ -30,7 +30,6 @@ namespace auxfem
       const double setup = totals.wall.setup;
       totals.wall        = stepper.newton().times();
       totals.wall.setup  = setup;
-      totals.wall.output = output.seconds();
       output.finish(system, state, totals, exit_state);
     }
 
@@ -62,8 +61,8 @@ namespace auxfem
     TimeStepper   stepper(system, scene);
     State         state = system.initial_state();
     refuse_mechanism_if_static(scene, system, state, stepper);
-    output.begin(system);
     setup.reset();
+    output.begin(system);
 
     try
       {

@@ -120,7 +120,8 @@ namespace auxfem
       "",
       "N m/rad",
       Range::non_negative(),
-      "Stiffness between a released strut and the first strut of the joint."};
+      "Stiffness between a released strut and the unreleased ones of the "
+      "joint, else the first released one; a strut alone: the ground."};
 
     void read_joint(dealii::ParameterHandler &prm,
                     const std::string        &name,

@@ -1,10 +1,9 @@
-#include <support/scene_run.h>
-
 #include <deal.II/base/mpi.h>
 
+#include <support/scene_run.h>
+
+#include <cstdio>
 #include <fstream>
-#include <iomanip>
-#include <iostream>
 #include <sstream>
 
 #include <sys/resource.h>
@@ -37,7 +36,7 @@ namespace
     rusage usage;
     getrusage(RUSAGE_SELF, &usage);
     return usage.ru_utime.tv_sec + usage.ru_stime.tv_sec +
-           1e-6 * (usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
+      1e-6 * (usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
   }
 
   double resident_megabytes()
@@ -49,8 +48,8 @@ namespace
 
   Measurement measure(const std::string &prm, const Case &c)
   {
-    const double before = resident_megabytes();
-    const std::string cells = std::to_string(c.cells);
+    const double              before = resident_megabytes();
+    const std::string         cells  = std::to_string(c.cells);
     testing_support::SceneRun run(
       prm,
       {"Lattice/Cells x=" + cells,
@@ -61,32 +60,37 @@ namespace
     Measurement  result;
     const double start = cpu_seconds();
     run.run();
-    result.cpu_seconds        = cpu_seconds() - start;
-    result.resident_megabytes = resident_megabytes() - before;
-    result.phases             = run.stepper.newton().times();
-    result.iterations         = run.iterations;
-    result.factorizations     = run.factorizations;
-    result.unknowns           = run.system.numbering().n_free();
+    result.cpu_seconds                   = cpu_seconds() - start;
+    result.resident_megabytes            = resident_megabytes() - before;
+    result.phases                        = run.stepper.newton().times();
+    result.iterations                    = run.iterations;
+    result.factorizations                = run.factorizations;
+    result.unknowns                      = run.system.numbering().n_free();
     const std::vector<unsigned int> &top = run.lattice.joint_sets.at("top");
-    result.displacement = run.motion(top[c.cells / 2], 1);
+    result.displacement                  = run.motion(top[c.cells / 2], 1);
     return result;
   }
 
   void print(const Case &c, const Measurement &m)
   {
-    std::cout << std::setw(2) << c.cells << 'x' << std::left << std::setw(3)
-              << c.cells << std::setw(6) << c.force << std::right << std::setw(2)
-              << c.order << "  " << std::left << std::setw(16)
-              << c.factorization << std::right << std::setw(7) << m.unknowns
-              << std::fixed << std::setprecision(3) << std::setw(8)
-              << m.cpu_seconds << std::setw(9) << m.phases.residual << std::setw(9)
-              << m.phases.tangent << std::setw(9) << m.phases.factorize
-              << std::setw(8) << m.phases.solve << std::setw(7) << m.iterations
-              << std::setw(7) << m.factorizations << std::setw(8)
-              << 1e6 * m.cpu_seconds / m.iterations / m.unknowns
-              << std::setprecision(1) << std::setw(8) << m.resident_megabytes
-              << std::setprecision(9) << std::setw(15) << m.displacement << '\n'
-              << std::defaultfloat;
+    std::printf("%2ux%-3u %4s %5u  %-16s %7lu %8.3f %8.3f %8.3f %8.3f %8.3f "
+                "%6lu %6lu %7.3f %7.1f %15.9f\n",
+                c.cells,
+                c.cells,
+                c.force.c_str(),
+                c.order,
+                c.factorization.c_str(),
+                m.unknowns,
+                m.cpu_seconds,
+                m.phases.residual,
+                m.phases.tangent,
+                m.phases.factorize,
+                m.phases.solve,
+                m.iterations,
+                m.factorizations,
+                1e6 * m.cpu_seconds / m.iterations / m.unknowns,
+                m.resident_megabytes,
+                m.displacement);
   }
 } // namespace
 
@@ -98,9 +102,9 @@ int main(int argc, char *argv[])
   std::stringstream prm;
   prm << file.rdbuf();
 
-  std::cout
-    << "cells  F0   order factorization  unknowns  CPU s residual  tangent  factor   solve"
-       "   iter.  fact. us/u/it      MB   u_y at the end\n";
+  std::printf("cells    F0 order  factorization     unknowns    CPU s "
+              "residual  tangent   factor    solve  iter.  fact. us/u/it "
+              "     MB  u_y at the end\n");
   for (const Case &c : {Case{4, 2, "kept", "1.0"},
                         Case{4, 3, "kept", "1.0"},
                         Case{4, 4, "kept", "1.0"},

@@ -28,7 +28,7 @@ namespace auxfem
     struct Frame
     {
       double cosine, sine; ///< section normal t0 = (cosine, sine)
-      /** R0' in components along t0, n0: (1, 0) for a straight strut. */
+      /** Slope r0' in components along t0, n0: (1, 0) for a straight strut. */
       double axial, shear;
     };
 

@@ -13,15 +13,15 @@ namespace auxfem
     double shear_modulus  = 0; ///< G = E / (2 (1 + nu)) (Pa)
     double density        = 0; ///< rho (kg/m3)
     double area           = 0; ///< A (m2)
-    /** K A, shear correction included (m2). */
+    /** Shear area k A, shear correction included (m2). */
     double shear_area = 0;
     /** I about the axis normal to the plane (m4). */
     double second_moment = 0;
     /** Radius of the tube drawn in ParaView (m). */
     double radius = 0;
-    /** Beta: stress = E (strain + beta strain rate) (s). */
+    /** The time beta in stress = E (strain + beta strain rate) (s). */
     double stiffness_proportional_damping = 0;
-    /** Alpha: force per mass and velocity (1/s). */
+    /** The rate alpha: damping force per mass and velocity (1/s). */
     double mass_proportional_damping = 0;
 
     /** EA (N). */

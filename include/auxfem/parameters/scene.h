@@ -52,8 +52,8 @@ namespace auxfem
     std::string joints; ///< joint set
     std::string struts; ///< strut set whose ends are released there
     Type        type = Type::hinge;
-    double stiffness = 0; ///< K' (N m/rad) between a released strut and the
-                          ///< first strut of the joint
+    /** K' (N m/rad) between a released strut and what it turns against. */
+    double      stiffness = 0;
     std::string path;
   };
 

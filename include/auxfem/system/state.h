@@ -10,8 +10,8 @@
 namespace auxfem
 {
   /**
-   * Values at all local unknowns (owned, then ghosts); ghosts are always up to
-   * date.
+   * Values at all local unknowns (owned, then ghosts). Ghosts are up to date,
+   * but for residuals, which are complete in owned rows only.
    */
   using Vector = Epetra_Vector;
 

@@ -11,9 +11,12 @@ namespace auxfem
    * with the true acceleration v', while displacement and velocity follow
    * Newmark's formulas with an auxiliary acceleration a,
    *
-   *     (1 - alpha_m) a_{n+1} + alpha_m a_n = (1 - alpha_f) v'_{n+1} + alpha_f
-   * v'_n u_{n+1} = u_n + dt v_n + dt^2 [(1/2 - beta) a_n + beta a_{n+1}]
-   *     v_{n+1} = v_n + dt [(1 - gamma) a_n + gamma a_{n+1}]
+   * @code
+   * (1 - alpha_m) a_{n+1} + alpha_m a_n =
+   *                             (1 - alpha_f) v'_{n+1} + alpha_f v'_n
+   * u_{n+1} = u_n + dt v_n + dt^2 [(1/2 - beta) a_n + beta a_{n+1}]
+   * v_{n+1} = v_n + dt [(1 - gamma) a_n + gamma a_{n+1}]
+   * @endcode
    *
    * For linear systems this is the method of Chung & Hulbert (1993). With
    * alpha_m = alpha_f = 0 it is Newmark's method and a = v'.
@@ -27,6 +30,7 @@ namespace auxfem
       double alpha_m, alpha_f, beta, gamma;
     };
 
+    /** The member with these @p coefficients. */
     explicit AlphaFamily(const Coefficients &coefficients);
 
     /** Newmark (1959); second order for gamma = 1/2 only. */
