@@ -113,8 +113,10 @@ namespace auxfem
       "Scheme",
       "newmark",
       {"newmark", "hht", "generalized-alpha", "static"},
-      "Time integrator; static: equilibrium at every step, time is a load "
-      "parameter."};
+      "Time integrator; newmark, hht (Hilber-Hughes-Taylor) and "
+      "generalized-alpha (Chung-Hulbert) are of second order, the last two "
+      "damp high frequencies; static: equilibrium at every step, time is a "
+      "load parameter."};
     const Quantity newmark_beta = {
       "Newmark beta",
       "0.25",

@@ -49,7 +49,6 @@ namespace auxfem
   struct TimeSchemeEntry
   {
     std::string name;
-    std::string description;
     std::unique_ptr<TimeIntegrator> (*make)(const TimeParameters &parameters);
   };
 
