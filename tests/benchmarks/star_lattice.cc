@@ -72,7 +72,6 @@ namespace
       }
     std::cout.clear();
 
-    result.resident_megabytes            = resident_megabytes() - before;
     result.phases                        = run.stepper.newton().times();
     result.phases.output                 = output.seconds();
     result.unknowns                      = run.system.numbering().n_free();
@@ -101,7 +100,6 @@ namespace
       m.iterations,
       m.factorizations,
       1e6 * m.cpu_seconds / m.iterations / m.unknowns,
-      m.resident_megabytes,
       m.displacement);
   }
 } // namespace
