@@ -1,7 +1,7 @@
 #include <auxfem/mesh/sets.h>
 #include <auxfem/parameters/errors.h>
 #include <auxfem/system/effects/point_masses.h>
-#include <auxfem/system/effects/rotational_springs.h>
+#include <auxfem/system/joint_releases.h>
 #include <auxfem/system/make_loads.h>
 #include <auxfem/system/system.h>
 
@@ -12,109 +12,6 @@ namespace auxfem
 {
   namespace
   {
-    /** The struts whose ends a `Joints/NAME` releases, by joint. */
-    struct Release
-    {
-      const JointDefinition *definition;
-      std::vector<
-        std::pair<unsigned, std::vector<std::pair<unsigned, unsigned>>>>
-        ends_at_joint; ///< joint, then (strut, end)
-    };
-
-    std::vector<Release> collect_releases(const Scene   &scene,
-                                          const Lattice &lattice)
-    {
-      std::vector<std::vector<std::pair<unsigned, unsigned>>> ends_at(
-        lattice.joints.size());
-      for (unsigned int s = 0; s < lattice.struts.size(); ++s)
-        for (unsigned int end = 0; end < 2; ++end)
-          ends_at[lattice.struts[s].joints[end]].emplace_back(s, end);
-
-      std::vector<Release> releases;
-      for (const JointDefinition &definition : scene.joints)
-        {
-          std::vector<bool> chosen(lattice.struts.size(), false);
-          for (const unsigned int s :
-               select_struts(lattice,
-                             definition.struts,
-                             scene.context,
-                             definition.path + "/Struts"))
-            chosen[s] = true;
-          Release release{&definition, {}};
-          for (const unsigned int joint :
-               select_joints(lattice,
-                             definition.joints,
-                             scene.context,
-                             definition.path + "/Joints"))
-            {
-              std::vector<std::pair<unsigned, unsigned>> ends;
-              for (const auto &end : ends_at[joint])
-                if (chosen[end.first])
-                  ends.push_back(end);
-              if (ends.empty())
-                throw InputError(definition.path + ": no strut of '" +
-                                 definition.struts + "' ends at joint " +
-                                 std::to_string(joint) +
-                                 ". Name struts that end at all these joints.");
-              release.ends_at_joint.emplace_back(joint, ends);
-            }
-          releases.push_back(release);
-        }
-      return releases;
-    }
-
-    /** What a released strut end turns against. */
-    struct SpringBase
-    {
-      /** -1 without `is_ground`: not on this rank. */
-      int  unknown   = -1;
-      bool is_ground = false;
-    };
-
-    /**
-     * The rotation springs at a joint act against: that of the joint if a strut
-     * is rigid there, else that of the first of several released struts, else,
-     * for a strut alone, the ground.
-     */
-    SpringBase
-    spring_base(const unsigned int                                joint,
-                const std::vector<std::pair<unsigned, unsigned>> &ends,
-                const DofNumbering                               &numbering)
-    {
-      if (numbering.joint_has(joint, 2))
-        return {numbering.joint_unknown(joint, 2), false};
-      if (ends.size() == 1)
-        return {-1, true};
-      return {numbering.end_rotation(ends[0].first, ends[0].second), false};
-    }
-
-    std::unique_ptr<RotationalSprings>
-    make_rotational_springs(const std::vector<Release> &releases,
-                            const DofNumbering         &numbering)
-    {
-      auto springs = std::make_unique<RotationalSprings>(numbering);
-      bool is_used = false;
-      for (const Release &release : releases)
-        if (release.definition->type ==
-            JointDefinition::Type::rotational_spring)
-          for (const auto &[joint, ends] : release.ends_at_joint)
-            {
-              const SpringBase base = spring_base(joint, ends, numbering);
-              for (const auto &[strut, end] : ends)
-                {
-                  const int rotation = numbering.end_rotation(strut, end);
-                  if (rotation < 0 || rotation == base.unknown ||
-                      (base.unknown < 0 && !base.is_ground))
-                    continue;
-                  springs->add(base.unknown,
-                               rotation,
-                               release.definition->stiffness);
-                  is_used = true;
-                }
-            }
-      return is_used ? std::move(springs) : nullptr;
-    }
-
     double mean_strut_length(const Lattice &lattice)
     {
       double sum = 0;
@@ -135,30 +32,26 @@ namespace auxfem
       section_list.push_back(definition.section);
     state_layout.velocity = state_layout.acceleration = simulated.inertia;
 
-    make_numbering(scene, communicator);
+    const std::vector<JointRelease> releases = simulated.hinges
+      ? joint_releases(scene, graph)
+      : std::vector<JointRelease>();
+    make_numbering(scene, releases, communicator);
     make_supports(scene);
-    make_effects(scene);
+    make_effects(scene, releases);
     if (simulated.inertia)
       initial_velocities = auxfem::initial_velocities(scene, graph, *dofs);
   }
 
-  void System::make_numbering(const Scene &scene, const MPI_Comm communicator)
+  void System::make_numbering(const Scene                     &scene,
+                              const std::vector<JointRelease> &releases,
+                              const MPI_Comm                   communicator)
   {
     mesh = std::make_unique<StrutMesh>(graph,
                                        scene.discretization.refinements,
                                        communicator);
     Ties ties;
     ties.released.assign(graph.struts.size(), {{false, false}});
-    if (simulated.hinges)
-      for (const Release &release : collect_releases(scene, graph))
-        for (const auto &[joint, ends] : release.ends_at_joint)
-          {
-            for (const auto &[strut, end] : ends)
-              ties.released[strut][end] = true;
-            if (release.definition->type ==
-                JointDefinition::Type::rotational_spring)
-              ties.sprung_joints.push_back(joint);
-          }
+    release(releases, ties);
     for (const ConnectorDefinition &definition : scene.connectors)
       {
         const std::vector<JointPair> pairs =
@@ -234,7 +127,8 @@ namespace auxfem
     rows = dofs->owned_rows();
   }
 
-  void System::make_effects(const Scene &scene)
+  void System::make_effects(const Scene                     &scene,
+                            const std::vector<JointRelease> &releases)
   {
     StrutModel model;
     model.large_rotation    = simulated.large_rotation;
@@ -253,10 +147,8 @@ namespace auxfem
         strut_forces = struts.get();
         effects.push_back(std::move(struts));
       }
-    if (simulated.hinges)
-      if (auto springs =
-            make_rotational_springs(collect_releases(scene, graph), *dofs))
-        effects.push_back(std::move(springs));
+    if (auto springs = make_rotational_springs(releases, *dofs))
+      effects.push_back(std::move(springs));
 
     for (const ConnectorDefinition &definition : scene.connectors)
       {

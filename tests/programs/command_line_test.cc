@@ -56,6 +56,18 @@ namespace
 
 
 
+  TEST_F(CommandLineProgram, ReferenceInDocIsThePrintedOne)
+  {
+    const ProgramRun run = run_auxfem({"--print-parameters=markdown"});
+    EXPECT_EQ(run.exit_code, 0);
+    EXPECT_EQ(run.output,
+              read_text(std::string(AUXFEM_PRM_DIRECTORY) +
+                        "/../doc/parameters.md"))
+      << "run: auxfem --print-parameters=markdown > doc/parameters.md";
+  }
+
+
+
   TEST_F(CommandLineProgram, EveryPrintedParameterHasItsRange)
   {
     const ProgramRun run = run_auxfem({"--print-parameters"});

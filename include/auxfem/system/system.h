@@ -6,6 +6,7 @@
 #include <auxfem/system/effect_decisions.h>
 #include <auxfem/system/effects/connector_forces.h>
 #include <auxfem/system/effects/struts.h>
+#include <auxfem/system/joint_releases.h>
 
 #include <memory>
 #include <vector>
@@ -129,9 +130,12 @@ namespace auxfem
     /** Energies (over all ranks) of the state last given to residual(). */
     Energies energies(const State &state) const;
 
-    void make_numbering(const Scene &scene, MPI_Comm communicator);
+    void make_numbering(const Scene                     &scene,
+                        const std::vector<JointRelease> &releases,
+                        MPI_Comm                         communicator);
     void make_supports(const Scene &scene);
-    void make_effects(const Scene &scene);
+    void make_effects(const Scene                     &scene,
+                      const std::vector<JointRelease> &releases);
 
     const Lattice                       &graph;
     SimulatedEffects                     simulated;
