@@ -89,8 +89,7 @@ namespace auxfem
     System        system(scene, lattice, communicator);
     TimeStepper   stepper(system, scene);
     refuse_mechanism_if_static(scene, system, system.initial_state(), stepper);
-    for (const ProbeDefinition &probe : scene.output.probes)
-      select_joints(lattice, probe.joints, scene.context, probe.path);
+    refuse_probes_on_nothing(scene, lattice);
     print_overview(scene, system);
   }
 } // namespace auxfem

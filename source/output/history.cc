@@ -230,4 +230,10 @@ namespace auxfem
   {
     return rotation_so_far;
   }
+
+  void refuse_probes_on_nothing(const Scene &scene, const Lattice &lattice)
+  {
+    for (const ProbeDefinition &probe : scene.output.probes)
+      select_joints(lattice, probe.joints, scene.context, probe.path);
+  }
 } // namespace auxfem

@@ -1,4 +1,3 @@
-#include <auxfem/mesh/sets.h>
 #include <auxfem/output/console.h>
 #include <auxfem/output/first_rank.h>
 #include <auxfem/output/history.h>
@@ -72,8 +71,7 @@ namespace auxfem
   void RunOutput::Implementation::begin(const System &system)
   {
     // A mistyped probe must not cost the results of an earlier run.
-    for (const ProbeDefinition &probe : scene.output.probes)
-      select_joints(system.lattice(), probe.joints, scene.context, probe.path);
+    refuse_probes_on_nothing(scene, system.lattice());
 
     on_first_rank(communicator, [&]() {
       log = open_run_folder(scene, folder);

@@ -106,6 +106,9 @@ namespace auxfem
     /** On rank 0. */
     std::optional<CsvTable> table;
   };
+
+  /** Throws InputError if a probe of @p scene names no joint of @p lattice. */
+  void refuse_probes_on_nothing(const Scene &scene, const Lattice &lattice);
 } // namespace auxfem
 
 #endif
