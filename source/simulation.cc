@@ -3,6 +3,7 @@
 #include <auxfem/parameters/errors.h>
 #include <auxfem/simulation.h>
 #include <auxfem/system/mechanism.h>
+#include <auxfem/system/overconstrained.h>
 #include <auxfem/time/stopwatch.h>
 #include <auxfem/time/time_stepper.h>
 
@@ -33,11 +34,16 @@ namespace auxfem
       output.finish(system, state, totals, exit_state);
     }
 
-    void refuse_mechanism_if_static(const Scene &scene,
-                                    System      &system,
-                                    const State &state,
-                                    TimeStepper &stepper)
+    /** Throws InputError if the scene has no unique solution from the start. */
+    void refuse_undetermined(const Scene &scene,
+                             System      &system,
+                             const State &state,
+                             TimeStepper &stepper)
     {
+      refuse_overconstrained(system,
+                             state,
+                             stepper.newton().tangent(),
+                             stepper.newton().solver());
       if (system.is_dynamic() && !scene.time.static_start)
         return;
       refuse_mechanism(system,
@@ -60,7 +66,7 @@ namespace auxfem
     System        system(scene, lattice, communicator);
     TimeStepper   stepper(system, scene);
     State         state = system.initial_state();
-    refuse_mechanism_if_static(scene, system, state, stepper);
+    refuse_undetermined(scene, system, state, stepper);
     setup.reset();
     output.begin(system);
 
@@ -88,7 +94,7 @@ namespace auxfem
     const Lattice lattice = build_lattice(scene);
     System        system(scene, lattice, communicator);
     TimeStepper   stepper(system, scene);
-    refuse_mechanism_if_static(scene, system, system.initial_state(), stepper);
+    refuse_undetermined(scene, system, system.initial_state(), stepper);
     refuse_probes_on_nothing(scene, lattice);
     print_overview(scene, system);
   }

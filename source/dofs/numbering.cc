@@ -24,6 +24,15 @@ namespace auxfem
         }
       return order;
     }
+
+    /** Active cells of @p container on @p mesh, which may have none. */
+    template <class Container>
+    auto active_cells(const Container &container, const StrutMesh &mesh)
+    {
+      using Range = decltype(container.active_cell_iterators());
+      return mesh.n_cells() > 0 ? container.active_cell_iterators()
+                                : Range(container.end(), container.end());
+    }
   } // namespace
 
   DofNumbering::DofNumbering(const Lattice     &lattice,
@@ -44,11 +53,11 @@ namespace auxfem
     const dealii::FESystem<1, 3> fe(dealii::FE_Q<1, 3>(polynomial_order),
                                     n_components);
     dealii::DoFHandler<1, 3>     dof_handler(mesh.triangulation());
-    dof_handler.distribute_dofs(fe);
+    if (mesh.n_cells() > 0)
+      dof_handler.distribute_dofs(fe);
 
     const std::vector<unsigned int> our_place = node_major_order(fe);
     const unsigned int              n         = our_place.size();
-    const unsigned int n_cells = mesh.triangulation().n_active_cells();
 
     // Every node gets the number its joint has, if it lies at one, else one of
     // its own. Numbers are first counted apart for each rank (the rank whose
@@ -60,8 +69,8 @@ namespace auxfem
     std::vector<Unknown>                of_dof(dof_handler.n_dofs());
     std::vector<std::array<Unknown, 3>> of_joint(lattice.joints.size());
     std::vector<std::array<Unknown, 2>> of_end(lattice.struts.size());
-    std::vector<const Unknown *>        of_cell(std::size_t(n_cells) * n);
-    std::vector<int>                    count(comm.NumProc(), 0);
+    std::vector<const Unknown *> of_cell(std::size_t(mesh.n_cells()) * n);
+    std::vector<int>             count(comm.NumProc(), 0);
     const auto claim = [&count](Unknown &unknown, const int rank) {
       if (unknown.owner < 0)
         unknown = {rank, count[rank]++};
@@ -69,7 +78,7 @@ namespace auxfem
     };
 
     std::vector<dealii::types::global_dof_index> dofs(n);
-    for (const auto &cell : dof_handler.active_cell_iterators())
+    for (const auto &cell : active_cells(dof_handler, mesh))
       {
         const unsigned int      c     = cell->active_cell_index();
         const StrutMesh::Place &place = mesh.place(c);
@@ -93,10 +102,33 @@ namespace auxfem
             of_cell[std::size_t(c) * n + i] = claim(*unknown, rank);
           }
       }
-    // A joint without struts (a mass on connectors) has displacements only.
-    for (auto &joint : of_joint)
+    const auto claim_displacements = [&](const unsigned int joint,
+                                         const int          rank) {
       for (unsigned int component = 0; component < 2; ++component)
-        claim(joint[component], 0);
+        claim(of_joint[joint][component], rank);
+    };
+    for (unsigned int s = 0; s < lattice.struts.size(); ++s)
+      if (lattice.struts[s].is_rigid())
+        for (const unsigned int joint : lattice.struts[s].joints)
+          claim_displacements(joint, mesh.rank(s));
+    // A joint without struts (a mass on connectors) has displacements only.
+    for (unsigned int joint = 0; joint < of_joint.size(); ++joint)
+      claim_displacements(joint, 0);
+
+    std::vector<std::vector<Unknown>> of_part(lattice.rigid_parts.size());
+    of_rigid_part.resize(lattice.rigid_parts.size());
+    for (unsigned int p = 0; p < of_part.size(); ++p)
+      {
+        const RigidPart &part = lattice.rigid_parts[p];
+        if (part.clamps_struts)
+          for (const unsigned int joint : part.joints)
+            if (of_joint[joint][2].owner >= 0)
+              of_rigid_part[p].clamped_joints.push_back(joint);
+        of_part[p].resize(2 * part.joints.size() - 3 +
+                          of_rigid_part[p].clamped_joints.size());
+        for (Unknown &multiplier : of_part[p])
+          claim(multiplier, of_joint[part.joints[0]][0].owner);
+      }
 
     first_owned.assign(1, 0);
     for (const int n_owned_by_rank : count)
@@ -118,11 +150,15 @@ namespace auxfem
       {
         std::array<int, 2> numbers;
         for (unsigned int end = 0; end < 2; ++end)
-          numbers[end] = ties.released[s][end]
+          numbers[end] = lattice.struts[s].is_rigid() ? -1
+            : ties.released[s][end]
             ? global(of_end[s][end])
             : joint_numbers[lattice.struts[s].joints[end]][2];
         end_rotation_numbers.push_back(numbers);
       }
+    for (unsigned int p = 0; p < of_part.size(); ++p)
+      for (const Unknown &multiplier : of_part[p])
+        of_rigid_part[p].multipliers.push_back(global(multiplier));
   }
 
   void DofNumbering::collect_local(const StrutMesh &mesh, const Ties &ties)
@@ -146,7 +182,7 @@ namespace auxfem
         }
     };
     std::vector<std::size_t> kept_cells;
-    for (const auto &cell : mesh.triangulation().active_cell_iterators())
+    for (const auto &cell : active_cells(mesh.triangulation(), mesh))
       {
         const std::size_t c       = cell->active_cell_index();
         const int        *numbers = &cell_numbers[c * n];
@@ -175,6 +211,15 @@ namespace auxfem
       if (std::any_of(numbers.begin(), numbers.end(), is_mine))
         std::for_each(numbers.begin(), numbers.end(), keep);
 
+    for (unsigned int p = 0; p < of_rigid_part.size(); ++p)
+      {
+        const std::vector<int> numbers = rigid_part_numbers(p);
+        if (std::none_of(numbers.begin(), numbers.end(), is_mine))
+          continue;
+        std::for_each(numbers.begin(), numbers.end(), keep);
+        kept_rigid_parts.push_back(p);
+      }
+
     local = std::make_unique<Epetra_Map>(-1, rows.size(), rows.data(), 0, comm);
     import = std::make_unique<Epetra_Import>(*local, *owned);
     kinds.assign(rows.size(), UnknownKind::translation);
@@ -199,6 +244,38 @@ namespace auxfem
           mark_rotation(l);
     cell_numbers.clear();
     cell_numbers.shrink_to_fit();
+    index_rigid_parts();
+  }
+
+  std::vector<int>
+  DofNumbering::rigid_part_numbers(const unsigned int rigid_part) const
+  {
+    const RigidPartUnknowns &unknowns = of_rigid_part[rigid_part];
+    std::vector<int>         numbers  = unknowns.multipliers;
+    for (const unsigned int joint : lattice.rigid_parts[rigid_part].joints)
+      for (unsigned int component = 0; component < 2; ++component)
+        numbers.push_back(joint_numbers[joint][component]);
+    for (const unsigned int joint : unknowns.clamped_joints)
+      numbers.push_back(joint_numbers[joint][2]);
+    return numbers;
+  }
+
+  void DofNumbering::index_rigid_parts()
+  {
+    for (const unsigned int p : kept_rigid_parts)
+      {
+        for (const int global : of_rigid_part[p].multipliers)
+          {
+            kept_multipliers.push_back(local->LID(global));
+            kinds[kept_multipliers.back()] = UnknownKind::multiplier;
+          }
+        for (const unsigned int joint : of_rigid_part[p].clamped_joints)
+          {
+            const int rotation  = joint_unknown(joint, 2);
+            kinds[rotation]     = UnknownKind::rotation;
+            rotations[rotation] = true;
+          }
+      }
   }
 
   std::vector<std::vector<int>>
@@ -313,6 +390,41 @@ namespace auxfem
     return global < 0 ? -1 : local->LID(global);
   }
 
+  int DofNumbering::multiplier(const unsigned int rigid_part,
+                               const unsigned int number) const
+  {
+    return local->LID(of_rigid_part[rigid_part].multipliers[number]);
+  }
+
+  unsigned int DofNumbering::n_multipliers(const unsigned int rigid_part) const
+  {
+    return of_rigid_part[rigid_part].multipliers.size();
+  }
+
+  const std::vector<unsigned int> &
+  DofNumbering::clamped_joints(const unsigned int rigid_part) const
+  {
+    return of_rigid_part[rigid_part].clamped_joints;
+  }
+
+  const std::vector<unsigned int> &DofNumbering::rigid_parts() const
+  {
+    return kept_rigid_parts;
+  }
+
+  const std::vector<int> &DofNumbering::multipliers() const
+  {
+    return kept_multipliers;
+  }
+
+  unsigned int DofNumbering::n_multipliers() const
+  {
+    unsigned int sum = 0;
+    for (const RigidPartUnknowns &part : of_rigid_part)
+      sum += part.multipliers.size();
+    return sum;
+  }
+
   UnknownKind DofNumbering::kind(const unsigned int local_number) const
   {
     return kinds[local_number];
@@ -327,7 +439,9 @@ namespace auxfem
   {
     OwnedRows rows;
     for (unsigned int i = 0; i < n_owned(); ++i)
-      if (kinds[i] == UnknownKind::prescribed)
+      if (kinds[i] == UnknownKind::multiplier)
+        rows.multipliers.push_back(i);
+      else if (kinds[i] == UnknownKind::prescribed)
         (rotations[i] ? rows.prescribed_rotations
                       : rows.prescribed_translations)
           .push_back(i);
@@ -357,7 +471,8 @@ namespace auxfem
   {
     int mine = 0, all = 0;
     for (unsigned int i = 0; i < n_owned(); ++i)
-      mine += (kinds[i] != UnknownKind::prescribed);
+      mine += (kinds[i] == UnknownKind::translation ||
+               kinds[i] == UnknownKind::rotation);
     comm.SumAll(&mine, &all, 1);
     return all;
   }
@@ -376,6 +491,15 @@ namespace auxfem
             words << component[c] << " of joint " << j << " at ("
                   << lattice.joints[j][0] << ", " << lattice.joints[j][1]
                   << ")";
+            return words.str();
+          }
+    for (unsigned int p = 0; p < of_rigid_part.size(); ++p)
+      for (const int multiplier : of_rigid_part[p].multipliers)
+        if (multiplier == global)
+          {
+            words << "condition of the rigid part of joints";
+            for (const unsigned int joint : lattice.rigid_parts[p].joints)
+              words << ' ' << joint;
             return words.str();
           }
     const unsigned int n = (polynomial_order + 1) * n_components;

@@ -1,3 +1,4 @@
+#include <auxfem/mesh/rigid_parts.h>
 #include <auxfem/mesh/sets.h>
 #include <auxfem/parameters/errors.h>
 
@@ -97,7 +98,7 @@ namespace auxfem
     void check_sections(const Lattice &lattice)
     {
       const auto has_none = [](const Strut &strut) {
-        return strut.section == invalid_index;
+        return strut.section == invalid_index && !strut.is_rigid();
       };
       const auto n_bare =
         std::count_if(lattice.struts.begin(), lattice.struts.end(), has_none);
@@ -110,8 +111,8 @@ namespace auxfem
         "Sections: " + describe(first, lattice) +
         (n_bare > 1 ? " and " + std::to_string(n_bare - 1) + " more have"
                     : " has") +
-        " no section. Add a section whose struts include them; \"all\" means "
-        "every strut.");
+        " no section. Add a section whose struts include them (\"all\" means "
+        "every strut), or make them Rigid parts.");
     }
   } // namespace
 
@@ -121,6 +122,7 @@ namespace auxfem
     for (const auto &definition : scene.sets)
       add_set(definition, scene.context, lattice);
     assign_sections(scene, lattice);
+    make_rigid_parts(scene, lattice);
     check_sections(lattice);
     return lattice;
   }

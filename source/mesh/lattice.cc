@@ -1,7 +1,9 @@
 #include <auxfem/mesh/lattice.h>
 
 #include <deal.II/base/exceptions.h>
+#include <deal.II/base/quadrature_lib.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace auxfem
@@ -33,11 +35,41 @@ namespace auxfem
     }
   } // namespace
 
+  unsigned int Lattice::n_elastic_struts() const
+  {
+    return std::count_if(struts.begin(), struts.end(), [](const Strut &strut) {
+      return !strut.is_rigid();
+    });
+  }
+
   double Lattice::length(const Strut &strut) const
   {
     const double chord =
       joints[strut.joints[0]].distance(joints[strut.joints[1]]);
     return arc_length(chord, strut.sagitta);
+  }
+
+  dealii::Point<3> Lattice::centroid(const Strut &strut) const
+  {
+    dealii::Point<3> result;
+    for (const auto &[place, weight] : even_points(strut))
+      result += weight * place;
+    return result;
+  }
+
+  std::vector<std::pair<dealii::Point<3>, double>>
+  Lattice::even_points(const Strut &strut) const
+  {
+    // Exact for a straight axis, to 1e-14 for a half circle.
+    static const dealii::QGauss<1>                   rule(12);
+    std::vector<std::pair<dealii::Point<3>, double>> points(rule.size());
+    for (unsigned int q = 0; q < rule.size(); ++q)
+      {
+        dealii::Tensor<1, 3> tangent;
+        axis(strut, rule.point(q)[0], points[q].first, tangent);
+        points[q].second = rule.weight(q);
+      }
+    return points;
   }
 
   void Lattice::axis(const Strut          &strut,

@@ -70,11 +70,11 @@ namespace auxfem
            Mesh::none,
            /*allow_artificial_cells=*/false,
            Mesh::partition_custom_signal)
+    , ranks(
+        partition_struts(lattice,
+                         dealii::Utilities::MPI::n_mpi_processes(communicator)))
   {
-    const std::vector<unsigned int> ranks =
-      partition_struts(lattice,
-                       dealii::Utilities::MPI::n_mpi_processes(communicator));
-    const auto assign_ranks = [this, ranks]() {
+    const auto assign_ranks = [this]() {
       for (const auto &cell : mesh.active_cell_iterators())
         cell->set_subdomain_id(ranks[cell->material_id()]);
     };
@@ -85,16 +85,21 @@ namespace auxfem
     std::vector<dealii::CellData<1>> cells;
     vertices.reserve(2 * lattice.struts.size());
     cells.reserve(lattice.struts.size());
-    for (const Strut &strut : lattice.struts)
+    for (unsigned int number = 0; number < lattice.struts.size(); ++number)
       {
+        const Strut &strut = lattice.struts[number];
+        if (strut.is_rigid())
+          continue;
         dealii::CellData<1> cell;
         cell.vertices    = {static_cast<unsigned int>(vertices.size()),
                             static_cast<unsigned int>(vertices.size() + 1)};
-        cell.material_id = cells.size();
+        cell.material_id = number;
         cells.push_back(cell);
         for (const unsigned int joint : strut.joints)
           vertices.push_back(lattice.joints[joint]);
       }
+    if (cells.empty())
+      return;
     mesh.create_triangulation(vertices, cells, dealii::SubCellData());
     mesh.refine_global(refinements);
 
@@ -106,6 +111,16 @@ namespace auxfem
   const Mesh &StrutMesh::triangulation() const
   {
     return mesh;
+  }
+
+  unsigned int StrutMesh::n_cells() const
+  {
+    return places.size();
+  }
+
+  unsigned int StrutMesh::rank(const unsigned int strut) const
+  {
+    return ranks[strut];
   }
 
   const StrutMesh::Place &

@@ -60,7 +60,7 @@ namespace auxfem
   {
     const DofNumbering             &numbering = system.numbering();
     const std::vector<unsigned int> joints =
-      select_joints(system.lattice(), probe.joints, context, probe.path);
+      select_joints(system.lattice(), probe.selection, context, probe.path);
 
     const auto add = [&](const std::string &suffix,
                          const std::string &unit,
@@ -234,6 +234,6 @@ namespace auxfem
   void refuse_probes_on_nothing(const Scene &scene, const Lattice &lattice)
   {
     for (const ProbeDefinition &probe : scene.output.probes)
-      select_joints(lattice, probe.joints, scene.context, probe.path);
+      select_joints(lattice, probe.selection, scene.context, probe.path);
   }
 } // namespace auxfem

@@ -280,6 +280,7 @@ namespace auxfem
     return {lattice_kind(),
             sets_kind(),
             sections_kind(),
+            rigid_parts_kind(),
             joints_kind(),
             connectors_kind()};
   }

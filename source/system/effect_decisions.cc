@@ -80,6 +80,10 @@ namespace auxfem
         effects.rotary_inertia = false;
         list.back()            = {"rotary inertia", false, "no inertia"};
       }
+    list.push_back({"rigid parts",
+                    !scene.rigid_parts.empty(),
+                    scene.rigid_parts.empty() ? "no struts or joints are rigid"
+                                              : "rigid struts or joints"});
     effects.connector_viscosity = decide("connector viscosity",
                                          set.connector_viscosity,
                                          {is_viscous,

@@ -6,11 +6,13 @@ namespace auxfem
 {
   namespace
   {
+    /** Ends of elastic struts; rigid ones are hinged everywhere. */
     std::vector<std::vector<StrutEnd>> ends_by_joint(const Lattice &lattice)
     {
       std::vector<std::vector<StrutEnd>> ends_at(lattice.joints.size());
       for (unsigned int s = 0; s < lattice.struts.size(); ++s)
-        for (unsigned int end = 0; end < 2; ++end)
+        for (unsigned int end = 0; end < 2 && !lattice.struts[s].is_rigid();
+             ++end)
           ends_at[lattice.struts[s].joints[end]].push_back({s, end});
       return ends_at;
     }
@@ -60,7 +62,7 @@ namespace auxfem
               if (chosen[end.strut])
                 at.ends.push_back(end);
             if (at.ends.empty())
-              throw InputError(definition.path + ": no strut of '" +
+              throw InputError(definition.path + ": no elastic strut of '" +
                                definition.struts + "' ends at joint " +
                                std::to_string(joint) +
                                ". Name struts that end at all these joints.");

@@ -4,6 +4,7 @@
 #include <auxfem/system/effects/applied_loads.h>
 #include <auxfem/system/effects/beam_dispatch.h>
 #include <auxfem/system/make_loads.h>
+#include <auxfem/system/rigid_bodies.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -97,10 +98,49 @@ namespace auxfem
         }
     }
 
-    void add_line_loads(const Scene        &scene,
-                        const Lattice      &lattice,
-                        const DofNumbering &numbering,
-                        AppliedLoads       &loads)
+    /** Adds a force on a point of a rigid body along component @p c. */
+    void add_on_body(const unsigned int  load,
+                     const unsigned int  c,
+                     const RigidBody    &body,
+                     const NaturalPlace &place,
+                     const double        force,
+                     AppliedLoads       &loads)
+    {
+      const std::array<double, 4> shares = shape(place, c);
+      for (unsigned int i = 0; i < 4; ++i)
+        loads.add_weight(load, body.base[i], force * shares[i]);
+    }
+
+    /** Adds a unit force per length along component @p c of the chosen rigid struts. */
+    void add_along_rigid_struts(const unsigned int            load,
+                                const unsigned int            c,
+                                const std::vector<bool>      &chosen,
+                                const Lattice                &lattice,
+                                const std::vector<RigidBody> &bodies,
+                                AppliedLoads                 &loads)
+    {
+      for (const RigidBody &body : bodies)
+        {
+          const RigidPart &part = lattice.rigid_parts[body.part];
+          for (const unsigned int number : part.struts)
+            if (chosen[number])
+              add_on_body(load,
+                          c,
+                          body,
+                          natural_place(lattice.joints[part.joints[0]],
+                                        lattice.joints[part.joints[1]],
+                                        lattice.centroid(
+                                          lattice.struts[number])),
+                          lattice.length(lattice.struts[number]),
+                          loads);
+        }
+    }
+
+    void add_line_loads(const Scene                  &scene,
+                        const Lattice                &lattice,
+                        const DofNumbering           &numbering,
+                        const std::vector<RigidBody> &bodies,
+                        AppliedLoads                 &loads)
     {
       for (const LineLoadDefinition &definition : scene.line_loads)
         {
@@ -112,23 +152,30 @@ namespace auxfem
                              definition.path + "/Struts"))
             chosen[strut] = true;
           for (unsigned int c = 0; c < 2; ++c)
-            if (!definition.components[c].is_zero())
+            {
+              if (definition.components[c].is_zero())
+                continue;
+              const unsigned int load =
+                loads.add_load(definition.components[c]);
               add_along_struts(
-                loads.add_load(definition.components[c]),
+                load,
                 c,
                 chosen,
                 lattice,
                 numbering,
                 [](const Strut &) { return 1.; },
                 loads);
+              add_along_rigid_struts(load, c, chosen, lattice, bodies, loads);
+            }
         }
     }
 
-    void add_gravity(const Scene                &scene,
-                     const Lattice              &lattice,
-                     const DofNumbering         &numbering,
-                     const std::vector<Section> &sections,
-                     AppliedLoads               &loads)
+    void add_gravity(const Scene                  &scene,
+                     const Lattice                &lattice,
+                     const DofNumbering           &numbering,
+                     const std::vector<Section>   &sections,
+                     const std::vector<RigidBody> &bodies,
+                     AppliedLoads                 &loads)
     {
       const std::vector<bool> all(lattice.struts.size(), true);
       for (unsigned int c = 0; c < 2; ++c)
@@ -147,6 +194,13 @@ namespace auxfem
               return sections[strut.section].mass_per_length();
             },
             loads);
+          for (const RigidBody &body : bodies)
+            add_on_body(load,
+                        c,
+                        body,
+                        body.centre,
+                        lattice.rigid_parts[body.part].mass,
+                        loads);
           for (const MassDefinition &mass : scene.masses)
             for (const unsigned int joint :
                  select_joints(lattice,
@@ -201,10 +255,11 @@ namespace auxfem
     auto loads = std::make_unique<AppliedLoads>(numbering,
                                                 scene.time.scheme == "static" &&
                                                   !scene.time.static_start);
+    const std::vector<RigidBody> bodies = rigid_bodies(lattice, numbering);
     add_joint_loads(scene, lattice, numbering, *loads);
-    add_line_loads(scene, lattice, numbering, *loads);
+    add_line_loads(scene, lattice, numbering, bodies, *loads);
     if (gravity)
-      add_gravity(scene, lattice, numbering, sections, *loads);
+      add_gravity(scene, lattice, numbering, sections, bodies, *loads);
     return loads;
   }
 

@@ -1,6 +1,7 @@
 #include <auxfem/mesh/sets.h>
 #include <auxfem/parameters/errors.h>
 #include <auxfem/system/effects/point_masses.h>
+#include <auxfem/system/effects/rigid_part_inertia.h>
 #include <auxfem/system/joint_releases.h>
 #include <auxfem/system/make_loads.h>
 #include <auxfem/system/system.h>
@@ -141,7 +142,8 @@ namespace auxfem
     model.damping = simulated.strut_damping &&
       any_section(&Section::stiffness_proportional_damping);
     state_layout.velocity = state_layout.velocity || model.damping;
-    if (!graph.struts.empty())
+    const bool is_elastic = graph.n_elastic_struts() > 0;
+    if (is_elastic)
       {
         auto struts  = StrutForces::make(graph, *dofs, section_list, model);
         strut_forces = struts.get();
@@ -169,11 +171,27 @@ namespace auxfem
         connector_groups.push_back(group.get());
         effects.push_back(std::move(group));
       }
+    const std::vector<RigidBody> bodies = rigid_bodies(graph, *dofs);
+    if (!graph.rigid_parts.empty())
+      {
+        auto parts =
+          std::make_unique<RigidPartConditions>(bodies,
+                                                graph,
+                                                *dofs,
+                                                simulated.large_rotation,
+                                                simulated.gravity
+                                                  ? scene.gravity
+                                                  : dealii::Tensor<1, 3>());
+        conditions = parts.get();
+        effects.push_back(std::move(parts));
+      }
     n_internal = effects.size();
 
     if (simulated.inertia)
       {
-        if (!graph.struts.empty())
+        if (!bodies.empty())
+          effects.push_back(std::make_unique<RigidPartInertia>(bodies));
+        if (is_elastic)
           effects.push_back(make_strut_inertia(
             graph,
             *dofs,

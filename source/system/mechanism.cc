@@ -19,6 +19,14 @@ namespace auxfem
     /** The softest mode is found far sooner when it is that of a mechanism. */
     constexpr unsigned int n_inverse_iterations = 6;
 
+    void leave_out_multipliers(const DofNumbering &numbering,
+                               Epetra_Vector      &mode)
+    {
+      for (unsigned int i = 0; i < numbering.n_owned(); ++i)
+        if (numbering.kind(i) == UnknownKind::multiplier)
+          mode[i] = 0;
+    }
+
     [[noreturn]] void refuse(const System &system, const Epetra_Vector &mode)
     {
       const DofNumbering &numbering = system.numbering();
@@ -62,6 +70,13 @@ namespace auxfem
     Epetra_Vector weight(stiffness_diagonal), shifted(stiffness_diagonal);
     for (unsigned int i = 0; i < numbering.n_owned(); ++i)
       {
+        // Multipliers carry no energy; G^T and G hold the mode to what rigid
+        // parts allow.
+        if (numbering.kind(i) == UnknownKind::multiplier)
+          {
+            weight[i] = 0;
+            continue;
+          }
         // A row without any stiffness counts as the stiffest: its motion is
         // then the softest of all.
         if (weight[i] <= 0)
@@ -81,7 +96,8 @@ namespace auxfem
           solver.right_side()[k] = numbering.kind(k) == UnknownKind::prescribed
             ? 0.
             : weight[k] * mode[k];
-        mode        = solver.solve();
+        mode = solver.solve();
+        leave_out_multipliers(numbering, mode);
         double size = 0;
         mode.NormInf(&size);
         is_solved = std::isfinite(size) && size > 0;

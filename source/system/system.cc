@@ -51,6 +51,11 @@ namespace auxfem
     return strut_forces;
   }
 
+  const RigidPartConditions *System::rigid_parts() const
+  {
+    return conditions;
+  }
+
   const std::vector<const ConnectorForces *> &System::connectors() const
   {
     return connector_groups;
@@ -148,8 +153,8 @@ namespace auxfem
     double *residual = step.to.residual.Values();
     std::fill(residual, residual + dofs->n_local(), 0.);
     // Sums of squares of forces and moments: of internal forces, of internal
-    // and inertia forces, and of the residual in free rows.
-    double     mine[6] = {0, 0, 0, 0, 0, 0}, sums[6];
+    // and inertia forces, and of the residual in free rows; then of conditions.
+    double     mine[7] = {0, 0, 0, 0, 0, 0, 0}, sums[7];
     const auto add     = [&](const unsigned int begin, const unsigned int end) {
       for (unsigned int i = begin; i < end; ++i)
         effects[i]->add_residual(step, residual);
@@ -170,15 +175,16 @@ namespace auxfem
     add(n_balanced, effects.size());
     mine[4] = sum_of_squares(residual, rows.free_translations);
     mine[5] = sum_of_squares(residual, rows.free_rotations);
+    mine[6] = sum_of_squares(residual, rows.multipliers);
     if (dofs->n_ranks() > 1)
-      dofs->communicator().SumAll(mine, sums, 6);
+      dofs->communicator().SumAll(mine, sums, 7);
     else
-      std::copy(mine, mine + 6, sums);
+      std::copy(mine, mine + 7, sums);
 
     const double forces  = std::max(sums[0], sums[2]),
                  moments = std::max(sums[1], sums[3]);
     scale = std::sqrt(std::max(forces, moments / (mean_length * mean_length)));
-    return {std::sqrt(sums[4]), std::sqrt(sums[5])};
+    return {std::sqrt(sums[4]), std::sqrt(sums[5]), std::sqrt(sums[6])};
   }
 
   double System::force_scale() const
@@ -218,6 +224,17 @@ namespace auxfem
       std::sqrt(double(dofs->n_unknowns()));
   }
 
+  double System::condition_tolerance(const State &state) const
+  {
+    if (!conditions)
+      return 0;
+    // A condition sums a few products of displacements and lengths.
+    const double safety = 16;
+    return safety * std::numeric_limits<double>::epsilon() *
+      (mean_length + largest_motion(state.displacement).first) *
+      std::sqrt(double(dofs->n_multipliers()));
+  }
+
   void System::tangent(const Step           &step,
                        const TangentFactors &factors,
                        TangentMatrix        &matrix) const
@@ -232,6 +249,7 @@ namespace auxfem
     step.to.external_work       = step.from.external_work;
     step.to.strut_dissipation   = step.from.strut_dissipation;
     step.to.strut_damping_power = 0;
+    hold_multipliers(step.to);
     for (const auto &effect : effects)
       effect->accept(step);
     // The trapezoidal rule, second order like the integrators.
@@ -248,6 +266,19 @@ namespace auxfem
               (step.to.displacement[i] - step.from.displacement[i]);
           }
     step.to.energies = energies(step.to);
+  }
+
+  void System::hold_multipliers(State &state) const
+  {
+    for (const int multiplier : dofs->multipliers())
+      {
+        if (state.velocity)
+          (*state.velocity)[multiplier] = 0;
+        if (state.acceleration)
+          (*state.acceleration)[multiplier] = 0;
+        if (state.algorithmic_acceleration)
+          (*state.algorithmic_acceleration)[multiplier] = 0;
+      }
   }
 
   Energies System::energies(const State &state) const

@@ -6,6 +6,7 @@
 #include <Epetra_Vector.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace auxfem
 {
@@ -118,11 +119,17 @@ namespace auxfem
     return *crs;
   }
 
-  std::vector<double> TangentMatrix::diagonal() const
+  std::vector<double> TangentMatrix::row_sizes() const
   {
-    Epetra_Vector values(numbering.owned_map());
-    crs->ExtractDiagonalCopy(values);
-    return std::vector<double>(values.Values(),
-                               values.Values() + values.MyLength());
+    std::vector<double> sizes(crs->NumMyRows(), 0.);
+    for (int row = 0; row < crs->NumMyRows(); ++row)
+      {
+        int     n      = 0;
+        double *values = nullptr;
+        crs->ExtractMyRowView(row, n, values);
+        for (int i = 0; i < n; ++i)
+          sizes[row] = std::max(sizes[row], std::abs(values[i]));
+      }
+    return sizes;
   }
 } // namespace auxfem

@@ -53,7 +53,7 @@ namespace auxfem
         const double wanted = parameters.tolerance * force;
         const bool   stagnates =
           reduction < parameters.kept_reduction || result.iterations == 0;
-        if (is_in_place &&
+        if (is_in_place && meets_conditions(norm, step.to) &&
             (size <= wanted ||
              (stagnates && size <= wanted + system.round_off_floor(step.to))))
           {
@@ -94,7 +94,8 @@ namespace auxfem
         ++result.iterations;
 
         const double before = size;
-        size                = in_force_units(timed_residual(step));
+        norm                = timed_residual(step);
+        size                = in_force_units(norm);
         reduction           = before / size;
       }
   }
@@ -119,6 +120,11 @@ namespace auxfem
         "determined. Give every moving part a density or a mass.");
     solve_increment(state);
     state.acceleration->Update(1., increment, 1.);
+    for (const int multiplier : system.numbering().multipliers())
+      {
+        state.displacement[multiplier] += increment[multiplier];
+        (*state.acceleration)[multiplier] = 0;
+      }
     if (state.algorithmic_acceleration)
       *state.algorithmic_acceleration = *state.acceleration;
     timed_residual(step);
@@ -126,9 +132,9 @@ namespace auxfem
 
   bool Newton::has_empty_row() const
   {
-    const std::vector<double> diagonal = matrix->diagonal();
-    int mine = std::count(diagonal.begin(), diagonal.end(), 0.);
-    int all  = 0;
+    const std::vector<double> sizes = matrix->row_sizes();
+    int                       mine = std::count(sizes.begin(), sizes.end(), 0.);
+    int                       all  = 0;
     system.numbering().communicator().SumAll(&mine, &all, 1);
     return all > 0;
   }
@@ -138,8 +144,8 @@ namespace auxfem
     if (!has_empty_row())
       return;
     std::vector<double> emptiness;
-    for (const double entry : matrix->diagonal())
-      emptiness.push_back(entry == 0 ? 1. : 0.);
+    for (const double size : matrix->row_sizes())
+      emptiness.push_back(size == 0 ? 1. : 0.);
     throw InputError(
       "Nothing resists the " + system.numbering().describe_largest(emptiness) +
       ": no mass, no strut and no connector. Give the joint a mass, "
@@ -198,6 +204,13 @@ namespace auxfem
                 increment.Values());
     else
       increment.Import(solution, numbering.importer(), Insert);
+  }
+
+  bool Newton::meets_conditions(const ResidualNorm &norm,
+                                const State        &state) const
+  {
+    return norm.condition == 0 ||
+      norm.condition <= system.condition_tolerance(state);
   }
 
   double Newton::in_force_units(const ResidualNorm &norm) const

@@ -33,26 +33,30 @@ namespace auxfem
   {
     translation,
     rotation,
-    prescribed
+    prescribed,
+    multiplier
   };
 
   /** Owned rows apart by what is measured and by whether they are free. */
   struct OwnedRows
   {
     std::vector<int> free_translations, free_rotations, prescribed_translations,
-      prescribed_rotations;
+      prescribed_rotations, multipliers;
   };
 
   /**
    * Numbering of the unknowns of a planar lattice: u_x, u_y and the rotation at
    * every node. The ends of all struts at a joint share its two displacements,
    * those not released also its rotation, so a joint is one set of unknowns and
-   * no constraint equation is needed.
+   * no constraint equation is needed. Joints at which only rigid struts end
+   * have no rotation. The conditions of rigid parts add a Lagrange multiplier
+   * each.
    *
    * Each rank owns a contiguous range of global numbers and stores ("local")
    * its owned unknowns first, then the ghosts that its elements and connectors
-   * touch. Elements are kept on every rank that owns one of their unknowns, so
-   * owned rows of residual and tangent are complete without communication.
+   * touch. Elements and rigid parts are kept on every rank that owns one of
+   * their unknowns, so owned rows of residual and tangent are complete without
+   * communication.
    */
   class DofNumbering
   {
@@ -128,6 +132,29 @@ namespace auxfem
      */
     int end_rotation(unsigned int strut, unsigned int end) const;
 
+    /**
+     * Local number of a multiplier of a rigid part: 0 for the distance of the
+     * base joints; 2 k - 3 and 2 k - 2 for joint k = 2, 3, ... of the part;
+     * then one for each of its clamped joints. -1 if not on this rank.
+     */
+    int multiplier(unsigned int rigid_part, unsigned int number) const;
+
+    /** Number of multipliers of a rigid part; the same on every rank. */
+    unsigned int n_multipliers(unsigned int rigid_part) const;
+
+    /** Joints whose rotation is tied to that of a rigid part. */
+    const std::vector<unsigned int> &
+    clamped_joints(unsigned int rigid_part) const;
+
+    /** Rigid parts kept on this rank, with all their unknowns. */
+    const std::vector<unsigned int> &rigid_parts() const;
+
+    /** Local numbers of the multipliers kept on this rank. */
+    const std::vector<int> &multipliers() const;
+
+    /** Number of multipliers of all rigid parts. */
+    unsigned int n_multipliers() const;
+
     /** Kind of a local unknown; prescribed once prescribe() was called for it.
      */
     UnknownKind kind(unsigned int local) const;
@@ -139,7 +166,10 @@ namespace auxfem
      * prescribed. */
     OwnedRows owned_rows() const;
 
-    /** Number of unknowns that are not prescribed, over all ranks. */
+    /**
+     * Number of displacements and rotations that are not prescribed, over all
+     * ranks.
+     */
     unsigned int n_free() const;
 
     /**
@@ -157,6 +187,9 @@ namespace auxfem
   private:
     void number_unknowns(const StrutMesh &mesh, const Ties &ties);
     void collect_local(const StrutMesh &mesh, const Ties &ties);
+    /** Global numbers of all unknowns of a rigid part, its multipliers too. */
+    std::vector<int> rigid_part_numbers(unsigned int rigid_part) const;
+    void             index_rigid_parts();
     /** Global numbers of all rotations at each of the sprung joints. */
     std::vector<std::vector<int>> coupled_rotations(const Ties &ties) const;
 
@@ -168,6 +201,16 @@ namespace auxfem
     std::vector<std::array<int, 3>> joint_numbers;
     /** Global number of both end rotations of each strut. */
     std::vector<std::array<int, 2>> end_rotation_numbers;
+    /** A rigid part's clamped joints and global numbers of multipliers. */
+    struct RigidPartUnknowns
+    {
+      std::vector<unsigned int> clamped_joints;
+      std::vector<int>          multipliers;
+    };
+    std::vector<RigidPartUnknowns> of_rigid_part;
+    /** Rigid parts and multipliers kept on this rank. */
+    std::vector<unsigned int> kept_rigid_parts;
+    std::vector<int>          kept_multipliers;
     /**
      * Global numbers of all elements' unknowns, in the order of active cells;
      * emptied after set-up.

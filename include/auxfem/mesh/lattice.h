@@ -34,8 +34,53 @@ namespace auxfem
     /** Number of the unit cell (i + nx * (j + ny * k)) the strut belongs to. */
     unsigned int cell = 0;
 
-    /** Index into the scene's sections; filled from the strut sets. */
+    /**
+     * Index into the scene's sections; filled from the strut sets.
+     * invalid_index for a rigid strut.
+     */
     unsigned int section = 0;
+
+    /** Index into Lattice::rigid_parts; invalid_index for an elastic strut. */
+    unsigned int rigid_part = invalid_index;
+
+    /** Whether the strut belongs to a rigid part, so is no finite element. */
+    bool is_rigid() const
+    {
+      return rigid_part != invalid_index;
+    }
+  };
+
+  /**
+   * Joints that move as one rigid body, and the rigid struts it is made of, if
+   * any. In the plane.
+   */
+  struct RigidPart
+  {
+    /**
+     * At least two. The first two are the base, chosen far apart; the places
+     * of all others are given relative to them.
+     */
+    std::vector<unsigned int> joints;
+
+    /** Rigid struts of the part. */
+    std::vector<unsigned int> struts;
+
+    /** Whether elastic struts at its joints are clamped to it, not hinged. */
+    bool clamps_struts = false;
+
+    double mass = 0; ///< kg
+
+    /** At rest (m). */
+    dealii::Point<3> centre_of_mass;
+
+    /** Moment of inertia about the centre of mass (kg m2). */
+    double rotary_inertia = 0;
+
+    /** Index into the scene's rigid part definitions. */
+    unsigned int definition = 0;
+
+    /** Number of the unit cell of its first strut, for output. */
+    unsigned int cell = 0;
   };
 
   /** Two joints a connector may link; the second may be the ground. */
@@ -61,6 +106,9 @@ namespace auxfem
 
     std::vector<Strut> struts;
 
+    /** Filled from the scene's rigid part definitions. */
+    std::vector<RigidPart> rigid_parts;
+
     /** Sorted joint indices by set name; `all`, `bottom`, `top`, ... */
     std::map<std::string, std::vector<unsigned int>> joint_sets;
 
@@ -73,8 +121,21 @@ namespace auxfem
     /** Number of unit cells. */
     unsigned int n_cells = 1;
 
+    /** Number of struts that are no part of a rigid body. */
+    unsigned int n_elastic_struts() const;
+
     /** Length of a strut along its axis (m), the arc length for an arc. */
     double length(const Strut &strut) const;
+
+    /**
+     * Points on the undeformed axis of @p strut (m) with weights of sum 1 that
+     * stand for something spread evenly along it, up to its second moments.
+     */
+    std::vector<std::pair<dealii::Point<3>, double>>
+    even_points(const Strut &strut) const;
+
+    /** Centroid of the undeformed axis of @p strut (m). */
+    dealii::Point<3> centroid(const Strut &strut) const;
 
     /**
      * Position (m) and unit tangent of the undeformed axis of @p strut at

@@ -8,10 +8,10 @@
 namespace auxfem
 {
   /**
-   * The finite-element mesh of a lattice: every strut is a chain of line cells
-   * of its own, sharing no vertex with any other (deal.II lines may not branch;
-   * joints are made by the numbering of unknowns instead). Every rank holds the
-   * whole mesh; METIS divides the struts among the ranks.
+   * The finite-element mesh of a lattice: every elastic strut is a chain of
+   * line cells of its own, sharing no vertex with any other (deal.II lines may
+   * not branch; joints are made by the numbering of unknowns instead). Every
+   * rank holds the whole mesh; METIS divides the struts among the ranks.
    *
    * Vertices lie on the chord of a strut; the true axis of an arc comes from
    * Lattice::axis().
@@ -38,13 +38,21 @@ namespace auxfem
               unsigned int   refinements,
               MPI_Comm       communicator);
 
+    /** Empty, and not to be looped over, if all struts are rigid. */
     const dealii::parallel::shared::Triangulation<1, 3> &triangulation() const;
+
+    /** Number of active cells of all ranks. */
+    unsigned int n_cells() const;
 
     /** Place of the active cell with this active_cell_index(). */
     const Place &place(unsigned int active_cell_index) const;
 
+    /** Rank a strut was given to, rigid ones included. */
+    unsigned int rank(unsigned int strut) const;
+
   private:
     dealii::parallel::shared::Triangulation<1, 3> mesh;
+    const std::vector<unsigned int>               ranks; ///< by strut
     std::vector<Place>                            places;
   };
 

@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -54,6 +55,26 @@ namespace auxfem
     Type        type = Type::hinge;
     /** K' (N m/rad) between a released strut and what it turns against. */
     double      stiffness = 0;
+    std::string path;
+  };
+
+  /** `Rigid parts/NAME`: struts or joints that move as rigid bodies. */
+  struct RigidPartDefinition
+  {
+    std::string name;
+    /** Strut set; empty if the part is made of joints. */
+    std::string struts;
+    /** Joint set of one part; empty if parts are made of struts. */
+    std::string joints;
+    /** True: every strut is a part of its own; false: struts that meet are one.
+     */
+    bool   single_struts = false;
+    double mass          = 0; ///< of each part (kg)
+    /** About the centre of mass (kg m2); empty: from the even spread of mass.
+     */
+    std::optional<double> rotary_inertia;
+    /** Whether elastic struts at its joints are clamped to it, not hinged. */
+    bool        clamps_struts = false;
     std::string path;
   };
 
@@ -219,12 +240,19 @@ namespace auxfem
     unsigned int refinements = 0;
   };
 
-  /** `Probes/NAME`: a set of joints whose mean motion goes to history.csv. */
+  /**
+   * `Probes/NAME`: a set of joints or rigid parts whose mean motion goes to
+   * history.csv.
+   */
   struct ProbeDefinition
   {
     std::string name;
-    /** Name of a joint set or a joint selection (see mesh/sets.h). */
-    std::string joints;
+    /**
+     * Name of a joint set or a joint selection (see mesh/sets.h), or
+     * `rigid: STRUTS` or `rigid: STRUTS @ JOINTS` for the rigid parts of
+     * struts.
+     */
+    std::string selection;
     std::string path;
   };
 
@@ -251,6 +279,7 @@ namespace auxfem
     std::vector<SetDefinition>  sets;
     std::vector<SectionDefinition>         sections;
     std::vector<JointDefinition>           joints;
+    std::vector<RigidPartDefinition>       rigid_parts;
     std::vector<ConnectorDefinition>       connectors;
     std::vector<SupportDefinition>         supports;
     std::vector<MassDefinition>            masses;

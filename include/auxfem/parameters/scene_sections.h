@@ -69,6 +69,7 @@ namespace auxfem
   std::vector<SubsectionKind> general_kinds();
   std::vector<SubsectionKind> structure_kinds();
   SubsectionKind              sections_kind();
+  SubsectionKind              rigid_parts_kind();
   std::vector<SubsectionKind> load_kinds();
   std::vector<SubsectionKind> time_kinds();
   std::vector<SubsectionKind> output_kinds();

@@ -16,9 +16,9 @@ namespace auxfem
                                         const DofNumbering &numbering);
 
   /**
-   * Joint loads, line loads and (if @p gravity) weight of struts and point
-   * masses as one effect; nullptr if the scene has none. Throws InputError for
-   * a moment on a joint without rotation.
+   * Joint loads, line loads and (if @p gravity) weight of struts, rigid
+   * parts and point masses as one effect; nullptr if the scene has none. Throws
+   * InputError for a moment on a joint without rotation.
    */
   std::unique_ptr<Effect> make_loads(const Scene                &scene,
                                      const Lattice              &lattice,

@@ -5,6 +5,7 @@
 #include <auxfem/system/effect.h>
 #include <auxfem/system/effect_decisions.h>
 #include <auxfem/system/effects/connector_forces.h>
+#include <auxfem/system/effects/rigid_part_conditions.h>
 #include <auxfem/system/effects/struts.h>
 #include <auxfem/system/joint_releases.h>
 
@@ -27,11 +28,15 @@ namespace auxfem
     std::array<TimeFunction, 3> motion;
   };
 
-  /** Norms of force rows (N) and moment rows (N m) of a residual. */
+  /**
+   * Norms of force rows (N), moment rows (N m) and conditions (m) of a
+   * residual.
+   */
   struct ResidualNorm
   {
-    double force  = 0;
-    double moment = 0;
+    double force     = 0;
+    double moment    = 0;
+    double condition = 0;
   };
 
   /**
@@ -54,6 +59,9 @@ namespace auxfem
     const StateLayout  &layout() const;
     /** nullptr if the scene has no struts. */
     const StrutForces *struts() const;
+
+    /** nullptr if the scene has no rigid parts. */
+    const RigidPartConditions *rigid_parts() const;
 
     const std::vector<const ConnectorForces *> &connectors() const;
     const std::vector<Support>                 &supports() const;
@@ -106,6 +114,13 @@ namespace auxfem
     /** Norm (N) below which the residual at @p state is round-off. */
     double round_off_floor(const State &state) const;
 
+    /**
+     * Norm (m) up to which the conditions of rigid parts are met: their
+     * round-off. A looser tolerance would return as forces, divided by the
+     * square of the step.
+     */
+    double condition_tolerance(const State &state) const;
+
     /** Fills @p matrix with the tangent at step.to. */
     void tangent(const Step           &step,
                  const TangentFactors &factors,
@@ -127,6 +142,12 @@ namespace auxfem
     std::string worst_unknown(const State &state) const;
 
   private:
+    /**
+     * Multipliers have no inertia: their rates, by-products of the integrator,
+     * must not enter its next prediction.
+     */
+    void hold_multipliers(State &state) const;
+
     /** Energies (over all ranks) of the state last given to residual(). */
     Energies energies(const State &state) const;
 
@@ -155,6 +176,7 @@ namespace auxfem
     OwnedRows                            rows;
     std::vector<const ConnectorForces *> connector_groups;
     const StrutForces                   *strut_forces = nullptr;
+    const RigidPartConditions           *conditions   = nullptr;
     std::vector<Support>                 support_list;
     std::vector<Section>                 section_list;
     StateLayout                          state_layout;

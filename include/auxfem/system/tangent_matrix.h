@@ -46,8 +46,8 @@ namespace auxfem
     const Epetra_CrsMatrix &matrix() const;
     Epetra_CrsMatrix       &matrix();
 
-    /** Entries of the diagonal of owned rows. */
-    std::vector<double> diagonal() const;
+    /** Largest |entry| of each owned row. */
+    std::vector<double> row_sizes() const;
 
   private:
     const DofNumbering &numbering;

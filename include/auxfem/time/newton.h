@@ -16,7 +16,8 @@ namespace auxfem
    * and the moment rows below (tolerance * F + floor) * l: F the largest
    * internal force of this iterate and of all accepted steps, l the mean strut
    * length, floor the round-off of the residual itself, below which no
-   * iteration can go.
+   * iteration can go. The conditions of rigid parts must hold to their own
+   * round-off.
    */
   class Newton
   {
@@ -41,7 +42,7 @@ namespace auxfem
     Result solve(const TimeIntegrator &integrator, const Step &step);
 
     /**
-     * Accelerations of @p state from M a = f - f_int: exact, or if a free
+     * Accelerations (and multipliers of rigid parts) of @p state from M a = f - f_int: exact, or if a free
      * unknown has no mass, with M + @p dt / 2 C + @p dt^2 / 4 K in place of M.
      * Throws InputError for an unknown without mass, damping and stiffness.
      */
@@ -60,7 +61,8 @@ namespace auxfem
     void         solve_increment(const State &trial);
     bool         has_empty_row() const;
     void         refuse_empty_rows() const;
-    double       in_force_units(const ResidualNorm &norm) const;
+    bool   meets_conditions(const ResidualNorm &norm, const State &state) const;
+    double in_force_units(const ResidualNorm &norm) const;
 
     System                        &system;
     NewtonParameters               parameters;

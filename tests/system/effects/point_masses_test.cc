@@ -63,7 +63,7 @@ TEST(PointMasses, TangentHasTheMassOnItsDiagonal)
   matrix.finalize();
   matrix.reset();
   one.masses.add_tangent({one.from, one.to, 1.}, {7., 9., 0.5}, matrix);
-  const std::vector<double> diagonal = matrix.diagonal();
+  const std::vector<double> diagonal = matrix.row_sizes();
   for (int i = 0; i < int(diagonal.size()); ++i)
     EXPECT_EQ(diagonal[i], i == one.y ? 1. : i == one.turn ? 2.5 : 0.);
   EXPECT_TRUE(one.masses.is_linear());

@@ -1,0 +1,117 @@
+#ifndef auxfem_elements_rigid_part_h
+#define auxfem_elements_rigid_part_h
+
+#include <deal.II/base/point.h>
+#include <deal.II/base/tensor.h>
+
+#include <array>
+
+/**
+ * @file
+ * Rigid bodies in the plane in natural coordinates (Garcia de Jalon & Bayo,
+ * Kinematic and Dynamic Simulation of Multibody Systems, 1994, chapter 2): the
+ * unknowns are the places of points of the body, here r0 and r1 of its base.
+ * With d = r1 - r0 and J the turn by a right angle, every other point of the
+ * body is
+ * @code
+ * r = r0 + a d + b J d
+ * @endcode
+ * with constants a, b, and the body is rigid if |d| keeps its length. There is
+ * no rotation among the unknowns, the mass matrix is constant.
+ */
+namespace auxfem
+{
+  using PlaneVector = dealii::Tensor<1, 2>;
+
+  /** @p v turned by a right angle, counterclockwise. */
+  inline PlaneVector turned(const PlaneVector &v)
+  {
+    PlaneVector result;
+    result[0] = -v[1];
+    result[1] = v[0];
+    return result;
+  }
+
+  /** Place of a point of a body relative to its base: r = r0 + a d + b J d. */
+  struct NaturalPlace
+  {
+    double a, b;
+  };
+
+  /** Natural place of @p point in a body with base points @p r0 and @p r1 (m, not equal). */
+  NaturalPlace natural_place(const dealii::Point<3> &r0,
+                             const dealii::Point<3> &r1,
+                             const dealii::Point<3> &point);
+
+  /**
+   * Derivatives of component @p component (0, 1) of a point with respect to
+   * r0_x, r0_y, r1_x, r1_y: the shares of a force on the point that the base
+   * unknowns get.
+   */
+  std::array<double, 4> shape(const NaturalPlace &place,
+                              unsigned int        component);
+
+  /**
+   * The consistent mass matrix of a body in the plane on its base unknowns
+   * r0_x, r0_y, r1_x, r1_y, row by row (kg). For an even bar it is m/3 and m/6.
+   * @param length of the base (m).
+   * @param centre natural place of the centre of mass.
+   * @param rotary_inertia about the centre of mass (kg m2).
+   */
+  std::array<double, 16> rigid_mass_matrix(double              mass,
+                                           double              rotary_inertia,
+                                           double              length,
+                                           const NaturalPlace &centre);
+
+  /**
+   * The condition |r1 - r0| = L as g = (|d|^2 - L^2) / (2 L) = 0 (m), so that
+   * its multiplier is the force (N) along the base.
+   */
+  struct DistanceCondition
+  {
+    PlaneVector rest; ///< d at rest
+    double      length;
+
+    /** g, from the relative displacement @p stretch = u1 - u0 of the base. */
+    double value(const PlaneVector &stretch) const
+    {
+      // Free of the cancellation that |d|^2 - L^2 would have.
+      return (rest * stretch + 0.5 * (stretch * stretch)) / length;
+    }
+
+    /** dg / du1 = -dg / du0. */
+    PlaneVector gradient(const PlaneVector &stretch) const
+    {
+      return (rest + stretch) / length;
+    }
+
+    /** d2g / du1^2 is this times the identity; the mixed one is its negative.
+     */
+    double curvature() const
+    {
+      return 1 / length;
+    }
+  };
+
+  /**
+   * The condition that a section turns with the body, as g = e(phi) . d = 0 (m)
+   * with e(phi) the unit normal of the base at rest turned by the section's
+   * rotation phi: g = L sin(angle of the base - phi).
+   */
+  struct ClampCondition
+  {
+    PlaneVector rest; ///< d at rest
+    double      length;
+
+    /** e(phi). */
+    PlaneVector normal(double rotation) const;
+
+    /** de / dphi; the next derivative is -e. */
+    PlaneVector normal_derivative(double rotation) const
+    {
+      return turned(normal(rotation));
+    }
+  };
+} // namespace auxfem
+
+#endif

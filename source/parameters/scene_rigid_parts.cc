@@ -1,0 +1,87 @@
+#include <auxfem/parameters/errors.h>
+#include <auxfem/parameters/scene_sections.h>
+
+namespace auxfem
+{
+  namespace
+  {
+    const Text     struts         = {"Struts",
+                                     "",
+                                     "Set of struts that are rigid; or give Joints."};
+    const Text     joints         = {"Joints",
+                                     "",
+                                     "Set of joints that move as one rigid part without "
+                                                 "struts of its own; or give Struts."};
+    const Choice   parts          = {"Parts",
+                                     "struts that meet",
+                                     {"struts that meet", "single struts"},
+                                     "What is one part: rigid struts connected with each "
+                                                "other, or every strut (bars hinged at both ends)."};
+    const Quantity mass           = {"Mass",
+                                     "0 kg",
+                                     "kg",
+                                     Range::non_negative(),
+                                     "Mass of each part, spread evenly along its struts, "
+                                               "without struts equally over its joints."};
+    const Quantity rotary_inertia = {
+      "Rotary inertia",
+      "auto",
+      "kg m2",
+      Range::non_negative(),
+      "Moment of inertia of each part about its centre of mass; auto: that of "
+      "the spread mass.",
+      {"auto"}};
+    const Choice elastic_struts = {
+      "Elastic struts",
+      "hinged",
+      {"hinged", "clamped"},
+      "How elastic struts that end at joints of the part are connected to it."};
+
+    void read_rigid_part(dealii::ParameterHandler &prm,
+                         const std::string        &name,
+                         const SceneContext       &context,
+                         Scene                    &scene)
+    {
+      RigidPartDefinition part;
+      part.name          = name;
+      part.path          = context.path;
+      part.struts        = get(prm, struts);
+      part.joints        = get(prm, joints);
+      part.single_struts = get(prm, parts) == "single struts";
+      part.mass          = get(prm, mass);
+      part.clamps_struts = get(prm, elastic_struts) == "clamped";
+      if (!is_word(prm, rotary_inertia))
+        part.rotary_inertia = get(prm, rotary_inertia);
+      if (part.struts.empty() == part.joints.empty())
+        throw InputError(part.path + ": give either Struts or Joints, " +
+                         (part.struts.empty() ? "here none of them is given"
+                                              : "here both are given"));
+      if (part.mass == 0 && part.rotary_inertia.value_or(0) > 0)
+        throw InputError(part.path +
+                         ": Rotary inertia is given, but Mass = 0. "
+                         "Give the part a mass");
+      scene.rigid_parts.push_back(part);
+    }
+  } // namespace
+
+
+
+  SubsectionKind rigid_parts_kind()
+  {
+    return {"Rigid parts",
+            SubsectionKind::Form::named_groups,
+            "Struts or joints that move as rigid bodies, hinged to each other "
+            "where they share a joint.",
+            [](dealii::ParameterHandler &prm) {
+              declare(prm, struts);
+              declare(prm, joints);
+              declare(prm, parts);
+              declare(prm, mass);
+              declare(prm, rotary_inertia);
+              declare(prm, elastic_struts);
+            },
+            "",
+            {},
+            read_rigid_part};
+  }
+} // namespace auxfem
