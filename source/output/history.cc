@@ -36,9 +36,15 @@ namespace auxfem
   {
     columns.push_back({"time", "s", "time"});
     for (const ProbeDefinition &probe : scene.output.probes)
-      define_probe(probe, scene.context);
+      if (RigidPartProbe::is_one(probe))
+        rigid_part_probes.emplace_back(probe, scene.context, system);
+      else
+        define_probe(probe, scene.context);
     for (const Support &support : system.supports())
       define_support(support);
+    for (const RigidPartProbe &probe : rigid_part_probes)
+      for (const Column &column : probe.columns())
+        columns.push_back(column);
     for (const ConnectorForces *group : system.connectors())
       define_connectors(*group);
     define_energies();
@@ -165,6 +171,15 @@ namespace auxfem
     return column;
   }
 
+  unsigned int History::add_rigid_part_values(const State &state,
+                                              unsigned int column)
+  {
+    for (const RigidPartProbe &probe : rigid_part_probes)
+      for (const double value : probe.values(state))
+        row[column++] = value;
+    return column;
+  }
+
   unsigned int History::add_connector_sums(const State &state,
                                            unsigned int column)
   {
@@ -187,8 +202,10 @@ namespace auxfem
 
   void History::write(const State &state)
   {
+    note(state);
     row[0]              = state.time;
     unsigned int column = add_unknown_sums(state, 1);
+    column              = add_rigid_part_values(state, column);
     column              = add_connector_sums(state, column);
     if (system.numbering().n_ranks() > 1)
       MPI_Allreduce(MPI_IN_PLACE,
@@ -199,7 +216,6 @@ namespace auxfem
                     communicator);
 
     const Energies &energies = state.energies;
-    record.add(energies);
     for (const double energy : {energies.kinetic,
                                 energies.strain,
                                 energies.stored,
@@ -212,6 +228,10 @@ namespace auxfem
     for (const int unknown : rotations)
       rotation_so_far =
         std::max(rotation_so_far, std::abs(state.displacement[unknown]));
+    if (const RigidPartConditions *parts = system.rigid_parts())
+      for (unsigned int i = 0; i < parts->n_reported(); ++i)
+        rotation_so_far =
+          std::max(rotation_so_far, std::abs(parts->rotation(i, state)));
 
     on_first_rank(communicator, [&]() { table->append(row); });
   }
@@ -219,6 +239,8 @@ namespace auxfem
   void History::note(const State &state)
   {
     record.add(state.energies);
+    for (RigidPartProbe &probe : rigid_part_probes)
+      probe.follow(state);
   }
 
   const EnergyRecord &History::energies() const
@@ -234,6 +256,9 @@ namespace auxfem
   void refuse_probes_on_nothing(const Scene &scene, const Lattice &lattice)
   {
     for (const ProbeDefinition &probe : scene.output.probes)
-      select_joints(lattice, probe.selection, scene.context, probe.path);
+      if (RigidPartProbe::is_one(probe))
+        RigidPartProbe::check(probe, scene.context, lattice);
+      else
+        select_joints(lattice, probe.selection, scene.context, probe.path);
   }
 } // namespace auxfem

@@ -42,7 +42,7 @@ namespace auxfem
       for (const char *name :
            {"summary.json", "history.csv", "history.units.csv"})
         fs::remove(folder / name, ignored);
-      for (const std::string series : {"solution", "connectors"})
+      for (const std::string series : {"solution", "rigid_parts", "connectors"})
         {
           fs::remove(folder / (series + ".pvd"), ignored);
           std::error_code       no_folder;

@@ -99,6 +99,7 @@ namespace auxfem
     if (!graphics)
       return;
     graphics->write_struts(state);
+    graphics->write_rigid_parts(state);
     graphics->write_connectors(state);
     last_graphics = state.time;
   }

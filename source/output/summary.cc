@@ -43,8 +43,10 @@ namespace auxfem
       object.add("struts", counts.struts);
       object.add("elements", counts.elements);
       object.add("connectors", counts.connectors);
+      object.add("rigid_parts", counts.rigid_parts);
       object.add("unknowns", counts.unknowns);
       object.add("free_unknowns", counts.free_unknowns);
+      object.add("conditions", counts.conditions);
       object.add("ranks", counts.ranks);
       return object;
     }
@@ -146,8 +148,10 @@ namespace auxfem
     counts.struts        = system.lattice().struts.size();
     counts.elements      = mine[0];
     counts.connectors    = mine[1];
+    counts.rigid_parts   = system.lattice().rigid_parts.size();
     counts.unknowns      = numbering.n_unknowns();
     counts.free_unknowns = numbering.n_free();
+    counts.conditions    = numbering.n_multipliers();
     counts.ranks         = numbering.n_ranks();
     return counts;
   }
@@ -246,9 +250,19 @@ namespace auxfem
          counts.elements,
          " of order " + std::to_string(scene.discretization.order));
     line("Connectors", counts.connectors);
+    if (counts.rigid_parts > 0)
+      line("Rigid parts",
+           counts.rigid_parts,
+           " with " + std::to_string(counts.conditions) + " conditions");
     line("Unknowns",
          counts.unknowns,
-         ", " + std::to_string(counts.free_unknowns) + " of them free");
+         counts.conditions == 0
+           ? ", " + std::to_string(counts.free_unknowns) + " of them free"
+           : ", " + std::to_string(counts.free_unknowns) +
+             " of them free motions, which leaves " +
+             std::to_string(int(counts.free_unknowns) -
+                            int(counts.conditions)) +
+             " degrees of freedom");
     line("MPI ranks", counts.ranks);
 
     list_effects(stream, "Simulated", decisions, true);

@@ -25,7 +25,6 @@ namespace auxfem
                        const MPI_Comm     communicator)
     : system(system)
     , n_segments(scene.output.segments)
-    , strut_series(folder, "solution", communicator)
   {
     const Lattice &lattice = system.lattice();
     for (const SetDefinition &definition : scene.sets)
@@ -40,6 +39,10 @@ namespace auxfem
         sets.push_back(std::move(members));
       }
 
+    if (system.struts())
+      strut_series.emplace(folder, "solution", communicator);
+    if (system.rigid_parts())
+      rigid_part_series.emplace(folder, "rigid_parts", communicator);
     if (!system.connectors().empty())
       connector_series.emplace(folder, "connectors", communicator);
   }
@@ -68,6 +71,9 @@ namespace auxfem
 
   void VtuWriter::write_struts(const State &state)
   {
+    if (!strut_series)
+      return;
+
     const DofNumbering &numbering = system.numbering();
     const bool          dynamic   = system.is_dynamic();
     LineGraphics        graphics(strut_fields());
@@ -108,7 +114,99 @@ namespace auxfem
           }
         graphics.add_line(points, values);
       }
-    strut_series.write(graphics, state.time);
+    strut_series->write(graphics, state.time);
+  }
+
+  std::vector<GraphicsField> VtuWriter::rigid_part_fields() const
+  {
+    std::vector<GraphicsField> fields = {{"displacement", 3, "m"}};
+    if (system.is_dynamic())
+      fields.push_back({"velocity", 3, "m/s"});
+    fields.push_back({"force", 3, "N"});
+    fields.push_back({"rotation", 1, "rad"});
+    for (const char *number : {"part", "definition", "cell"})
+      fields.push_back({number, 1, ""});
+    return fields;
+  }
+
+  std::vector<std::vector<dealii::Point<3>>>
+  VtuWriter::rigid_part_lines(const RigidPart &part) const
+  {
+    const Lattice                             &lattice = system.lattice();
+    std::vector<std::vector<dealii::Point<3>>> lines;
+    for (const unsigned int number : part.struts)
+      {
+        const Strut                  &strut = lattice.struts[number];
+        const unsigned int            n = strut.sagitta == 0 ? 1 : n_segments;
+        std::vector<dealii::Point<3>> line(n + 1);
+        dealii::Tensor<1, 3>          tangent;
+        for (unsigned int i = 1; i < n; ++i)
+          lattice.axis(strut, double(i) / n, line[i], tangent);
+        // Exactly the joints' places, by which their forces are found.
+        line.front() = lattice.joints[strut.joints[0]];
+        line.back()  = lattice.joints[strut.joints[1]];
+        lines.push_back(line);
+      }
+    if (part.struts.empty())
+      for (unsigned int k = 1; k < part.joints.size(); ++k)
+        lines.push_back(
+          {lattice.joints[part.joints[0]], lattice.joints[part.joints[k]]});
+    return lines;
+  }
+
+  void VtuWriter::write_rigid_parts(const State &state)
+  {
+    if (!rigid_part_series)
+      return;
+
+    const Lattice             &lattice = system.lattice();
+    const RigidPartConditions &parts   = *system.rigid_parts();
+    LineGraphics               graphics(rigid_part_fields());
+    std::vector<float>         values;
+    for (unsigned int i = 0; i < parts.n_reported(); ++i)
+      {
+        const RigidPartReport   report = parts.report(i, state);
+        const RigidPart        &part   = lattice.rigid_parts[report.part];
+        const dealii::Point<3> &r0     = lattice.joints[part.joints[0]],
+                               &r1     = lattice.joints[part.joints[1]];
+        const auto moved               = [&](const dealii::Point<3>      &point,
+                               const std::array<double, 4> &base) {
+          dealii::Tensor<1, 3> result;
+          for (unsigned int c = 0; c < 2; ++c)
+            {
+              const std::array<double, 4> shares =
+                shape(natural_place(r0, r1, point), c);
+              for (unsigned int k = 0; k < 4; ++k)
+                result[c] += shares[k] * base[k];
+            }
+          return result;
+        };
+        const auto force_at = [&](const dealii::Point<3> &point) {
+          dealii::Tensor<1, 3> force;
+          for (unsigned int k = 0; k < part.joints.size(); ++k)
+            if (point == lattice.joints[part.joints[k]])
+              for (unsigned int c = 0; c < 2; ++c)
+                force[c] = report.forces[k][c];
+          return force;
+        };
+        for (const auto &line : rigid_part_lines(part))
+          {
+            values.clear();
+            for (const dealii::Point<3> &point : line)
+              {
+                append(values, moved(point, report.base_displacement));
+                if (system.is_dynamic())
+                  append(values, moved(point, report.base_velocity));
+                append(values, force_at(point));
+                values.push_back(parts.rotation(i, state));
+                for (const unsigned int value :
+                     {report.part, part.definition, part.cell})
+                  values.push_back(value);
+              }
+            graphics.add_line(line, values);
+          }
+      }
+    rigid_part_series->write(graphics, state.time);
   }
 
   void VtuWriter::write_connectors(const State &state)

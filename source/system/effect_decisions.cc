@@ -40,6 +40,7 @@ namespace auxfem
                            return property(s.section);
                          });
     };
+    const bool is_elastic = !scene.sections.empty();
     const bool is_static  = scene.time.scheme == "static";
     const bool is_viscous = std::any_of(scene.connectors.begin(),
                                         scene.connectors.end(),
@@ -59,21 +60,24 @@ namespace auxfem
              set.large_rotation,
              {true, "size of the displacements not known beforehand", ""},
              list);
-    effects.shear_flexibility =
-      decide("shear flexibility",
-             set.shear_flexibility,
-             {true, "the sections have a shear area", ""},
-             list);
-    effects.inertia = decide("inertia",
+    effects.shear_flexibility = decide("shear flexibility",
+                                       set.shear_flexibility,
+                                       {is_elastic,
+                                        "the sections have a shear area",
+                                        "no elastic struts"},
+                                       list);
+    effects.inertia           = decide("inertia",
                              set.inertia,
                              {!is_static,
-                              "time scheme " + scene.time.scheme,
-                              "time scheme static"},
+                                        "time scheme " + scene.time.scheme,
+                                        "time scheme static"},
                              list);
     effects.rotary_inertia =
       decide("rotary inertia",
              set.rotary_inertia,
-             {effects.inertia, "inertia is simulated", "no inertia"},
+             {effects.inertia && is_elastic,
+              "inertia is simulated",
+              effects.inertia ? "no elastic struts" : "no inertia"},
              list);
     if (effects.rotary_inertia && !effects.inertia)
       {

@@ -107,6 +107,7 @@ namespace auxfem
     state.acceleration->PutScalar(0.);
     system.begin_step(step);
     system.prescribe_motion(state, dt);
+    refuse_strained_rigid_parts(state);
     timed_residual(step);
 
     system.tangent(step, {0., 0., 1.}, *matrix);
@@ -128,6 +129,26 @@ namespace auxfem
     if (state.algorithmic_acceleration)
       *state.algorithmic_acceleration = *state.acceleration;
     timed_residual(step);
+  }
+
+  void Newton::refuse_strained_rigid_parts(const State &state) const
+  {
+    if (!system.rigid_parts())
+      return;
+    const auto largest_of_all = [this](double mine) {
+      double all = 0;
+      system.numbering().communicator().MaxAll(&mine, &all, 1);
+      return all;
+    };
+    const double rate =
+      largest_of_all(system.rigid_parts()->largest_rate(state));
+    const double speed = system.largest_motion(*state.velocity).first;
+    if (rate > 1e-8 * speed)
+      throw InputError(
+        "Initial velocities: the joints of a rigid part move apart with " +
+        std::to_string(rate) +
+        " m/s. Give all joints of a rigid part velocities of one rigid motion, "
+        "and of one that its supports allow.");
   }
 
   bool Newton::has_empty_row() const

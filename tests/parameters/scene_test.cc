@@ -309,7 +309,7 @@ end
     EXPECT_EQ(scene.output.history_interval, 10u);
     EXPECT_EQ(scene.output.segments, 3u);
     ASSERT_EQ(scene.output.probes.size(), 2u);
-    EXPECT_EQ(scene.output.probes[1].joints, "nearest: 0, 0");
+    EXPECT_EQ(scene.output.probes[1].selection, "nearest: 0, 0");
   }
 
 

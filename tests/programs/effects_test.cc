@@ -82,7 +82,8 @@ namespace
               (std::map<std::string, std::string>{
                 {"strut damping", "no section has damping"},
                 {"gravity", "no acceleration given"},
-                {"hinges", "all joints are rigid"}}));
+                {"hinges", "all joints are rigid"},
+                {"rigid parts", "no struts or joints are rigid"}}));
   }
 
 
@@ -92,10 +93,13 @@ namespace
     const Lists lists =
       check({"Gravity/Acceleration y=-9.81",
              "Joints/loose/Joints=tips",
+             "Rigid parts/plate/Joints=top",
+             "Rigid parts/plate/Mass=1 g",
              "Sections/steel/Stiffness-proportional damping=1 us"});
-    EXPECT_EQ(lists.simulated.size(), 8u);
+    EXPECT_EQ(lists.simulated.size(), 9u);
     EXPECT_TRUE(lists.left_out.empty());
     EXPECT_EQ(lists.simulated.at("gravity"), "an acceleration is given");
+    EXPECT_EQ(lists.simulated.at("rigid parts"), "rigid struts or joints");
     EXPECT_EQ(lists.simulated.at("hinges"), "joints with released struts");
     EXPECT_EQ(lists.simulated.at("strut damping"), "a section has damping");
   }

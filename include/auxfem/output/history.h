@@ -2,6 +2,7 @@
 #define auxfem_output_history_h
 
 #include <auxfem/output/csv_table.h>
+#include <auxfem/output/rigid_part_probe.h>
 #include <auxfem/parameters/scene.h>
 #include <auxfem/system/system.h>
 
@@ -31,7 +32,8 @@ namespace auxfem
   /**
    * `history.csv`: a row for each recorded state. Columns: `time`; for a probe
    * P `P.ux`, `P.uy`, `P.phi` (if all its joints rotate) and in dynamics
-   * `P.vx`, `P.vy`, means over its joints; for a support S `S.rx`, `S.ry`,
+   * `P.vx`, `P.vy`, means over its joints; for a probe on rigid parts the
+   * columns of RigidPartProbe; for a support S `S.rx`, `S.ry`,
    * `S.m`, force and moment of the support on the lattice summed over its
    * joints (forces have no part in `S.m`); for a group of connectors C
    * `C.force`, `C.extension`, `C.dissipated`, sums over the group; `kinetic`,
@@ -62,7 +64,7 @@ namespace auxfem
     /** Energies up to the last row. */
     const EnergyRecord &energies() const;
 
-    /** Takes note of the energies of a state that gets no row. */
+    /** Takes note of the energies and rotations of a state that gets no row. */
     void note(const State &state);
 
     /** Largest |rotation| (rad) in all rows so far, of unknowns of this rank.
@@ -93,16 +95,18 @@ namespace auxfem
 
     /** Sums of this rank from column @p column on; returns the column after them. */
     unsigned int add_unknown_sums(const State &state, unsigned int column);
+    unsigned int add_rigid_part_values(const State &state, unsigned int column);
     unsigned int add_connector_sums(const State &state, unsigned int column);
 
-    const System           &system;
-    MPI_Comm                communicator;
-    std::vector<Column>     columns;
-    std::vector<UnknownSum> sums;
-    std::vector<double>     row;
-    EnergyRecord            record;
-    std::vector<int>        rotations; ///< local numbers, owned by this rank
-    double                  rotation_so_far = 0;
+    const System               &system;
+    MPI_Comm                    communicator;
+    std::vector<Column>         columns;
+    std::vector<UnknownSum>     sums;
+    std::vector<RigidPartProbe> rigid_part_probes;
+    std::vector<double>         row;
+    EnergyRecord                record;
+    std::vector<int> rotations; ///< local numbers, owned by this rank
+    double           rotation_so_far = 0;
     /** On rank 0. */
     std::optional<CsvTable> table;
   };

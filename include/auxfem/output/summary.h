@@ -18,13 +18,18 @@ namespace auxfem
   /** Sizes of a scene over all ranks. */
   struct Counts
   {
-    unsigned int joints        = 0;
-    unsigned int struts        = 0;
-    unsigned int elements      = 0;
-    unsigned int connectors    = 0;
-    unsigned int unknowns      = 0;
+    unsigned int joints      = 0;
+    unsigned int struts      = 0;
+    unsigned int elements    = 0;
+    unsigned int connectors  = 0;
+    unsigned int rigid_parts = 0;
+    /** Displacements, rotations and multipliers. */
+    unsigned int unknowns = 0;
+    /** Displacements and rotations that are not prescribed. */
     unsigned int free_unknowns = 0;
-    unsigned int ranks         = 1;
+    /** Of rigid parts, each with a multiplier. */
+    unsigned int conditions = 0;
+    unsigned int ranks      = 1;
   };
 
   /** Counts of @p system. Collective. */

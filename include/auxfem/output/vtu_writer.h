@@ -10,25 +10,27 @@
 namespace auxfem
 {
   /**
-   * Files for ParaView: `solution.pvd` with the struts, several straight pieces
-   * an element, and `connectors.pvd` with the connectors if the scene has any.
-   * The geometry is that at rest; `displacement` is the vector for Warp By
-   * Vector, `radius` the one for Tube. Every element and connector is written
-   * by one rank.
+   * Files for ParaView: `solution.pvd` with the elastic struts, several
+   * straight pieces an element, `rigid_parts.pvd` and `connectors.pvd` with
+   * what their names say; each only if the scene has any. The geometry is that
+   * at rest; `displacement` is the vector for Warp By Vector, `radius` the one
+   * for Tube. Every element and connector is written by one rank.
    *
    * Fields of struts: displacement (m), velocity (m/s, in dynamics), rotation
    * (rad), axial_force, shear_force (N), bending_moment (N m),
    * strain_energy_density (J/m), radius (m), numbers of strut, cell, section
    * and mpi_rank, and `set_NAME`, 1 inside and 0 outside, for the user's strut
    * sets. Fields of connectors: displacement (m), force (N), extension (m),
-   * dissipated_energy (J), numbers of group and cell.
+   * dissipated_energy (J), numbers of group and cell. Fields of rigid parts:
+   * displacement (m), velocity (m/s, in dynamics), rotation (rad, within half a
+   * turn), force (N), which the joint there exerts on the part, zero between
+   * joints, numbers of part, definition and cell.
    */
   class VtuWriter
   {
   public:
     /**
-     * Makes the subfolders `solution` and `connectors` of @p folder. Throws
-     * InputError if that fails. Collective, as are the other functions.
+     * Makes the subfolders of @p folder. Throws InputError if that fails. Collective, as are the other functions.
      * @param scene, system must outlive the writer.
      */
     VtuWriter(const Scene       &scene,
@@ -37,10 +39,13 @@ namespace auxfem
               MPI_Comm           communicator);
 
     /**
-     * Writes the struts at @p state. Throws ComputationError if the disk takes
-     * no more.
+     * Writes the elastic struts at @p state. Throws ComputationError if the disk
+     * takes no more.
      */
     void write_struts(const State &state);
+
+    /** As write_struts(), for rigid parts. */
+    void write_rigid_parts(const State &state);
 
     /**
      * As write_struts(), for connectors; nothing without any. @p state must be
@@ -52,13 +57,19 @@ namespace auxfem
     using SetMembers = std::vector<bool>; ///< by strut
 
     std::vector<GraphicsField> strut_fields() const;
+    std::vector<GraphicsField> rigid_part_fields() const;
+    /** Lines of one part: its struts, else from its first joint to the others.
+     */
+    std::vector<std::vector<dealii::Point<3>>>
+    rigid_part_lines(const RigidPart &part) const;
 
     const System      &system;
     const unsigned int n_segments;
 
     std::vector<std::string>      set_names;
     std::vector<SetMembers>       sets;
-    GraphicsSeries                strut_series;
+    std::optional<GraphicsSeries> strut_series;
+    std::optional<GraphicsSeries> rigid_part_series;
     std::optional<GraphicsSeries> connector_series;
   };
 } // namespace auxfem

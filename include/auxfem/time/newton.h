@@ -44,7 +44,8 @@ namespace auxfem
     /**
      * Accelerations (and multipliers of rigid parts) of @p state from M a = f - f_int: exact, or if a free
      * unknown has no mass, with M + @p dt / 2 C + @p dt^2 / 4 K in place of M.
-     * Throws InputError for an unknown without mass, damping and stiffness.
+     * Throws InputError for an unknown without mass, damping and stiffness, and
+     * for velocities no rigid part can have.
      */
     void find_initial_acceleration(State &state, double dt);
 
@@ -59,6 +60,7 @@ namespace auxfem
     ResidualNorm timed_residual(const Step &step);
     bool         factorize(const TimeIntegrator &integrator, const Step &step);
     void         solve_increment(const State &trial);
+    void         refuse_strained_rigid_parts(const State &state) const;
     bool         has_empty_row() const;
     void         refuse_empty_rows() const;
     bool   meets_conditions(const ResidualNorm &norm, const State &state) const;

@@ -348,6 +348,20 @@ namespace auxfem
     return reported.size();
   }
 
+  unsigned int RigidPartConditions::part(const unsigned int i) const
+  {
+    return bodies[reported[i]].part;
+  }
+
+  double RigidPartConditions::rotation(const unsigned int i,
+                                       const State       &state) const
+  {
+    const RigidBody  &body = bodies[reported[i]];
+    const PlaneVector d    = body.rest +
+      across_base(bases[reported[i]].unknowns, 0, state.displacement.Values());
+    return std::atan2(turned(body.rest) * d, body.rest * d);
+  }
+
   RigidPartReport RigidPartConditions::report(const unsigned int i,
                                               const State       &state) const
   {
@@ -355,9 +369,13 @@ namespace auxfem
     const RigidBody   &body = bodies[b];
     const double      *u    = state.displacement.Values();
     RigidPartReport    report;
-    report.part         = body.part;
-    const PlaneVector d = body.rest + across_base(bases[b].unknowns, 0, u);
-    report.rotation     = std::atan2(turned(body.rest) * d, body.rest * d);
+    report.part = body.part;
+    for (unsigned int r = 0; r < 4; ++r)
+      {
+        report.base_displacement[r] = u[body.base[r]];
+        report.base_velocity[r] =
+          state.velocity ? (*state.velocity)[body.base[r]] : 0.;
+      }
     report.forces.resize(lattice.rigid_parts[body.part].joints.size());
 
     // What the joints exert is the body's inertia less its weight, and what its

@@ -11,8 +11,8 @@ namespace auxfem
   {
     /** Number in Lattice::rigid_parts. */
     unsigned int part;
-    /** In (-pi, pi], counterclockwise (rad). */
-    double rotation;
+    /** Displacements (m) and velocities (m/s) x, y of its base joints. */
+    std::array<double, 4> base_displacement, base_velocity;
     /**
      * Force (N) that each of its joints, in the order of RigidPart::joints,
      * exerts on the part: what hinges, struts, connectors, loads and supports
@@ -55,6 +55,12 @@ namespace auxfem
 
     /** Number of parts this rank reports on. */
     unsigned int n_reported() const;
+
+    /** Number in Lattice::rigid_parts of part @p i of this rank. */
+    unsigned int part(unsigned int i) const;
+
+    /** Rotation of part @p i of this rank in (-pi, pi], counterclockwise (rad). */
+    double rotation(unsigned int i, const State &state) const;
 
     /** Report on part @p i of this rank, from displacements, accelerations and multipliers of @p state. */
     RigidPartReport report(unsigned int i, const State &state) const;
