@@ -155,6 +155,7 @@ namespace auxfem
           for (at[1] = 0; at[1] < n_cells[1]; ++at[1])
             for (at[0] = 0; at[0] < n_cells[0]; ++at[0])
               add_cell(at);
+        add_pairs_across();
         if (cell.ports.empty())
           add_faces_of_bounding_box();
         finish_sets();
@@ -169,6 +170,8 @@ namespace auxfem
         for (const auto &set : cell.joint_sets)
           lattice.joint_sets[set.first];
         for (const auto &set : cell.pairs)
+          lattice.pair_sets[set.first];
+        for (const auto &set : cell.pairs_across)
           lattice.pair_sets[set.first];
       }
 
@@ -204,6 +207,7 @@ namespace auxfem
               }
             global.push_back(index);
           }
+        global_of_cell.push_back(global);
       }
 
       void add_struts()
@@ -241,13 +245,35 @@ namespace auxfem
       {
         for (const auto &[name, members] : cell.pairs)
           for (const auto &member : members)
-            {
-              const unsigned int first  = global[member.first];
-              const unsigned int second = global[member.second];
-              const auto [low, high]    = std::minmax(first, second);
-              if (known_pairs[name].emplace(low, high).second)
-                lattice.pair_sets[name].push_back({first, second, number});
-            }
+            add_pair(name,
+                     {global[member.first], global[member.second], number});
+      }
+
+      void add_pair(const std::string &name, const JointPair &pair)
+      {
+        const auto [low, high] = std::minmax(pair.first, pair.second);
+        if (known_pairs[name].emplace(low, high).second)
+          lattice.pair_sets[name].push_back(pair);
+      }
+
+      /** Needs all cells: the next one of a cell is made after it. */
+      void add_pairs_across()
+      {
+        const Index3 stride = {{1, n_cells[0], n_cells[0] * n_cells[1]}};
+        for (const auto &[name, members] : cell.pairs_across)
+          for (unsigned int c = 0; c < lattice.n_cells; ++c)
+            for (const auto &member : members)
+              {
+                const unsigned int d = member.direction;
+                if (c / stride[d] % n_cells[d] + 1 == n_cells[d])
+                  continue;
+                const JointPair pair = {
+                  global_of_cell[c][member.first],
+                  global_of_cell[c + stride[d]][member.second],
+                  c};
+                if (pair.first != pair.second)
+                  add_pair(name, pair);
+              }
       }
 
       void add_to_joint_set(const std::string               &name,
@@ -320,6 +346,7 @@ namespace auxfem
       Lattice                   lattice;
       unsigned int              number = 0; ///< of the cell in work
       std::vector<unsigned int> global; ///< lattice joint of each cell joint
+      std::vector<std::vector<unsigned int>> global_of_cell; ///< by number
       std::map<std::tuple<unsigned int, unsigned int, double>, unsigned int>
         strut_at;
       std::map<std::string, std::set<std::pair<unsigned int, unsigned int>>>

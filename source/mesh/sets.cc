@@ -271,6 +271,21 @@ namespace auxfem
         pairs.push_back({joint, invalid_index});
       return pairs;
     }
+    /** Only pairs across neighbouring cells can be missing. */
+    [[noreturn]] void refuse_without_pairs(const Lattice     &lattice,
+                                           const std::string &name,
+                                           const std::string &path)
+    {
+      throw InputError(
+        path + ": the lattice has no joint pairs " + quoted(name) +
+        ". They link neighbouring cells, and " +
+        (lattice.n_cells == 1
+           ? "one cell has no neighbour"
+           : "here no cell has a neighbour in their direction, or both share "
+             "the joint") +
+        ". Repeat the cell in that direction ('Cells x', 'Cells y' of the "
+        "lattice) or remove what uses these pairs.");
+    }
   } // namespace
 
   std::vector<unsigned int> select_joints(const Lattice      &lattice,
@@ -310,7 +325,11 @@ namespace auxfem
     const std::string text = trim(written);
     const auto        set  = lattice.pair_sets.find(text);
     if (set != lattice.pair_sets.end())
-      return set->second;
+      {
+        if (set->second.empty())
+          refuse_without_pairs(lattice, text, path);
+        return set->second;
+      }
 
     const auto colon = text.find(':');
     if (colon != std::string::npos && trim(text.substr(0, colon)) == "ground")

@@ -46,6 +46,72 @@ TEST(Array, SharedPairsAreKeptOnce)
   EXPECT_EQ(lattice.pair_sets.at("left").size(), 4u);
 }
 
+TEST(Array, PairsAcrossLinkCellsThatHaveANextOne)
+{
+  UnitCell cell             = square();
+  cell.pairs_across["skew"] = {{0, 0, 2}, {1, 1, 3}};
+  const auto lattice        = make_array(cell, {{3, 2, 1}});
+  // Two neighbours along x in each of two rows, one along y in three columns.
+  const auto &pairs = lattice.pair_sets.at("skew");
+  ASSERT_EQ(pairs.size(), 7u);
+  unsigned int n_along_x = 0;
+  for (const auto &pair : pairs)
+    {
+      const dealii::Point<3> corner(pair.cell % 3, pair.cell / 3, 0);
+      const auto             from = lattice.joints[pair.first] - corner;
+      const auto             to   = lattice.joints[pair.second] - corner;
+      if (from[0] == 0)
+        {
+          ++n_along_x;
+          EXPECT_LT(pair.cell % 3, 2u);
+          EXPECT_EQ(from, dealii::Point<3>(0, 0, 0));
+          EXPECT_EQ(to, dealii::Point<3>(2, 1, 0));
+        }
+      else
+        {
+          EXPECT_LT(pair.cell, 3u);
+          EXPECT_EQ(from, dealii::Point<3>(1, 0, 0));
+          EXPECT_EQ(to, dealii::Point<3>(0, 2, 0));
+        }
+    }
+  EXPECT_EQ(n_along_x, 4u);
+}
+
+TEST(Array, PairsAcrossInSpace)
+{
+  UnitCell cell;
+  cell.joints                = {{0, 0, 0}, {0, 0, 0.5}};
+  cell.struts                = {{0, 1}};
+  cell.pairs_across["seats"] = {{1, 2, 0}};
+  for (unsigned int d = 0; d < 3; ++d)
+    cell.period[d] = 1;
+  const auto  lattice = make_array(cell, {{2, 2, 3}});
+  const auto &pairs   = lattice.pair_sets.at("seats");
+  ASSERT_EQ(pairs.size(), 8u);
+  for (unsigned int i = 0; i < pairs.size(); ++i)
+    {
+      EXPECT_EQ(pairs[i].cell, i);
+      EXPECT_EQ(lattice.joints[pairs[i].second] -
+                  lattice.joints[pairs[i].first],
+                (dealii::Point<3>(0, 0, 0.5)));
+    }
+}
+
+TEST(Array, PairsAcrossMayBeMissing)
+{
+  UnitCell cell               = square();
+  cell.pairs_across["x"]      = {{1, 0, 3}};
+  cell.pairs_across["shared"] = {{1, 0, 0}};
+  // One cell has no neighbour.
+  const auto one = make_array(cell, {{1, 2, 1}});
+  EXPECT_TRUE(one.pair_sets.at("x").empty());
+  EXPECT_TRUE(one.pair_sets.at("shared").empty());
+  // The lower right joint of a cell is the lower left one of the next.
+  const auto two = make_array(cell, {{2, 1, 1}});
+  EXPECT_EQ(two.pair_sets.at("x").size(), 1u);
+  EXPECT_TRUE(two.pair_sets.at("shared").empty());
+}
+
 TEST(Array, CellsAreNumberedAlongXFirst)
 {
   const auto lattice = make_array(square(), {{3, 2, 1}});

@@ -176,6 +176,15 @@ TEST_F(Sets, PairsThatCannotBe)
   lattice.pair_sets["in-cell"] = {{0, 4}};
   EXPECT_EQ(pairs("in-cell").size(), 1u);
   EXPECT_TRUE(contains(refusal("incell"), "did you mean \"in-cell\"?"));
+
+  lattice.pair_sets["neighbours"] = {};
+  for (const auto part : {"Connectors/damper",
+                          "no joint pairs \"neighbours\"",
+                          "one cell has no neighbour",
+                          "'Cells x', 'Cells y'"})
+    EXPECT_TRUE(contains(refusal("neighbours"), part)) << part;
+  lattice.n_cells = 2;
+  EXPECT_TRUE(contains(refusal("neighbours"), "in their direction"));
 }
 
 TEST(BuildLattice, LaterSetsMayUseEarlierOnes)

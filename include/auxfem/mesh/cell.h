@@ -16,6 +16,15 @@ namespace auxfem
     std::vector<std::string> sets = {};
   };
 
+  /** A joint of a unit cell and a joint of the next cell along an axis. */
+  struct NeighbourPair
+  {
+    unsigned int first; ///< joint of this cell
+    /** 0, 1, 2: the next cell is the one at +x, +y, +z. */
+    unsigned int direction;
+    unsigned int second; ///< joint of the next cell
+  };
+
   /**
    * One unit cell about its own centre. Repeated with its period, joints that
    * coincide with those of a neighbour become one.
@@ -30,6 +39,12 @@ namespace auxfem
     /** Pairs of joints offered for connectors, by name. */
     std::map<std::string, std::vector<std::pair<unsigned int, unsigned int>>>
       pairs;
+
+    /**
+     * Pairs for connectors between a cell and the next one, by name; made
+     * wherever that neighbour exists.
+     */
+    std::map<std::string, std::vector<NeighbourPair>> pairs_across;
 
     /**
      * Distances between cell centres along x, y, z (m); 0: cannot be repeated
@@ -80,7 +95,9 @@ namespace auxfem
    *
    * Fills the joint sets `all`, `bottom`, `top`, `left`, `right` (in space also
    * `back`, `front`) and those of the cell, the strut sets `all` and those of
-   * the cell, and the pair sets.
+   * the cell, and the pair sets. A pair across two cells has the number of the
+   * first one, and is left out where its joints have become one: a set of such
+   * pairs may be empty.
    * Throws InputError if a number of cells is zero or a direction without
    * period is repeated.
    */

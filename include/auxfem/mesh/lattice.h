@@ -115,7 +115,10 @@ namespace auxfem
     /** Sorted strut indices by set name; `all`, `edges`, `stubs`, ... */
     std::map<std::string, std::vector<unsigned int>> strut_sets;
 
-    /** Pairs offered by the cell for connectors, e.g. `in-cell`, `rod`. */
+    /**
+     * Pairs offered by the cell for connectors, e.g. `in-cell`, `rod`. A set of
+     * pairs across neighbouring cells is empty where there are none.
+     */
     std::map<std::string, std::vector<JointPair>> pair_sets;
 
     /** Number of unit cells. */

@@ -30,7 +30,8 @@ namespace auxfem
 
   /**
    * Connector pairs named by `between`: a pair set of the cell, `3 5; 7 9`, or
-   * `ground: JOINTS`.
+   * `ground: JOINTS`. Throws InputError naming @p path: unknown pairs (with the
+   * nearest known names), no such joint number, a pair set without pairs.
    */
   std::vector<JointPair> select_pairs(const Lattice      &lattice,
                                       const std::string  &text,

@@ -14,6 +14,12 @@ namespace auxfem
    */
   RegistryEntry<Cell> general_star_cell_entry();
 
+  /**
+   * The cell of bars, rigid parts and a rod of Shokri Rad, Mohsenizadeh and
+   * Ahmad (mesh/cells/hinged_star.cc).
+   */
+  RegistryEntry<Cell> hinged_star_cell_entry();
+
   /** Joints and struts given one by one (mesh/cells/frame.cc). */
   RegistryEntry<Cell> frame_cell_entry();
 
