@@ -13,11 +13,9 @@ namespace auxfem
       line.action = action;
       has_action  = true;
     };
-    const auto set_file = [&](const std::string &file) {
-      if (!line.file.empty())
-        throw InputError("Two parameter files given, '" + line.file +
-                         "' and '" + file + "'; auxfem runs one at a time.");
-      line.file = file;
+    std::string output;
+    const auto  set_file = [&](const std::string &file) {
+      line.files.push_back(file);
     };
     for (std::size_t i = 0; i < arguments.size(); ++i)
       {
@@ -51,19 +49,34 @@ namespace auxfem
             if (has_value)
               set_file(value());
           }
+        else if (name == "--compare")
+          {
+            choose(CommandLine::Action::compare);
+            if (has_value)
+              set_file(value());
+          }
         else if (name == "--set")
           line.overrides.push_back(value());
         else if (name == "--output")
-          line.overrides.push_back("Output/Directory=" + value());
+          output = value();
         else
           throw InputError("Unknown option '" + argument + "'.\n\n" + usage());
       }
     if (!has_action)
       line.action = CommandLine::Action::run;
+    const bool compares   = line.action == CommandLine::Action::compare;
     const bool needs_file = line.action == CommandLine::Action::run ||
-      line.action == CommandLine::Action::check;
-    if (needs_file && line.file.empty())
+      line.action == CommandLine::Action::check || compares;
+    if (needs_file && line.files.empty())
       throw InputError("No parameter file given.\n\n" + usage());
+    if (!compares && line.files.size() > 1)
+      throw InputError("Two parameter files given, '" + line.files[0] +
+                       "' and '" + line.files[1] +
+                       "'; auxfem runs one at a time.");
+    if (compares)
+      line.folder = output.empty() ? "output/comparison" : output;
+    else if (!output.empty())
+      line.overrides.push_back("Output/Directory=" + output);
     return line;
   }
 
@@ -71,11 +84,14 @@ namespace auxfem
   {
     return R"(Usage: auxfem [OPTIONS] FILE.prm
        mpirun -n N auxfem [OPTIONS] FILE.prm
+       auxfem --compare [OPTIONS] FILE.prm [FILE.prm ...]
 
 Simulates a lattice of beams with viscoelastic connectors as described in FILE.prm
 and leaves the results in a folder: history.csv, solution.pvd, log.txt, summary.json.
 
   --check                  read and check FILE.prm, build the mesh, print counts; no run
+  --compare                compute each FILE.prm (Model = reduced cell) with every scheme,
+                           print a table, write it to DIR/comparison.csv (output/comparison)
   --set "SUB/PARAM=VALUE"  use VALUE instead of the one in FILE.prm (repeatable)
   --output DIR             folder for the results, short for --set "Output/Directory=DIR"
   --print-parameters       print all parameters with defaults, units and ranges

@@ -33,10 +33,18 @@ namespace
             std::cout << describe_all_parameters_markdown();
           break;
         case CommandLine::Action::check:
-          check(read_scene(line.file, line.overrides), MPI_COMM_WORLD);
+          check(read_scene(line.files[0], line.overrides), MPI_COMM_WORLD);
           break;
+        case CommandLine::Action::compare:
+          {
+            std::vector<Scene> scenes;
+            for (const std::string &file : line.files)
+              scenes.push_back(read_scene(file, line.overrides));
+            compare(scenes, line.folder, MPI_COMM_WORLD);
+            break;
+          }
         case CommandLine::Action::run:
-          run(read_scene(line.file, line.overrides), MPI_COMM_WORLD);
+          run(read_scene(line.files[0], line.overrides), MPI_COMM_WORLD);
           break;
       }
   }

@@ -1,6 +1,9 @@
 #include <auxfem/mesh/sets.h>
+#include <auxfem/output/first_rank.h>
 #include <auxfem/output/run_output.h>
 #include <auxfem/parameters/errors.h>
+#include <auxfem/reduced_cell/cell_run.h>
+#include <auxfem/reduced_cell/comparison.h>
 #include <auxfem/simulation.h>
 #include <auxfem/system/mechanism.h>
 #include <auxfem/system/overconstrained.h>
@@ -54,48 +57,71 @@ namespace auxfem
                        stepper.newton().tangent(),
                        stepper.newton().solver());
     }
+
+    void run_lattice(const Scene &scene, const MPI_Comm communicator)
+    {
+      RunTotals totals;
+      auto      setup = std::make_unique<Stopwatch>(totals.wall.setup);
+
+      RunOutput     output(scene, communicator);
+      const Lattice lattice = build_lattice(scene);
+      System        system(scene, lattice, communicator);
+      TimeStepper   stepper(system, scene);
+      State         state = system.initial_state();
+      refuse_undetermined(scene, system, state, stepper);
+      setup.reset();
+      output.begin(system);
+
+      try
+        {
+          stepper.start(state);
+          output.write_start(state);
+          while (state.step < scene.time.n_steps())
+            {
+              const StepReport report = stepper.advance(state);
+              count(report, totals);
+              output.write_step(state, report);
+            }
+        }
+      catch (const std::exception &failure)
+        {
+          finish(output, system, state, stepper, totals, failure.what());
+          throw;
+        }
+      finish(output, system, state, stepper, totals, "completed");
+    }
+
+    void check_lattice(const Scene &scene, const MPI_Comm communicator)
+    {
+      const Lattice lattice = build_lattice(scene);
+      System        system(scene, lattice, communicator);
+      TimeStepper   stepper(system, scene);
+      refuse_undetermined(scene, system, system.initial_state(), stepper);
+      refuse_probes_on_nothing(scene, lattice);
+      print_overview(scene, system);
+    }
   } // namespace
 
   void run(const Scene &scene, const MPI_Comm communicator)
   {
-    RunTotals totals;
-    auto      setup = std::make_unique<Stopwatch>(totals.wall.setup);
-
-    RunOutput     output(scene, communicator);
-    const Lattice lattice = build_lattice(scene);
-    System        system(scene, lattice, communicator);
-    TimeStepper   stepper(system, scene);
-    State         state = system.initial_state();
-    refuse_undetermined(scene, system, state, stepper);
-    setup.reset();
-    output.begin(system);
-
-    try
-      {
-        stepper.start(state);
-        output.write_start(state);
-        while (state.step < scene.time.n_steps())
-          {
-            const StepReport report = stepper.advance(state);
-            count(report, totals);
-            output.write_step(state, report);
-          }
-      }
-    catch (const std::exception &failure)
-      {
-        finish(output, system, state, stepper, totals, failure.what());
-        throw;
-      }
-    finish(output, system, state, stepper, totals, "completed");
+    if (scene.model == Model::reduced_cell)
+      on_first_rank(communicator, [&]() { run_reduced_cell(scene); });
+    else
+      run_lattice(scene, communicator);
   }
 
   void check(const Scene &scene, const MPI_Comm communicator)
   {
-    const Lattice lattice = build_lattice(scene);
-    System        system(scene, lattice, communicator);
-    TimeStepper   stepper(system, scene);
-    refuse_undetermined(scene, system, system.initial_state(), stepper);
-    refuse_probes_on_nothing(scene, lattice);
-    print_overview(scene, system);
+    if (scene.model == Model::reduced_cell)
+      on_first_rank(communicator, [&]() { check_reduced_cell(scene); });
+    else
+      check_lattice(scene, communicator);
+  }
+
+  void compare(const std::vector<Scene> &scenes,
+               const std::string        &folder,
+               const MPI_Comm            communicator)
+  {
+    on_first_rank(communicator, [&]() { run_comparison(scenes, folder); });
   }
 } // namespace auxfem

@@ -13,13 +13,17 @@ namespace auxfem
     {
       run,
       check,
+      compare,
       print_parameters,
       print_parameters_markdown,
       help,
       version
     };
-    Action      action = Action::help;
-    std::string file;
+    Action action = Action::help;
+    /** Parameter files: one, with Action::compare one or more. */
+    std::vector<std::string> files;
+    /** For the table of Action::compare. */
+    std::string folder;
     /** `Subsection/Parameter=value`, in the order given. */
     std::vector<std::string> overrides;
   };

@@ -55,6 +55,16 @@ namespace auxfem
         return {stored, damping * increment * (increment / motion.dt)};
       }
 
+      ContinuousResponse continuous(const double extension,
+                                    const double rate,
+                                    const double * /*internal*/,
+                                    double * /*internal_rates*/) const override
+      {
+        return {stiffness * extension + damping * rate,
+                0.5 * stiffness * extension * extension,
+                damping * rate * rate};
+      }
+
       double long_time_stiffness() const override
       {
         return stiffness;
@@ -68,8 +78,9 @@ namespace auxfem
     const Quantity spring_stiffness{"Spring stiffness",
                                     "",
                                     "N/m",
-                                    Range::non_negative(),
-                                    "Stiffness of the spring."};
+                                    Range::positive(),
+                                    "Stiffness of the spring; a dashpot "
+                                    "without spring is Law = dashpot."};
 
     const Quantity damping_coefficient{"Damping coefficient",
                                        "",

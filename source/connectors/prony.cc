@@ -92,6 +92,27 @@ namespace auxfem
         return energy;
       }
 
+      ContinuousResponse continuous(const double  extension,
+                                    const double  rate,
+                                    const double *internal,
+                                    double       *internal_rates) const override
+      {
+        ContinuousResponse response = {stiffness * extension,
+                                       0.5 * stiffness * extension * extension,
+                                       0};
+        for (unsigned int i = 0; i < elements.size(); ++i)
+          {
+            internal_rates[i] = elements[i].force_rate(internal[i], rate);
+            // Without resistance of the dashpot there is no force either.
+            if (elements[i].relaxation_time == 0)
+              continue;
+            response.force += internal[i];
+            response.stored += elements[i].stored_energy(internal[i]);
+            response.lost_power += elements[i].lost_power(internal[i]);
+          }
+        return response;
+      }
+
       double long_time_stiffness() const override
       {
         return stiffness;
@@ -196,6 +217,20 @@ namespace auxfem
   double MaxwellElement::stored_energy(const double force) const
   {
     return 0.5 * force * force / stiffness;
+  }
+
+  double MaxwellElement::force_rate(const double force,
+                                    const double extension_rate) const
+  {
+    return relaxation_time > 0
+      ? stiffness * extension_rate - force / relaxation_time
+      : 0.;
+  }
+
+  double MaxwellElement::lost_power(const double force) const
+  {
+    return relaxation_time > 0 ? force * force / (stiffness * relaxation_time)
+                               : 0.;
   }
 
   double MaxwellElement::dissipated_energy(const double force,

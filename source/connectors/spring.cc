@@ -34,6 +34,16 @@ namespace auxfem
         return {0.5 * stiffness * motion.extension * motion.extension, 0};
       }
 
+      ContinuousResponse continuous(const double extension,
+                                    const double /*rate*/,
+                                    const double * /*internal*/,
+                                    double * /*internal_rates*/) const override
+      {
+        return {stiffness * extension,
+                0.5 * stiffness * extension * extension,
+                0};
+      }
+
       double long_time_stiffness() const override
       {
         return stiffness;

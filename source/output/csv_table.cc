@@ -72,8 +72,21 @@ namespace auxfem
         line.append(number, end);
         line += ',';
       }
-    line.back() = '\n';
+    write_line();
+  }
 
+  void CsvTable::append_text(const std::vector<std::string> &row)
+  {
+    AssertDimension(row.size(), n_columns);
+    line.clear();
+    for (const std::string &cell : row)
+      line += csv_field(cell) + ',';
+    write_line();
+  }
+
+  void CsvTable::write_line()
+  {
+    line.back() = '\n';
     stream.write(line.data(), line.size());
     stream.flush();
     if (!stream)

@@ -13,9 +13,10 @@ namespace auxfem
     if (!start)
       start = energies.balance(0);
 
-    latest          = energies;
-    balance         = energies.balance(*start);
-    largest_balance = std::max(largest_balance, std::abs(balance));
+    latest  = energies;
+    balance = energies.balance(*start);
+    // In this order a number that is none stays.
+    largest_balance = std::max(std::abs(balance), largest_balance);
     largest_energy  = std::max({largest_energy,
                                 std::abs(energies.total()),
                                 std::abs(energies.dissipated),
@@ -24,7 +25,48 @@ namespace auxfem
 
   double EnergyRecord::relative(const double energy) const
   {
-    return largest_energy > 0 ? energy / largest_energy : 0;
+    if (largest_energy > 0 || std::isnan(energy))
+      return energy / largest_energy;
+    return 0;
+  }
+
+  std::vector<Column> energy_columns(const bool has_struts)
+  {
+    std::vector<Column> columns = {{"kinetic", "J", "kinetic energy"}};
+    if (has_struts)
+      columns.push_back(
+        {"strain", "J", "strain energy of struts and rotational springs"});
+    columns.push_back({"stored", "J", "energy in the springs of connectors"});
+    columns.push_back({"dissipated",
+                       "J",
+                       has_struts
+                         ? "energy lost in connectors and struts since the "
+                           "start"
+                         : "energy lost in connectors since the start"});
+    columns.push_back(
+      {"external", "J", "work of loads and prescribed motion since the start"});
+    columns.push_back(
+      {"balance",
+       "J",
+       std::string(has_struts ? "kinetic + strain" : "kinetic") +
+         " + stored + dissipated - external minus its value at the start: "
+         "error of the time integration and loss by its numerical damping"});
+    return columns;
+  }
+
+  std::vector<double> energy_values(const EnergyRecord &record,
+                                    const bool          has_struts)
+  {
+    const Energies     &energies = record.latest;
+    std::vector<double> values   = {energies.kinetic};
+    if (has_struts)
+      values.push_back(energies.strain);
+    for (const double energy : {energies.stored,
+                                energies.dissipated,
+                                energies.external,
+                                record.balance})
+      values.push_back(energy);
+    return values;
   }
 
   History::History(const Scene       &scene,
@@ -47,7 +89,8 @@ namespace auxfem
         columns.push_back(column);
     for (const ConnectorForces *group : system.connectors())
       define_connectors(*group);
-    define_energies();
+    for (const Column &column : energy_columns(/*has_struts=*/true))
+      columns.push_back(column);
     row.resize(columns.size());
 
     const DofNumbering &numbering = system.numbering();
@@ -135,25 +178,6 @@ namespace auxfem
                        "energy lost in the connectors since the start"});
   }
 
-  void History::define_energies()
-  {
-    columns.push_back({"kinetic", "J", "kinetic energy"});
-    columns.push_back(
-      {"strain", "J", "strain energy of struts and rotational springs"});
-    columns.push_back({"stored", "J", "energy in the springs of connectors"});
-    columns.push_back({"dissipated",
-                       "J",
-                       "energy lost in connectors and struts since the start"});
-    columns.push_back(
-      {"external", "J", "work of loads and prescribed motion since the start"});
-    columns.push_back(
-      {"balance",
-       "J",
-       "kinetic + strain + stored + dissipated - external minus "
-       "its value at the start: error of the time integration "
-       "and loss by its numerical damping"});
-  }
-
   unsigned int History::add_unknown_sums(const State &state,
                                          unsigned int column)
   {
@@ -215,13 +239,7 @@ namespace auxfem
                     MPI_SUM,
                     communicator);
 
-    const Energies &energies = state.energies;
-    for (const double energy : {energies.kinetic,
-                                energies.strain,
-                                energies.stored,
-                                energies.dissipated,
-                                energies.external,
-                                record.balance})
+    for (const double energy : energy_values(record, /*has_struts=*/true))
       row[column++] = energy;
     AssertDimension(column, row.size());
 

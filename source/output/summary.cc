@@ -74,30 +74,6 @@ namespace auxfem
       return object;
     }
 
-    JsonObject json(const EnergyRecord &record)
-    {
-      JsonObject object;
-      object.add("kinetic", record.latest.kinetic);
-      object.add("strain", record.latest.strain);
-      object.add("stored", record.latest.stored);
-      object.add("dissipated", record.latest.dissipated);
-      object.add("external", record.latest.external);
-      object.add("balance", record.balance);
-      object.add("largest", record.largest_energy);
-      object.add("largest_relative_balance",
-                 record.relative(record.largest_balance));
-      return object;
-    }
-
-    template <class Definition>
-    std::vector<std::string> names(const std::vector<Definition> &definitions)
-    {
-      std::vector<std::string> result;
-      for (const Definition &definition : definitions)
-        result.push_back(definition.name);
-      return result;
-    }
-
     std::string seconds(const double value)
     {
       char text[40];
@@ -197,12 +173,10 @@ namespace auxfem
       (revision.empty() ? "" : revision + ", ") + build_type + ")";
   }
 
-  std::string summary_json(const Scene &scene, const Summary &summary)
+  JsonObject json_of_run(const Scene       &scene,
+                         const std::string &exit_state,
+                         const double       time)
   {
-    JsonObject memory;
-    memory.add("largest_rank", summary.resources.largest_memory);
-    memory.add("all_ranks", summary.resources.memory);
-
     JsonObject object;
     object.add("program", "auxfem");
     object.add("version", version);
@@ -211,17 +185,66 @@ namespace auxfem
     object.add("date", now());
     object.add("file", scene.file);
     object.add("title", scene.title);
-    object.add("exit_state", summary.exit_state);
-    object.add("time_reached", summary.time);
+    object.add("exit_state", exit_state);
+    object.add("time_reached", time);
     object.add("end_time", scene.time.end_time);
+    return object;
+  }
+
+  JsonObject json_of_energies(const EnergyRecord &record, const bool has_struts)
+  {
+    JsonObject object;
+    object.add("kinetic", record.latest.kinetic);
+    if (has_struts)
+      object.add("strain", record.latest.strain);
+    object.add("stored", record.latest.stored);
+    object.add("dissipated", record.latest.dissipated);
+    object.add("external", record.latest.external);
+    object.add("balance", record.balance);
+    object.add("largest", record.largest_energy);
+    object.add("largest_relative_balance",
+               record.relative(record.largest_balance));
+    return object;
+  }
+
+  std::string heading_text(const Scene &scene)
+  {
+    std::string text = "auxfem " + version_text() + "\n" + scene.file;
+    if (!scene.title.empty())
+      text += ": " + scene.title;
+    return text;
+  }
+
+  std::string closing_energies_text(const EnergyRecord &record,
+                                    const std::string  &folder)
+  {
+    char balance[80];
+    std::snprintf(
+      balance,
+      sizeof(balance),
+      "Energy balance holds to %.1e of the largest energy (%.3e J)\n",
+      record.relative(record.largest_balance),
+      record.largest_energy);
+    return (record.largest_energy > 0 ? balance : "") +
+      ("Results are in " + folder);
+  }
+
+  std::string summary_json(const Scene &scene, const Summary &summary)
+  {
+    JsonObject memory;
+    memory.add("largest_rank", summary.resources.largest_memory);
+    memory.add("all_ranks", summary.resources.memory);
+
+    JsonObject object = json_of_run(scene, summary.exit_state, summary.time);
     object.add("counts", json(summary.counts));
-    object.add("sections", names(scene.sections));
-    object.add("connector_groups", names(scene.connectors));
+    object.add("sections", names_of_groups(scene.sections));
+    object.add("connector_groups", names_of_groups(scene.connectors));
     object.add("work", json(summary.totals));
     object.add("wall_seconds", wall_json(summary.resources));
     object.add("cpu_seconds", summary.resources.cpu_seconds);
     object.add("peak_memory_bytes", memory);
-    object.add("energies_joule", json(summary.energies));
+    object.add("energies_joule",
+               json_of_energies(summary.energies, /*has_struts=*/true));
     object.add("largest_rotation_radian", summary.largest_rotation);
     return object.text() + '\n';
   }
@@ -231,10 +254,7 @@ namespace auxfem
                             const std::vector<EffectDecision> &decisions)
   {
     std::ostringstream stream;
-    stream << "auxfem " << version_text() << "\n" << scene.file;
-    if (!scene.title.empty())
-      stream << ": " << scene.title;
-    stream << "\n\n";
+    stream << heading_text(scene) << "\n\n";
 
     const auto line = [&stream](const std::string &name,
                                 const unsigned int value,
@@ -289,16 +309,7 @@ namespace auxfem
            << seconds(wall.solve) << ", output " << seconds(wall.output) << '\n'
            << "Peak memory " << (summary.resources.memory >> 20) << " MiB\n";
 
-    char balance[80];
-    std::snprintf(
-      balance,
-      sizeof(balance),
-      "Energy balance holds to %.1e of the largest energy (%.3e J)\n",
-      summary.energies.relative(summary.energies.largest_balance),
-      summary.energies.largest_energy);
-    if (summary.energies.largest_energy > 0)
-      stream << balance;
-    stream << "Results are in " << folder;
+    stream << closing_energies_text(summary.energies, folder);
     return stream.str();
   }
 } // namespace auxfem

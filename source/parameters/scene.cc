@@ -74,11 +74,22 @@ namespace auxfem
       scene.file              = file;
       scene.context.directory = directory_of(file);
 
-      check_subsection_names(root, mistakes);
+      // Without a model nothing can be said about what the rest may be.
+      if (const std::optional<Model> model = model_of(root))
+        {
+          scene.model = *model;
+          check_subsection_names(root, *model, mistakes);
+        }
+      else
+        {
+          check_and_declare(root, general_kinds().front(), prm, mistakes);
+          mistakes.throw_if_any(file);
+        }
       for (const SubsectionKind &kind : subsection_kinds())
-        for (const CheckedSubsection &checked :
-             check_and_declare(root, kind, prm, mistakes))
-          read_subsection(prm, kind, checked, scene, mistakes);
+        if (kind.serves(scene.model))
+          for (const CheckedSubsection &checked :
+               check_and_declare(root, kind, prm, mistakes))
+            read_subsection(prm, kind, checked, scene, mistakes);
       check_consistency(scene, mistakes);
       mistakes.throw_if_any(file);
 

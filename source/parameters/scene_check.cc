@@ -112,7 +112,8 @@ namespace auxfem
         if (!problem.empty())
           report(entry.place,
                  path_of(entry.name) + " = " + entry.value + ": " + problem +
-                   "\n  Allowed: " + declared.allowed());
+                   "\n  Allowed: " + declared.allowed() +
+                   "\n  Meaning: " + declared.sentence);
       }
 
       void check_given(const DeclaredEntry &declared)
@@ -283,14 +284,24 @@ namespace auxfem
 
 
   void check_subsection_names(const ParameterSubsection &root,
+                              const Model                model,
                               Mistakes                  &mistakes)
   {
-    std::vector<std::string> known;
+    std::vector<std::string> known, others;
     for (const SubsectionKind &kind : subsection_kinds())
       if (!kind.name.empty())
-        known.push_back(kind.name);
+        (kind.serves(model) ? known : others).push_back(kind.name);
+    const auto is_among = [](const std::vector<std::string> &names,
+                             const std::string              &name) {
+      return std::find(names.begin(), names.end(), name) != names.end();
+    };
     for (const ParameterSubsection &found : root.subsections)
-      if (std::find(known.begin(), known.end(), found.name) == known.end())
+      if (is_among(others, found.name))
+        mistakes.add(found.place.text() + ": subsection \"" + found.name +
+                     "\" has no meaning with Model = " + name_of(model) +
+                     ". Remove it or choose another Model\n  Allowed here: " +
+                     joined(known));
+      else if (!is_among(known, found.name))
         mistakes.add(found.place.text() + ": unknown subsection \"" +
                      found.name + "\"" + did_you_mean(found.name, known) +
                      "\n  Allowed here: " + joined(known));

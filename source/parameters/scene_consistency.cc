@@ -1,5 +1,6 @@
 #include <auxfem/parameters/scene_sections.h>
 
+#include <algorithm>
 #include <map>
 #include <sstream>
 
@@ -107,6 +108,54 @@ namespace auxfem
                                "massless struts"));
     }
 
+    const std::vector<std::string> lattice_only      = {"static"};
+    const std::vector<std::string> reduced_cell_only = {"central difference",
+                                                        "as printed",
+                                                        "arkode"};
+
+    void check_scheme(const Scene &scene, Mistakes &mistakes)
+    {
+      const bool is_lattice = scene.model == Model::lattice;
+      const std::vector<std::string> &of_others =
+        is_lattice ? reduced_cell_only : lattice_only;
+      const std::string &scheme = scene.time.scheme;
+      if (std::find(of_others.begin(), of_others.end(), scheme) !=
+          of_others.end())
+        mistakes.add(message(
+          scene,
+          "Time/Scheme = ",
+          scheme,
+          is_lattice
+            ? " integrates the reduced cell only (Model = reduced cell)"
+            : ": without inertia the cell of rigid parts is a mechanism, no "
+              "equilibrium determines its angle",
+          ". Use e.g. Scheme = newmark"));
+    }
+
+    void check_reduced_cell(const Scene &scene, Mistakes &mistakes)
+    {
+      const std::size_t n_connectors = scene.connectors.size();
+      // A group with mistakes is not among the scene's.
+      if (n_connectors > 1 || (n_connectors == 0 && mistakes.empty()))
+        mistakes.add(message(scene,
+                             "Connectors has ",
+                             n_connectors,
+                             " groups, but with Model = reduced cell "
+                             "there must be exactly one, the connector between "
+                             "the upper part and the foundation"));
+      if (scene.time.static_start)
+        mistakes.add(message(scene,
+                             "Time/Start from = static equilibrium is not "
+                             "possible with Model = reduced cell, which starts "
+                             "from rest. Remove it"));
+      if (scene.time.smallest_step > 0)
+        mistakes.add(message(scene,
+                             "Time/Smallest time step = ",
+                             scene.time.smallest_step,
+                             " s: with Model = reduced cell steps are never "
+                             "repeated with a smaller length. Remove it"));
+    }
+
     /**
      * Probes, supports and connectors give history.csv columns
      * `NAME.quantity`.
@@ -139,6 +188,9 @@ namespace auxfem
   void check_consistency(const Scene &scene, Mistakes &mistakes)
   {
     check_steps(scene, mistakes);
+    check_scheme(scene, mistakes);
+    if (scene.model == Model::reduced_cell)
+      check_reduced_cell(scene, mistakes);
     check_smallest_step(scene, mistakes);
     check_newmark(scene, mistakes);
     check_inertia(scene, mistakes);

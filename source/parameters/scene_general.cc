@@ -19,11 +19,20 @@ namespace auxfem
                                2,
                                3,
                                "Dimension of space; only 2 so far."};
-    const Text    constants = {
-         "Constants",
-         "",
-         "Constants for expressions, \"name = number, name = number\"; a number "
-            "may have a unit word and then counts in SI."};
+    const std::vector<std::pair<std::string, Model>> models =
+      {{"lattice", Model::lattice}, {"reduced cell", Model::reduced_cell}};
+
+    const Choice model = {
+      "Model",
+      "lattice",
+      {models[0].first, models[1].first},
+      "What is simulated: a lattice of beams and connectors by finite elements, "
+      "or one star cell of rigid parts with two unknowns."};
+    const Text constants = {
+      "Constants",
+      "",
+      "Constants for expressions, \"name = number, name = number\"; a number "
+      "may have a unit word and then counts in SI."};
 
     bool is_identifier(const std::string &name)
     {
@@ -118,11 +127,36 @@ namespace auxfem
              "At the top of the file, outside all subsections.",
              [](dealii::ParameterHandler &prm) {
                declare(prm, title);
+               declare(prm, model);
                declare(prm, dimension);
                declare(prm, constants);
              },
              "",
              {},
-             read_general}};
+             read_general,
+             {Model::lattice, Model::reduced_cell}}};
+  }
+
+
+
+  std::string name_of(const Model model)
+  {
+    for (const auto &[word, value] : models)
+      if (value == model)
+        return word;
+    return "";
+  }
+
+
+
+  std::optional<Model> model_of(const ParameterSubsection &root)
+  {
+    const ParameterEntry *entry = root.find_entry(model.name);
+    const std::string     found =
+      entry == nullptr ? model.default_value : entry->value;
+    for (const auto &[word, value] : models)
+      if (word == found)
+        return value;
+    return {};
   }
 } // namespace auxfem

@@ -13,22 +13,6 @@ namespace auxfem
     const Text joints = {"Joints", "", "Set of joints.", true};
     const Text struts = {"Struts", "", "Set of struts.", true};
 
-    TimeFunction time_function(ParameterHandler     &prm,
-                               const TimeExpression &entry,
-                               const SceneContext   &context)
-    {
-      using dealii::Utilities::trim;
-
-      const std::string text   = get(prm, entry);
-      const std::string prefix = "table:";
-      if (trim(text).compare(0, prefix.size(), prefix) == 0)
-        {
-          const std::string file = trim(trim(text).substr(prefix.size()));
-          prm.set(entry.name, prefix + " " + absolute_file(file, context));
-        }
-      return TimeFunction(text, entry.name, context);
-    }
-
     // Supports
 
     const Choice support_type = {
@@ -62,9 +46,10 @@ namespace auxfem
       for (unsigned int i = 0; i < 3; ++i)
         if (!is_word(prm, support_motion[i]))
           {
-            anything          = true;
-            support.fixed[i]  = true;
-            support.motion[i] = time_function(prm, support_motion[i], context);
+            anything         = true;
+            support.fixed[i] = true;
+            support.motion[i] =
+              read_time_function(prm, support_motion[i], context);
           }
       if (!anything)
         throw InputError(context.path +
@@ -193,7 +178,8 @@ namespace auxfem
           load.path   = context.path;
           load.joints = get(prm, joints);
           for (unsigned int i = 0; i < joint_load.size(); ++i)
-            load.components[i] = time_function(prm, joint_load[i], context);
+            load.components[i] =
+              read_time_function(prm, joint_load[i], context);
           scene.joint_loads.push_back(load);
         }
       else
@@ -203,7 +189,7 @@ namespace auxfem
           load.path   = context.path;
           load.struts = get(prm, struts);
           for (unsigned int i = 0; i < line_load.size(); ++i)
-            load.components[i] = time_function(prm, line_load[i], context);
+            load.components[i] = read_time_function(prm, line_load[i], context);
           scene.line_loads.push_back(load);
         }
     }
@@ -303,6 +289,24 @@ namespace auxfem
               }};
     }
   } // namespace
+
+
+
+  TimeFunction read_time_function(ParameterHandler     &prm,
+                                  const TimeExpression &entry,
+                                  const SceneContext   &context)
+  {
+    using dealii::Utilities::trim;
+
+    const std::string text   = get(prm, entry);
+    const std::string prefix = "table:";
+    if (trim(text).compare(0, prefix.size(), prefix) == 0)
+      {
+        const std::string file = trim(trim(text).substr(prefix.size()));
+        prm.set(entry.name, prefix + " " + absolute_file(file, context));
+      }
+    return TimeFunction(text, entry.name, context);
+  }
 
 
 

@@ -63,7 +63,8 @@ namespace auxfem
        },
        "",
        {},
-       read_output},
+       read_output,
+       {Model::lattice, Model::reduced_cell}},
       {"Probes",
        Form::free_entries,
        "Sets of joints whose mean motion goes to history.csv: the name "

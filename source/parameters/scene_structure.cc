@@ -228,11 +228,32 @@ namespace auxfem
                          "Give a Ground offset or set Geometry = direction");
     }
 
+    /** The place of the reduced cell's connector is part of the model. */
+    void refuse_place(dealii::ParameterHandler &prm,
+                      const SceneContext       &context)
+    {
+      const auto refuse = [&](const std::string &name,
+                              const std::string &default_value) {
+        if (prm.get(name) != default_value)
+          throw InputError(
+            context.path + "/" + name + " = " + prm.get(name) +
+            ": with Model = reduced cell the connector stands between the "
+            "upper part and the rod on the foundation. Remove " +
+            name);
+      };
+      refuse(between.name, between.default_value);
+      refuse(geometry.name, geometry.default_value);
+      refuse(direction.name, direction.default_value);
+      refuse(ground_offset.name, ground_offset.default_value);
+    }
+
     void read_connector(dealii::ParameterHandler &prm,
                         const std::string        &name,
                         const SceneContext       &context,
                         Scene                    &scene)
     {
+      if (scene.model == Model::reduced_cell)
+        refuse_place(prm, context);
       ConnectorDefinition connector;
       connector.name    = name;
       connector.path    = context.path;
@@ -269,7 +290,8 @@ namespace auxfem
               },
               "Law",
               variants_of(connector_law_registry()),
-              read_connector};
+              read_connector,
+              {Model::lattice, Model::reduced_cell}};
     }
   } // namespace
 

@@ -112,11 +112,20 @@ namespace auxfem
     const Choice scheme = {
       "Scheme",
       "newmark",
-      {"newmark", "hht", "generalized-alpha", "static"},
+      {"newmark",
+       "hht",
+       "generalized-alpha",
+       "static",
+       "central difference",
+       "as printed",
+       "arkode"},
       "Time integrator; newmark, hht (Hilber-Hughes-Taylor) and "
       "generalized-alpha (Chung-Hulbert) are of second order, the last two "
       "damp high frequencies; static: equilibrium at every step, time is a "
-      "load parameter."};
+      "load parameter, lattices only. For the reduced cell only: central "
+      "difference on two interlaced grids; as printed: the paper's equations "
+      "and scheme with their slips; arkode: explicit Runge-Kutta with error "
+      "control, the reference."};
     const Quantity newmark_beta = {
       "Newmark beta",
       "0.25",
@@ -251,7 +260,8 @@ namespace auxfem
                                 get(prm, maximum_iterations),
                                 get(prm, factorization) == "kept",
                                 get(prm, kept_reduction)};
-              }};
+              },
+              {Model::lattice, Model::reduced_cell}};
     }
 
     // Solver
@@ -289,7 +299,8 @@ namespace auxfem
              declare_time,
              "",
              {},
-             read_time},
+             read_time,
+             {Model::lattice, Model::reduced_cell}},
             newton_kind(),
             solver_kind()};
   }

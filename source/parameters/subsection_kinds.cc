@@ -6,6 +6,7 @@
 #define BOOST_BIND_GLOBAL_PLACEHOLDERS
 #include <boost/property_tree/json_parser.hpp>
 
+#include <algorithm>
 #include <sstream>
 
 namespace auxfem
@@ -15,6 +16,7 @@ namespace auxfem
     static const std::vector<SubsectionKind> kinds = [] {
       std::vector<SubsectionKind> all;
       for (const auto &group : {general_kinds(),
+                                {reduced_cell_kind()},
                                 structure_kinds(),
                                 load_kinds(),
                                 time_kinds(),
@@ -23,6 +25,13 @@ namespace auxfem
       return all;
     }();
     return kinds;
+  }
+
+
+
+  bool SubsectionKind::serves(const Model model) const
+  {
+    return std::find(models.begin(), models.end(), model) != models.end();
   }
 
 

@@ -2,17 +2,17 @@
 
 namespace auxfem
 {
-  State::State(const DofNumbering &numbering, const StateLayout &layout)
-    : displacement(numbering.local_map())
-    , residual(numbering.local_map())
+  State::State(const Epetra_BlockMap &unknowns, const StateLayout &layout)
+    : displacement(unknowns)
+    , residual(unknowns)
     , history(layout.n_history, 0.)
     , dissipated(layout.n_dissipated, 0.)
   {
     if (layout.velocity)
-      velocity.emplace(numbering.local_map());
+      velocity.emplace(unknowns);
     if (layout.acceleration)
-      acceleration.emplace(numbering.local_map());
+      acceleration.emplace(unknowns);
     if (layout.algorithmic_acceleration)
-      algorithmic_acceleration.emplace(numbering.local_map());
+      algorithmic_acceleration.emplace(unknowns);
   }
 } // namespace auxfem

@@ -95,7 +95,7 @@ namespace auxfem
 
   State System::initial_state() const
   {
-    State state(*dofs, state_layout);
+    State state(dofs->local_map(), state_layout);
     for (const auto &[unknown, velocity] : initial_velocities)
       (*state.velocity)[unknown] = velocity;
     return state;

@@ -41,6 +41,17 @@ namespace auxfem
     double dissipated;
   };
 
+  /** Answer of a law for one connector at an instant, without any step. */
+  struct ContinuousResponse
+  {
+    /** Force (N), positive in tension. */
+    double force;
+    /** Energy in the springs (J). */
+    double stored;
+    /** Power lost in the dashpots (W), >= 0. */
+    double lost_power;
+  };
+
   /**
    * The law of a connector: extension history to force. One object serves all
    * connectors of a group and holds parameters only. Internal variables lie in
@@ -78,6 +89,18 @@ namespace auxfem
     virtual ConnectorEnergy energy(const ConnectorMotion &motion,
                                    const double          *committed,
                                    const double          *trial) const = 0;
+
+    /**
+     * The law of one connector as a system of ordinary differential equations,
+     * for integrators that choose their own steps: from @p extension (m), its
+     * @p rate (m/s) and the n_history() internal variables @p internal now to
+     * the force and energies now and the @p internal_rates. Small steps of
+     * evaluate() tend to its solution.
+     */
+    virtual ContinuousResponse continuous(double        extension,
+                                          double        rate,
+                                          const double *internal,
+                                          double *internal_rates) const = 0;
 
     /**
      * The law with every dashpot gone and all Maxwell elements relaxed: the

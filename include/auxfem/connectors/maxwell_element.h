@@ -41,6 +41,15 @@ namespace auxfem
     double stored_energy(double force) const;
 
     /**
+     * dF/dt = k du/dt - F / tau (N/s) under @p force (N), the extension growing
+     * at @p extension_rate (m/s); 0 if the dashpot offers no resistance.
+     */
+    double force_rate(double force, double extension_rate) const;
+
+    /** Power lost in the dashpot (W) under @p force (N): F^2 / c, c = k tau. */
+    double lost_power(double force) const;
+
+    /**
      * Energy lost in the dashpot (J), the integral of F^2 / c over a step of
      * length @p dt (s) that starts with @p force (N) and adds
      * @p extension_increment (m).

@@ -16,9 +16,9 @@ namespace auxfem
   };
 
   /**
-   * A table of numbers in a comma-separated file that grows by rows: one header
-   * line with the names, then numbers with 15 significant digits. Every row is
-   * on its way to the disk when append() returns.
+   * A table, mostly of numbers, in a comma-separated file that grows by rows:
+   * one header line with the names, then numbers with 15 significant digits.
+   * Every row is on its way to the disk when append() returns.
    */
   class CsvTable
   {
@@ -36,7 +36,12 @@ namespace auxfem
      */
     void append(const std::vector<double> &row);
 
+    /** As append(), for a row of words and of numbers already written out. */
+    void append_text(const std::vector<std::string> &row);
+
   private:
+    void write_line();
+
     std::string   file;
     std::ofstream stream;
     std::string   line;

@@ -30,6 +30,16 @@ namespace auxfem
   };
 
   /**
+   * Columns of history.csv for energies; without @p has_struts there is none
+   * for strain energy.
+   */
+  std::vector<Column> energy_columns(bool has_struts);
+
+  /** The numbers in these columns after the latest add(). */
+  std::vector<double> energy_values(const EnergyRecord &record,
+                                    bool                has_struts);
+
+  /**
    * `history.csv`: a row for each recorded state. Columns: `time`; for a probe
    * P `P.ux`, `P.uy`, `P.phi` (if all its joints rotate) and in dynamics
    * `P.vx`, `P.vy`, means over its joints; for a probe on rigid parts the
@@ -91,7 +101,6 @@ namespace auxfem
                       const SceneContext    &context);
     void define_support(const Support &support);
     void define_connectors(const ConnectorForces &group);
-    void define_energies();
 
     /** Sums of this rank from column @p column on; returns the column after them. */
     unsigned int add_unknown_sums(const State &state, unsigned int column);

@@ -2,6 +2,7 @@
 #define auxfem_output_summary_h
 
 #include <auxfem/output/history.h>
+#include <auxfem/output/json.h>
 #include <auxfem/parameters/scene.h>
 #include <auxfem/system/system.h>
 #include <auxfem/time/step_report.h>
@@ -73,6 +74,34 @@ namespace auxfem
    * Release)`.
    */
   std::string version_text();
+
+  /**
+   * The first members of every summary.json: program, date, scene, @p exit_state
+   * and the @p time reached (s).
+   */
+  JsonObject
+  json_of_run(const Scene &scene, const std::string &exit_state, double time);
+
+  /** The energies in summary.json; without struts no strain energy. */
+  JsonObject json_of_energies(const EnergyRecord &record, bool has_struts);
+
+  /** Names of the groups in @p definitions. */
+  template <class Definition>
+  std::vector<std::string>
+  names_of_groups(const std::vector<Definition> &definitions)
+  {
+    std::vector<std::string> names;
+    for (const Definition &definition : definitions)
+      names.push_back(definition.name);
+    return names;
+  }
+
+  /** The first lines of a run on the screen: program, file and title. */
+  std::string heading_text(const Scene &scene);
+
+  /** Last lines about energies and the folder; see closing_text(). */
+  std::string closing_energies_text(const EnergyRecord &record,
+                                    const std::string  &folder);
 
   /** The text of summary.json, with the date of now. */
   std::string summary_json(const Scene &scene, const Summary &summary);

@@ -103,6 +103,28 @@ namespace auxfem
     std::string          path;
   };
 
+  /** `Model`: what the scene is a scene of. */
+  enum class Model
+  {
+    lattice,     ///< beams, joints and connectors as finite elements
+    reduced_cell ///< one cell of rigid parts with two unknowns
+  };
+
+  /**
+   * `Reduced cell`: the star cell of rigid parts and hinges in which a
+   * connector carries the load on the upper part to the foundation (Shokri Rad
+   * et al., Figs. 2 and 4). See reduced_cell/cell_equations.h.
+   */
+  struct ReducedCellDefinition
+  {
+    double       bar_length = 0.5; ///< L1 (m)
+    double       angle      = 0;   ///< theta0, at rest (rad)
+    double       bar_mass   = 0;   ///< m1, of each of the four bars (kg)
+    double       part_mass  = 0;   ///< m2, of upper and lower part each (kg)
+    TimeFunction load;             ///< f1, pushes the upper part down (N)
+    std::string  path;
+  };
+
   /** `Supports/NAME`: prescribed motion of a set of joints. */
   struct SupportDefinition
   {
@@ -185,8 +207,8 @@ namespace auxfem
   struct TimeParameters
   {
     /**
-     * Name in the integrator table: `newmark`, `hht`, `generalized-alpha`,
-     * `static`.
+     * For lattices a name in the table of time/register.cc, for the reduced
+     * cell one in that of reduced_cell/register.cc.
      */
     std::string scheme          = "newmark";
     double      beta            = 0.25;
@@ -271,7 +293,10 @@ namespace auxfem
   /** Everything the user asked for, checked value by value, SI throughout. */
   struct Scene
   {
-    std::string                 title;
+    std::string title;
+    Model       model = Model::lattice;
+    /** With Model::reduced_cell; its connector is the one in `connectors`. */
+    std::optional<ReducedCellDefinition> reduced_cell;
     SceneContext                context; ///< directory of the file, constants
     std::string                 file;
     std::shared_ptr<const Cell> cell;

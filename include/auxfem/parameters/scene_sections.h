@@ -59,6 +59,11 @@ namespace auxfem
                        const SceneContext       &context,
                        Scene                    &scene)>
       read = {};
+
+    /** Models whose scenes may have this subsection. */
+    std::vector<Model> models = {Model::lattice};
+
+    bool serves(Model model) const;
   };
 
   /** All kinds of subsections, in the order of the reference. */
@@ -70,10 +75,31 @@ namespace auxfem
   std::vector<SubsectionKind> structure_kinds();
   SubsectionKind              sections_kind();
   SubsectionKind              rigid_parts_kind();
+  SubsectionKind              reduced_cell_kind();
   std::vector<SubsectionKind> load_kinds();
   std::vector<SubsectionKind> time_kinds();
   std::vector<SubsectionKind> output_kinds();
   ///@}
+
+  /** @name The top-level entry `Model`. */
+  ///@{
+  /** The word for @p model, e.g. `reduced cell`. */
+  std::string name_of(Model model);
+
+  /**
+   * The model that the top level of the file asks for; nothing if its word is
+   * none, which check_and_declare() reports.
+   */
+  std::optional<Model> model_of(const ParameterSubsection &root);
+  ///@}
+
+  /**
+   * The function of time in @p entry. The file name of a table becomes an
+   * absolute one in @p prm.
+   */
+  TimeFunction read_time_function(dealii::ParameterHandler &prm,
+                                  const TimeExpression     &entry,
+                                  const SceneContext       &context);
 
   /** An entry as a declare() function has declared it. */
   struct DeclaredEntry
@@ -124,8 +150,12 @@ namespace auxfem
                     dealii::ParameterHandler  &prm,
                     Mistakes                  &mistakes);
 
-  /** Adds the subsections of the file that no kind allows to @p mistakes. */
+  /**
+   * Adds the subsections of the file that no kind allows, and those that serve
+   * other models than @p model, to @p mistakes.
+   */
   void check_subsection_names(const ParameterSubsection &root,
+                              Model                      model,
                               Mistakes                  &mistakes);
 
   /** Adds contradictions between subsections of @p scene to @p mistakes. */

@@ -1,8 +1,6 @@
 #ifndef auxfem_system_state_h
 #define auxfem_system_state_h
 
-#include <auxfem/dofs/numbering.h>
-
 #include <Epetra_Vector.h>
 
 #include <optional>
@@ -54,12 +52,13 @@ namespace auxfem
   };
 
   /**
-   * Everything that describes the lattice at one time. There is one accepted
+   * Everything that describes the structure at one time. There is one accepted
    * state, owned by run(), and one trial state, owned by the time stepper.
    */
   struct State
   {
-    State(const DofNumbering &numbering, const StateLayout &layout);
+    /** At rest; @p unknowns are all local ones (DofNumbering::local_map()). */
+    State(const Epetra_BlockMap &unknowns, const StateLayout &layout);
 
     double        time = 0; ///< s
     unsigned long step = 0;

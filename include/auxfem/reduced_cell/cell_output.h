@@ -1,0 +1,64 @@
+#ifndef auxfem_reduced_cell_cell_output_h
+#define auxfem_reduced_cell_cell_output_h
+
+#include <auxfem/output/console.h>
+#include <auxfem/output/csv_table.h>
+#include <auxfem/output/history.h>
+#include <auxfem/reduced_cell/cell_scheme.h>
+
+#include <chrono>
+#include <fstream>
+#include <optional>
+
+namespace auxfem
+{
+  /**
+   * What a run of the reduced cell leaves behind, in one folder: original.prm,
+   * parameters.prm, log.txt, history.csv with history.units.csv, summary.json;
+   * and its lines on the screen. To be used on one rank.
+   */
+  class CellOutput
+  {
+  public:
+    /** @param scene must outlive the object. */
+    explicit CellOutput(const Scene &scene);
+
+    /**
+     * Makes the folder, prints what is simulated, starts the history. Throws
+     * InputError if the folder cannot be written to.
+     */
+    void begin();
+
+    /** A sample, in order, from the one at t = 0; a row when one is due. */
+    void write(const CellSample &sample);
+
+    /**
+     * Closes the run: last row, summary.json. @p exit_state is `completed` or
+     * the reason it was not; @p work that of the scheme.
+     */
+    void finish(const std::string &exit_state, unsigned long work);
+
+  private:
+    using Clock = std::chrono::steady_clock;
+
+    void        write_row(const CellSample &sample);
+    std::string summary(const std::string &exit_state,
+                        unsigned long      work) const;
+
+    const Scene              &scene;
+    const Clock::time_point   start;
+    std::ofstream             log;
+    std::optional<Console>    console;
+    std::optional<CsvTable>   table;
+    EnergyRecord              energies;
+    std::optional<CellSample> latest, latest_row;
+    unsigned long             n_samples           = 0;
+    double                    largest_transmitted = 0; ///< N
+  };
+
+  /** What CellOutput::begin() prints: the cell, what is simulated, the scheme.
+   */
+  std::string cell_overview_text(const Scene &scene);
+} // namespace auxfem
+
+#endif

@@ -1,0 +1,123 @@
+#include <auxfem/parameters/errors.h>
+#include <auxfem/reduced_cell/cell_equations.h>
+
+#include <cmath>
+
+namespace auxfem
+{
+  CellEquations::CellEquations(const ReducedCellDefinition &cell)
+    : length(cell.bar_length)
+    , angle_at_rest(cell.angle)
+    , bar_mass(cell.bar_mass)
+    , part_mass(cell.part_mass)
+  {}
+
+  double CellEquations::angle(const double turn) const
+  {
+    return angle_at_rest + turn;
+  }
+
+  double CellEquations::extension(const CellVector &position) const
+  {
+    // No difference of nearly equal sines: small motions keep all digits.
+    const double half = position[0] / 2;
+    return position[1] +
+      4 * length * std::cos(angle_at_rest + half) * std::sin(half);
+  }
+
+  double CellEquations::extension_rate(const CellMotion &motion) const
+  {
+    return lever(motion.position[0]) * motion.velocity;
+  }
+
+  CellVector CellEquations::lever(const double turn) const
+  {
+    CellVector b;
+    b[0] = 2 * length * std::cos(angle(turn));
+    b[1] = 1;
+    return b;
+  }
+
+  CellVector CellEquations::lever_derivative(const double turn) const
+  {
+    CellVector b;
+    b[0] = -2 * length * std::sin(angle(turn));
+    return b;
+  }
+
+  CellMatrix CellEquations::mass(const double turn) const
+  {
+    const double c = std::cos(angle(turn));
+    CellMatrix   M;
+    M[0][0] =
+      4 * length * length * ((bar_mass + part_mass) * c * c + bar_mass / 3);
+    M[0][1] = M[1][0] = 2 * length * c * (2 * bar_mass + part_mass);
+    M[1][1]           = 4 * bar_mass + 2 * part_mass;
+    return M;
+  }
+
+  CellMatrix CellEquations::mass_derivative(const double turn) const
+  {
+    const double c = std::cos(angle(turn)), s = std::sin(angle(turn));
+    CellMatrix   M;
+    M[0][0] = -8 * length * length * (bar_mass + part_mass) * c * s;
+    M[0][1] = M[1][0] = -2 * length * s * (2 * bar_mass + part_mass);
+    return M;
+  }
+
+  CellVector CellEquations::velocity_force(const double turn,
+                                           const double turn_rate) const
+  {
+    const double c = std::cos(angle(turn)), s = std::sin(angle(turn));
+    CellVector   h;
+    h[0] = -4 * length * length * (bar_mass + part_mass) * s * c;
+    h[1] = -2 * length * (2 * bar_mass + part_mass) * s;
+    return turn_rate * turn_rate * h;
+  }
+
+  CellVector CellEquations::velocity_force_by_turn(const double turn,
+                                                   const double turn_rate) const
+  {
+    const double c = std::cos(angle(turn)), s = std::sin(angle(turn));
+    CellVector   h;
+    h[0] = -4 * length * length * (bar_mass + part_mass) * (c * c - s * s);
+    h[1] = -2 * length * (2 * bar_mass + part_mass) * c;
+    return turn_rate * turn_rate * h;
+  }
+
+  CellVector CellEquations::velocity_force_by_rate(const double turn,
+                                                   const double turn_rate) const
+  {
+    return 2 * turn_rate * velocity_force(turn, 1);
+  }
+
+  CellVector CellEquations::acceleration(const CellMotion &motion,
+                                         const double      force) const
+  {
+    const double turn = motion.position[0];
+    refuse_singular(turn);
+    return invert(mass(turn)) *
+      (-force * lever(turn) - velocity_force(turn, motion.velocity[0]));
+  }
+
+  double CellEquations::kinetic_energy(const CellMotion &motion) const
+  {
+    return 0.5 *
+      (motion.velocity * (mass(motion.position[0]) * motion.velocity));
+  }
+
+  bool CellEquations::is_always_regular() const
+  {
+    return bar_mass > 0;
+  }
+
+  void CellEquations::refuse_singular(const double turn) const
+  {
+    // The cosine of an upright bar is no exact zero in floating point.
+    if (!is_always_regular() && std::cos(angle(turn)) < 1e-12)
+      throw ComputationError(
+        "The bars have come upright. Without mass (Reduced cell/Bar mass = 0) "
+        "the mass matrix is singular there, so that the motion is not "
+        "determined beyond. Give the bars a mass, or end earlier.");
+  }
+} // namespace auxfem

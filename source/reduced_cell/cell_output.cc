@@ -1,0 +1,144 @@
+#include <auxfem/output/run_folder.h>
+#include <auxfem/output/summary.h>
+#include <auxfem/reduced_cell/cell_output.h>
+
+#include <cmath>
+#include <iostream>
+#include <sstream>
+
+namespace auxfem
+{
+  namespace
+  {
+    std::vector<Column> cell_columns()
+    {
+      std::vector<Column> columns = {
+        {"time", "s", "time"},
+        {"theta", "rad", "angle of the bars against the horizontal"},
+        {"Y1", "m", "rise of the upper part, extension of the connector"},
+        {"Y2", "m", "rise of the lower part"},
+        {"f1", "N", "load on the upper part, positive downwards"},
+        {"f2", "N", "force on the foundation, positive in compression"}};
+      for (const Column &column : energy_columns(/*has_struts=*/false))
+        columns.push_back(column);
+      return columns;
+    }
+
+    double degrees(const double radians)
+    {
+      return radians * 180 / dealii::numbers::PI;
+    }
+  } // namespace
+
+  std::string cell_overview_text(const Scene &scene)
+  {
+    const ReducedCellDefinition &cell  = *scene.reduced_cell;
+    const CellSchemeEntry       &entry = cell_scheme_entry(scene);
+    std::ostringstream           text;
+    text
+      << heading_text(scene) << "\n\n"
+      << "  Reduced cell: bars of " << cell.bar_length << " m and "
+      << cell.bar_mass << " kg at " << degrees(cell.angle) << " deg, parts of "
+      << cell.part_mass << " kg\n"
+      << "  Scheme: " << entry.name << ", " << entry.description << '\n'
+      << "  Steps: " << scene.time.n_steps() << " of " << scene.time.step
+      << " s\n\n"
+      << "Simulated\n"
+      << "  large rotations and inertia of the six rigid parts, the load, "
+         "the connector \""
+      << scene.connectors.front().name << "\"\n\n"
+      << "Left out\n"
+      << "  deformation of the parts, friction, weight, contact, the springs "
+         "that set the angle at rest\n";
+    return text.str();
+  }
+
+  CellOutput::CellOutput(const Scene &scene) : scene(scene), start(Clock::now())
+  {}
+
+  void CellOutput::begin()
+  {
+    const std::string &folder = scene.output.directory;
+    log                       = open_run_folder(scene, folder);
+    console.emplace(std::cout, terminal_width(), log);
+    console->print(cell_overview_text(scene));
+    const std::vector<Column> columns = cell_columns();
+    table.emplace(folder + "/history.csv", columns);
+    write_column_reference(folder + "/history.units.csv", columns);
+  }
+
+  void CellOutput::write(const CellSample &sample)
+  {
+    energies.add(sample.energies);
+    largest_transmitted =
+      std::max(largest_transmitted, std::abs(sample.transmitted));
+    latest = sample;
+    if (n_samples++ % scene.output.history_interval == 0)
+      write_row(sample);
+  }
+
+  void CellOutput::write_row(const CellSample &sample)
+  {
+    std::vector<double> row = {sample.time,
+                               sample.angle,
+                               sample.upper_rise,
+                               sample.lower_rise,
+                               sample.load,
+                               sample.transmitted};
+    for (const double energy : energy_values(energies, /*has_struts=*/false))
+      row.push_back(energy);
+    table->append(row);
+    latest_row = sample;
+  }
+
+  std::string CellOutput::summary(const std::string  &exit_state,
+                                  const unsigned long work) const
+  {
+    JsonObject object =
+      json_of_run(scene, exit_state, latest ? latest->time : 0.);
+    object.add("model", "reduced cell");
+    object.add("scheme", scene.time.scheme);
+    object.add("connector_groups", names_of_groups(scene.connectors));
+    JsonObject counts;
+    counts.add("steps", n_samples > 0 ? n_samples - 1 : 0);
+    counts.add("iterations_or_evaluations", work);
+    object.add("work", counts);
+    JsonObject wall;
+    wall.add("total",
+             std::chrono::duration<double>(Clock::now() - start).count());
+    object.add("wall_seconds", wall);
+    object.add("energies_joule",
+               json_of_energies(energies, /*has_struts=*/false));
+    if (latest)
+      {
+        object.add("theta_radian", latest->angle);
+        object.add("Y1_metre", latest->upper_rise);
+        object.add("Y2_metre", latest->lower_rise);
+        object.add("f2_newton", latest->transmitted);
+      }
+    object.add("largest_f2_newton", largest_transmitted);
+    return object.text() + '\n';
+  }
+
+  void CellOutput::finish(const std::string  &exit_state,
+                          const unsigned long work)
+  {
+    if (latest && latest->time != latest_row->time)
+      write_row(*latest);
+    replace_file(scene.output.directory + "/summary.json",
+                 summary(exit_state, work));
+
+    const bool         completed = exit_state == "completed";
+    std::ostringstream text;
+    text << (completed ? "Completed" : "Stopped early");
+    if (latest)
+      text << " at t = " << latest->time << " s: theta "
+           << degrees(latest->angle) << " deg, Y2 " << latest->lower_rise
+           << " m, f2 " << latest->transmitted << " N (largest "
+           << largest_transmitted << " N)";
+    console->print(text.str());
+    console->print(closing_energies_text(energies, scene.output.directory));
+    if (!completed)
+      console->print_to_log("Reason: " + exit_state);
+  }
+} // namespace auxfem

@@ -1,0 +1,173 @@
+#include <auxfem/output/csv_table.h>
+#include <auxfem/output/history.h>
+#include <auxfem/parameters/errors.h>
+#include <auxfem/reduced_cell/comparison.h>
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <limits>
+
+namespace auxfem
+{
+  namespace
+  {
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+    double degrees(const double radians)
+    {
+      return radians * 180 / dealii::numbers::PI;
+    }
+
+    double largest(const CellCourse &course, double CellSample::*quantity)
+    {
+      double result = 0;
+      for (const CellSample &sample : course.samples)
+        result = std::max(result, std::abs(sample.*quantity));
+      return result;
+    }
+
+    /** Over the steps both have; the reference is 1 at its largest. */
+    double difference(const CellCourse &course,
+                      const CellCourse &reference,
+                      double CellSample::*quantity)
+    {
+      const std::size_t n =
+        std::min(course.samples.size(), reference.samples.size());
+      double result = 0;
+      for (std::size_t i = 0; i < n; ++i)
+        result = std::max(result,
+                          std::abs(course.samples[i].*quantity -
+                                   reference.samples[i].*quantity));
+      const double scale = largest(reference, quantity);
+      return n > 0 && scale > 0 ? result / scale : unknown;
+    }
+
+    double relative_balance(const CellCourse &course)
+    {
+      EnergyRecord record;
+      for (const CellSample &sample : course.samples)
+        record.add(sample.energies);
+      return record.relative(record.largest_balance);
+    }
+
+    ComparisonRow make_row(const Scene      &scene,
+                           const CellCourse &course,
+                           const CellCourse &reference)
+    {
+      ComparisonRow row;
+      row.name         = std::filesystem::path(scene.file).stem();
+      row.scheme       = scene.time.scheme;
+      row.exit_state   = course.exit_state;
+      const bool began = !course.samples.empty();
+      row.angle        = began ? course.samples.back().angle : unknown;
+      row.lower_rise   = began ? course.samples.back().lower_rise : unknown;
+      row.transmitted  = began ? course.samples.back().transmitted : unknown;
+      row.largest_transmitted =
+        began ? largest(course, &CellSample::transmitted) : unknown;
+      row.relative_balance = began ? relative_balance(course) : unknown;
+      row.angle_difference = difference(course, reference, &CellSample::angle);
+      row.transmitted_difference =
+        difference(course, reference, &CellSample::transmitted);
+      return row;
+    }
+
+    const std::vector<Column> columns = {
+      {"case", "", "parameter file"},
+      {"scheme", "", "Time/Scheme"},
+      {"theta_end", "deg", "angle at the end"},
+      {"Y2_end", "m", "rise of the lower part at the end"},
+      {"f2_end", "N", "force on the foundation at the end"},
+      {"f2_largest", "N", "its largest size"},
+      {"relative_balance", "1", "error of the energy balance"},
+      {"theta_difference", "1", "largest difference from arkode"},
+      {"f2_difference", "1", "largest difference from arkode"},
+      {"exit", "", "completed, or why it ended early"}};
+
+    std::vector<std::string> cells_of(const ComparisonRow &row)
+    {
+      const auto number = [](const char *pattern, const double value) {
+        char text[40];
+        std::snprintf(text, sizeof(text), pattern, value);
+        return std::string(std::isnan(value) ? "nan" : text);
+      };
+      return {row.name,
+              row.scheme,
+              number("%.9g", degrees(row.angle)),
+              number("%.9g", row.lower_rise),
+              number("%.9g", row.transmitted),
+              number("%.9g", row.largest_transmitted),
+              number("%.2e", row.relative_balance),
+              number("%.2e", row.angle_difference),
+              number("%.2e", row.transmitted_difference),
+              row.exit_state};
+    }
+
+    /** One line of the table on the screen. */
+    void print(const std::vector<std::string> &cells)
+    {
+      static const std::vector<int> widths =
+        {-16, -19, 14, 15, 14, 14, 17, 17, 14};
+      for (unsigned int i = 0; i < widths.size(); ++i)
+        std::printf("%*s ", widths[i], cells[i].c_str());
+      // a reason may have several lines; the first says what happened
+      const std::string &last = cells.back();
+      std::printf(" %s\n", last.substr(0, last.find('\n')).c_str());
+    }
+
+    std::string open_folder(const std::string &folder)
+    {
+      std::error_code error;
+      std::filesystem::create_directories(folder, error);
+      if (error)
+        throw InputError("The folder `" + folder +
+                         "` cannot be made: " + error.message() +
+                         ". Give another one with --output DIR.");
+      return folder;
+    }
+  } // namespace
+
+  std::vector<ComparisonRow> compare_schemes(const Scene &scene)
+  {
+    std::vector<ComparisonRow> rows;
+    CellCourse                 reference;
+    for (const CellSchemeEntry &entry : cell_scheme_registry())
+      {
+        Scene variant       = scene;
+        variant.time.scheme = entry.name;
+        CellCourse course   = compute_course(variant);
+        if (rows.empty())
+          reference = course;
+        rows.push_back(make_row(variant, course, reference));
+      }
+    return rows;
+  }
+
+  void run_comparison(const std::vector<Scene> &scenes,
+                      const std::string        &folder)
+  {
+    for (const Scene &scene : scenes)
+      if (scene.model != Model::reduced_cell)
+        throw InputError(scene.file +
+                         ": --compare is for scenes with Model = reduced cell");
+    const std::string file = open_folder(folder) + "/comparison.csv";
+    CsvTable          table(file, columns);
+    write_column_reference(folder + "/comparison.units.csv", columns);
+
+    std::vector<std::string> names;
+    for (const Column &column : columns)
+      names.push_back(column.name +
+                      (column.unit.empty() ? "" : " (" + column.unit + ")"));
+    print(names);
+    for (const Scene &scene : scenes)
+      for (const ComparisonRow &row : compare_schemes(scene))
+        {
+          const std::vector<std::string> cells = cells_of(row);
+          print(cells);
+          table.append_text(cells);
+        }
+    std::printf("The table is in %s\n", file.c_str());
+    std::fflush(stdout);
+  }
+} // namespace auxfem

@@ -1,0 +1,100 @@
+#include <auxfem/parameters/errors.h>
+#include <auxfem/reduced_cell/stepped_cell.h>
+
+#include <cmath>
+
+namespace auxfem
+{
+  SteppedCell::SteppedCell(const Scene &scene)
+    : scene(scene)
+    , cell(*scene.reduced_cell)
+    , law(*scene.connectors.front().law)
+    , committed(law.n_history(), 0.)
+    , trial(committed)
+  {}
+
+  const CellEquations &SteppedCell::equations() const
+  {
+    return cell;
+  }
+
+  void SteppedCell::begin_step(const unsigned long step)
+  {
+    const double end                    = scene.time.time_at(step);
+    connector_motion.previous_extension = connector_motion.extension;
+    connector_motion.dt                 = end - time;
+    time                                = end;
+    load_before                         = load_now;
+    load_now                            = scene.reduced_cell->load.value(end);
+  }
+
+  double SteppedCell::dt() const
+  {
+    return connector_motion.dt;
+  }
+
+  double SteppedCell::load() const
+  {
+    return load_now;
+  }
+
+  const ConnectorResponse &SteppedCell::connector(const CellMotion &motion)
+  {
+    connector_motion.extension = cell.extension(motion.position);
+    connector_motion.rate      = cell.extension_rate(motion);
+    law.evaluate(1,
+                 &connector_motion,
+                 committed.data(),
+                 trial.data(),
+                 &response);
+    return response;
+  }
+
+  CellSample SteppedCell::accept(const CellMotion &motion)
+  {
+    const ConnectorEnergy of_connector =
+      law.energy(connector_motion, committed.data(), trial.data());
+    energies.kinetic = cell.kinetic_energy(motion);
+    energies.stored  = of_connector.stored;
+    energies.dissipated += of_connector.dissipated;
+    energies.external -= (load_before + load_now) / 2 *
+      (connector_motion.extension - connector_motion.previous_extension);
+    committed = trial;
+    return {time,
+            cell.angle(motion.position[0]),
+            connector_motion.extension,
+            motion.position[1],
+            load_now,
+            -response.force,
+            energies};
+  }
+
+  void refuse_uneven_steps(const Scene &scene)
+  {
+    const TimeParameters &time = scene.time;
+    const double          even = time.n_steps() * time.step;
+    if (std::abs(even - time.end_time) > 1e-6 * time.step)
+      throw InputError(
+        "Time/Scheme = " + time.scheme +
+        " needs equal steps, but Time/End time is no multiple of Time/Time "
+        "step. Change one of them");
+  }
+
+  TwoStepGrid::TwoStepGrid(const std::array<CellVector, 4> &first) : x(first)
+  {}
+
+  CellMotion TwoStepGrid::motion(const double dt) const
+  {
+    return {x[2], (x[3] - x[1]) / (2 * dt)};
+  }
+
+  const CellVector &TwoStepGrid::before() const
+  {
+    return x[0];
+  }
+
+  void TwoStepGrid::shift(const CellVector &next)
+  {
+    x = {{x[1], x[2], x[3], next}};
+  }
+} // namespace auxfem
