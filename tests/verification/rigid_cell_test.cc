@@ -349,3 +349,59 @@ TEST(RigidCellVerification, ElasticBarsConvergeToRigidOnes)
   std::cout << std::endl;
   EXPECT_LT(before, 1e-7);
 }
+
+namespace
+{
+  /** Sum of mass times vertical acceleration over all rigid parts (N). */
+  double vertical_inertia(const SceneRun &run)
+  {
+    double sum = 0;
+    for (const RigidPart &part : run.lattice.rigid_parts)
+      {
+        const NaturalPlace centre =
+          natural_place(run.lattice.joints[part.joints[0]],
+                        run.lattice.joints[part.joints[1]],
+                        part.centre_of_mass);
+        const std::array<double, 4> shares = shape(centre, 1);
+        for (unsigned int i = 0; i < 4; ++i)
+          sum += part.mass * shares[i] *
+            (*run.state.acceleration)
+              [run.system.numbering().joint_unknown(part.joints[i / 2], i % 2)];
+      }
+    return sum;
+  }
+} // namespace
+
+TEST(RigidArrayVerification, SupportsAndLoadsBalanceTheInertiaOfAllParts)
+{
+  SceneRun run(text_of("rigid-array.prm"));
+  // Upper part, lower part and rod of 12 cells, less the 4 rods on the ground.
+  EXPECT_EQ(run.system.numbering().n_free() -
+              run.system.numbering().n_multipliers(),
+            32u);
+  run.run([&] {
+    const double t = run.state.time, f1 = 2500 * std::pow(t / 0.05, 3);
+    // Two columns in the middle, two flanks with half the load.
+    EXPECT_NEAR(run.reaction("foundation", 1) - 3 * f1,
+                vertical_inertia(run),
+                1e-6 * (1 + f1));
+  });
+  EXPECT_LT(std::abs(run.balance()), 1e-6 * run.state.energies.external);
+}
+
+TEST(RigidArrayVerification, IsOfSecondOrderInTime)
+{
+  const auto top_at_end = [](const unsigned int n_steps) {
+    SceneRun run(text_of("rigid-array.prm"),
+                 {assignment("Time/Time step", 0.05 / n_steps),
+                  "Newton/Tolerance=1e-11"});
+    run.run();
+    return run.motion(run.lattice.joint_sets.at("middle").front(), 1);
+  };
+  const double coarse = top_at_end(250), middle = top_at_end(500),
+               fine = top_at_end(1000);
+  const double order =
+    std::log2(std::abs(coarse - middle) / std::abs(middle - fine));
+  std::cout << "order of the middle column's displacement: " << order << '\n';
+  EXPECT_NEAR(order, 2, 0.1);
+}
