@@ -10,6 +10,42 @@ namespace auxfem
         values.push_back(vector[d]);
     }
 
+    /**
+     * Displacement or velocity of @p point of a rigid part from those of its
+     * base joints.
+     */
+    dealii::Tensor<1, 3> carried_along(const Lattice               &lattice,
+                                       const RigidPart             &part,
+                                       const dealii::Point<3>      &point,
+                                       const std::array<double, 4> &of_base)
+    {
+      const NaturalPlace   place = natural_place(lattice.joints[part.joints[0]],
+                                               lattice.joints[part.joints[1]],
+                                               point);
+      dealii::Tensor<1, 3> result;
+      for (unsigned int c = 0; c < 2; ++c)
+        {
+          const std::array<double, 4> shares = shape(place, c);
+          for (unsigned int i = 0; i < 4; ++i)
+            result[c] += shares[i] * of_base[i];
+        }
+      return result;
+    }
+
+    /** Force of the joint at @p point on a rigid part; zero between joints. */
+    dealii::Tensor<1, 3> force_at(const Lattice          &lattice,
+                                  const RigidPart        &part,
+                                  const RigidPartReport  &report,
+                                  const dealii::Point<3> &point)
+    {
+      dealii::Tensor<1, 3> force;
+      for (unsigned int k = 0; k < part.joints.size(); ++k)
+        if (point == lattice.joints[part.joints[k]])
+          for (unsigned int c = 0; c < 2; ++c)
+            force[c] = report.forces[k][c];
+      return force;
+    }
+
     const std::vector<GraphicsField> connector_fields = {
       {"displacement", 3, "m"},
       {"force", 1, "N"},
@@ -165,43 +201,28 @@ namespace auxfem
     std::vector<float>         values;
     for (unsigned int i = 0; i < parts.n_reported(); ++i)
       {
-        const RigidPartReport   report = parts.report(i, state);
-        const RigidPart        &part   = lattice.rigid_parts[report.part];
-        const dealii::Point<3> &r0     = lattice.joints[part.joints[0]],
-                               &r1     = lattice.joints[part.joints[1]];
-        const auto moved               = [&](const dealii::Point<3>      &point,
-                               const std::array<double, 4> &base) {
-          dealii::Tensor<1, 3> result;
-          for (unsigned int c = 0; c < 2; ++c)
-            {
-              const std::array<double, 4> shares =
-                shape(natural_place(r0, r1, point), c);
-              for (unsigned int k = 0; k < 4; ++k)
-                result[c] += shares[k] * base[k];
-            }
-          return result;
-        };
-        const auto force_at = [&](const dealii::Point<3> &point) {
-          dealii::Tensor<1, 3> force;
-          for (unsigned int k = 0; k < part.joints.size(); ++k)
-            if (point == lattice.joints[part.joints[k]])
-              for (unsigned int c = 0; c < 2; ++c)
-                force[c] = report.forces[k][c];
-          return force;
-        };
+        const RigidPartReport report   = parts.report(i, state);
+        const RigidPart      &part     = lattice.rigid_parts[report.part];
+        const double          rotation = parts.rotation(i, state);
         for (const auto &line : rigid_part_lines(part))
           {
             values.clear();
             for (const dealii::Point<3> &point : line)
               {
-                append(values, moved(point, report.base_displacement));
+                append(values,
+                       carried_along(lattice,
+                                     part,
+                                     point,
+                                     report.base_displacement));
                 if (system.is_dynamic())
-                  append(values, moved(point, report.base_velocity));
-                append(values, force_at(point));
-                values.push_back(parts.rotation(i, state));
-                for (const unsigned int value :
+                  append(
+                    values,
+                    carried_along(lattice, part, point, report.base_velocity));
+                append(values, force_at(lattice, part, report, point));
+                values.push_back(rotation);
+                for (const unsigned int number :
                      {report.part, part.definition, part.cell})
-                  values.push_back(value);
+                  values.push_back(number);
               }
             graphics.add_line(line, values);
           }

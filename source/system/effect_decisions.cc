@@ -109,7 +109,7 @@ namespace auxfem
                             set.hinges,
                             {!scene.joints.empty(),
                               "joints with released struts",
-                              "all joints are rigid"},
+                              "no strut ends are released"},
                             list);
     return effects;
   }

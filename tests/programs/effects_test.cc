@@ -82,7 +82,7 @@ namespace
               (std::map<std::string, std::string>{
                 {"strut damping", "no section has damping"},
                 {"gravity", "no acceleration given"},
-                {"hinges", "all joints are rigid"},
+                {"hinges", "no strut ends are released"},
                 {"rigid parts", "no struts or joints are rigid"}}));
   }
 

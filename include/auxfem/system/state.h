@@ -63,7 +63,8 @@ namespace auxfem
     double        time = 0; ///< s
     unsigned long step = 0;
 
-    Vector displacement; ///< m, m, rad
+    /** M, m, rad; the multipliers of rigid parts (N) lie here too, without rates. */
+    Vector displacement;
 
     std::optional<Vector> velocity;     ///< m/s, m/s, rad/s
     std::optional<Vector> acceleration; ///< satisfies equilibrium at `time`
@@ -77,7 +78,7 @@ namespace auxfem
     /**
      * Internal + inertia - applied force. Zero to the Newton tolerance in free
      * rows; in prescribed rows the force of the support on the lattice (N, N
-     * m).
+     * m); in rows of multipliers the conditions (m).
      */
     Vector residual;
 
