@@ -82,12 +82,13 @@ namespace auxfem
                                     "Stiffness of the spring; a dashpot "
                                     "without spring is Law = dashpot."};
 
-    const Quantity damping_coefficient{"Damping coefficient",
-                                       "",
-                                       "N s/m",
-                                       Range::non_negative(),
-                                       "Force of the dashpot per rate of "
-                                       "extension."};
+    const Quantity damping_coefficient{
+      "Damping coefficient",
+      "",
+      "N s/m",
+      Range::non_negative(),
+      "Force of the dashpot per rate of extension; below 0 it would "
+      "create energy."};
 
     void declare_kelvin_voigt(dealii::ParameterHandler &prm)
     {

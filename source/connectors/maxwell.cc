@@ -6,19 +6,21 @@ namespace auxfem
 {
   namespace
   {
-    const Quantity spring_stiffness{"Spring stiffness",
-                                    "",
-                                    "N/m",
-                                    Range::positive(),
-                                    "Stiffness of the spring in series with "
-                                    "the dashpot."};
+    const Quantity spring_stiffness{
+      "Spring stiffness",
+      "",
+      "N/m",
+      Range::positive(),
+      "Stiffness of the spring in series with the dashpot; without it "
+      "there is no force."};
 
-    const Quantity damping_coefficient{"Damping coefficient",
-                                       "",
-                                       "N s/m",
-                                       Range::non_negative(),
-                                       "Force of the dashpot per rate of its "
-                                       "own extension."};
+    const Quantity damping_coefficient{
+      "Damping coefficient",
+      "",
+      "N s/m",
+      Range::non_negative(),
+      "Force of the dashpot per rate of its own extension; "
+      "below 0 it would create energy."};
 
     void declare_maxwell(dealii::ParameterHandler &prm)
     {

@@ -55,10 +55,13 @@ namespace auxfem
             evaluate(t, y, rates);
             return 0;
           };
-        ode.custom_setup = [](void *memory) {
+        ode.custom_setup = [end = scene.time.time_at(1)](void *memory) {
           // Our limit is on evaluations, and the user gets our message.
           ARKStepSetMaxNumSteps(memory, -1);
           ARKStepSetErrFile(memory, nullptr);
+          // deal.II sets it from the second call on. Without it ARKODE steps
+          // beyond the end of a step and interpolates, losing digits.
+          ARKStepSetStopTime(memory, end);
         };
       }
 
@@ -71,12 +74,8 @@ namespace auxfem
 
       CellSample advance() override
       {
-        const double end    = scene.time.time_at(step + 1);
         evaluations_of_step = 0;
-        if (step > 0)
-          // Without it ARKODE steps beyond and interpolates, losing digits.
-          ARKStepSetStopTime(ode.get_arkode_memory(), end);
-        ode.solve_ode_incrementally(y, end);
+        ode.solve_ode_incrementally(y, scene.time.time_at(step + 1));
         ++step;
         return sample();
       }

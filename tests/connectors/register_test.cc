@@ -154,6 +154,133 @@ TEST(ConnectorLaws, ManyConnectorsAtOnceEqualOneAfterTheOther)
     }
 }
 
+namespace
+{
+  /** Force and energies at the end of a motion that begins at rest. */
+  struct Outcome
+  {
+    double force, stored, dissipated;
+  };
+
+  double extension_at(const double t)
+  {
+    return 0.01 * std::sin(40 * t) * t;
+  }
+
+  double rate_at(const double t)
+  {
+    return 0.01 * (40 * t * std::cos(40 * t) + std::sin(40 * t));
+  }
+
+  constexpr double end = 0.1;
+
+  Outcome by_steps(std::unique_ptr<ConnectorLaw> law, const unsigned int n)
+  {
+    LawOnTrial        connector(std::move(law));
+    const double      dt = end / n;
+    ConnectorResponse last{};
+    for (unsigned int i = 1; i <= n; ++i)
+      last = connector.step(extension_at(dt * i), rate_at(dt * i), dt);
+    return {last.force, connector.stored, connector.dissipated};
+  }
+
+  /** The continuous form by the classical Runge-Kutta method. */
+  Outcome continuous(const ConnectorLaw &law, const unsigned int n)
+  {
+    const unsigned int  m = law.n_history();
+    std::vector<double> y(m), stage(m), sum(m), k(m);
+    const double        dt   = end / n;
+    double              lost = 0;
+    const auto          ask  = [&](const double t, const double *internal) {
+      return law.continuous(extension_at(t), rate_at(t), internal, k.data());
+    };
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        const double weights[]  = {1. / 6, 1. / 3, 1. / 3, 1. / 6};
+        const double advances[] = {0, 0.5, 0.5, 1};
+        sum                     = y;
+        for (unsigned int s = 0; s < 4; ++s)
+          {
+            for (unsigned int j = 0; j < m; ++j)
+              stage[j] = y[j] + advances[s] * dt * k[j];
+            lost += weights[s] * dt *
+              ask(dt * (i + advances[s]), stage.data()).lost_power;
+            for (unsigned int j = 0; j < m; ++j)
+              sum[j] += weights[s] * dt * k[j];
+          }
+        y = sum;
+      }
+    const ContinuousResponse last = ask(end, y.data());
+    return {last.force, last.stored, lost};
+  }
+} // namespace
+
+// Steps take the extension to be piecewise linear: second order in dt. The
+// Runge-Kutta reference is exact to 1e-10 and better.
+TEST(ConnectorLaws, SmallStepsTendToTheContinuousForm)
+{
+  const auto laws = all_laws();
+  for (unsigned int i = 0; i < laws.size(); ++i)
+    {
+      const Outcome exact = continuous(*laws[i], 4000);
+      double        error[2];
+      for (const unsigned int level : {0, 1})
+        {
+          const Outcome found =
+            by_steps(std::move(all_laws()[i]), 500u << level);
+          EXPECT_NEAR(found.force, exact.force, 1e-3);
+          EXPECT_NEAR(found.stored, exact.stored, 1e-5);
+          EXPECT_NEAR(found.dissipated, exact.dissipated, 1e-5);
+          error[level] = std::abs(found.force - exact.force) +
+            std::abs(found.dissipated - exact.dissipated);
+        }
+      if (error[0] > 1e-10)
+        {
+          EXPECT_NEAR(error[0] / error[1], 4, 0.1) << i;
+        }
+    }
+}
+
+TEST(ConnectorLaws, ContinuousPowerBalance)
+{
+  const double h = 1e-6, u = 0.01, rate = 0.3;
+  for (const auto &law : all_laws())
+    {
+      const unsigned int       m = law->n_history();
+      std::vector<double>      y(m, 3.), k(m), ignored(m), before(m), after(m);
+      const ContinuousResponse now =
+        law->continuous(u, rate, y.data(), k.data());
+      for (unsigned int j = 0; j < m; ++j)
+        {
+          before[j] = y[j] - h * k[j];
+          after[j]  = y[j] + h * k[j];
+        }
+      const double stored_rate =
+        (law->continuous(u + h * rate, rate, after.data(), ignored.data())
+           .stored -
+         law->continuous(u - h * rate, rate, before.data(), ignored.data())
+           .stored) /
+        (2 * h);
+      // stored energy is quadratic: only the round-off of the difference
+      EXPECT_NEAR(now.force * rate, stored_rate + now.lost_power, 1e-8);
+      EXPECT_GE(now.lost_power, 0);
+    }
+}
+
+TEST(ConnectorLaws, ContinuousFormWithoutResistanceOfTheDashpot)
+{
+  double                   force = 0, force_rate = 1;
+  const auto               law = make_law("standard-linear-solid",
+                            {{"Long-time stiffness", "400"},
+                                           {"Spring stiffness", "1000"},
+                                           {"Damping coefficient", "0"}});
+  const ContinuousResponse now = law->continuous(0.1, 2., &force, &force_rate);
+  EXPECT_DOUBLE_EQ(now.force, 40);
+  EXPECT_DOUBLE_EQ(now.stored, 2);
+  EXPECT_EQ(now.lost_power, 0);
+  EXPECT_EQ(force_rate, 0);
+}
+
 TEST(ConnectorLaws, NothingIsEverGained)
 {
   for (const auto &law : all_laws())

@@ -28,7 +28,7 @@ namespace
     BareStates()
       : of_scene(frame_scene("0 0; 1 0", "0 1", ""), {}, MPI_COMM_SELF)
       , layout{true, true, true, 0, 0}
-      , from(of_scene.dofs(), layout)
+      , from(of_scene.dofs().local_map(), layout)
       , to(from)
     {
       fill_by_place(of_scene.system, 0.3, from.displacement);

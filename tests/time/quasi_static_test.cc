@@ -15,7 +15,7 @@ namespace
     ViscousStates()
       : of_scene(frame_scene("0 0; 1 0", "0 1", ""), {}, MPI_COMM_SELF)
       , layout{true, false, false, 0, 0}
-      , from(of_scene.dofs(), layout)
+      , from(of_scene.dofs().local_map(), layout)
       , to(from)
       , increment(of_scene.dofs().local_map())
     {

@@ -57,7 +57,7 @@ namespace
                of_scene.dofs(),
                large_rotation,
                layout)
-      , from(of_scene.dofs(), layout)
+      , from(of_scene.dofs().local_map(), layout)
       , to(from)
       , residual(of_scene.dofs().n_local())
     {}
