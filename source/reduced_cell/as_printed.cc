@@ -49,8 +49,8 @@ namespace auxfem
                          "equations for Kelvin-Voigt and Maxwell connectors "
                          "only. Choose one of these, or another scheme");
       // Energy 1/(2 K) and power 1/C at unit force.
-      const double             force = 1;
-      double                   force_rate;
+      const double             force      = 1;
+      double                   force_rate = 0;
       const ContinuousResponse unit = law.continuous(0, 0, &force, &force_rate);
       if (unit.lost_power == 0)
         throw InputError(group.path +

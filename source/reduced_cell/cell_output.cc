@@ -23,11 +23,6 @@ namespace auxfem
         columns.push_back(column);
       return columns;
     }
-
-    double degrees(const double radians)
-    {
-      return radians * 180 / dealii::numbers::PI;
-    }
   } // namespace
 
   std::string cell_overview_text(const Scene &scene)

@@ -15,11 +15,6 @@ namespace auxfem
   {
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-    double degrees(const double radians)
-    {
-      return radians * 180 / dealii::numbers::PI;
-    }
-
     double largest(const CellCourse &course, double CellSample::*quantity)
     {
       double result = 0;
@@ -156,6 +151,7 @@ namespace auxfem
     write_column_reference(folder + "/comparison.units.csv", columns);
 
     std::vector<std::string> names;
+    names.reserve(columns.size());
     for (const Column &column : columns)
       names.push_back(column.name +
                       (column.unit.empty() ? "" : " (" + column.unit + ")"));

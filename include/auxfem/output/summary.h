@@ -91,6 +91,7 @@ namespace auxfem
   names_of_groups(const std::vector<Definition> &definitions)
   {
     std::vector<std::string> names;
+    names.reserve(definitions.size());
     for (const Definition &definition : definitions)
       names.push_back(definition.name);
     return names;

@@ -4,6 +4,8 @@
 #include <auxfem/parameters/scene.h>
 #include <auxfem/system/state.h>
 
+#include <deal.II/base/numbers.h>
+
 #include <memory>
 #include <vector>
 
@@ -23,6 +25,12 @@ namespace auxfem
     double   transmitted; ///< f2 on the foundation (N), positive in compression
     Energies energies;
   };
+
+  /** An angle (rad) as users read it (deg). */
+  inline double degrees(const double radians)
+  {
+    return radians * 180 / dealii::numbers::PI;
+  }
 
   /** Takes the reduced cell of a scene through time, step by step. */
   class CellScheme
