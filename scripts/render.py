@@ -6,9 +6,11 @@ of history.csv.
     scripts/render.py curves  PICTURE.png RUN COLUMN... [options]
 
 RUN is the output folder of a run. Struts are drawn as tubes at their current
-place, connectors as thin lines, one panel for each TIME (s, the nearest frame
-is taken). FIELD is a field of solution.pvd; of vectors the magnitude is shown.
-Curves of several runs come into one picture with --compare RUN.
+place, rigid parts grey, connectors as thin lines, one panel for each TIME (s,
+the nearest frame is taken). FIELD is a field of solution.pvd; of vectors the
+magnitude is shown. Curves of several runs come into one picture with --compare
+RUN; --dashed RUN draws one dashed, in the colours from the first on again.
+A COLUMN may be computed: --define "angle = degrees([bar.phi]) + 30".
 
 Needs python3-vtk9 and a display; without one (`xvfb` and `xauth` installed):
 
@@ -17,7 +19,9 @@ Needs python3-vtk9 and a display; without one (`xvfb` and `xauth` installed):
 
 import argparse
 import csv
+import math
 import pathlib
+import re
 import sys
 import xml.etree.ElementTree
 
@@ -39,6 +43,8 @@ TITLES = {
 COLORS = [(31, 119, 180), (214, 39, 40), (44, 160, 44), (148, 103, 189),
           (255, 127, 14), (90, 90, 90)]
 DARK = (0.15, 0.15, 0.15)
+RIGID = (0.35, 0.35, 0.38)
+CONNECTOR = (0.10, 0.55, 0.25)
 
 # Lattices are drawn this much larger and scaled down: software renderers do not
 # smooth edges themselves. Charts would choose other ticks then.
@@ -142,14 +148,14 @@ def tube_actor(tubes, field, colors, bounds):
     return actor
 
 
-def line_actor(lines):
+def line_actor(lines, color, width):
     mapper = vtk.vtkPolyDataMapper()
     mapper.SetInputData(lines)
     mapper.ScalarVisibilityOff()
     actor = vtk.vtkActor()
     actor.SetMapper(mapper)
-    actor.GetProperty().SetColor(0.10, 0.55, 0.25)
-    actor.GetProperty().SetLineWidth(1.5 * SAMPLES)
+    actor.GetProperty().SetColor(*color)
+    actor.GetProperty().SetLineWidth(width * SAMPLES)
     return actor
 
 
@@ -238,48 +244,91 @@ def color_bounds(lines, arguments):
     return (-arguments.largest if low < 0 else 0.0), arguments.largest
 
 
+def lines_at(run, name, times):
+    """Moved lines of a series of the run at each time; None without it."""
+    series = run / (name + ".pvd")
+    if not series.exists():
+        return None
+    return [moved_lines(nearest_frame(series, time)[1]) for time in times]
+
+
+def frame_times(run, times):
+    for name in ("solution.pvd", "rigid_parts.pvd"):
+        if (run / name).exists():
+            return [nearest_frame(run / name, time)[0] for time in times]
+    sys.exit(f"render.py: {run} has neither solution.pvd nor rigid_parts.pvd")
+
+
 def draw_lattice(arguments):
     run = pathlib.Path(arguments.run)
-    frames = [nearest_frame(run / "solution.pvd", time)
-              for time in arguments.values]
-    lines = [moved_lines(file) for _, file in frames]
-    bounds = color_bounds(lines, arguments)
-    colors = color_map(*bounds)
-    box = box_around(lines)
+    times = frame_times(run, arguments.values)
+    struts = lines_at(run, "solution", times)
+    thin_lines = [(lines_at(run, "rigid_parts", times), RIGID, 2.2),
+                  (lines_at(run, "connectors", times), CONNECTOR, 1.5)]
+    if struts:
+        bounds = color_bounds(struts, arguments)
+        colors = color_map(*bounds)
+    box = box_around([data for lines in [struts, thin_lines[0][0]] if lines
+                      for data in lines])
 
-    n_panels = len(frames)
+    n_panels = len(times)
     panel_height = round(arguments.width * box.GetLength(1)
                          / (n_panels * box.GetLength(0)))
-    total = panel_height + TIME_STRIP + BAR_STRIP
-    bar_top, strip_top = BAR_STRIP / total, (BAR_STRIP + TIME_STRIP) / total
+    bar_height = BAR_STRIP if struts else 0
+    total = panel_height + TIME_STRIP + bar_height
+    bar_top, strip_top = bar_height / total, (bar_height + TIME_STRIP) / total
     window = vtk.vtkRenderWindow()
     window.SetOffScreenRendering(1)
     window.SetSize(SAMPLES * arguments.width, SAMPLES * total)
-    for i, (time, _) in enumerate(frames):
+    for i, time in enumerate(times):
         left, right = i / n_panels, (i + 1) / n_panels
         panel = renderer(window, left, strip_top, right, 1)
-        panel.AddActor(tube_actor(tubes_of(lines[i], arguments.thickness),
-                                  arguments.color, colors, bounds))
-        if (run / "connectors.pvd").exists():
-            _, file = nearest_frame(run / "connectors.pvd", time)
-            panel.AddActor(line_actor(moved_lines(file)))
+        if struts:
+            panel.AddActor(tube_actor(tubes_of(struts[i], arguments.thickness),
+                                      arguments.color, colors, bounds))
+        for lines, color, width in thin_lines:
+            if lines:
+                panel.AddActor(line_actor(lines[i], color, width))
         look_at(panel, box)
         strip = renderer(window, left, bar_top, right, strip_top)
         strip.AddActor2D(label(f"t = {time:g} s", 0.5, 0.2, 14))
-    bar = renderer(window, 0, 0, 1, bar_top)
-    bar.AddActor2D(color_bar(colors, arguments.color))
+    if struts:
+        bar = renderer(window, 0, 0, 1, bar_top)
+        bar.AddActor2D(color_bar(colors, arguments.color))
     write_picture(window, arguments.picture, SAMPLES)
 
 
-def read_history(run, columns):
+def defined_columns(definitions):
+    """Formula of each column of --define, by its name."""
+    formulas = {}
+    for definition in definitions:
+        name, _, formula = definition.partition("=")
+        formulas[name.strip()] = formula.strip()
+    return formulas
+
+
+def evaluate(formula, row):
+    """A formula of mathematics in which [NAME] is a column of the row."""
+    numbers = {}
+
+    def number_name(match):
+        numbers[f"column_{len(numbers)}"] = float(row[match.group(1)])
+        return f"column_{len(numbers) - 1}"
+
+    return eval(re.sub(r"\[([^]]*)\]", number_name, formula),
+                {"__builtins__": {}}, {**vars(math), **numbers})
+
+
+def read_history(run, columns, formulas):
     file = pathlib.Path(run) / "history.csv"
     with open(file, encoding="utf-8") as stream:
         rows = list(csv.DictReader(stream))
-    for column in columns:
-        if column not in rows[0]:
-            sys.exit(f"render.py: {file} has no column {column}; it has "
-                     + ", ".join(rows[0]))
-    return {column: [float(row[column]) for row in rows] for column in columns}
+    try:
+        return {column: [evaluate(formulas.get(column, f"[{column}]"), row)
+                         for row in rows] for column in columns}
+    except KeyError as missing:
+        sys.exit(f"render.py: {file} has no column {missing}; it has "
+                 + ", ".join(rows[0]))
 
 
 def unit_of(run, column):
@@ -317,40 +366,67 @@ def place_legend(chart, place):
     chart.SetShowLegend(True)
     legend = chart.GetLegend()
     legend.GetLabelProperties().SetFontSize(14)
-    legend.SetHorizontalAlignment(vtk.vtkChartLegend.RIGHT)
+    side, height = place.split("-") if "-" in place else ("right", place)
+    legend.SetHorizontalAlignment({"left": vtk.vtkChartLegend.LEFT,
+                                   "right": vtk.vtkChartLegend.RIGHT}[side])
     legend.SetVerticalAlignment({"top": vtk.vtkChartLegend.TOP,
                                  "centre": vtk.vtkChartLegend.CENTER,
-                                 "bottom": vtk.vtkChartLegend.BOTTOM}[place])
+                                 "bottom": vtk.vtkChartLegend.BOTTOM}[height])
 
 
-def add_plots(chart, arguments):
-    color = 0
-    for run in [arguments.run] + arguments.compare:
-        history = read_history(run, [arguments.over] + arguments.values)
-        prefix = f"{pathlib.Path(run).name}: " if arguments.compare else ""
-        for column in arguments.values:
+def curve_name(run, column, arguments, place):
+    """What the legend says: the runs' given names, or what tells curves apart."""
+    if place < len(arguments.name):
+        run_name = arguments.name[place]
+    elif arguments.compare or arguments.dashed:
+        run_name = pathlib.Path(run).name
+    else:
+        return column
+    return run_name if arguments.panels else f"{run_name}: {column}"
+
+
+def add_plots(chart, columns, arguments):
+    solid = [arguments.run] + arguments.compare
+    formulas = defined_columns(arguments.define)
+    for place, run in enumerate(solid + arguments.dashed):
+        is_dashed = place >= len(solid)
+        history = read_history(run, [arguments.over] + columns, formulas)
+        for i, column in enumerate(columns):
             plot = chart.AddPlot(vtk.vtkChart.LINE)
-            plot.SetInputData(curve_table(history[arguments.over],
-                                          history[column], prefix + column),
-                              0, 1)
+            plot.SetInputData(
+                curve_table(history[arguments.over], history[column],
+                            curve_name(run, column, arguments, place)), 0, 1)
+            color = (place - is_dashed * len(solid)) * len(columns) + i
             plot.SetColor(*COLORS[color % len(COLORS)], 255)
             plot.SetWidth(2)
-            color += 1
+            if is_dashed:
+                plot.GetPen().SetLineType(vtk.vtkPen.DASH_LINE)
 
 
 def draw_curves(arguments):
-    chart = vtk.vtkChartXY()
-    add_plots(chart, arguments)
-    units = {unit_of(arguments.run, column) for column in arguments.values}
-    label_axes(chart, {
-        vtk.vtkAxis.BOTTOM:
-            f"{arguments.over} ({unit_of(arguments.run, arguments.over)})",
-        vtk.vtkAxis.LEFT: " / ".join(sorted(units))})
-    place_legend(chart, arguments.legend)
+    panels = ([[column] for column in arguments.values] if arguments.panels
+              else [arguments.values])
+    matrix = vtk.vtkChartMatrix()
+    matrix.SetSize(vtk.vtkVector2i(len(panels), 1))
+    matrix.SetGutterX(70)
+    matrix.SetBorders(70, 55, 20, 15)
+    for i, columns in enumerate(panels):
+        chart = matrix.GetChart(vtk.vtkVector2i(i, 0))
+        add_plots(chart, columns, arguments)
+        units = {unit_of(arguments.run, column) for column in columns}
+        title = " / ".join(sorted(units))
+        if arguments.panels:
+            title = f"{columns[0]} ({title})" if title else columns[0]
+        label_axes(chart, {
+            vtk.vtkAxis.BOTTOM:
+                f"{arguments.over} ({unit_of(arguments.run, arguments.over)})",
+            vtk.vtkAxis.LEFT: title})
+        if i == 0:
+            place_legend(chart, arguments.legend)
 
     view = vtk.vtkContextView()
     view.GetRenderer().SetBackground(1, 1, 1)
-    view.GetScene().AddItem(chart)
+    view.GetScene().AddItem(matrix)
     window = view.GetRenderWindow()
     window.SetOffScreenRendering(1)
     window.SetMultiSamples(8)
@@ -381,8 +457,20 @@ def main():
                         help="what is plotted to the right")
     curves.add_argument("--compare", action="append", default=[],
                         metavar="RUN", help="another run in the same picture")
-    curves.add_argument("--legend", choices=["top", "centre", "bottom"],
-                        default="top", help="its place on the right")
+    curves.add_argument("--dashed", action="append", default=[], metavar="RUN",
+                        help="another run, dashed")
+    curves.add_argument("--name", action="append", default=[],
+                        help="of a run in the legend; one for each run, solid "
+                             "ones first")
+    curves.add_argument("--define", action="append", default=[],
+                        metavar="NAME=FORMULA",
+                        help="a column computed from others, each in brackets")
+    curves.add_argument("--panels", action="store_true",
+                        help="a panel for each column")
+    curves.add_argument("--legend", default="top",
+                        choices=["top", "centre", "bottom", "left-top",
+                                 "left-centre", "left-bottom"],
+                        help="its place, on the right unless said")
     arguments = parser.parse_args()
     if arguments.kind == "lattice":
         draw_lattice(arguments)
