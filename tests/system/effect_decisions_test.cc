@@ -29,10 +29,11 @@ namespace
 
 TEST(EffectDecisions, AutomaticPutsOnWhatTheSceneGivesCauseFor)
 {
-  const SimulatedEffects everything = decide(star_with_everything(1, 1));
+  const SimulatedEffects everything =
+    decide(star_with_everything(1, 1), {"Rigid parts/plate/Joints=right"});
   for (const EffectDecision &one : everything.decisions)
     EXPECT_TRUE(one.on) << one.name;
-  EXPECT_EQ(everything.decisions.size(), 8u);
+  EXPECT_EQ(everything.decisions.size(), 9u);
 }
 
 TEST(EffectDecisions, AutomaticLeavesOutWhatTheSceneLacks)
