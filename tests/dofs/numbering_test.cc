@@ -371,3 +371,109 @@ TEST(DofNumbering, WordsForAGhostAreThoseOfItsOwner)
           EXPECT_EQ(numbered.dofs.is_rotation(unknown), c == 2);
         }
 }
+
+namespace
+{
+  /**
+   * The tripod with struts 0 and 1 as one rigid part of joints 1, 2, 0; strut
+   * 2, from joint 0 to joint 3, stays elastic.
+   */
+  Lattice tripod_with_rigid_part(const bool clamps_struts)
+  {
+    Lattice   lattice = tripod();
+    RigidPart part;
+    part.joints        = {1, 2, 0};
+    part.struts        = {0, 1};
+    part.clamps_struts = clamps_struts;
+    lattice.rigid_parts.push_back(part);
+    lattice.struts[0].rigid_part = lattice.struts[1].rigid_part = 0;
+    return lattice;
+  }
+} // namespace
+
+TEST(DofNumbering, JointsOfRigidPartsAloneHaveNoRotation)
+{
+  const Numbered hinged(tripod_with_rigid_part(false), 2, 0, {}, MPI_COMM_SELF);
+  const auto    &dofs = hinged.dofs;
+  // One strut with three nodes, two more joints, 2 * 3 - 3 conditions.
+  EXPECT_EQ(dofs.n_unknowns(), 3u * 3 + 2 * 2 + 3);
+  EXPECT_EQ(dofs.n_multipliers(), 3u);
+  EXPECT_EQ(dofs.n_multipliers(0), 3u);
+  EXPECT_TRUE(dofs.clamped_joints(0).empty());
+  for (const unsigned int joint : {1u, 2u})
+    {
+      EXPECT_TRUE(dofs.joint_has(joint, 1));
+      EXPECT_FALSE(dofs.joint_has(joint, 2));
+    }
+  EXPECT_TRUE(dofs.joint_has(0, 2));
+  EXPECT_EQ(dofs.end_rotation(0, 0), -1);
+  EXPECT_EQ(dofs.end_rotation(2, 0), dofs.joint_unknown(0, 2));
+  EXPECT_EQ(dofs.elements().size(), 1u);
+  // Multipliers are unknowns of the matrix, but no freedoms.
+  EXPECT_EQ(dofs.n_free(), dofs.n_unknowns() - 3);
+  EXPECT_EQ(dofs.kind(dofs.multiplier(0, 2)), UnknownKind::multiplier);
+  EXPECT_EQ(dofs.describe(dofs.multiplier(0, 0)),
+            "condition of the rigid part of joints 1 2 0");
+}
+
+TEST(DofNumbering, AClampedRotationHasAConditionOfItsOwn)
+{
+  const Numbered clamped(tripod_with_rigid_part(true), 2, 0, {}, MPI_COMM_SELF);
+  EXPECT_EQ(clamped.dofs.n_unknowns(), 3u * 3 + 2 * 2 + 4);
+  EXPECT_EQ(clamped.dofs.clamped_joints(0), std::vector<unsigned int>{0});
+  // A released end is not of the joint.
+  Ties ties;
+  ties.released = {{{false, false}}, {{false, false}}, {{true, false}}};
+  const Numbered released(tripod_with_rigid_part(true),
+                          2,
+                          0,
+                          ties,
+                          MPI_COMM_SELF);
+  EXPECT_TRUE(released.dofs.clamped_joints(0).empty());
+  EXPECT_EQ(released.dofs.n_multipliers(), 3u);
+}
+
+TEST(DofNumbering, ARigidPartIsKeptWholeWhereItHasARow)
+{
+  // Every second strut of a row of stars as a part of its own.
+  Lattice lattice = stars(3, 3);
+  for (unsigned int s = 0; s < lattice.struts.size(); s += 2)
+    {
+      RigidPart part;
+      part.joints.assign(lattice.struts[s].joints.begin(),
+                         lattice.struts[s].joints.end());
+      part.struts                  = {s};
+      part.clamps_struts           = true;
+      lattice.struts[s].rigid_part = lattice.rigid_parts.size();
+      lattice.rigid_parts.push_back(part);
+    }
+  const Numbered numbered(lattice, 1);
+  const auto    &dofs = numbered.dofs;
+  EXPECT_EQ(sum_over_ranks(dofs.n_owned()), dofs.n_unknowns());
+
+  const std::vector<unsigned int> &kept          = dofs.rigid_parts();
+  unsigned int                     n_owned_first = 0;
+  for (unsigned int p = 0; p < lattice.rigid_parts.size(); ++p)
+    {
+      std::vector<int> unknowns;
+      for (unsigned int i = 0; i < dofs.n_multipliers(p); ++i)
+        unknowns.push_back(dofs.multiplier(p, i));
+      for (const unsigned int joint : lattice.rigid_parts[p].joints)
+        for (unsigned int c = 0; c < 2; ++c)
+          unknowns.push_back(dofs.joint_unknown(joint, c));
+      for (const unsigned int joint : dofs.clamped_joints(p))
+        unknowns.push_back(dofs.joint_unknown(joint, 2));
+      n_owned_first += dofs.is_owned(unknowns[0]);
+      const bool has_row =
+        std::any_of(unknowns.begin(), unknowns.end(), [&](const int unknown) {
+          return dofs.is_owned(unknown);
+        });
+      EXPECT_EQ(std::binary_search(kept.begin(), kept.end(), p), has_row);
+      if (has_row)
+        {
+          EXPECT_EQ(std::count(unknowns.begin(), unknowns.end(), -1), 0);
+          EXPECT_EQ(dofs.kind(dofs.multiplier(p, 0)), UnknownKind::multiplier);
+        }
+    }
+  EXPECT_EQ(sum_over_ranks(n_owned_first), lattice.rigid_parts.size());
+}

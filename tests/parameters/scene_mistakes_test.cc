@@ -62,6 +62,36 @@ namespace
 
 
 
+  TEST(SceneMistakes, RigidParts)
+  {
+    EXPECT_EQ(message_for(group("Rigid parts", "set Struts = all")), "");
+    EXPECT_EQ(message_for(group("Rigid parts",
+                                "set Joints = all\nset Mass = 2 kg\n"
+                                "set Rotary inertia = 3")),
+              "");
+    expect_message(group("Rigid parts", "set Mass = 1 kg"),
+                   {"Rigid parts/name",
+                    "either Struts or Joints",
+                    "none of them is given"});
+    expect_message(group("Rigid parts", "set Struts = all\nset Joints = all"),
+                   {"Rigid parts/name", "either Struts or Joints", "both"});
+    expect_message(group("Rigid parts",
+                         "set Struts = all\nset Rotary inertia = 1"),
+                   {"Rigid parts/name",
+                    "Rotary inertia is given, but Mass = 0",
+                    "Give the part a mass"});
+    expect_message(group("Rigid parts", "set Struts = all\nset Mass = -1 kg"),
+                   {"Rigid parts/name/Mass", "-1 kg", ">= 0"});
+    expect_message(
+      group("Rigid parts", "set Struts = all\nset Parts = bars"),
+      {"Rigid parts/name/Parts", "bars", "struts that meet", "single struts"});
+    expect_message(group("Rigid parts",
+                         "set Struts = all\nset Elastic struts = glued"),
+                   {"Rigid parts/name/Elastic struts", "hinged", "clamped"});
+  }
+
+
+
   TEST(SceneMistakes, UnknownNames)
   {
     expect_message(subsection("Tiem", ""),

@@ -308,6 +308,69 @@ namespace
 
 
 
+  TEST_F(BadInput, RigidPartsThatCannotMoveOrBeSolved)
+  {
+    const std::string bars = R"(
+subsection Lattice
+  set Cell   = frame
+  set Joints = 0 0; 1 0; 2 0.5
+  set Struts = 0 1; 1 2
+end
+subsection Rigid parts
+  subsection bars
+    set Struts = all
+    set Parts  = single struts
+    set Mass   = 1 kg
+  end
+end
+subsection Supports
+  subsection ground
+    set Joints = 0
+    set Type   = pin
+  end
+end
+subsection Time
+  set End time  = 10 ms
+  set Time step = 1 ms
+end
+)";
+    write("scene.prm", bars);
+    const auto run_with = [this](const Words &overrides) {
+      Words arguments = {"scene.prm", "--output", "out"};
+      for (const std::string &text : overrides)
+        {
+          arguments.push_back("--set");
+          arguments.push_back(text);
+        }
+      return run_auxfem(arguments);
+    };
+    ASSERT_EQ(run_with({}).exit_code, 0);
+
+    // Along the first bar, away from its hinge.
+    write("scene.prm",
+          bars +
+            "subsection Initial velocities\n  subsection kick\n"
+            "    set Joints = 1, 2\n    set Velocity x = 2 m/s\n"
+            "  end\nend\n");
+    expect_refusal(run_with({}),
+                   {"Initial velocities",
+                    "move apart with 2 m/s",
+                    "one rigid motion"});
+
+    write("scene.prm", bars);
+    expect_refusal(run_with({"Supports/ground/Joints=0, 1"}),
+                   {"Rigid parts", "rigid part of joints 0 1", "supports"});
+    Words check = {"--check",
+                   "scene.prm",
+                   "--set",
+                   "Supports/ground/Joints=0, 1"};
+    expect_refusal(run_auxfem(check), {"rigid part of joints 0 1"});
+    expect_refusal(run_with({"Time/Scheme=static"}),
+                   {"not supported", "move without any resistance"});
+  }
+
+
+
   TEST_F(BadInput, CommandLine)
   {
     write("scene.prm", data_text("star.prm"));

@@ -328,4 +328,118 @@ namespace
          {"out/solution.pvd", "out/solution", "out/connectors.pvd"})
       EXPECT_FALSE(std::filesystem::exists(path(name))) << name;
   }
+
+
+
+  TEST_F(GraphicsProgram, RigidPartsAreThereWithTheirForces)
+  {
+    // A half circle hinged at its left end, hanging by a bar of 2 kg at the
+    // other; the two fall.
+    write("scene.prm", R"(
+subsection Lattice
+  set Cell   = frame
+  set Joints = 0 0; 2 0; 2 -1
+  set Struts = 0 1 -1; 1 2
+end
+subsection Rigid parts
+  subsection parts
+    set Struts = all
+    set Parts  = single struts
+    set Mass   = 2 kg
+  end
+end
+subsection Supports
+  subsection hinge
+    set Joints = 0
+    set Type   = pin
+  end
+end
+subsection Gravity
+  set Acceleration y = -9.81
+end
+subsection Time
+  set Scheme    = generalized-alpha
+  set End time  = 0.1
+  set Time step = 5 ms
+end
+subsection Probes
+  set bow = rigid: 0 @ 0
+  set tip = 1
+end
+subsection Output
+  set Graphics interval   = 50 ms
+  set Segments per element = 6
+end
+)");
+    const ProgramRun run = run_auxfem({"scene.prm", "--output", "out"});
+    ASSERT_EQ(run.exit_code, 0) << run.errors;
+    EXPECT_FALSE(std::filesystem::exists(path("out/solution.pvd")));
+    const GraphicsSeries parts = series("rigid_parts");
+    const Table          table = history();
+    ASSERT_EQ(parts.datasets.n_rows, 3u);
+    for (unsigned int i = 0; i < 3; ++i)
+      {
+        const Table &points = parts.points[i];
+        EXPECT_EQ(points.names,
+                  (Words{"x",
+                         "y",
+                         "z",
+                         "displacement.0",
+                         "displacement.1",
+                         "displacement.2",
+                         "velocity.0",
+                         "velocity.1",
+                         "velocity.2",
+                         "force.0",
+                         "force.1",
+                         "force.2",
+                         "rotation",
+                         "part",
+                         "definition",
+                         "cell"}));
+        // The bow in six pieces, the bar in one.
+        EXPECT_EQ(points.n_rows, 9u);
+        EXPECT_EQ(parts.segments[i].n_rows, 7u);
+
+        const unsigned int row = row_at_time(table, parts.datasets["time"][i]);
+        const auto         at_hinge = rows_at(points, 0, 0),
+                   at_knee          = rows_at(points, 2, 0);
+        ASSERT_EQ(at_hinge.size(), 1u);
+        ASSERT_EQ(at_knee.size(), 2u);
+        const double weight = 2 * 9.81;
+        for (const auto &[field, column] :
+             {std::pair("force.0", "bow.fx"), std::pair("force.1", "bow.fy")})
+          EXPECT_NEAR(points[field][at_hinge[0]],
+                      table[column][row],
+                      single_precision * weight);
+        EXPECT_NEAR(points["rotation"][at_hinge[0]],
+                    table["bow.phi"][row],
+                    single_precision);
+        // Action and reaction in the knee; the bar is above it in the list.
+        for (const char *field : {"force.0", "force.1"})
+          EXPECT_NEAR(points[field][at_knee[0]],
+                      -points[field][at_knee[1]],
+                      single_precision * weight);
+        for (const unsigned int knee : at_knee)
+          EXPECT_NEAR(points["displacement.1"][knee],
+                      table["tip.uy"][row],
+                      single_precision);
+
+        // The arc stays one: its points keep their distance from its middle,
+        // which moves with the chord.
+        const double ux = table["tip.ux"][row] / 2,
+                     uy = table["tip.uy"][row] / 2;
+        for (unsigned int k = 0; k < points.n_rows; ++k)
+          if (points["part"][k] == 0)
+            {
+              EXPECT_NEAR(std::hypot(points["x"][k] +
+                                       points["displacement.0"][k] - 1 - ux,
+                                     points["y"][k] +
+                                       points["displacement.1"][k] - uy),
+                          1,
+                          1e-6);
+            }
+      }
+    EXPECT_LT(table["bow.phi"].back(), -0.01);
+  }
 } // namespace

@@ -100,6 +100,40 @@ namespace
 
 
 
+  TEST_F(ParallelProgram, TwoRanksMoveRigidPartsAsOneDoes)
+  {
+    write("scene.prm", data_text("star.prm") + R"(
+subsection Rigid parts
+  subsection stubs
+    set Struts         = stubs
+    set Mass           = 0.02 g
+    set Elastic struts = clamped
+  end
+end
+)");
+    const Words      arguments = {"scene.prm",
+                                  "--set",
+                                  "Loads/hit/Force x=1e3 * t",
+                                  "--set",
+                                  "Time/Scheme=generalized-alpha",
+                                  "--set",
+                                  "Probes/stubs=rigid: stubs @ notches"};
+    const ProgramRun one = run_auxfem(with(arguments, {"--output", "one"}));
+    const ProgramRun two =
+      run_auxfem_on(2, with(arguments, {"--output", "two"}));
+    ASSERT_EQ(one.exit_code, 0) << one.errors;
+    ASSERT_EQ(two.exit_code, 0) << two.errors;
+    EXPECT_GT(history("one").largest("stubs.fx"), 0);
+    expect_same(history("one"), history("two"));
+    const GraphicsSeries parts_one(path("one/rigid_parts.pvd"),
+                                   path("vtk_one"));
+    const GraphicsSeries parts_two(path("two/rigid_parts.pvd"),
+                                   path("vtk_two"));
+    EXPECT_EQ(parts_one.datasets["segments"], parts_two.datasets["segments"]);
+  }
+
+
+
   TEST_F(ParallelProgram, GraphicsOfTwoRanksAreWhole)
   {
     write("scene.prm", data_text("star.prm"));

@@ -31,8 +31,8 @@ TEST(EffectDecisions, AutomaticPutsOnWhatTheSceneGivesCauseFor)
 {
   const SimulatedEffects everything = decide(star_with_everything(1, 1));
   for (const EffectDecision &one : everything.decisions)
-    EXPECT_TRUE(one.on) << one.name;
-  EXPECT_EQ(everything.decisions.size(), 8u);
+    EXPECT_EQ(one.on, one.name != "rigid parts") << one.name;
+  EXPECT_EQ(everything.decisions.size(), 9u);
 }
 
 TEST(EffectDecisions, AutomaticLeavesOutWhatTheSceneLacks)

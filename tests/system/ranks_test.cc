@@ -144,12 +144,46 @@ namespace
     return {e.kinetic, e.strain, e.stored, e.dissipated, e.external};
   }
 
-  /** Runs the same scene on all ranks and alone and compares everything. */
-  void compare_runs(const std::vector<std::string> &overrides)
+  /**
+   * Stars with everything, whose stubs are rigid and clamped to their edges;
+   * a few edges are rigid bars.
+   */
+  std::string stars_with_rigid_parts()
   {
-    const std::string text = star_with_everything(3, 3);
-    const Advanced    all(text, overrides, MPI_COMM_WORLD);
-    const Advanced    alone(text, overrides, MPI_COMM_SELF);
+    const std::string text  = star_with_everything(3, 3);
+    const std::string hinge = "  subsection hinges\n"
+                              "    set Joints = top\n"
+                              "    set Type = hinge\n"
+                              "  end\n";
+    // No elastic strut is left at the top that could be released.
+    const std::size_t place = text.find(hinge);
+    EXPECT_NE(place, std::string::npos);
+    return std::string(text).erase(place, hinge.size()) + R"(
+subsection Rigid parts
+  subsection stubs
+    set Struts = stubs
+    set Mass = 0.4
+    set Elastic struts = clamped
+  end
+  subsection bars
+    set Struts = 0, 13, 37, 50
+    set Parts = single struts
+    set Mass = 0.2
+  end
+end
+)";
+  }
+
+  /** From rest: rigid parts cannot follow a jump of velocities. */
+  const std::string slow_shaker =
+    "Supports/shaker/Displacement x=0.02 * (1 - cos(3 * t))";
+
+  /** Runs the same scene on all ranks and alone and compares everything. */
+  void compare_runs(const std::vector<std::string> &overrides,
+                    const std::string &text = star_with_everything(3, 3))
+  {
+    const Advanced all(text, overrides, MPI_COMM_WORLD);
+    const Advanced alone(text, overrides, MPI_COMM_SELF);
     EXPECT_EQ(all.iterations, alone.iterations);
     EXPECT_EQ(all.state.time, alone.state.time);
 
@@ -202,6 +236,82 @@ TEST(Ranks, DynamicRunIsThatOfOneRankWithMumps)
 TEST(Ranks, StaticRunIsThatOfOneRank)
 {
   compare_runs({"Time/Scheme=static", "Discretization/Order=3"});
+}
+
+TEST(Ranks, RigidAndElasticStrutsMoveAsOnOneRank)
+{
+  compare_runs({"Time/Scheme=generalized-alpha", slow_shaker},
+               stars_with_rigid_parts());
+  compare_runs({"Time/Scheme=static"}, stars_with_rigid_parts());
+  compare_runs({"Solver/Type=klu", "Effects/Large rotation=off", slow_shaker},
+               stars_with_rigid_parts());
+}
+
+TEST(Ranks, RigidPartsAreReportedOnceAndAlike)
+{
+  const std::string text = stars_with_rigid_parts();
+  const Advanced    all(text, {slow_shaker}, MPI_COMM_WORLD),
+    alone(text, {slow_shaker}, MPI_COMM_SELF);
+  const RigidPartConditions &parts     = *all.on_ranks.system.rigid_parts(),
+                            &reference = *alone.on_ranks.system.rigid_parts();
+  EXPECT_EQ(dealii::Utilities::MPI::sum(parts.n_reported(), MPI_COMM_WORLD),
+            alone.on_ranks.lattice.rigid_parts.size());
+  for (unsigned int i = 0; i < parts.n_reported(); ++i)
+    {
+      // One rank reports on all parts, in their order.
+      const unsigned int    part   = parts.part(i);
+      const RigidPartReport report = parts.report(i, all.state),
+                            wanted = reference.report(part, alone.state);
+      ASSERT_EQ(wanted.part, part);
+      for (unsigned int k = 0; k < report.forces.size(); ++k)
+        EXPECT_LT((report.forces[k] - wanted.forces[k]).norm(), 1e-10);
+      EXPECT_NEAR(parts.rotation(i, all.state),
+                  reference.rotation(part, alone.state),
+                  1e-10);
+    }
+}
+
+TEST(Ranks, RigidPartsAloneMoveAsOnOneRank)
+{
+  // A chain of six bars: no finite element anywhere.
+  const std::string chain = R"(
+subsection Lattice
+  set Cell = frame
+  set Joints = 0 0; 1 0.2; 2 0; 3 0.1; 4 0; 5 0; 6 0.3
+  set Struts = 0 1; 1 2; 2 3; 3 4; 4 5; 5 6
+end
+subsection Rigid parts
+  subsection bars
+    set Struts = all
+    set Parts = single struts
+    set Mass = 0.5
+  end
+end
+subsection Supports
+  subsection pivot
+    set Joints = 0
+    set Type = pin
+  end
+end
+subsection Connectors
+  subsection anchor
+    set Law = kelvin-voigt
+    set Spring stiffness = 3
+    set Damping coefficient = 0.4
+    set Between = 1 5; 0 6
+  end
+end
+subsection Gravity
+  set Acceleration y = -1
+end
+subsection Time
+  set Scheme = generalized-alpha
+  set End time = 0.5
+  set Time step = 0.05
+end
+)";
+  compare_runs({}, chain);
+  compare_runs({"Solver/Type=klu"}, chain);
 }
 
 TEST(Ranks, GhostsOfAnAcceptedStateHaveTheValuesOfTheirOwners)

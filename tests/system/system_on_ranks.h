@@ -40,7 +40,8 @@ namespace auxfem
     /**
      * What an unknown is, independent of its number: joint or strut, fraction
      * of the strut's length, component. Released ends count as points of the
-     * strut.
+     * strut, multipliers of a rigid part as component 3 of joints past the
+     * last.
      */
     using UnknownName = std::tuple<bool, unsigned int, double, unsigned int>;
 
@@ -87,6 +88,11 @@ namespace auxfem
           if (dofs.joint_unknown(joint, c) >= 0)
             names[dofs.joint_unknown(joint, c)] = {{true, joint, 0., c},
                                                    lattice.joints[joint]};
+      for (const unsigned int part : dofs.rigid_parts())
+        for (unsigned int i = 0; i < dofs.n_multipliers(part); ++i)
+          names[dofs.multiplier(part, i)] = {
+            {true, lattice.joints.size() + part, double(i), 3},
+            lattice.rigid_parts[part].centre_of_mass};
       return names;
     }
 

@@ -3,6 +3,7 @@
 #include <auxfem/time/quasi_static.h>
 
 #include <gtest/gtest.h>
+#include <mesh/cell_from_text.h>
 #include <system/system_on_ranks.h>
 
 #include <cstdio>
@@ -277,4 +278,63 @@ TEST(Newton, AShakenBaseAcceleratesAsPrescribed)
   // Fourth-order differences of t^2 over 1e-3 s: round-off over 1e-6.
   EXPECT_NEAR(acceleration.at({true, 0, 0., 0}), 4., 1e-8);
   EXPECT_NEAR(acceleration.at({true, 0, 0., 1}), 0., 1e-12);
+}
+
+namespace
+{
+  /** A rigid bar from (0, 0) to (1, 0), turned about its end by 3 rad/s. */
+  std::string turning_bar(const std::string &speed_apart)
+  {
+    return "subsection Lattice\n"
+           "  set Cell = frame\n"
+           "  set Joints = 0 0; 1 0\n"
+           "  set Struts = 0 1\n"
+           "end\n"
+           "subsection Rigid parts\n"
+           "  subsection bar\n"
+           "    set Struts = 0\n"
+           "    set Mass = 2\n"
+           "  end\n"
+           "end\n"
+           "subsection Initial velocities\n"
+           "  subsection spin\n"
+           "    set Joints = all\n"
+           "    set Velocity y = 1.5\n"
+           "    set Angular velocity = 3\n"
+           "  end\n"
+           "  subsection stretch\n"
+           "    set Joints = 1\n"
+           "    set Velocity x = " +
+      speed_apart +
+      "\n    set Velocity y = 3\n"
+      "  end\n"
+      "end\n";
+  }
+} // namespace
+
+TEST(Newton, VelocitiesAreRoundedToThoseOfRigidParts)
+{
+  SystemOnRanks of_scene(turning_bar("2e-6"), {}, MPI_COMM_SELF);
+  State         state = of_scene.system.initial_state();
+  Newton(of_scene.system, of_scene.scene.newton, of_scene.scene.solver)
+    .find_initial_acceleration(state, 1e-3);
+  const auto &dofs = of_scene.dofs();
+  // The momentum stays, the ends share it.
+  for (unsigned int joint = 0; joint < 2; ++joint)
+    EXPECT_NEAR((*state.velocity)[dofs.joint_unknown(joint, 0)], 1e-6, 1e-18);
+  EXPECT_NEAR((*state.velocity)[dofs.joint_unknown(1, 1)], 3, 1e-14);
+  // Centripetal, the free bar turns about its middle.
+  EXPECT_NEAR((*state.acceleration)[dofs.joint_unknown(0, 0)], 4.5, 1e-13);
+  EXPECT_NEAR((*state.acceleration)[dofs.joint_unknown(1, 0)], -4.5, 1e-13);
+}
+
+TEST(Newton, VelocitiesThatNoRigidPartCanHaveAreRefused)
+{
+  SystemOnRanks     of_scene(turning_bar("2e-4"), {}, MPI_COMM_SELF);
+  State             state   = of_scene.system.initial_state();
+  const std::string message = input_error_of([&] {
+    Newton(of_scene.system, of_scene.scene.newton, of_scene.scene.solver)
+      .find_initial_acceleration(state, 1e-3);
+  });
+  EXPECT_TRUE(contains(message, "move apart with 0.0002 m/s")) << message;
 }

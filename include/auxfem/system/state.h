@@ -63,7 +63,8 @@ namespace auxfem
     double        time = 0; ///< s
     unsigned long step = 0;
 
-    /** M, m, rad; the multipliers of rigid parts (N) lie here too, without rates. */
+    /** M, m, rad; the multipliers of rigid parts (N) lie here too, without
+     * rates. */
     Vector displacement;
 
     std::optional<Vector> velocity;     ///< m/s, m/s, rad/s

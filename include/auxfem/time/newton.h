@@ -44,6 +44,7 @@ namespace auxfem
     /**
      * Accelerations (and multipliers of rigid parts) of @p state from M a = f - f_int: exact, or if a free
      * unknown has no mass, with M + @p dt / 2 C + @p dt^2 / 4 K in place of M.
+     * Velocities of rigid parts are first freed of what these cannot have.
      * Throws InputError for an unknown without mass, damping and stiffness, and
      * for velocities no rigid part can have.
      */
@@ -60,9 +61,14 @@ namespace auxfem
     ResidualNorm timed_residual(const Step &step);
     bool         factorize(const TimeIntegrator &integrator, const Step &step);
     void         solve_increment(const State &trial);
-    void         refuse_strained_rigid_parts(const State &state) const;
-    bool         has_empty_row() const;
-    void         refuse_empty_rows() const;
+    void         solve_for_increment();
+    /**
+     * Makes velocities of @p state at t = 0 ones that rigid parts can have, by
+     * impulses of their conditions; throws InputError if they are far from it.
+     */
+    void   project_velocities(State &state, double dt);
+    bool   has_empty_row() const;
+    void   refuse_empty_rows() const;
     bool   meets_conditions(const ResidualNorm &norm, const State &state) const;
     double in_force_units(const ResidualNorm &norm) const;
 

@@ -316,31 +316,27 @@ namespace auxfem
     return largest_multiplier;
   }
 
-  double RigidPartConditions::largest_rate(const State &state) const
+  void RigidPartConditions::find_rates(const State &state, double *rates) const
   {
-    const double *u       = state.displacement.Values();
-    const double *v       = state.velocity->Values();
-    double        largest = 0;
-    const auto    note    = [&largest](const double rate) {
-      largest = std::max(largest, std::abs(rate));
-    };
+    const double *u = state.displacement.Values();
+    const double *v = state.velocity->Values();
     for (const Base &base : bases)
-      note(gradient(base, u) * across_base(base.unknowns, 0, v));
+      rates[base.unknowns[4]] =
+        gradient(base, u) * across_base(base.unknowns, 0, v);
     for (const Joint &joint : joints)
       for (unsigned int c = 0; c < 2; ++c)
         {
           double rate = v[joint.unknowns[c]];
           for (unsigned int i = 0; i < 4; ++i)
             rate -= joint.shapes[c][i] * v[joint.unknowns[2 + i]];
-          note(rate);
+          rates[joint.unknowns[6 + c]] = rate;
         }
     for (const Clamp &clamp : clamps)
       {
         const auto [along, turn] = gradient(clamp, u);
-        note(along * across_base(clamp.unknowns, 0, v) +
-             turn * v[clamp.unknowns[4]]);
+        rates[clamp.unknowns[5]] = along * across_base(clamp.unknowns, 0, v) +
+          turn * v[clamp.unknowns[4]];
       }
-    return largest;
   }
 
   unsigned int RigidPartConditions::n_reported() const

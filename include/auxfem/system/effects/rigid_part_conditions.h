@@ -50,8 +50,8 @@ namespace auxfem
     double round_off_scale(double largest_displacement,
                            double largest_rotation) const override;
 
-    /** Largest |dg/dt| (m/s) of the velocities of @p state on this rank. */
-    double largest_rate(const State &state) const;
+    /** dg/dt (m/s) of the velocities of @p state, into the multipliers' entries of @p rates (n_local entries). */
+    void find_rates(const State &state, double *rates) const;
 
     /** Number of parts this rank reports on. */
     unsigned int n_reported() const;

@@ -1,0 +1,159 @@
+#include <auxfem/mesh/sets.h>
+#include <auxfem/output/rigid_part_probe.h>
+
+#include <deal.II/base/numbers.h>
+
+#include <gtest/gtest.h>
+#include <mesh/cell_from_text.h>
+#include <support/scene_run.h>
+#include <system/system_on_ranks.h>
+
+#include <cmath>
+
+using namespace auxfem;
+using namespace auxfem::testing_support;
+
+namespace
+{
+  constexpr double pi = dealii::numbers::PI;
+
+  /** Two rigid bars on a hinge, 2 kg each, then an elastic strut. */
+  const std::string bars = frame_scene("0 0; 1 0; 2 0; 3 0",
+                                       "0 1; 1 2; 2 3",
+                                       "subsection Rigid parts\n"
+                                       "  subsection bars\n"
+                                       "    set Struts = 0, 1\n"
+                                       "    set Parts = single struts\n"
+                                       "    set Mass = 2\n"
+                                       "  end\n"
+                                       "end\n");
+
+  ProbeDefinition probe(const std::string &selection)
+  {
+    ProbeDefinition definition;
+    definition.name      = "P";
+    definition.path      = "Probes/P";
+    definition.selection = selection;
+    return definition;
+  }
+
+  std::string refusal_of(const std::string &selection)
+  {
+    const SystemOnRanks of_scene(bars, {}, MPI_COMM_SELF);
+    return input_error_of([&] {
+      RigidPartProbe::check(probe(selection),
+                            of_scene.scene.context,
+                            of_scene.lattice);
+    });
+  }
+
+  /** Turns bar 0 by @p angle about joint 0. */
+  void
+  turn_first_bar(const DofNumbering &dofs, const double angle, State &state)
+  {
+    state.displacement[dofs.joint_unknown(1, 0)] = std::cos(angle) - 1;
+    state.displacement[dofs.joint_unknown(1, 1)] = std::sin(angle);
+  }
+} // namespace
+
+TEST(RigidPartProbe, IsToldByItsFirstWord)
+{
+  EXPECT_TRUE(RigidPartProbe::is_one(probe("rigid: 0 @ 1")));
+  EXPECT_FALSE(RigidPartProbe::is_one(probe("0, 1")));
+}
+
+TEST(RigidPartProbe, RotationIsCountedPastHalfTurns)
+{
+  const SystemOnRanks of_scene(bars, {}, MPI_COMM_SELF);
+  State               state = of_scene.system.initial_state();
+  RigidPartProbe      first(probe("rigid: 0"),
+                       of_scene.scene.context,
+                       of_scene.system);
+  ASSERT_EQ(first.columns().size(), 1u);
+  for (const double sign : {1., -1.})
+    {
+      // There and back: three turns to either side.
+      for (int i = 0; i <= 60; ++i)
+        {
+          turn_first_bar(of_scene.dofs(), sign * i * pi / 10, state);
+          first.follow(state);
+          EXPECT_NEAR(first.values(state).at(0), sign * i * pi / 10, 1e-13);
+        }
+      for (int i = 60; i >= 0; --i)
+        {
+          turn_first_bar(of_scene.dofs(), sign * i * pi / 10, state);
+          first.follow(state);
+        }
+      EXPECT_NEAR(first.values(state).at(0), 0, 1e-13);
+    }
+}
+
+TEST(RigidPartProbe, SeveralPartsGiveTheirMeanRotation)
+{
+  const SystemOnRanks of_scene(bars, {}, MPI_COMM_SELF);
+  const auto         &dofs  = of_scene.dofs();
+  State               state = of_scene.system.initial_state();
+  RigidPartProbe      both(probe("rigid: 0, 1"),
+                      of_scene.scene.context,
+                      of_scene.system);
+  // Bar 0 by 0.6; bar 1 by 0.2 about its moved end.
+  turn_first_bar(dofs, 0.6, state);
+  state.displacement[dofs.joint_unknown(2, 0)] =
+    std::cos(0.6) + std::cos(0.2) - 2;
+  state.displacement[dofs.joint_unknown(2, 1)] = std::sin(0.6) + std::sin(0.2);
+  both.follow(state);
+  EXPECT_NEAR(both.values(state).at(0), 0.4, 1e-14);
+}
+
+TEST(RigidPartProbe, ForcesAreThoseOfTheChosenJoints)
+{
+  // A bar of 3 kg on a pin at 0 and a roller at 2 m, 30 N down at 0.5 m of a
+  // third joint.
+  SceneRun run("subsection Lattice\n  set Cell = frame\n"
+               "  set Joints = 0 0; 2 0; 0.5 0\n"
+               "  set Struts = 0 2; 2 1\nend\n"
+               "subsection Rigid parts\n  subsection bar\n"
+               "    set Struts = all\n    set Mass = 3\n  end\nend\n"
+               "subsection Supports\n  subsection pin\n    set Joints = 0\n"
+               "    set Type = pin\n  end\n  subsection roller\n"
+               "    set Joints = 1\n    set Type = roller x\n  end\nend\n"
+               "subsection Loads\n  subsection weight\n    set Joints = 2\n"
+               "    set Force y = -30\n  end\nend\n"
+               "subsection Gravity\n  set Acceleration y = -10\nend\n"
+               "subsection Time\n  set Scheme = static\n  set End time = 1\n"
+               "  set Time step = 1\nend\n");
+  run.run();
+  const auto values_of = [&](const std::string &selection) {
+    RigidPartProbe chosen(probe(selection), run.scene.context, run.system);
+    EXPECT_EQ(chosen.columns().size(), 3u);
+    EXPECT_EQ(chosen.columns()[1].name, "P.fx");
+    chosen.follow(run.state);
+    return chosen.values(run.state);
+  };
+  // Weight in the middle: 15 N each; of the load 22.5 N and 7.5 N.
+  EXPECT_NEAR(values_of("rigid: 0 @ 0").at(2), 37.5, 1e-12);
+  EXPECT_NEAR(values_of("rigid: 0 @ 1").at(2), 22.5, 1e-12);
+  EXPECT_NEAR(values_of("rigid: all @ 2").at(2), -30, 1e-12);
+  // All together carry the weight.
+  EXPECT_NEAR(values_of("rigid: all @ all").at(2), 30, 1e-12);
+  EXPECT_NEAR(values_of("rigid: all @ all").at(1), 0, 1e-12);
+}
+
+TEST(RigidPartProbe, MistakesAreNamed)
+{
+  EXPECT_EQ(refusal_of("rigid: 1 @ 2"), "");
+  // Elastic struts beside rigid ones are left out.
+  EXPECT_EQ(refusal_of("rigid: all"), "");
+  for (const auto &[selection, words] :
+       std::vector<std::pair<std::string, std::string>>{
+         {"rigid: 2", "is rigid"},
+         {"rigid: 0 @ 3", "belongs to the rigid parts"},
+         {"rigid: 7", "7"},
+         {"rigid: 0 @ 9", "9"},
+         {"rigid: bras", "bras"}})
+    {
+      const std::string message = refusal_of(selection);
+      EXPECT_TRUE(contains(message, "Probes/P")) << message;
+      EXPECT_TRUE(contains(message, words)) << message;
+    }
+}
