@@ -249,6 +249,17 @@ namespace auxfem
     return object.text() + '\n';
   }
 
+  namespace
+  {
+    /** Whether the scheme keeps what oscillates from step to step. */
+    bool is_undamped(const TimeParameters &time)
+    {
+      return (time.scheme == "newmark" && time.gamma == 0.5) ||
+        (time.scheme == "hht" && time.hht_alpha == 0) ||
+        (time.scheme == "generalized-alpha" && time.spectral_radius > 0.9);
+    }
+  } // namespace
+
   std::string overview_text(const Scene                       &scene,
                             const Counts                      &counts,
                             const std::vector<EffectDecision> &decisions)
@@ -287,6 +298,11 @@ namespace auxfem
 
     list_effects(stream, "Simulated", decisions, true);
     list_effects(stream, "Left out", decisions, false);
+    if (counts.conditions > 0 && is_undamped(scene.time))
+      stream
+        << "\nNote\n  Without numerical damping errors of rigid parts grow "
+           "as e^angle once they turn by more\n  than about 1 rad; Scheme "
+           "= generalized-alpha with Spectral radius = 0.8 is stable.\n";
     std::string text = stream.str();
     text.pop_back();
     return text;

@@ -17,17 +17,6 @@ namespace auxfem
      * (rad).
      */
     constexpr double half_turn = 3.14159265358979323846;
-
-    /** Whether free unknowns may have no mass though conditions fill their
-     * rows. */
-    bool has_massless_parts(const Lattice &lattice)
-    {
-      return std::any_of(lattice.rigid_parts.begin(),
-                         lattice.rigid_parts.end(),
-                         [](const RigidPart &part) {
-                           return part.mass == 0 || part.rotary_inertia == 0;
-                         });
-    }
   } // namespace
 
   Newton::Newton(System                 &system,
@@ -121,15 +110,17 @@ namespace auxfem
     system.prescribe_motion(state, dt);
     timed_residual(step);
 
-    system.tangent(step, {0., 0., 1.}, *matrix);
-    if (has_empty_row() || has_massless_parts(system.lattice()))
-      system.tangent(step, {dt * dt / 4, dt / 2, 1.}, *matrix);
-    refuse_empty_rows();
     drop_factorization();
-    if (!linear_solver.factorize())
-      throw ComputationError(
-        "The mass matrix is singular, so the accelerations at t = 0 are not "
-        "determined. Give every moving part a density or a mass.");
+    system.tangent(step, {0., 0., 1.}, *matrix);
+    if (has_empty_row() || !linear_solver.factorize())
+      {
+        system.tangent(step, {dt * dt / 4, dt / 2, 1.}, *matrix);
+        refuse_empty_rows();
+        if (!linear_solver.factorize())
+          throw ComputationError(
+            "The mass matrix is singular, so the accelerations at t = 0 are "
+            "not determined. Give every moving part a density or a mass.");
+      }
     if (system.rigid_parts())
       {
         project_velocities(state, dt);
