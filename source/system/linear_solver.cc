@@ -3,6 +3,7 @@
 
 #include <Teuchos_ParameterList.hpp>
 
+#include <algorithm>
 #include <limits>
 
 #include <Amesos.h>
@@ -35,7 +36,8 @@ namespace auxfem
   LinearSolver::LinearSolver(const SolverParameters &parameters,
                              TangentMatrix          &matrix,
                              const DofNumbering     &numbering)
-    : type(choose(parameters, numbering))
+    : numbering(numbering)
+    , type(choose(parameters, numbering))
     , rhs(numbering.owned_map())
     , solution(numbering.owned_map())
     , problem(&matrix.matrix(), &solution, &rhs)
@@ -64,6 +66,17 @@ namespace auxfem
     if (solver->Solve() != 0)
       solution.PutScalar(std::numeric_limits<double>::quiet_NaN());
     return solution;
+  }
+
+  void LinearSolver::solve(Epetra_Vector &at_local_unknowns)
+  {
+    solve();
+    if (numbering.n_ranks() == 1)
+      std::copy(solution.Values(),
+                solution.Values() + numbering.n_owned(),
+                at_local_unknowns.Values());
+    else
+      at_local_unknowns.Import(solution, numbering.importer(), Insert);
   }
 
   Epetra_Vector &LinearSolver::right_side()

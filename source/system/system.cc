@@ -135,8 +135,10 @@ namespace auxfem
       }
   }
 
-  void System::prescribed_gap(const State &state, double *gap) const
+  void System::right_side(const State &state, double *right_side) const
   {
+    for (unsigned int i = 0; i < dofs->n_owned(); ++i)
+      right_side[i] = -state.residual[i];
     for (const Support &support : support_list)
       {
         std::array<double, 3> places;
@@ -144,7 +146,8 @@ namespace auxfem
           places[c] = support.motion[c].value(state.time);
         for (const auto &[unknown, component] : support.unknowns)
           if (dofs->is_owned(unknown))
-            gap[unknown] = places[component] - state.displacement[unknown];
+            right_side[unknown] =
+              places[component] - state.displacement[unknown];
       }
   }
 

@@ -25,6 +25,11 @@ namespace auxfem
     return {alpha_m, alpha_f, (1 + shift) * (1 + shift) / 4, 0.5 + shift};
   }
 
+  bool AlphaFamily::carries_on_alternating_errors() const
+  {
+    return c.gamma == 0.5 && !uses_algorithmic_acceleration();
+  }
+
   bool AlphaFamily::uses_algorithmic_acceleration() const
   {
     return c.alpha_m != 0 || c.alpha_f != 0;

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 namespace auxfem
 {
@@ -101,102 +100,6 @@ namespace auxfem
       }
   }
 
-  void Newton::find_initial_acceleration(State &state, const double dt)
-  {
-    const State before = state;
-    const Step  step{before, state, /*dt=*/0.};
-    state.acceleration->PutScalar(0.);
-    system.begin_step(step);
-    system.prescribe_motion(state, dt);
-    timed_residual(step);
-
-    drop_factorization();
-    system.tangent(step, {0., 0., 1.}, *matrix);
-    if (has_empty_row() || !linear_solver.factorize())
-      {
-        system.tangent(step, {dt * dt / 4, dt / 2, 1.}, *matrix);
-        refuse_empty_rows();
-        if (!linear_solver.factorize())
-          throw ComputationError(
-            "The mass matrix is singular, so the accelerations at t = 0 are "
-            "not determined. Give every moving part a density or a mass.");
-      }
-    if (system.rigid_parts())
-      {
-        project_velocities(state, dt);
-        timed_residual(step);
-      }
-    solve_increment(state);
-    state.acceleration->Update(1., increment, 1.);
-    for (const int multiplier : system.numbering().multipliers())
-      {
-        state.displacement[multiplier] += increment[multiplier];
-        (*state.acceleration)[multiplier] = 0;
-      }
-    if (state.algorithmic_acceleration)
-      *state.algorithmic_acceleration = *state.acceleration;
-    timed_residual(step);
-  }
-
-  void Newton::project_velocities(State &state, const double dt)
-  {
-    // Prescribed velocities are differences, given ones have few digits. What
-    // these leave would ring on in multipliers and accelerations.
-    constexpr double digits_of_velocities = 1e-6, part_of_first_step = 1e-3,
-                     round_off_of_differences = 1e-12;
-
-    const DofNumbering &numbering = system.numbering();
-    std::vector<double> rates(numbering.n_local(), 0.);
-    system.rigid_parts()->find_rates(state, rates.data());
-    double mine = 0, rate = 0;
-    for (const double value : rates)
-      mine = std::max(mine, std::abs(value));
-    numbering.communicator().MaxAll(&mine, &rate, 1);
-    const double speed = system.largest_motion(*state.velocity).first,
-                 acceleration =
-                   system.largest_motion(*state.acceleration).first;
-    if (rate > digits_of_velocities * speed +
-          part_of_first_step * acceleration * dt +
-          round_off_of_differences * system.length_scale() / dt)
-      {
-        std::ostringstream message;
-        message
-          << "Initial velocities: the joints of a rigid part move apart with "
-          << rate
-          << " m/s. Give all joints of a rigid part velocities of one rigid "
-             "motion, and of one that its supports allow.";
-        throw InputError(message.str());
-      }
-    for (unsigned int i = 0; i < numbering.n_owned(); ++i)
-      linear_solver.right_side()[i] = -rates[i];
-    solve_for_increment();
-    for (const int multiplier : numbering.multipliers())
-      increment[multiplier] = 0;
-    state.velocity->Update(1., increment, 1.);
-  }
-
-  bool Newton::has_empty_row() const
-  {
-    const std::vector<double> sizes = matrix->row_sizes();
-    int                       mine = std::count(sizes.begin(), sizes.end(), 0.);
-    int                       all  = 0;
-    system.numbering().communicator().SumAll(&mine, &all, 1);
-    return all > 0;
-  }
-
-  void Newton::refuse_empty_rows() const
-  {
-    if (!has_empty_row())
-      return;
-    std::vector<double> emptiness;
-    for (const double size : matrix->row_sizes())
-      emptiness.push_back(size == 0 ? 1. : 0.);
-    throw InputError(
-      "Nothing resists the " + system.numbering().describe_largest(emptiness) +
-      ": no mass, no strut and no connector. Give the joint a mass, "
-      "connect it or leave it out.");
-  }
-
   void Newton::drop_factorization()
   {
     factorized_dt = -1;
@@ -236,25 +139,9 @@ namespace auxfem
 
   void Newton::solve_increment(const State &trial)
   {
-    const Stopwatch     watch(phase_times.solve);
-    const DofNumbering &numbering = system.numbering();
-    double             *rhs       = linear_solver.right_side().Values();
-    for (unsigned int i = 0; i < numbering.n_owned(); ++i)
-      rhs[i] = -trial.residual[i];
-    system.prescribed_gap(trial, rhs);
-    solve_for_increment();
-  }
-
-  void Newton::solve_for_increment()
-  {
-    const DofNumbering  &numbering = system.numbering();
-    const Epetra_Vector &solution  = linear_solver.solve();
-    if (numbering.n_ranks() == 1)
-      std::copy(solution.Values(),
-                solution.Values() + numbering.n_owned(),
-                increment.Values());
-    else
-      increment.Import(solution, numbering.importer(), Insert);
+    const Stopwatch watch(phase_times.solve);
+    system.right_side(trial, linear_solver.right_side().Values());
+    linear_solver.solve(increment);
   }
 
   bool Newton::meets_conditions(const ResidualNorm &norm,

@@ -27,9 +27,18 @@ namespace auxfem
     , solver(system, scene.newton, scene.solver)
     , trial(system.initial_state())
   {
+    if (system.rigid_parts() && integrator->carries_on_alternating_errors())
+      rate_solver = std::make_unique<RateSolver>(system, scene.solver);
     if (parameters.smallest_step == 0)
       parameters.smallest_step = parameters.step / 1024;
   }
+
+  TimeStepper::RateSolver::RateSolver(System                 &system,
+                                      const SolverParameters &parameters)
+    : matrix(system.make_tangent())
+    , linear_solver(parameters, *matrix, system.numbering())
+    , rates(system, *matrix, linear_solver)
+  {}
 
   unsigned long TimeStepper::n_steps() const
   {
@@ -58,7 +67,11 @@ namespace auxfem
         state = trial;
       }
     if (integrator->is_dynamic())
-      solver.find_initial_acceleration(state, parameters.step);
+      {
+        ConsistentRates(system, solver.tangent(), solver.solver())
+          .start(state, parameters.step);
+        solver.drop_factorization();
+      }
     complete_start(state);
     largest_energy = state.energies.total();
   }
@@ -179,6 +192,12 @@ namespace auxfem
         last_failure = words.str();
         solver.drop_factorization();
         return false;
+      }
+    if (rate_solver)
+      {
+        rate_solver->rates.restore(trial);
+        system.begin_step(step);
+        system.residual(step);
       }
     system.accept(step);
     if (creates_energy(step))

@@ -40,10 +40,14 @@ namespace auxfem
      */
     const Epetra_Vector &solve();
 
+    /** As solve(), x into @p at_local_unknowns, ghosts included. */
+    void solve(Epetra_Vector &at_local_unknowns);
+
     /** Owned rows of the right-hand side, to be filled before solve(). */
     Epetra_Vector &right_side();
 
   private:
+    const DofNumbering                &numbering;
     std::string                        type;
     Epetra_Vector                      rhs, solution;
     Epetra_LinearProblem               problem;

@@ -95,8 +95,12 @@ namespace auxfem
      */
     void prescribe_motion(State &state, double dt) const;
 
-    /** Prescribed displacement minus the trial's, for all prescribed unknowns of this rank, into @p gap (n_owned entries). */
-    void prescribed_gap(const State &state, double *gap) const;
+    /**
+     * Right-hand side of an increment at @p state into @p right_side (n_owned
+     * entries): minus the residual in free rows, in prescribed rows the
+     * prescribed displacement minus that of @p state.
+     */
+    void right_side(const State &state, double *right_side) const;
 
     /** Fills step.to.residual. Returns the norm of free rows over all ranks. */
     ResidualNorm residual(const Step &step);

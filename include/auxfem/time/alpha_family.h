@@ -47,6 +47,7 @@ namespace auxfem
     TangentFactors factors(double dt) const override;
     void
     correct(const Vector &increment, double dt, State &trial) const override;
+    bool carries_on_alternating_errors() const override;
     bool uses_algorithmic_acceleration() const override;
 
   private:

@@ -41,15 +41,6 @@ namespace auxfem
     /** Solves step.to, which the integrator has predicted. */
     Result solve(const TimeIntegrator &integrator, const Step &step);
 
-    /**
-     * Accelerations (and multipliers of rigid parts) of @p state from M a = f - f_int: exact, or if a free
-     * unknown has no mass, with M + @p dt / 2 C + @p dt^2 / 4 K in place of M.
-     * Velocities of rigid parts are first freed of what these cannot have.
-     * Throws InputError for an unknown without mass, damping and stiffness, and
-     * for velocities no rigid part can have.
-     */
-    void find_initial_acceleration(State &state, double dt);
-
     /** Forgets the factorization (the state jumped). */
     void drop_factorization();
 
@@ -61,14 +52,6 @@ namespace auxfem
     ResidualNorm timed_residual(const Step &step);
     bool         factorize(const TimeIntegrator &integrator, const Step &step);
     void         solve_increment(const State &trial);
-    void         solve_for_increment();
-    /**
-     * Makes velocities of @p state at t = 0 ones that rigid parts can have, by
-     * impulses of their conditions; throws InputError if they are far from it.
-     */
-    void   project_velocities(State &state, double dt);
-    bool   has_empty_row() const;
-    void   refuse_empty_rows() const;
     bool   meets_conditions(const ResidualNorm &norm, const State &state) const;
     double in_force_units(const ResidualNorm &norm) const;
 

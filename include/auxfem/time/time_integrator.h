@@ -38,6 +38,16 @@ namespace auxfem
       return true;
     }
 
+    /**
+     * Whether errors of velocity and acceleration that change sign from step to
+     * step are neither damped nor fed back by an algorithmic acceleration, so
+     * that restoring consistent rates after a step removes them.
+     */
+    virtual bool carries_on_alternating_errors() const
+    {
+      return false;
+    }
+
     /** Whether the state must carry the algorithmic acceleration. */
     virtual bool uses_algorithmic_acceleration() const
     {

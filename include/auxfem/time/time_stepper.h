@@ -1,6 +1,7 @@
 #ifndef auxfem_time_time_stepper_h
 #define auxfem_time_time_stepper_h
 
+#include <auxfem/time/consistent_rates.h>
 #include <auxfem/time/newton.h>
 
 namespace auxfem
@@ -54,7 +55,17 @@ namespace auxfem
     std::unique_ptr<TimeIntegrator> integrator;
     Newton                          solver;
     State                           trial;
-    std::string                     last_failure;
+    /** With the mass matrix; only where rates are restored after each step. */
+    struct RateSolver
+    {
+      RateSolver(System &system, const SolverParameters &parameters);
+
+      std::unique_ptr<TangentMatrix> matrix;
+      LinearSolver                   linear_solver;
+      ConsistentRates                rates;
+    };
+    std::unique_ptr<RateSolver> rate_solver;
+    std::string                 last_failure;
     /** Total or dissipated, of all accepted states (J). */
     double largest_energy = 0;
   };
