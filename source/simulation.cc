@@ -69,12 +69,17 @@ namespace auxfem
       TimeStepper   stepper(system, scene);
       State         state = system.initial_state();
       refuse_undetermined(scene, system, state, stepper);
+      // Mistakes it finds must not cost the results of an earlier run; a
+      // search for equilibrium that fails is no mistake.
+      if (!scene.time.static_start)
+        stepper.start(state);
       setup.reset();
       output.begin(system);
 
       try
         {
-          stepper.start(state);
+          if (scene.time.static_start)
+            stepper.start(state);
           output.write_start(state);
           while (state.step < scene.time.n_steps())
             {
@@ -96,7 +101,10 @@ namespace auxfem
       const Lattice lattice = build_lattice(scene);
       System        system(scene, lattice, communicator);
       TimeStepper   stepper(system, scene);
-      refuse_undetermined(scene, system, system.initial_state(), stepper);
+      State         state = system.initial_state();
+      refuse_undetermined(scene, system, state, stepper);
+      if (!scene.time.static_start)
+        stepper.start(state);
       refuse_probes_on_nothing(scene, lattice);
       print_overview(scene, system);
     }

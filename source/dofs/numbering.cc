@@ -451,22 +451,6 @@ namespace auxfem
     return rows;
   }
 
-  std::string
-  DofNumbering::describe_largest(const std::vector<double> &size) const
-  {
-    const auto place   = std::max_element(size.begin(), size.end());
-    double     largest = size.empty() ? -1. : *place;
-    double     of_all  = 0;
-    comm.MaxAll(&largest, &of_all, 1);
-    // Every rank gets the words of the lowest rank that has the largest value.
-    int mine = largest == of_all ? comm.MyPID() : comm.NumProc();
-    int who  = 0;
-    comm.MinAll(&mine, &who, 1);
-    const std::string words =
-      who == comm.MyPID() ? describe(place - size.begin()) : "";
-    return dealii::Utilities::MPI::broadcast(comm.Comm(), words, who);
-  }
-
   unsigned int DofNumbering::n_free() const
   {
     int mine = 0, all = 0;
@@ -477,42 +461,4 @@ namespace auxfem
     return all;
   }
 
-  std::string DofNumbering::describe(const unsigned int local_number) const
-  {
-    const int          global       = local->GID(local_number);
-    const char        *component[3] = {"horizontal displacement",
-                                       "vertical displacement",
-                                       "rotation"};
-    std::ostringstream words;
-    for (unsigned int j = 0; j < joint_numbers.size(); ++j)
-      for (unsigned int c = 0; c < n_components; ++c)
-        if (joint_numbers[j][c] == global)
-          {
-            words << component[c] << " of joint " << j << " at ("
-                  << lattice.joints[j][0] << ", " << lattice.joints[j][1]
-                  << ")";
-            return words.str();
-          }
-    for (unsigned int p = 0; p < of_rigid_part.size(); ++p)
-      for (const int multiplier : of_rigid_part[p].multipliers)
-        if (multiplier == global)
-          {
-            words << "condition of the rigid part of joints";
-            for (const unsigned int joint : lattice.rigid_parts[p].joints)
-              words << ' ' << joint;
-            return words.str();
-          }
-    const unsigned int n = (polynomial_order + 1) * n_components;
-    for (std::size_t i = 0; i < element_numbers.size(); ++i)
-      if (element_numbers[i] == static_cast<int>(local_number))
-        {
-          const Element &element = element_list[i / n];
-          const Strut   &strut   = lattice.struts[element.place.strut];
-          words << component[i % n_components] << " of strut "
-                << element.place.strut << " (joints " << strut.joints[0]
-                << " - " << strut.joints[1] << ")";
-          break;
-        }
-    return words.str();
-  }
 } // namespace auxfem

@@ -75,11 +75,12 @@ namespace auxfem
                    const MPI_Comm     communicator)
     : system(system)
     , communicator(communicator)
+    , part_rotations(system)
   {
     columns.push_back({"time", "s", "time"});
     for (const ProbeDefinition &probe : scene.output.probes)
       if (RigidPartProbe::is_one(probe))
-        rigid_part_probes.emplace_back(probe, scene.context, system);
+        rigid_part_probes.emplace_back(probe, scene, system);
       else
         define_probe(probe, scene.context);
     for (const Support &support : system.supports())
@@ -92,7 +93,6 @@ namespace auxfem
     for (const Column &column : energy_columns(/*has_struts=*/true))
       columns.push_back(column);
     row.resize(columns.size());
-
     const DofNumbering &numbering = system.numbering();
     for (unsigned int i = 0; i < numbering.n_owned(); ++i)
       if (numbering.is_rotation(i))
@@ -199,7 +199,7 @@ namespace auxfem
                                               unsigned int column)
   {
     for (const RigidPartProbe &probe : rigid_part_probes)
-      for (const double value : probe.values(state))
+      for (const double value : probe.values(state, part_rotations))
         row[column++] = value;
     return column;
   }
@@ -246,10 +246,6 @@ namespace auxfem
     for (const int unknown : rotations)
       rotation_so_far =
         std::max(rotation_so_far, std::abs(state.displacement[unknown]));
-    if (const RigidPartConditions *parts = system.rigid_parts())
-      for (unsigned int i = 0; i < parts->n_reported(); ++i)
-        rotation_so_far =
-          std::max(rotation_so_far, std::abs(parts->rotation(i, state)));
 
     on_first_rank(communicator, [&]() { table->append(row); });
   }
@@ -257,8 +253,9 @@ namespace auxfem
   void History::note(const State &state)
   {
     record.add(state.energies);
-    for (RigidPartProbe &probe : rigid_part_probes)
-      probe.follow(state);
+    part_rotations.follow(state);
+    for (const double rotation : part_rotations.values())
+      rotation_so_far = std::max(rotation_so_far, std::abs(rotation));
   }
 
   const EnergyRecord &History::energies() const
@@ -275,7 +272,7 @@ namespace auxfem
   {
     for (const ProbeDefinition &probe : scene.output.probes)
       if (RigidPartProbe::is_one(probe))
-        RigidPartProbe::check(probe, scene.context, lattice);
+        RigidPartProbe::check(probe, scene, lattice);
       else
         select_joints(lattice, probe.selection, scene.context, probe.path);
   }

@@ -4,6 +4,7 @@
 #include <auxfem/parameters/errors.h>
 
 #include <deal.II/base/numbers.h>
+#include <deal.II/base/utilities.h>
 
 #include <algorithm>
 #include <cmath>
@@ -20,19 +21,34 @@ namespace auxfem
       std::vector<unsigned int> joints; ///< empty: no forces wanted
     };
 
+    /** Parts of the definition of this name; none if there is no such. */
+    std::vector<unsigned int> parts_named(const std::string &name,
+                                          const Scene       &scene,
+                                          const Lattice     &lattice)
+    {
+      std::vector<unsigned int> parts;
+      for (unsigned int p = 0; p < lattice.rigid_parts.size(); ++p)
+        if (scene.rigid_parts[lattice.rigid_parts[p].definition].name == name)
+          parts.push_back(p);
+      return parts;
+    }
+
     Selection select(const ProbeDefinition &definition,
-                     const SceneContext    &context,
+                     const Scene           &scene,
                      const Lattice         &lattice)
     {
-      const std::string text = definition.selection.substr(prefix.size());
-      const std::size_t at   = text.find('@');
-      Selection         selection;
-      selection.parts = rigid_parts_of(
-        lattice,
-        select_struts(lattice, text.substr(0, at), context, definition.path));
+      const SceneContext &context = scene.context;
+      const std::string   text    = definition.selection.substr(prefix.size());
+      const std::size_t   at      = text.find('@');
+      const std::string   name    = dealii::Utilities::trim(text.substr(0, at));
+      Selection           selection;
+      selection.parts = parts_named(name, scene, lattice);
       if (selection.parts.empty())
-        throw InputError(definition.path + ": none of the struts \"" +
-                         text.substr(0, at) +
+        selection.parts = rigid_parts_of(
+          lattice,
+          select_struts(lattice, name, context, definition.path));
+      if (selection.parts.empty())
+        throw InputError(definition.path + ": none of the struts \"" + name +
                          "\" is rigid. Name struts of Rigid parts.");
       if (at == std::string::npos)
         return selection;
@@ -49,12 +65,33 @@ namespace auxfem
       if (std::none_of(selection.parts.begin(),
                        selection.parts.end(),
                        has_chosen_joint))
-        throw InputError(
-          definition.path + ": none of the joints \"" + text.substr(at + 1) +
-          "\" belongs to the rigid parts \"" + text.substr(0, at) + "\".");
+        throw InputError(definition.path + ": none of the joints \"" +
+                         dealii::Utilities::trim(text.substr(at + 1)) +
+                         "\" belongs to the rigid parts \"" + name + "\".");
       return selection;
     }
   } // namespace
+
+  RigidPartRotations::RigidPartRotations(const System &system) : system(system)
+  {
+    if (system.rigid_parts())
+      rotations.assign(system.rigid_parts()->n_reported(), 0.);
+  }
+
+  void RigidPartRotations::follow(const State &state)
+  {
+    const double turn = 2 * dealii::numbers::PI;
+    for (unsigned int i = 0; i < rotations.size(); ++i)
+      {
+        const double now = system.rigid_parts()->rotation(i, state);
+        rotations[i]     = now + turn * std::round((rotations[i] - now) / turn);
+      }
+  }
+
+  const std::vector<double> &RigidPartRotations::values() const
+  {
+    return rotations;
+  }
 
   bool RigidPartProbe::is_one(const ProbeDefinition &definition)
   {
@@ -62,20 +99,20 @@ namespace auxfem
   }
 
   void RigidPartProbe::check(const ProbeDefinition &definition,
-                             const SceneContext    &context,
+                             const Scene           &scene,
                              const Lattice         &lattice)
   {
-    select(definition, context, lattice);
+    select(definition, scene, lattice);
   }
 
   RigidPartProbe::RigidPartProbe(const ProbeDefinition &definition,
-                                 const SceneContext    &context,
+                                 const Scene           &scene,
                                  const System          &system)
     : name(definition.name)
     , system(system)
   {
     const Lattice  &lattice        = system.lattice();
-    const Selection selection      = select(definition, context, lattice);
+    const Selection selection      = select(definition, scene, lattice);
     has_forces                     = !selection.joints.empty();
     n_parts                        = selection.parts.size();
     const RigidPartConditions &all = *system.rigid_parts();
@@ -111,24 +148,14 @@ namespace auxfem
     return result;
   }
 
-  void RigidPartProbe::follow(const State &state)
-  {
-    const double turn = 2 * dealii::numbers::PI;
-    for (Part &part : parts)
-      {
-        const double rotation =
-          system.rigid_parts()->rotation(part.report, state);
-        part.rotation =
-          rotation + turn * std::round((part.rotation - rotation) / turn);
-      }
-  }
-
-  std::vector<double> RigidPartProbe::values(const State &state) const
+  std::vector<double>
+  RigidPartProbe::values(const State              &state,
+                         const RigidPartRotations &rotations) const
   {
     std::vector<double> result(has_forces ? 3 : 1, 0.);
     for (const Part &part : parts)
       {
-        result[0] += part.rotation / n_parts;
+        result[0] += rotations.values()[part.report] / n_parts;
         if (!has_forces)
           continue;
         const RigidPartReport report =

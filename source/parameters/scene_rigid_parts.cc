@@ -27,7 +27,7 @@ namespace auxfem
       "Rotary inertia",
       "auto",
       "kg m2",
-      Range::non_negative(),
+      Range::positive(),
       "Moment of inertia of each part about its centre of mass; auto: that of "
       "the spread mass.",
       {"auto"}};

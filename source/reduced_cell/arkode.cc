@@ -17,7 +17,7 @@ namespace auxfem
     using Ode         = dealii::SUNDIALS::ARKode<StateVector>;
 
     /** Evaluations in one step of the scene after which nothing is expected. */
-    constexpr unsigned long most_evaluations = 10000000;
+    constexpr unsigned long most_evaluations = 1000000;
 
     Ode::AdditionalData settings(const Scene &scene)
     {

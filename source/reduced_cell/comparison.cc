@@ -23,20 +23,28 @@ namespace auxfem
       return result;
     }
 
-    /** Over the steps both have; the reference is 1 at its largest. */
+    /**
+     * Largest difference; the reference is 1 at its largest. Not a number
+     * unless both have come to the end.
+     */
     double difference(const CellCourse &course,
                       const CellCourse &reference,
                       double CellSample::*quantity)
     {
-      const std::size_t n =
-        std::min(course.samples.size(), reference.samples.size());
+      if (course.exit_state != "completed" ||
+          reference.exit_state != "completed")
+        return unknown;
       double result = 0;
-      for (std::size_t i = 0; i < n; ++i)
-        result = std::max(result,
-                          std::abs(course.samples[i].*quantity -
-                                   reference.samples[i].*quantity));
+      for (std::size_t i = 0; i < reference.samples.size(); ++i)
+        {
+          const double off = std::abs(course.samples[i].*quantity -
+                                      reference.samples[i].*quantity);
+          if (std::isnan(off))
+            return unknown;
+          result = std::max(result, off);
+        }
       const double scale = largest(reference, quantity);
-      return n > 0 && scale > 0 ? result / scale : unknown;
+      return scale > 0 ? result / scale : unknown;
     }
 
     double relative_balance(const CellCourse &course)

@@ -34,6 +34,21 @@ namespace auxfem
         return {-1, true};
       return {numbering.end_rotation(at.ends[0].strut, at.ends[0].end), false};
     }
+
+    /** A rigid part has no rotation a spring could act on. */
+    void refuse_spring_to_rigid_part(const JointDefinition &definition,
+                                     const Lattice         &lattice,
+                                     const unsigned int     joint)
+    {
+      for (const RigidPart &part : lattice.rigid_parts)
+        for (const unsigned int candidate : part.joints)
+          if (candidate == joint)
+            throw InputError(
+              definition.path + "/Joints: a rigid part is hinged at joint " +
+              std::to_string(joint) +
+              ", and a rotational spring cannot act on it. Take the joint out, "
+              "or put a short elastic strut clamped to the part between.");
+    }
   } // namespace
 
   std::vector<JointRelease> joint_releases(const Scene   &scene,
@@ -61,6 +76,8 @@ namespace auxfem
             for (const StrutEnd &end : ends_at[joint])
               if (chosen[end.strut])
                 at.ends.push_back(end);
+            if (definition.type == JointDefinition::Type::rotational_spring)
+              refuse_spring_to_rigid_part(definition, lattice, joint);
             if (at.ends.empty())
               throw InputError(definition.path + ": no elastic strut of '" +
                                definition.struts + "' ends at joint " +

@@ -56,13 +56,8 @@ namespace auxfem
               for (const unsigned int joint : joints)
                 {
                   if (!numbering.joint_has(joint, c))
-                    throw InputError(
-                      definition.path + "/Moment: joint " +
-                      std::to_string(joint) +
-                      " has no rotation of its own, because every strut is released "
-                      "there or no strut ends there, so a moment finds nothing to act "
-                      "on. Leave one strut unreleased, or put the moment on another "
-                      "joint.");
+                    throw InputError(definition.path + "/Moment: " +
+                                     numbering.why_no_rotation(joint));
                   const int unknown = numbering.joint_unknown(joint, c);
                   if (unknown >= 0)
                     loads.add_weight(load, unknown, 1.);
@@ -231,12 +226,8 @@ namespace auxfem
             const double mass =
               c < 2 ? definition.mass : definition.rotary_inertia;
             if (mass > 0 && !numbering.joint_has(joint, c))
-              throw InputError(
-                definition.path + "/Rotary inertia: joint " +
-                std::to_string(joint) +
-                " has no rotation of its own, because every strut is "
-                "released there or no strut ends there. Leave one strut "
-                "unreleased, or set it to 0.");
+              throw InputError(definition.path + "/Rotary inertia: " +
+                               numbering.why_no_rotation(joint));
             const int unknown = numbering.joint_unknown(joint, c);
             if (mass > 0 && unknown >= 0)
               masses.emplace_back(unknown, mass);

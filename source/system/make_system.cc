@@ -92,13 +92,12 @@ namespace auxfem
               const bool at_rest = definition.motion[c].is_zero();
               if (!dofs->joint_has(joint, c))
                 {
-                  if (at_rest)
+                  // A hinge may be clamped: then its rotation is not there.
+                  if (at_rest && !dofs->is_rigid_joint(joint))
                     continue;
-                  throw InputError(
-                    definition.path + "/Rotation: joint " +
-                    std::to_string(joint) +
-                    " has no rotation of its own, because every strut "
-                    "is released there. Leave one strut unreleased.");
+                  throw InputError(definition.path + "/Rotation: " +
+                                   dofs->why_no_rotation(joint) +
+                                   " Type = pin holds displacements only.");
                 }
               const auto [holder, is_new] =
                 holders.insert({{joint, c}, {&definition, at_rest}});

@@ -52,7 +52,8 @@ namespace auxfem
         " follows from the conditions of other parts and the supports, so the "
         "forces in them are not determined.\nA rigid part between fixed joints, "
         "or one too many in a closed loop, must go or become elastic (Sections), "
-        "or a support must let go.");
+        "or a support must let go; bars that lie exactly in one line must be "
+        "bent a little.");
     }
   } // namespace
 

@@ -30,9 +30,10 @@ namespace auxfem
         system.tangent(step, {dt * dt / 4, dt / 2, 1.}, matrix);
         refuse_empty_rows();
         if (!solver.factorize())
-          throw ComputationError(
+          throw InputError(
             "The mass matrix is singular, so the accelerations at t = 0 are "
-            "not determined. Give every moving part a density or a mass.");
+            "not determined. Give every moving part a density or a mass "
+            "(Sections/NAME/Density, Rigid parts/NAME/Mass, Masses).");
       }
     if (system.rigid_parts())
       {
@@ -99,10 +100,11 @@ namespace auxfem
           round_off_of_differences * system.length_scale() / dt)
       return;
     std::ostringstream message;
-    message << "Initial velocities: the joints of a rigid part move apart with "
-            << rate
-            << " m/s. Give all joints of a rigid part velocities of one rigid "
-               "motion, and of one that its supports allow.";
+    message << "At t = 0 the joints of a rigid part move apart with " << rate
+            << " m/s, by Initial velocities or by Supports that start with a "
+               "speed. Give all joints of the part velocities of one rigid "
+               "motion that its supports allow, or let supports start from "
+               "rest.";
     throw InputError(message.str());
   }
 

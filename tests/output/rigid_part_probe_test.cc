@@ -41,9 +41,7 @@ namespace
   {
     const SystemOnRanks of_scene(bars, {}, MPI_COMM_SELF);
     return input_error_of([&] {
-      RigidPartProbe::check(probe(selection),
-                            of_scene.scene.context,
-                            of_scene.lattice);
+      RigidPartProbe::check(probe(selection), of_scene.scene, of_scene.lattice);
     });
   }
 
@@ -66,9 +64,8 @@ TEST(RigidPartProbe, RotationIsCountedPastHalfTurns)
 {
   const SystemOnRanks of_scene(bars, {}, MPI_COMM_SELF);
   State               state = of_scene.system.initial_state();
-  RigidPartProbe      first(probe("rigid: 0"),
-                       of_scene.scene.context,
-                       of_scene.system);
+  RigidPartProbe      first(probe("rigid: 0"), of_scene.scene, of_scene.system);
+  RigidPartRotations  rotations(of_scene.system);
   ASSERT_EQ(first.columns().size(), 1u);
   for (const double sign : {1., -1.})
     {
@@ -76,15 +73,17 @@ TEST(RigidPartProbe, RotationIsCountedPastHalfTurns)
       for (int i = 0; i <= 60; ++i)
         {
           turn_first_bar(of_scene.dofs(), sign * i * pi / 10, state);
-          first.follow(state);
-          EXPECT_NEAR(first.values(state).at(0), sign * i * pi / 10, 1e-13);
+          rotations.follow(state);
+          EXPECT_NEAR(first.values(state, rotations).at(0),
+                      sign * i * pi / 10,
+                      1e-13);
         }
       for (int i = 60; i >= 0; --i)
         {
           turn_first_bar(of_scene.dofs(), sign * i * pi / 10, state);
-          first.follow(state);
+          rotations.follow(state);
         }
-      EXPECT_NEAR(first.values(state).at(0), 0, 1e-13);
+      EXPECT_NEAR(first.values(state, rotations).at(0), 0, 1e-13);
     }
 }
 
@@ -93,16 +92,15 @@ TEST(RigidPartProbe, SeveralPartsGiveTheirMeanRotation)
   const SystemOnRanks of_scene(bars, {}, MPI_COMM_SELF);
   const auto         &dofs  = of_scene.dofs();
   State               state = of_scene.system.initial_state();
-  RigidPartProbe      both(probe("rigid: 0, 1"),
-                      of_scene.scene.context,
-                      of_scene.system);
+  RigidPartProbe both(probe("rigid: 0, 1"), of_scene.scene, of_scene.system);
   // Bar 0 by 0.6; bar 1 by 0.2 about its moved end.
   turn_first_bar(dofs, 0.6, state);
   state.displacement[dofs.joint_unknown(2, 0)] =
     std::cos(0.6) + std::cos(0.2) - 2;
   state.displacement[dofs.joint_unknown(2, 1)] = std::sin(0.6) + std::sin(0.2);
-  both.follow(state);
-  EXPECT_NEAR(both.values(state).at(0), 0.4, 1e-14);
+  RigidPartRotations rotations(of_scene.system);
+  rotations.follow(state);
+  EXPECT_NEAR(both.values(state, rotations).at(0), 0.4, 1e-14);
 }
 
 TEST(RigidPartProbe, ForcesAreThoseOfTheChosenJoints)
@@ -124,11 +122,12 @@ TEST(RigidPartProbe, ForcesAreThoseOfTheChosenJoints)
                "  set Time step = 1\nend\n");
   run.run();
   const auto values_of = [&](const std::string &selection) {
-    RigidPartProbe chosen(probe(selection), run.scene.context, run.system);
+    RigidPartProbe chosen(probe(selection), run.scene, run.system);
     EXPECT_EQ(chosen.columns().size(), 3u);
     EXPECT_EQ(chosen.columns()[1].name, "P.fx");
-    chosen.follow(run.state);
-    return chosen.values(run.state);
+    RigidPartRotations rotations(run.system);
+    rotations.follow(run.state);
+    return chosen.values(run.state, rotations);
   };
   // Weight in the middle: 15 N each; of the load 22.5 N and 7.5 N.
   EXPECT_NEAR(values_of("rigid: 0 @ 0").at(2), 37.5, 1e-12);
@@ -137,6 +136,8 @@ TEST(RigidPartProbe, ForcesAreThoseOfTheChosenJoints)
   // All together carry the weight.
   EXPECT_NEAR(values_of("rigid: all @ all").at(2), 30, 1e-12);
   EXPECT_NEAR(values_of("rigid: all @ all").at(1), 0, 1e-12);
+  // By the name of the definition.
+  EXPECT_NEAR(values_of("rigid: bar @ 1").at(2), 22.5, 1e-12);
 }
 
 TEST(RigidPartProbe, MistakesAreNamed)

@@ -345,6 +345,7 @@ end
       return run_auxfem(arguments);
     };
     ASSERT_EQ(run_with({}).exit_code, 0);
+    const std::string history = read_text(path("out/history.csv"));
 
     // Along the first bar, away from its hinge.
     write("scene.prm",
@@ -357,7 +358,20 @@ end
                     "move apart with 2 m/s",
                     "one rigid motion"});
 
+    expect_refusal(run_auxfem({"--check", "scene.prm"}), {"move apart"});
+    // A mistake costs no results of an earlier run.
+    EXPECT_EQ(read_text(path("out/history.csv")), history);
+
     write("scene.prm", bars);
+    expect_refusal(run_with({"Supports/ground/Type=clamp"}),
+                   {"Supports/ground/Rotation",
+                    "a rigid part is hinged there",
+                    "Type = pin"});
+    expect_refusal(run_with({"Joints/spring/Joints=1",
+                             "Joints/spring/Type=rotational spring",
+                             "Joints/spring/Stiffness=1"}),
+                   {"Joints/spring/Joints",
+                    "a rigid part is hinged at joint 1"});
     expect_refusal(run_with({"Supports/ground/Joints=0, 1"}),
                    {"Rigid parts", "rigid part of joints 0 1", "supports"});
     Words check = {"--check",

@@ -42,13 +42,18 @@ namespace
           EXPECT_EQ(run.exit_code, 0) << entry.path() << run.errors;
           EXPECT_EQ(run.errors, "");
         }
-    EXPECT_GE(n_scenes, 6u);
+    EXPECT_GE(n_scenes, 17u);
     for (const char *name : {"lattice",
                              "squeeze",
                              "cantilever",
                              "portal",
                              "star-10x10",
-                             "star-10x10-maxwell"})
+                             "star-10x10-maxwell",
+                             "cell-case-1",
+                             "cell-case-8",
+                             "rigid-cell",
+                             "rigid-array",
+                             "elastic-cell"})
       EXPECT_TRUE(std::filesystem::exists(scene_file(name))) << name;
   }
 

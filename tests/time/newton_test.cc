@@ -186,9 +186,9 @@ TEST(Newton, GivesUpAfterTheLargestNumberOfIterations)
     << result.reason;
 }
 
-TEST(Newton, ASingularTangentIsReported)
+TEST(Newton, AStructureWithoutResistanceIsReported)
 {
-  // KLU meets an exact zero: the joint in the middle of two hinged struts in
+  // The joint in the middle of two hinged struts in
   // line has no resistance across.
   StaticStep           hinged(frame_scene("0 0; 1 0; 2 0",
                                 "0 1; 1 2",
@@ -215,5 +215,9 @@ TEST(Newton, ASingularTangentIsReported)
                     {});
   const Newton::Result result = hinged.solve();
   EXPECT_FALSE(result.converged);
-  EXPECT_FALSE(result.reason.empty());
+  // Which of the two is found depends on a rounding.
+  EXPECT_TRUE(result.reason == "the tangent is singular" ||
+              result.reason ==
+                "an iteration turned a section by more than half a turn")
+    << result.reason;
 }

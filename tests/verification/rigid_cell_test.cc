@@ -432,3 +432,46 @@ TEST(RigidArrayVerification, IsOfSecondOrderInTime)
   std::cout << "order of the middle column's displacement: " << order << '\n';
   EXPECT_NEAR(order, 2, 0.1);
 }
+
+TEST(ElasticCellVerification, ThickStripsComeDownAsOneMass)
+{
+  // Ten times the height, a tenth of the density: the masses stay. The limit
+  // is a mass of 1 kg on K = 20 kN/m, C = 50 N s/m under 2e7 t^3.
+  SceneRun     run(text_of("elastic-cell.prm"),
+               {"Sections/bars/Height=40 mm",
+                    "Sections/upper and lower/Height=40 mm",
+                    "Sections/bars/Density=250",
+                    "Sections/upper and lower/Density=299.27"});
+  const double K = 20e3, C = 50, a = 2e7;
+  // Particular solution of y'' + C y' + K y = a t^3 by comparing powers of t.
+  const double c3 = a / K, c2 = -3 * C * c3 / K,
+               c1 = -(6 * c3 + 2 * C * c2) / K, c0 = -(2 * c2 + C * c1) / K;
+  const double delta = C / 2, omega = std::sqrt(K - delta * delta);
+  const double A = -c0, B = (delta * A - c1) / omega;
+  double       worst = 0, largest = 0;
+  run.run([&] {
+    const double t = run.state.time, decay = std::exp(-delta * t);
+    const double y = c0 + t * (c1 + t * (c2 + t * c3)) +
+      decay * (A * std::cos(omega * t) + B * std::sin(omega * t));
+    const double v = c1 + t * (2 * c2 + 3 * t * c3) +
+      decay *
+        ((omega * B - delta * A) * std::cos(omega * t) -
+         (omega * A + delta * B) * std::sin(omega * t));
+    const double f2  = K * y + C * v;
+    const double now = -run.system.connectors()[0]->report(0, run.state).force;
+    worst            = std::max(worst, std::abs(now - f2));
+    largest          = std::max(largest, f2);
+  });
+  std::cout << "f2 of 40 mm strips, off by " << worst << " of " << largest
+            << " N\n";
+  EXPECT_LT(worst, 1e-3 * largest);
+}
+
+TEST(ElasticCellVerification, ThinStripsBendAsTheDocumentationHasIt)
+{
+  SceneRun run(text_of("elastic-cell.prm"));
+  run.run();
+  EXPECT_NEAR(-run.system.connectors()[0]->report(0, run.state).force,
+              2369.93,
+              0.5);
+}

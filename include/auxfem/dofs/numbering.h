@@ -127,6 +127,15 @@ namespace auxfem
     bool joint_has(unsigned int joint, unsigned int component) const;
 
     /**
+     * Whether a rigid part and no elastic strut that is not released ends at
+     * @p joint: it has no rotation of its own.
+     */
+    bool is_rigid_joint(unsigned int joint) const;
+
+    /** Why @p joint has no rotation and what to do, as a sentence. */
+    std::string why_no_rotation(unsigned int joint) const;
+
+    /**
      * Local number of the rotation of a strut's end, released or not; -1 if
      * not on this rank.
      */

@@ -111,6 +111,7 @@ namespace auxfem
     MPI_Comm                    communicator;
     std::vector<Column>         columns;
     std::vector<UnknownSum>     sums;
+    RigidPartRotations          part_rotations;
     std::vector<RigidPartProbe> rigid_part_probes;
     std::vector<double>         row;
     EnergyRecord                record;

@@ -8,8 +8,30 @@
 namespace auxfem
 {
   /**
+   * Rotations of the rigid parts this rank reports on, counted on past half
+   * turns from state to state.
+   */
+  class RigidPartRotations
+  {
+  public:
+    /** @param system must outlive the object. */
+    explicit RigidPartRotations(const System &system);
+
+    /** Goes on to @p state; parts must not have turned by half a turn since the last. */
+    void follow(const State &state);
+
+    /** By the number of the part in RigidPartConditions::report() (rad). */
+    const std::vector<double> &values() const;
+
+  private:
+    const System       &system;
+    std::vector<double> rotations;
+  };
+
+  /**
    * A probe P on rigid parts, written `rigid: STRUTS` or `rigid: STRUTS @
-   * JOINTS`: `P.phi`, the mean rotation of the parts the struts belong to,
+   * JOINTS`, where the name of a definition (`Rigid parts/NAME`) may stand for
+   * the struts: `P.phi`, the mean rotation of the parts the struts belong to,
    * counted on past half turns, and with joints `P.fx`, `P.fy`, the sum of the
    * forces these exert on the parts.
    */
@@ -25,28 +47,28 @@ namespace auxfem
      * @param system must outlive the probe.
      */
     RigidPartProbe(const ProbeDefinition &definition,
-                   const SceneContext    &context,
+                   const Scene           &scene,
                    const System          &system);
 
     /** Throws InputError as the constructor. */
     static void check(const ProbeDefinition &definition,
-                      const SceneContext    &context,
+                      const Scene           &scene,
                       const Lattice         &lattice);
 
     std::vector<Column> columns() const;
 
-    /** Follows the rotations, so that they can be counted past half turns. */
-    void follow(const State &state);
-
-    /** This rank's share of each column, to be summed over the ranks. */
-    std::vector<double> values(const State &state) const;
+    /**
+     * This rank's share of each column, to be summed over the ranks.
+     * @param rotations as followed up to @p state.
+     */
+    std::vector<double> values(const State              &state,
+                               const RigidPartRotations &rotations) const;
 
   private:
     struct Part
     {
-      unsigned int              report;       ///< number on this rank
-      std::vector<unsigned int> joints;       ///< indices into its forces
-      double                    rotation = 0; ///< followed so far (rad)
+      unsigned int              report; ///< number on this rank
+      std::vector<unsigned int> joints; ///< indices into its forces
     };
 
     std::string       name;

@@ -7,16 +7,15 @@ namespace auxfem
 {
   namespace
   {
-    /** Difference of the values at both base points. */
+    /** Difference of the values at both base points, whose unknowns come first.
+     */
     template <std::size_t n>
     PlaneVector across_base(const std::array<int, n> &unknowns,
-                            const unsigned int        first,
                             const double             *values)
     {
       PlaneVector difference;
       for (unsigned int c = 0; c < 2; ++c)
-        difference[c] =
-          values[unknowns[first + 2 + c]] - values[unknowns[first + c]];
+        difference[c] = values[unknowns[2 + c]] - values[unknowns[c]];
       return difference;
     }
 
@@ -125,7 +124,7 @@ namespace auxfem
                                             const double *u) const
   {
     return base.condition.gradient(
-      large_rotation ? across_base(base.unknowns, 0, u) : PlaneVector());
+      large_rotation ? across_base(base.unknowns, u) : PlaneVector());
   }
 
   std::pair<PlaneVector, double>
@@ -134,8 +133,7 @@ namespace auxfem
     if (!large_rotation)
       return {clamp.condition.normal(0), -clamp.condition.length};
     const double      phi = u[clamp.unknowns[4]];
-    const PlaneVector d =
-      clamp.condition.rest + across_base(clamp.unknowns, 0, u);
+    const PlaneVector d = clamp.condition.rest + across_base(clamp.unknowns, u);
     return {clamp.condition.normal(phi),
             clamp.condition.normal_derivative(phi) * d};
   }
@@ -167,15 +165,14 @@ namespace auxfem
         double &row = residual[unknowns[4]];
         if (wants_accelerations(step))
           {
-            row += G * across_base(unknowns, 0, step.to.acceleration->Values());
+            row += G * across_base(unknowns, step.to.acceleration->Values());
             if (large_rotation)
               row += base.condition.curvature() *
-                across_base(unknowns, 0, step.to.velocity->Values())
-                  .norm_square();
+                across_base(unknowns, step.to.velocity->Values()).norm_square();
           }
         else
           {
-            const PlaneVector stretch = across_base(unknowns, 0, u);
+            const PlaneVector stretch = across_base(unknowns, u);
             row += large_rotation ? base.condition.value(stretch) : G * stretch;
           }
       }
@@ -226,22 +223,22 @@ namespace auxfem
           {
             const double *a = step.to.acceleration->Values();
             const double *v = step.to.velocity->Values();
-            row += along * across_base(unknowns, 0, a) + turn * a[unknowns[4]];
+            row += along * across_base(unknowns, a) + turn * a[unknowns[4]];
             if (large_rotation)
               {
                 const double      rate = v[unknowns[4]];
                 const PlaneVector d =
-                  clamp.condition.rest + across_base(unknowns, 0, u);
+                  clamp.condition.rest + across_base(unknowns, u);
                 row += 2 * rate *
                     (clamp.condition.normal_derivative(u[unknowns[4]]) *
-                     across_base(unknowns, 0, v)) -
+                     across_base(unknowns, v)) -
                   rate * rate * (along * d);
               }
           }
         else if (large_rotation)
-          row += along * (clamp.condition.rest + across_base(unknowns, 0, u));
+          row += along * (clamp.condition.rest + across_base(unknowns, u));
         else
-          row += along * across_base(unknowns, 0, u) + turn * u[unknowns[4]];
+          row += along * across_base(unknowns, u) + turn * u[unknowns[4]];
       }
   }
 
@@ -295,7 +292,7 @@ namespace auxfem
           {
             const double      force = factors.stiffness * u[clamp.unknowns[5]];
             const PlaneVector d =
-              clamp.condition.rest + across_base(clamp.unknowns, 0, u);
+              clamp.condition.rest + across_base(clamp.unknowns, u);
             const PlaneVector derivative =
               clamp.condition.normal_derivative(u[clamp.unknowns[4]]);
             set_pair<6>(values, 4, 4, -force * (along * d));
@@ -322,7 +319,7 @@ namespace auxfem
     const double *v = state.velocity->Values();
     for (const Base &base : bases)
       rates[base.unknowns[4]] =
-        gradient(base, u) * across_base(base.unknowns, 0, v);
+        gradient(base, u) * across_base(base.unknowns, v);
     for (const Joint &joint : joints)
       for (unsigned int c = 0; c < 2; ++c)
         {
@@ -334,8 +331,8 @@ namespace auxfem
     for (const Clamp &clamp : clamps)
       {
         const auto [along, turn] = gradient(clamp, u);
-        rates[clamp.unknowns[5]] = along * across_base(clamp.unknowns, 0, v) +
-          turn * v[clamp.unknowns[4]];
+        rates[clamp.unknowns[5]] =
+          along * across_base(clamp.unknowns, v) + turn * v[clamp.unknowns[4]];
       }
   }
 
@@ -353,9 +350,12 @@ namespace auxfem
                                        const State       &state) const
   {
     const RigidBody  &body = bodies[reported[i]];
-    const PlaneVector d    = body.rest +
-      across_base(bases[reported[i]].unknowns, 0, state.displacement.Values());
-    return std::atan2(turned(body.rest) * d, body.rest * d);
+    const PlaneVector stretch =
+      across_base(bases[reported[i]].unknowns, state.displacement.Values());
+    const double across = turned(body.rest) * stretch;
+    return large_rotation
+      ? std::atan2(across, body.rest * (body.rest + stretch))
+      : across / (body.length * body.length);
   }
 
   RigidPartReport RigidPartConditions::report(const unsigned int i,

@@ -59,7 +59,10 @@ namespace auxfem
     /** Number in Lattice::rigid_parts of part @p i of this rank. */
     unsigned int part(unsigned int i) const;
 
-    /** Rotation of part @p i of this rank in (-pi, pi], counterclockwise (rad). */
+    /**
+     * Rotation of part @p i of this rank (rad), counterclockwise; in (-pi, pi]
+     * with large rotations.
+     */
     double rotation(unsigned int i, const State &state) const;
 
     /** Report on part @p i of this rank, from displacements, accelerations and multipliers of @p state. */
