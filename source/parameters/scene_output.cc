@@ -69,8 +69,9 @@ namespace auxfem
        Form::free_entries,
        "Sets of joints whose mean motion goes to history.csv: the name "
        "of a set, or a selection of joints as in Sets (without "
-       "\"joints: \"); or \"rigid: STRUTS @ JOINTS\" for the rotation of the "
-       "rigid parts of struts and, if \"@ JOINTS\" is given, the forces of these "
+       "\"joints: \"); or \"rigid: PARTS @ JOINTS\", PARTS a set of struts or "
+       "the name of a group of Rigid parts, for the rotation of these parts "
+       "and, if \"@ JOINTS\" is given, the forces of these "
        "joints on them.",
        {},
        "",
