@@ -72,7 +72,16 @@ namespace auxfem
       // Mistakes it finds must not cost the results of an earlier run; a
       // search for equilibrium that fails is no mistake.
       if (!scene.time.static_start)
-        stepper.start(state);
+        try
+          {
+            stepper.start(state);
+          }
+        catch (const ComputationError &failure)
+          {
+            output.begin(system);
+            finish(output, system, state, stepper, totals, failure.what());
+            throw;
+          }
       setup.reset();
       output.begin(system);
 

@@ -35,7 +35,8 @@ namespace auxfem
       return {numbering.end_rotation(at.ends[0].strut, at.ends[0].end), false};
     }
 
-    /** A rigid part has no rotation a spring could act on. */
+    /** A rigid part has no rotation that the spring of a lone strut could act
+     * on. */
     void refuse_spring_to_rigid_part(const JointDefinition &definition,
                                      const Lattice         &lattice,
                                      const unsigned int     joint)
@@ -76,7 +77,9 @@ namespace auxfem
             for (const StrutEnd &end : ends_at[joint])
               if (chosen[end.strut])
                 at.ends.push_back(end);
-            if (definition.type == JointDefinition::Type::rotational_spring)
+            // Elsewhere it acts between elastic struts.
+            if (definition.type == JointDefinition::Type::rotational_spring &&
+                ends_at[joint].size() < 2)
               refuse_spring_to_rigid_part(definition, lattice, joint);
             if (at.ends.empty())
               throw InputError(definition.path + ": no elastic strut of '" +

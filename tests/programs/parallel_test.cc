@@ -117,6 +117,8 @@ end
                                   "--set",
                                   "Time/Scheme=generalized-alpha",
                                   "--set",
+                                  "Supports/foundation/Type=pin",
+                                  "--set",
                                   "Probes/stubs=rigid: stubs @ notches"};
     const ProgramRun one = run_auxfem(with(arguments, {"--output", "one"}));
     const ProgramRun two =

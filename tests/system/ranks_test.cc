@@ -150,15 +150,25 @@ namespace
    */
   std::string stars_with_rigid_parts()
   {
-    const std::string text  = star_with_everything(3, 3);
-    const std::string hinge = "  subsection hinges\n"
-                              "    set Joints = top\n"
-                              "    set Type = hinge\n"
-                              "  end\n";
-    // No elastic strut is left at the top that could be released.
-    const std::size_t place = text.find(hinge);
-    EXPECT_NE(place, std::string::npos);
-    return std::string(text).erase(place, hinge.size()) + R"(
+    std::string text    = star_with_everything(3, 3);
+    const auto  replace = [&text](const std::string &from,
+                                 const std::string &to) {
+      const std::size_t place = text.find(from);
+      EXPECT_NE(place, std::string::npos);
+      text.replace(place, from.size(), to);
+    };
+    // No elastic strut is left at the top that could be released, none at the
+    // bottom that could be clamped, and at some tips none a spring could act
+    // on.
+    replace("  subsection hinges\n"
+            "    set Joints = top\n"
+            "    set Type = hinge\n"
+            "  end\n",
+            "");
+    replace("    set Type = rotational spring\n    set Stiffness = 0.8\n",
+            "    set Type = hinge\n");
+    replace("set Type = clamp", "set Type = pin");
+    return text + R"(
 subsection Rigid parts
   subsection stubs
     set Struts = stubs
