@@ -38,18 +38,40 @@ namespace auxfem
     return sign * (sine > 0 ? 2 * half_angle / sine : 2.) * rotation.vector;
   }
 
-  SpaceTensor rotated(const Quaternion &rotation, const SpaceTensor &frame)
+  SpaceTensor rotated(const Quaternion &rotation, const SpaceTensor &matrix)
   {
     SpaceTensor result;
-    for (int axis = 0; axis < 3; ++axis)
+    for (int j = 0; j < 3; ++j)
       {
         const SpaceVector column =
           rotated(rotation,
-                  SpaceVector(
-                    {frame[0][axis], frame[1][axis], frame[2][axis]}));
+                  SpaceVector({matrix[0][j], matrix[1][j], matrix[2][j]}));
         for (int i = 0; i < 3; ++i)
-          result[i][axis] = column[i];
+          result[i][j] = column[i];
       }
+    return result;
+  }
+
+  SpaceTensor cross_product_tensor(const SpaceVector &v)
+  {
+    SpaceTensor result;
+    for (int i = 0; i < 3; ++i)
+      {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        result[j][i] = v[k];
+        result[i][j] = -v[k];
+      }
+    return result;
+  }
+
+  SpaceTensor with_principal_values(const SpaceTensor &frame,
+                                    const SpaceVector &values)
+  {
+    SpaceTensor result;
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j)
+        for (int k = 0; k < 3; ++k)
+          result[i][j] += frame[i][k] * values[k] * frame[j][k];
     return result;
   }
 

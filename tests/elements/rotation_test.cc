@@ -127,6 +127,24 @@ TEST(Rotation, FrameIsRotatedColumnByColumn)
               round_off);
 }
 
+TEST(Rotation, CrossProductTensorMultiplies)
+{
+  EXPECT_LT(distance(cross_product_tensor(some_axis) * some_vector,
+                     dealii::cross_product_3d(some_axis, some_vector)),
+            round_off);
+}
+
+TEST(Rotation, TensorTakesItsPrincipalValuesAlongTheAxes)
+{
+  const SpaceTensor frame =
+    section_frame(some_vector, default_reference(some_vector));
+  const SpaceVector values({3., -1., 0.5});
+  const SpaceTensor tensor = with_principal_values(frame, values);
+  for (int j = 0; j < 3; ++j)
+    EXPECT_LT(distance(tensor * column(frame, j), values[j] * column(frame, j)),
+              3 * round_off);
+}
+
 TEST(Rotation, SectionFrameIsRightHandedWithAxisThreeTowardsTheReference)
 {
   const SpaceVector reference({0.1, -2, 0.4});

@@ -79,18 +79,6 @@ namespace auxfem
       return energy;
     }
 
-    /** Stiffness of a section in the global frame: R diag(...) R^T. */
-    inline SpaceTensor turned_stiffness(const SpaceTensor &axes,
-                                        const SpaceVector &along_axes)
-    {
-      SpaceTensor result;
-      for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j)
-          for (int k = 0; k < 3; ++k)
-            result[i][j] += axes[i][k] * along_axes[k] * axes[j][k];
-      return result;
-    }
-
     /**
      * Second derivatives of the energy per length at constant section force and
      * moment, by r', c = sum c_a N_a / |sum N_b p_b| and k.
@@ -216,15 +204,9 @@ namespace auxfem
     inline SpaceTensor own_spin_stiffness(const Quaternion &g,
                                           const Quaternion &c)
     {
-      const SpaceVector half_moment = 0.5 * node_moment(g, c);
-      SpaceTensor       result;
+      SpaceTensor result = -0.5 * cross_product_tensor(node_moment(g, c));
       for (int i = 0; i < 3; ++i)
-        {
-          const int j = (i + 1) % 3, k = (i + 2) % 3;
-          result[i][i] = -0.25 * dot(g, c);
-          result[i][j] = half_moment[k];
-          result[j][i] = -half_moment[k];
-        }
+        result[i][i] = -0.25 * dot(g, c);
       return result;
     }
 
@@ -254,13 +236,13 @@ namespace auxfem
           const GeometricStiffness geometric =
             geometric_stiffness(point, s, gradient);
           const SpaceTensor turned_force =
-            turned_stiffness(point.axes,
-                             section_force(stiffness,
-                                           SpaceVector({1., 1., 1.})));
+            with_principal_values(point.axes,
+                                  section_force(stiffness,
+                                                SpaceVector({1., 1., 1.})));
           const SpaceTensor turned_moment =
-            turned_stiffness(point.axes,
-                             section_moment(stiffness,
-                                            SpaceVector({1., 1., 1.})));
+            with_principal_values(point.axes,
+                                  section_moment(stiffness,
+                                                 SpaceVector({1., 1., 1.})));
           SpinVariation spins[order + 1];
           double        derivative[order + 1];
           for (int a = 0; a <= order; ++a)

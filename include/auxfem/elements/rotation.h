@@ -88,8 +88,15 @@ namespace auxfem
     return v + rotation_change(rotation, v);
   }
 
-  /** R @p frame: the axes of a frame, rotated. */
-  SpaceTensor rotated(const Quaternion &rotation, const SpaceTensor &frame);
+  /** R @p matrix: its columns, such as the axes of a frame, rotated. */
+  SpaceTensor rotated(const Quaternion &rotation, const SpaceTensor &matrix);
+
+  /** [v]x, the matrix with [v]x w = v x w. */
+  SpaceTensor cross_product_tensor(const SpaceVector &v);
+
+  /** The symmetric tensor with the principal @p values along the axes of @p frame. */
+  SpaceTensor with_principal_values(const SpaceTensor &frame,
+                                    const SpaceVector &values);
 
   /**
    * Whether two directions (or opposite ones) are within five degrees, too
