@@ -8,6 +8,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <functional>
 #include <vector>
 
@@ -22,6 +25,19 @@ namespace auxfem
       std::function<SpaceVector(double)> place;
       std::function<SpaceTensor(double)> axes;
     };
+
+    /** A strut along x from the origin, section axes along those of space. */
+    inline StrutAtRest along_x(const double length)
+    {
+      return {length,
+              [](const double s) {
+                return SpaceVector({s, 0., 0.});
+              },
+              [](const double) {
+                return section_frame(SpaceVector({1., 0., 0.}),
+                                     SpaceVector({0., 0., 1.}));
+              }};
+    }
 
     /** Dead force (N) and moment (N m, along fixed directions). */
     struct TipLoad
@@ -70,32 +86,48 @@ namespace auxfem
       }
 
       /**
-       * Brings the strut into equilibrium with @p load, starting from where it
-       * is. Newton's method must come to an end within 25 iterations.
+       * Brings the strut into equilibrium with @p target, from where it is, in
+       * as few steps as Newton's method allows; returns iterations of the last.
        */
-      std::vector<NewtonIteration> solve(const TipLoad &load)
+      std::vector<NewtonIteration> load_to(const TipLoad &target)
       {
+        const TipLoad                start = load;
         std::vector<NewtonIteration> iterations;
-        double                       increment = 1;
-        // Quadratic: the next increment would be round-off.
-        while (increment > 1e-9 && iterations.size() < 25)
+        double                       done = 0, step = 1;
+        while (done < 1)
           {
-            assemble(load);
-            const dealii::Vector<double> residual = right_side;
-            matrix.compute_lu_factorization();
-            matrix.solve(right_side);
-            increment = move();
-            iterations.push_back({residual.linfty_norm(),
-                                  increment,
-                                  std::abs(residual * right_side)});
+            const auto   before = nodes;
+            const double share  = done + step;
+            load = {(1 - share) * start.force + share * target.force,
+                    (1 - share) * start.moment + share * target.moment};
+            if (solve(iterations))
+              {
+                done = share;
+                step = std::min(2 * step, 1 - done);
+              }
+            else
+              {
+                nodes = before;
+                step /= 2;
+                if (step < 1e-4)
+                  {
+                    ADD_FAILURE() << "Newton's method does not converge";
+                    return iterations;
+                  }
+              }
           }
-        EXPECT_LE(increment, 1e-9) << "Newton's method does not converge";
         return iterations;
       }
 
       SpaceVector tip() const
       {
         return tip_at_rest + nodes.back().displacement;
+      }
+
+      /** Of the section at the tip, since rest. */
+      const Quaternion &tip_rotation() const
+      {
+        return nodes.back().rotation;
       }
 
     private:
@@ -106,7 +138,32 @@ namespace auxfem
         return e * p + (a == 0 ? 0 : a == 1 ? p : a - 1);
       }
 
-      void assemble(const TipLoad &load)
+      /** Newton's method; whether it comes to an end. */
+      bool solve(std::vector<NewtonIteration> &iterations)
+      {
+        const unsigned int n_iterations = 12;
+        const double       far          = 3; // lengths or rad
+        iterations.clear();
+        while (iterations.size() < n_iterations)
+          {
+            assemble();
+            const dealii::Vector<double> residual = right_side;
+            matrix.compute_lu_factorization();
+            matrix.solve(right_side);
+            const double increment = move();
+            iterations.push_back({residual.linfty_norm(),
+                                  increment,
+                                  std::abs(residual * right_side)});
+            // Convergence is quadratic: the next one would be round-off.
+            if (increment < 1e-9)
+              return true;
+            if (!(increment < far))
+              return false;
+          }
+        return false;
+      }
+
+      void assemble()
       {
         // The clamped node has no unknowns.
         const unsigned int size = (nodes.size() - 1) * n;
@@ -182,10 +239,11 @@ namespace auxfem
       const Beam3D::Stiffness                   stiffness;
       const double                              jacobian;
       std::vector<std::array<Beam3D::Frame, p>> frames; ///< by element
-      std::vector<Beam3D::Node>                 nodes;  ///< along the axis
-      const SpaceVector                         tip_at_rest;
-      dealii::LAPACKFullMatrix<double>          matrix;
-      dealii::Vector<double>                    right_side;
+      TipLoad                   load;  ///< that nodes are in equilibrium with
+      std::vector<Beam3D::Node> nodes; ///< along the axis
+      const SpaceVector         tip_at_rest;
+      dealii::LAPACKFullMatrix<double> matrix;
+      dealii::Vector<double>           right_side;
     };
   } // namespace testing_support
 } // namespace auxfem
