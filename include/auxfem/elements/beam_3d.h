@@ -35,6 +35,31 @@ namespace auxfem
       return 0.5 * (g * conjugate(c)).vector;
     }
 
+    /** Adds the nodal forces of @p s at Gauss point @p g to @p force. */
+    template <int order>
+    inline void add_nodal_forces(const BeamShape<order>  &shape,
+                                 const int                g,
+                                 const double             jacobian,
+                                 const Kinematics<order> &point,
+                                 const Resultants        &s,
+                                 double                  *force)
+    {
+      const Quaternion gradient = energy_gradient(point, s);
+      const double     weight   = shape.weight[g] * jacobian;
+      for (int a = 0; a <= order; ++a)
+        {
+          const SpaceVector moment =
+            node_moment(node_gradient(point, a, gradient, s.moment),
+                        point.relative[a]);
+          for (int i = 0; i < 3; ++i)
+            {
+              force[n_components * a + i] +=
+                shape.weight[g] * shape.derivative[g][a] * s.force[i];
+              force[n_components * a + 3 + i] += weight * moment[i];
+            }
+        }
+    }
+
     /**
      * Internal force of an element.
      * @param frames order Gauss points
@@ -59,22 +84,14 @@ namespace auxfem
         {
           const Kinematics<order> point =
             kinematics(shape, g, 1 / jacobian, frames[g], nodes, rotations);
-          const Resultants s        = resultants(point, stiffness);
-          const Quaternion gradient = energy_gradient(point, s);
-          const double     weight   = shape.weight[g] * jacobian;
-          energy += weight * energy_density(stiffness, point.strains);
-          for (int a = 0; a <= order; ++a)
-            {
-              const SpaceVector moment = weight *
-                node_moment(node_gradient(point, a, gradient, s.moment),
-                            point.relative[a]);
-              for (int i = 0; i < 3; ++i)
-                {
-                  force[n_components * a + i] +=
-                    shape.weight[g] * shape.derivative[g][a] * s.force[i];
-                  force[n_components * a + 3 + i] += moment[i];
-                }
-            }
+          energy += shape.weight[g] * jacobian *
+            energy_density(stiffness, point.strains);
+          add_nodal_forces(shape,
+                           g,
+                           jacobian,
+                           point,
+                           resultants(point, stiffness),
+                           force);
         }
       return energy;
     }
@@ -122,9 +139,7 @@ namespace auxfem
 
     template <int order>
     inline GeometricStiffness
-    geometric_stiffness(const Kinematics<order> &point,
-                        const Resultants        &s,
-                        const Quaternion        &gradient)
+    geometric_stiffness(const Kinematics<order> &point, const Resultants &s)
     {
       const double torque = 4 * (s.moment * point.k.vector);
       return {s.force,
@@ -133,7 +148,7 @@ namespace auxfem
               torque,
               -4 * (s.force * point.slope) - torque,
               2. * dealii::cross_product_3d(s.force, point.slope) -
-                2. * gradient.vector};
+                2. * energy_gradient(point, s).vector};
     }
 
     /** Variations at a Gauss point by the three spins of one node. */
@@ -141,59 +156,69 @@ namespace auxfem
     {
       Quaternion  c[3], k[3];
       SpaceTensor gamma, kappa; ///< R dGamma and R dK, a column each spin
-      /** Of the derivatives of the energy by c, k and r' (a column each). */
-      Quaternion  gradient_c[3], gradient_k[3];
-      SpaceTensor force;
     };
 
+    /** Sets column @p j of a matrix. */
+    inline void
+    set_column(SpaceTensor &matrix, const int j, const SpaceVector &column)
+    {
+      for (int i = 0; i < 3; ++i)
+        matrix[i][j] = column[i];
+    }
+
+    /** A spin of 1 about axis @p j, as the quaternion that halves it. */
+    inline Quaternion half_unit_spin(const int j)
+    {
+      Quaternion spin{0, {}};
+      spin.vector[j] = 0.5;
+      return spin;
+    }
+
     template <int order>
-    inline SpinVariation spin_variation(const Kinematics<order>  &point,
-                                        const int                 a,
-                                        const GeometricStiffness &geometric,
-                                        const SpaceTensor        &turned)
+    inline SpinVariation spin_variation(const Kinematics<order> &point,
+                                        const int                a)
     {
       SpinVariation v;
       for (int j = 0; j < 3; ++j)
         {
-          Quaternion half_spin{0, {}};
-          half_spin.vector[j] = 0.5;
-          const Quaternion dc = half_spin * point.relative[a];
+          const Quaternion dc = half_unit_spin(j) * point.relative[a];
           v.c[j]              = point.value[a] * dc;
           v.k[j]              = point.derivative[a] * dc;
-          v.gradient_c[j] =
-            geometric.by_c_and_c(v.c[j]) + geometric.by_c_and_k(v.k[j]);
-          v.gradient_k[j] = geometric.by_k_and_c(v.c[j]);
-
-          const SpaceVector gamma =
-            2. * dealii::cross_product_3d(point.slope, v.c[j].vector);
-          const SpaceVector kappa =
-            2. * (v.k[j].vector - (v.c[j] * point.k).vector);
-          const SpaceVector force =
-            turned * gamma + geometric.by_slope_and_c(v.c[j]);
-          for (int i = 0; i < 3; ++i)
-            {
-              v.gamma[i][j] = gamma[i];
-              v.kappa[i][j] = kappa[i];
-              v.force[i][j] = force[i];
-            }
+          set_column(v.gamma,
+                     j,
+                     2. * dealii::cross_product_3d(point.slope, v.c[j].vector));
+          set_column(v.kappa,
+                     j,
+                     2. * (v.k[j].vector - (v.c[j] * point.k).vector));
         }
       return v;
     }
 
-    /** Second derivative of the energy per length by spins of two nodes. */
-    inline SpaceTensor spin_stiffness(const SpinVariation &a,
-                                      const SpinVariation &b,
-                                      const SpaceTensor   &turned_force,
-                                      const SpaceTensor   &turned_moment)
+    /**
+     * Variations of section force and moment in the frame of the section, but
+     * in global components (R dN, R dM).
+     */
+    template <int order>
+    struct ResultantVariation
     {
-      SpaceTensor result =
-        dealii::transpose(a.gamma) * (turned_force * b.gamma) +
-        dealii::transpose(a.kappa) * (turned_moment * b.kappa);
-      for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j)
-          result[i][j] +=
-            dot(a.c[i], b.gradient_c[j]) + dot(a.k[i], b.gradient_k[j]);
-      return result;
+      SpaceTensor force_by_slope;                      ///< by r'
+      SpaceTensor force[order + 1], moment[order + 1]; ///< by the nodes' spins
+    };
+
+    /** Stiffness of a section in global components. */
+    struct SectionTensors
+    {
+      SpaceTensor force, moment;
+    };
+
+    template <int order>
+    inline SectionTensors section_tensors(const Kinematics<order> &point,
+                                          const Stiffness         &stiffness)
+    {
+      const SpaceVector ones({1., 1., 1.});
+      return {with_principal_values(point.axes, section_force(stiffness, ones)),
+              with_principal_values(point.axes,
+                                    section_moment(stiffness, ones))};
     }
 
     /**
@@ -208,6 +233,98 @@ namespace auxfem
       for (int i = 0; i < 3; ++i)
         result[i][i] = -0.25 * dot(g, c);
       return result;
+    }
+
+    /** Second derivative of the energy at constant resultants, by spins. */
+    inline SpaceTensor spin_stiffness(const GeometricStiffness &geometric,
+                                      const SpinVariation      &a,
+                                      const SpinVariation      &b)
+    {
+      SpaceTensor result;
+      for (int j = 0; j < 3; ++j)
+        {
+          const Quaternion by_c =
+            geometric.by_c_and_c(b.c[j]) + geometric.by_c_and_k(b.k[j]);
+          const Quaternion by_k = geometric.by_k_and_c(b.c[j]);
+          for (int i = 0; i < 3; ++i)
+            result[i][j] = dot(a.c[i], by_c) + dot(a.k[i], by_k);
+        }
+      return result;
+    }
+
+    /** The same by r' and spins. */
+    inline SpaceTensor slope_stiffness(const GeometricStiffness &geometric,
+                                       const SpinVariation      &b)
+    {
+      SpaceTensor result;
+      for (int j = 0; j < 3; ++j)
+        set_column(result, j, geometric.by_slope_and_c(b.c[j]));
+      return result;
+    }
+
+    /** Adds block @p tensor times @p factor at @p position of a square matrix. */
+    inline void add_block(const SpaceTensor &tensor,
+                          const double       factor,
+                          const int          n,
+                          double            *position)
+    {
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+          position[i * n + j] += factor * tensor[i][j];
+    }
+
+    /**
+     * Adds the tangent at Gauss point @p g: the variation of the resultants and,
+     * times @p geometric_factor, that of the kinematics at resultants @p s.
+     */
+    template <int order>
+    inline void add_tangent(const BeamShape<order>          &shape,
+                            const int                        g,
+                            const double                     jacobian,
+                            const Kinematics<order>         &point,
+                            const SpinVariation             *spins,
+                            const ResultantVariation<order> &variation,
+                            const Resultants                &s,
+                            const double                     geometric_factor,
+                            double                          *matrix)
+    {
+      constexpr int            n         = n_components * (order + 1);
+      const GeometricStiffness geometric = geometric_stiffness(point, s);
+      const Quaternion         gradient  = energy_gradient(point, s);
+      SpaceTensor              by_slope_and_spin[order + 1];
+      for (int a = 0; a <= order; ++a)
+        by_slope_and_spin[a] =
+          geometric_factor * slope_stiffness(geometric, spins[a]);
+      const double weight = shape.weight[g] * jacobian;
+      for (int a = 0; a <= order; ++a)
+        {
+          const double      da    = shape.derivative[g][a] / jacobian;
+          const SpaceTensor gamma = transpose(spins[a].gamma),
+                            kappa = transpose(spins[a].kappa);
+          const SpaceTensor by_slope =
+            gamma * variation.force_by_slope + transpose(by_slope_and_spin[a]);
+          for (int b = 0; b <= order; ++b)
+            {
+              const double db = shape.derivative[g][b] / jacobian;
+              SpaceTensor  by_spins =
+                spin_stiffness(geometric, spins[a], spins[b]);
+              if (a == b)
+                by_spins += own_spin_stiffness(
+                  node_gradient(point, a, gradient, s.moment),
+                  point.relative[a]);
+              by_spins = geometric_factor * by_spins +
+                gamma * variation.force[b] + kappa * variation.moment[b];
+
+              double *block = matrix + n_components * (a * n + b);
+              add_block(variation.force_by_slope, weight * da * db, n, block);
+              add_block(variation.force[b] + by_slope_and_spin[b],
+                        weight * da,
+                        n,
+                        block + 3);
+              add_block(by_slope, weight * db, n, block + 3 * n);
+              add_block(by_spins, weight, n, block + 3 * n + 3);
+            }
+        }
     }
 
     /**
@@ -231,50 +348,25 @@ namespace auxfem
         {
           const Kinematics<order> point =
             kinematics(shape, g, 1 / jacobian, frames[g], nodes, rotations);
-          const Resultants         s        = resultants(point, stiffness);
-          const Quaternion         gradient = energy_gradient(point, s);
-          const GeometricStiffness geometric =
-            geometric_stiffness(point, s, gradient);
-          const SpaceTensor turned_force =
-            with_principal_values(point.axes,
-                                  section_force(stiffness,
-                                                SpaceVector({1., 1., 1.})));
-          const SpaceTensor turned_moment =
-            with_principal_values(point.axes,
-                                  section_moment(stiffness,
-                                                 SpaceVector({1., 1., 1.})));
-          SpinVariation spins[order + 1];
-          double        derivative[order + 1];
+          const SectionTensors      section = section_tensors(point, stiffness);
+          SpinVariation             spins[order + 1];
+          ResultantVariation<order> variation;
+          variation.force_by_slope = factor * section.force;
           for (int a = 0; a <= order; ++a)
             {
-              spins[a]      = spin_variation(point, a, geometric, turned_force);
-              derivative[a] = shape.derivative[g][a] / jacobian;
+              spins[a]            = spin_variation(point, a);
+              variation.force[a]  = factor * section.force * spins[a].gamma;
+              variation.moment[a] = factor * section.moment * spins[a].kappa;
             }
-          const double weight = factor * shape.weight[g] * jacobian;
-          for (int a = 0; a <= order; ++a)
-            for (int b = 0; b <= order; ++b)
-              {
-                SpaceTensor by_spins = spin_stiffness(spins[a],
-                                                      spins[b],
-                                                      turned_force,
-                                                      turned_moment);
-                if (a == b)
-                  by_spins += own_spin_stiffness(
-                    node_gradient(point, a, gradient, s.moment),
-                    point.relative[a]);
-                double *block = matrix + n_components * (a * n + b);
-                for (int i = 0; i < 3; ++i)
-                  for (int j = 0; j < 3; ++j)
-                    {
-                      block[i * n + j] += weight * derivative[a] *
-                        derivative[b] * turned_force[i][j];
-                      block[i * n + 3 + j] +=
-                        weight * derivative[a] * spins[b].force[i][j];
-                      block[(3 + i) * n + j] +=
-                        weight * derivative[b] * spins[a].force[j][i];
-                      block[(3 + i) * n + 3 + j] += weight * by_spins[i][j];
-                    }
-              }
+          add_tangent(shape,
+                      g,
+                      jacobian,
+                      point,
+                      spins,
+                      variation,
+                      resultants(point, stiffness),
+                      factor,
+                      matrix);
         }
     }
 
