@@ -159,11 +159,11 @@ TEST(Bend45, NewtonConvergesQuadratically)
             << "| load | iteration | largest residual (N) | largest increment "
                "(1) | energy (J) |\n|---|---|---|---|---|\n"
             << std::scientific << std::setprecision(2);
-  for (double load = 50; load <= 600; load += 50)
+  for (int load = 50; load <= 600; load += 50)
     {
       const auto iterations = strut.load_to(upwards(load));
       for (unsigned int i = 0; i < iterations.size(); ++i)
-        std::cout << "| " << int(load) << " | " << i + 1 << " | "
+        std::cout << "| " << load << " | " << i + 1 << " | "
                   << iterations[i].residual << " | " << iterations[i].increment
                   << " | " << iterations[i].energy << " |\n";
       // In the norm of energy the increment is squared each time, times a
