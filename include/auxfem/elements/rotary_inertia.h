@@ -1,0 +1,78 @@
+#ifndef auxfem_elements_rotary_inertia_h
+#define auxfem_elements_rotary_inertia_h
+
+#include <auxfem/elements/rotation.h>
+
+namespace auxfem
+{
+  /**
+   * Rotary inertia of a node in space: Euler's equations. Tensors and angular
+   * velocities are material, that is in the global frame turned back by the
+   * rotation P of the node since rest: W = P^T omega, P' = P [W]x.
+   */
+  namespace RotaryInertia
+  {
+    /**
+     * Rotary inertia per length (kg m) of a section with the given axes at rest
+     * (1 along the strut): rho (I_2 + I_3), rho I_2, rho I_3.
+     * @param inertia_2, inertia_3 rho I about axes 2 and 3 (kg m)
+     */
+    inline SpaceTensor section_inertia(const SpaceTensor &axes,
+                                       const double       inertia_2,
+                                       const double       inertia_3)
+    {
+      return with_principal_values(
+        axes,
+        SpaceVector({inertia_2 + inertia_3, inertia_2, inertia_3}));
+    }
+
+    /** Angular velocity (rad/s) and acceleration (rad/s2), W and its rate. */
+    struct Motion
+    {
+      SpaceVector velocity, acceleration;
+    };
+
+    /** Kinetic energy W . J W / 2 (J). */
+    inline double kinetic_energy(const SpaceTensor &inertia,
+                                 const SpaceVector &velocity)
+    {
+      return velocity * (inertia * velocity) / 2;
+    }
+
+    /**
+     * Rate of the angular momentum P J W (N m, global frame):
+     * P (J W' + W x J W).
+     * @param inertia J at rest (kg m2)
+     */
+    inline SpaceVector torque(const SpaceTensor &inertia,
+                              const Quaternion  &rotation,
+                              const Motion      &motion)
+    {
+      return rotated(rotation,
+                     inertia * motion.acceleration +
+                       dealii::cross_product_3d(motion.velocity,
+                                                inertia * motion.velocity));
+    }
+
+    /** Derivatives of the torque. */
+    struct Tangent
+    {
+      SpaceTensor by_spin; ///< theta, with P <- exp(theta) P at fixed W, W'
+      SpaceTensor by_velocity, by_acceleration; ///< material
+    };
+
+    /** Of torque(). The gyroscopic terms are P ([W]x J - [J W]x). */
+    inline Tangent tangent(const SpaceTensor &inertia,
+                           const Quaternion  &rotation,
+                           const Motion      &motion)
+    {
+      return {-1. * cross_product_tensor(torque(inertia, rotation, motion)),
+              rotated(rotation,
+                      cross_product_tensor(motion.velocity) * inertia -
+                        cross_product_tensor(inertia * motion.velocity)),
+              rotated(rotation, inertia)};
+    }
+  } // namespace RotaryInertia
+} // namespace auxfem
+
+#endif

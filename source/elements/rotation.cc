@@ -1,0 +1,107 @@
+#include <auxfem/elements/rotation.h>
+
+#include <deal.II/base/exceptions.h>
+
+#include <cmath>
+
+namespace auxfem
+{
+  namespace
+  {
+    SpaceVector axis_vector(const unsigned int axis)
+    {
+      SpaceVector result;
+      result[axis] = 1;
+      return result;
+    }
+  } // namespace
+
+  Quaternion normalized(const Quaternion &q)
+  {
+    return 1 / std::sqrt(dot(q, q)) * q;
+  }
+
+  Quaternion exponential(const SpaceVector &rotation_vector)
+  {
+    // Where the square of a tiny vector underflows, angle is inexact, but the
+    // quotient is 1/2 all the same.
+    const double angle = rotation_vector.norm();
+    return {std::cos(angle / 2),
+            (angle > 0 ? std::sin(angle / 2) / angle : 0.5) * rotation_vector};
+  }
+
+  SpaceVector rotation_vector(const Quaternion &rotation)
+  {
+    const double sign       = rotation.scalar < 0 ? -1 : 1;
+    const double sine       = rotation.vector.norm(); // of half the angle
+    const double half_angle = std::atan2(sine, sign * rotation.scalar);
+    return sign * (sine > 0 ? 2 * half_angle / sine : 2.) * rotation.vector;
+  }
+
+  SpaceTensor rotated(const Quaternion &rotation, const SpaceTensor &matrix)
+  {
+    SpaceTensor result;
+    for (int j = 0; j < 3; ++j)
+      {
+        const SpaceVector column =
+          rotated(rotation,
+                  SpaceVector({matrix[0][j], matrix[1][j], matrix[2][j]}));
+        for (int i = 0; i < 3; ++i)
+          result[i][j] = column[i];
+      }
+    return result;
+  }
+
+  SpaceTensor cross_product_tensor(const SpaceVector &v)
+  {
+    SpaceTensor result;
+    for (int i = 0; i < 3; ++i)
+      {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        result[j][i] = v[k];
+        result[i][j] = -v[k];
+      }
+    return result;
+  }
+
+  SpaceTensor with_principal_values(const SpaceTensor &frame,
+                                    const SpaceVector &values)
+  {
+    SpaceTensor result;
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j)
+        for (int k = 0; k < 3; ++k)
+          result[i][j] += frame[i][k] * values[k] * frame[j][k];
+    return result;
+  }
+
+  bool nearly_parallel(const SpaceVector &a, const SpaceVector &b)
+  {
+    const double sine_of_five_degrees = 0.08715574274765817;
+    return dealii::cross_product_3d(a, b).norm() <=
+      sine_of_five_degrees * a.norm() * b.norm();
+  }
+
+  SpaceVector default_reference(const SpaceVector &tangent)
+  {
+    const SpaceVector z = axis_vector(2);
+    return nearly_parallel(tangent, z) ? axis_vector(0) : z;
+  }
+
+  SpaceTensor section_frame(const SpaceVector &tangent,
+                            const SpaceVector &reference)
+  {
+    SpaceVector axes[3];
+    axes[0] = tangent / tangent.norm();
+    axes[1] = dealii::cross_product_3d(reference, axes[0]);
+    Assert(axes[1].norm() > 0,
+           dealii::ExcMessage("The reference vector is along the strut."));
+    axes[1] /= axes[1].norm();
+    axes[2] = dealii::cross_product_3d(axes[0], axes[1]);
+    SpaceTensor result;
+    for (int axis = 0; axis < 3; ++axis)
+      for (int i = 0; i < 3; ++i)
+        result[i][axis] = axes[axis][i];
+    return result;
+  }
+} // namespace auxfem
