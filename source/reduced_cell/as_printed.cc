@@ -64,31 +64,13 @@ namespace auxfem
      * Maxwell connector the second unknown is called Y3; then the paper gives
      * no Y1 and Y2, and there are no energies.
      */
-    class PrintedScheme : public CellScheme
+    class PrintedScheme : public TwoStepScheme
     {
     public:
       explicit PrintedScheme(const Scene &scene)
-        : scene(scene)
+        : TwoStepScheme(scene)
         , connector(connector_of(scene))
-        , cell(scene)
       {}
-
-      CellSample start() override
-      {
-        cell.begin_step(0);
-        return sample();
-      }
-
-      CellSample advance() override
-      {
-        cell.begin_step(++step);
-        return sample();
-      }
-
-      unsigned long work() const override
-      {
-        return step + 1;
-      }
 
     private:
       /** Accelerations of theta and of Y2 (or Y3) from Eq. (18), (20). */
@@ -130,7 +112,9 @@ namespace auxfem
                  connector.damping * cell.equations().extension_rate(motion));
       }
 
-      CellSample sample()
+      /** All first positions are those at rest; so Eq. (24) has it for i = 3.
+       */
+      CellSample sample() override
       {
         const double     dt     = scene.time.step;
         const CellMotion motion = grid.motion(dt);
@@ -162,19 +146,12 @@ namespace auxfem
         throw ComputationError(message.str());
       }
 
-      const Scene           &scene;
       const PrintedConnector connector;
-      SteppedCell            cell;
-      /** All first positions are those at rest; so Eq. (24) has it for i = 3.
-       */
-      TwoStepGrid   grid{{}};
-      unsigned long step = 0;
     };
   } // namespace
 
   std::unique_ptr<CellScheme> make_printed_scheme(const Scene &scene)
   {
-    refuse_uneven_steps(scene);
     return std::make_unique<PrintedScheme>(scene);
   }
 } // namespace auxfem

@@ -16,15 +16,15 @@ namespace auxfem
      * meet in velocities only. Where these matter (dashpots), a difference of
      * the grids grows about as fast as the motion is damped, whatever the step.
      */
-    class CentralDifference : public CellScheme
+    class CentralDifference : public TwoStepScheme
     {
     public:
-      explicit CentralDifference(const Scene &scene) : scene(scene), cell(scene)
+      explicit CentralDifference(const Scene &scene) : TwoStepScheme(scene)
       {}
 
-      CellSample start() override
+    private:
+      void set_first_positions() override
       {
-        cell.begin_step(0);
         const CellMotion rest;
         const double     dt    = scene.time.step;
         const double     force = cell.load() + cell.connector(rest).force;
@@ -32,23 +32,9 @@ namespace auxfem
           dt * dt / 2 * cell.equations().acceleration(rest, force);
         grid = TwoStepGrid(
           std::array<CellVector, 4>{{4 * first, first, CellVector(), first}});
-        return sample();
       }
 
-      CellSample advance() override
-      {
-        cell.begin_step(++step);
-        return sample();
-      }
-
-      unsigned long work() const override
-      {
-        return step + 1;
-      }
-
-    private:
-      /** The sample of this step, and the grid made ready for the next. */
-      CellSample sample()
+      CellSample sample() override
       {
         const double     dt     = scene.time.step;
         const CellMotion motion = grid.motion(dt);
@@ -58,17 +44,11 @@ namespace auxfem
         grid.shift(2 * motion.position - grid.before() + 4 * dt * dt * a);
         return cell.accept(motion);
       }
-
-      const Scene  &scene;
-      SteppedCell   cell;
-      TwoStepGrid   grid{{}};
-      unsigned long step = 0;
     };
   } // namespace
 
   std::unique_ptr<CellScheme> make_central_difference(const Scene &scene)
   {
-    refuse_uneven_steps(scene);
     return std::make_unique<CentralDifference>(scene);
   }
 } // namespace auxfem

@@ -5,6 +5,21 @@
 
 namespace auxfem
 {
+  namespace
+  {
+    /** Throws InputError if the last step would be shorter than the others. */
+    void refuse_uneven_steps(const Scene &scene)
+    {
+      const TimeParameters &time = scene.time;
+      const double          even = time.n_steps() * time.step;
+      if (std::abs(even - time.end_time) > 1e-6 * time.step)
+        throw InputError(
+          "Time/Scheme = " + time.scheme +
+          " needs equal steps, but Time/End time is no multiple of Time/Time "
+          "step. Change one of them");
+    }
+  } // namespace
+
   SteppedCell::SteppedCell(const Scene &scene)
     : scene(scene)
     , cell(*scene.reduced_cell)
@@ -69,17 +84,6 @@ namespace auxfem
             energies};
   }
 
-  void refuse_uneven_steps(const Scene &scene)
-  {
-    const TimeParameters &time = scene.time;
-    const double          even = time.n_steps() * time.step;
-    if (std::abs(even - time.end_time) > 1e-6 * time.step)
-      throw InputError(
-        "Time/Scheme = " + time.scheme +
-        " needs equal steps, but Time/End time is no multiple of Time/Time "
-        "step. Change one of them");
-  }
-
   TwoStepGrid::TwoStepGrid(const std::array<CellVector, 4> &first) : x(first)
   {}
 
@@ -96,5 +100,28 @@ namespace auxfem
   void TwoStepGrid::shift(const CellVector &next)
   {
     x = {{x[1], x[2], x[3], next}};
+  }
+
+  TwoStepScheme::TwoStepScheme(const Scene &scene) : scene(scene), cell(scene)
+  {
+    refuse_uneven_steps(scene);
+  }
+
+  CellSample TwoStepScheme::start()
+  {
+    cell.begin_step(0);
+    set_first_positions();
+    return sample();
+  }
+
+  CellSample TwoStepScheme::advance()
+  {
+    cell.begin_step(++step);
+    return sample();
+  }
+
+  unsigned long TwoStepScheme::work() const
+  {
+    return step + 1;
   }
 } // namespace auxfem

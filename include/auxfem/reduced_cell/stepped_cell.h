@@ -51,12 +51,6 @@ namespace auxfem
   };
 
   /**
-   * Throws InputError if the last step would be shorter than the others, for
-   * schemes that need equal ones.
-   */
-  void refuse_uneven_steps(const Scene &scene);
-
-  /**
    * Positions around step i on the grid of the paper's Eqs. (23) to (25), where
    * velocities reach one step to both sides and accelerations two.
    */
@@ -77,6 +71,35 @@ namespace auxfem
 
   private:
     std::array<CellVector, 4> x;
+  };
+
+  /** A scheme on the two-step grid: one sample, one evaluation a step. */
+  class TwoStepScheme : public CellScheme
+  {
+  public:
+    CellSample    start() override;
+    CellSample    advance() override;
+    unsigned long work() const override;
+
+  protected:
+    /**
+     * Throws InputError for uneven steps.
+     * @param scene must outlive the object.
+     */
+    explicit TwoStepScheme(const Scene &scene);
+
+    /** Sets the grid for the first sample; by default all positions are those
+     * at rest. */
+    virtual void set_first_positions()
+    {}
+
+    /** The sample of the step begun, and the grid made ready for the next. */
+    virtual CellSample sample() = 0;
+
+    const Scene  &scene;
+    SteppedCell   cell;
+    TwoStepGrid   grid{{}};
+    unsigned long step = 0;
   };
 } // namespace auxfem
 
