@@ -174,6 +174,23 @@ namespace auxfem
       return spin;
     }
 
+    /** R dGamma by a variation @p c at constant r'. */
+    template <int order>
+    inline SpaceVector gamma_variation(const Kinematics<order> &point,
+                                       const Quaternion        &c)
+    {
+      return 2. * dealii::cross_product_3d(point.slope, c.vector);
+    }
+
+    /** R dK by variations @p c and @p k. */
+    template <int order>
+    inline SpaceVector kappa_variation(const Kinematics<order> &point,
+                                       const Quaternion        &c,
+                                       const Quaternion        &k)
+    {
+      return 2. * (k.vector - (c * point.k).vector);
+    }
+
     template <int order>
     inline SpinVariation spin_variation(const Kinematics<order> &point,
                                         const int                a)
@@ -184,12 +201,8 @@ namespace auxfem
           const Quaternion dc = half_unit_spin(j) * point.relative[a];
           v.c[j]              = point.value[a] * dc;
           v.k[j]              = point.derivative[a] * dc;
-          set_column(v.gamma,
-                     j,
-                     2. * dealii::cross_product_3d(point.slope, v.c[j].vector));
-          set_column(v.kappa,
-                     j,
-                     2. * (v.k[j].vector - (v.c[j] * point.k).vector));
+          set_column(v.gamma, j, gamma_variation(point, v.c[j]));
+          set_column(v.kappa, j, kappa_variation(point, v.c[j], v.k[j]));
         }
       return v;
     }

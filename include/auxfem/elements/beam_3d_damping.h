@@ -51,9 +51,8 @@ namespace auxfem
           r.c = r.c + point.value[a] * dc;
           r.k = r.k + point.derivative[a] * dc;
         }
-      r.gamma =
-        r.slope + 2. * dealii::cross_product_3d(point.slope, r.c.vector);
-      r.kappa = 2. * (r.k.vector - (r.c * point.k).vector);
+      r.gamma = r.slope + gamma_variation(point, r.c);
+      r.kappa = kappa_variation(point, r.c, r.k);
       return r;
     }
 
@@ -159,13 +158,11 @@ namespace auxfem
               set_column(gamma,
                          j,
                          gamma_rate_variation(point, r, c) +
-                           2. *
-                             dealii::cross_product_3d(point.slope,
-                                                      own_c.vector));
+                           gamma_variation(point, own_c));
               set_column(kappa,
                          j,
                          kappa_rate_variation(point, r, c, k) +
-                           2. * (own_k.vector - (own_c * point.k).vector));
+                           kappa_variation(point, own_c, own_k));
             }
           variation.force[a] = section.force *
             (stiffness_factor * gamma + damping_factor * spins[a].gamma);
