@@ -19,9 +19,7 @@ namespace auxfem
                                        const dealii::Point<3>      &point,
                                        const std::array<double, 4> &of_base)
     {
-      const NaturalPlace   place = natural_place(lattice.joints[part.joints[0]],
-                                               lattice.joints[part.joints[1]],
-                                               point);
+      const NaturalPlace   place = place_in(part, lattice, point);
       dealii::Tensor<1, 3> result;
       for (unsigned int c = 0; c < 2; ++c)
         {

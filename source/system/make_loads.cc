@@ -4,7 +4,6 @@
 #include <auxfem/system/effects/applied_loads.h>
 #include <auxfem/system/effects/beam_dispatch.h>
 #include <auxfem/system/make_loads.h>
-#include <auxfem/system/rigid_bodies.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -122,10 +121,9 @@ namespace auxfem
               add_on_body(load,
                           c,
                           body,
-                          natural_place(lattice.joints[part.joints[0]],
-                                        lattice.joints[part.joints[1]],
-                                        lattice.centroid(
-                                          lattice.struts[number])),
+                          place_in(part,
+                                   lattice,
+                                   lattice.centroid(lattice.struts[number])),
                           lattice.length(lattice.struts[number]),
                           loads);
         }
@@ -235,18 +233,18 @@ namespace auxfem
     return masses;
   }
 
-  std::unique_ptr<Effect> make_loads(const Scene                &scene,
-                                     const Lattice              &lattice,
-                                     const DofNumbering         &numbering,
-                                     const std::vector<Section> &sections,
-                                     const bool                  gravity)
+  std::unique_ptr<Effect> make_loads(const Scene                  &scene,
+                                     const Lattice                &lattice,
+                                     const DofNumbering           &numbering,
+                                     const std::vector<Section>   &sections,
+                                     const std::vector<RigidBody> &bodies,
+                                     const bool                    gravity)
   {
     if (scene.joint_loads.empty() && scene.line_loads.empty() && !gravity)
       return nullptr;
     auto loads = std::make_unique<AppliedLoads>(numbering,
                                                 scene.time.scheme == "static" &&
                                                   !scene.time.static_start);
-    const std::vector<RigidBody> bodies = rigid_bodies(lattice, numbering);
     add_joint_loads(scene, lattice, numbering, *loads);
     add_line_loads(scene, lattice, numbering, bodies, *loads);
     if (gravity)

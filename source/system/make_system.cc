@@ -209,8 +209,12 @@ namespace auxfem
           }
       }
     n_balanced = effects.size();
-    if (auto loads =
-          make_loads(scene, graph, *dofs, section_list, simulated.gravity))
+    if (auto loads = make_loads(scene,
+                                graph,
+                                *dofs,
+                                section_list,
+                                bodies,
+                                simulated.gravity))
       effects.push_back(std::move(loads));
   }
 } // namespace auxfem

@@ -2,6 +2,15 @@
 
 namespace auxfem
 {
+  NaturalPlace place_in(const RigidPart        &part,
+                        const Lattice          &lattice,
+                        const dealii::Point<3> &point)
+  {
+    return natural_place(lattice.joints[part.joints[0]],
+                         lattice.joints[part.joints[1]],
+                         point);
+  }
+
   std::vector<RigidBody> rigid_bodies(const Lattice      &lattice,
                                       const DofNumbering &numbering)
   {
@@ -18,7 +27,7 @@ namespace auxfem
         for (unsigned int c = 0; c < 2; ++c)
           body.rest[c] = r1[c] - r0[c];
         body.length  = body.rest.norm();
-        body.centre  = natural_place(r0, r1, part.centre_of_mass);
+        body.centre  = place_in(part, lattice, part.centre_of_mass);
         body.mass    = rigid_mass_matrix(part.mass,
                                       part.rotary_inertia,
                                       body.length,

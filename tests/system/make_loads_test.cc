@@ -166,6 +166,7 @@ TEST(MakeLoads, ASceneWithoutLoadsHasNone)
                        of_scene.lattice,
                        of_scene.dofs(),
                        of_scene.system.sections(),
+                       {},
                        false),
             nullptr);
 }

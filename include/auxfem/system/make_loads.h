@@ -4,6 +4,7 @@
 #include <auxfem/dofs/numbering.h>
 #include <auxfem/parameters/scene.h>
 #include <auxfem/system/effect.h>
+#include <auxfem/system/rigid_bodies.h>
 
 namespace auxfem
 {
@@ -20,11 +21,12 @@ namespace auxfem
    * parts and point masses as one effect; nullptr if the scene has none. Throws
    * InputError for a moment on a joint without rotation.
    */
-  std::unique_ptr<Effect> make_loads(const Scene                &scene,
-                                     const Lattice              &lattice,
-                                     const DofNumbering         &numbering,
-                                     const std::vector<Section> &sections,
-                                     bool                        gravity);
+  std::unique_ptr<Effect> make_loads(const Scene                  &scene,
+                                     const Lattice                &lattice,
+                                     const DofNumbering           &numbering,
+                                     const std::vector<Section>   &sections,
+                                     const std::vector<RigidBody> &bodies,
+                                     bool                          gravity);
 
   /**
    * Velocities at t = 0 by local unknown. A set moves as a rigid body: its

@@ -24,6 +24,11 @@ namespace auxfem
     bool counted;
   };
 
+  /** Natural place of @p point (m, at rest) in a rigid part. */
+  NaturalPlace place_in(const RigidPart        &part,
+                        const Lattice          &lattice,
+                        const dealii::Point<3> &point);
+
   /** The rigid parts kept on this rank. */
   std::vector<RigidBody> rigid_bodies(const Lattice      &lattice,
                                       const DofNumbering &numbering);

@@ -50,12 +50,10 @@ namespace auxfem
   {
     for (unsigned int b = 0; b < bodies.size(); ++b)
       {
-        const RigidBody       &body = bodies[b];
-        const auto            &base = body.base;
-        const RigidPart       &part = lattice.rigid_parts[body.part];
-        const dealii::Point<3> r0   = lattice.joints[part.joints[0]],
-                               r1   = lattice.joints[part.joints[1]];
-        unsigned int next           = 0;
+        const RigidBody &body = bodies[b];
+        const auto      &base = body.base;
+        const RigidPart &part = lattice.rigid_parts[body.part];
+        unsigned int     next = 0;
         joint_begin.push_back(joints.size());
         clamp_begin.push_back(clamps.size());
         const auto multiplier = [&] {
@@ -67,7 +65,7 @@ namespace auxfem
           {
             const unsigned int joint = part.joints[k];
             const NaturalPlace place =
-              natural_place(r0, r1, lattice.joints[joint]);
+              place_in(part, lattice, lattice.joints[joint]);
             const int first = multiplier(), second = multiplier();
             joints.push_back({k,
                               {{numbering.joint_unknown(joint, 0),
