@@ -2,10 +2,11 @@
 #define auxfem_tests_mesh_cell_from_text_h
 
 #include <auxfem/mesh/cell.h>
-#include <auxfem/parameters/errors.h>
 
 #include <stdexcept>
 #include <string>
+
+#include <support/messages.h>
 
 namespace auxfem
 {
@@ -30,26 +31,6 @@ namespace auxfem
           return entry.make(prm, context);
         }
     throw std::logic_error("no cell " + name);
-  }
-
-  /** The message of the InputError that @p action throws; empty if none. */
-  template <class Action>
-  std::string input_error_of(const Action &action)
-  {
-    try
-      {
-        action();
-      }
-    catch (const InputError &error)
-      {
-        return error.what();
-      }
-    return "";
-  }
-
-  inline bool contains(const std::string &text, const std::string &part)
-  {
-    return text.find(part) != std::string::npos;
   }
 } // namespace auxfem
 

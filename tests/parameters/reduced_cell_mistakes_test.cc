@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <support/cell_scene.h>
 
+#include <support/messages.h>
+
 using namespace auxfem;
 using namespace auxfem::testing_support;
 
@@ -15,23 +17,11 @@ namespace
   {
     CellCase c;
     c.scheme = "newmark";
-    try
-      {
-        read_scene_from_text(cell_text(c) + text, "cell.prm", overrides);
-      }
-    catch (const InputError &error)
-      {
-        return error.what();
-      }
-    return "";
+    return input_error_of([&] {
+      read_scene_from_text(cell_text(c) + text, "cell.prm", overrides);
+    });
   }
 
-  void expect_parts(const std::string &message, const Words &parts)
-  {
-    for (const std::string &part : parts)
-      EXPECT_NE(message.find(part), std::string::npos)
-        << "no \"" << part << "\" in: " << message;
-  }
 } // namespace
 
 TEST(ReducedCellScene, IsRead)

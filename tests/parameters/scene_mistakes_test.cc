@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <support/messages.h>
+
 namespace
 {
   using namespace auxfem;
@@ -31,22 +33,8 @@ namespace
   /** The message for a small scene (three lines) followed by @p text. */
   std::string message_for(const std::string &text, const Words &overrides = {})
   {
-    try
-      {
-        read_scene_from_text(lattice + text, "scene.prm", overrides);
-      }
-    catch (const InputError &error)
-      {
-        return error.what();
-      }
-    return "";
-  }
-
-  void expect_parts(const std::string &message, const Words &parts)
-  {
-    for (const std::string &part : parts)
-      EXPECT_NE(message.find(part), std::string::npos)
-        << "no \"" << part << "\" in: " << message;
+    return input_error_of(
+      [&] { read_scene_from_text(lattice + text, "scene.prm", overrides); });
   }
 
   void expect_message(const std::string &text, const Words &parts)

@@ -151,6 +151,29 @@ end
     }
 
     /**
+     * A cantilever of 1 m (EA = 3, EI = 0.7) with @p force across its free end,
+     * joint 1, and @p time in subsection Time.
+     */
+    inline std::string cantilever(const std::string &force,
+                                  const std::string &time)
+    {
+      return frame_scene("0 0; 1 0",
+                         "0 1",
+                         "subsection Supports\n"
+                         "  subsection wall\n"
+                         "    set Joints = 0\n"
+                         "    set Type = clamp\n"
+                         "  end\n"
+                         "end\n"
+                         "subsection Loads\n"
+                         "  subsection tip\n"
+                         "    set Joints = 1\n"
+                         "    set Force y = " +
+                           force + "\n  end\nend\nsubsection Time\n" + time +
+                           "end\n");
+    }
+
+    /**
      * Star cells with strut length 1 and section stiffnesses of about one, and
      * everything a scene may have: hinges, rotational springs, connectors of
      * several laws, prescribed motion, masses, loads, gravity, damping.

@@ -9,25 +9,6 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  /** A cantilever of 1 m (EA = 3, EI = 0.7) with @p force across its free end. */
-  std::string cantilever(const std::string &force, const std::string &time)
-  {
-    return frame_scene("0 0; 1 0",
-                       "0 1",
-                       "subsection Supports\n"
-                       "  subsection wall\n"
-                       "    set Joints = 0\n"
-                       "    set Type = clamp\n"
-                       "  end\n"
-                       "end\n"
-                       "subsection Loads\n"
-                       "  subsection tip\n"
-                       "    set Joints = 1\n"
-                       "    set Force y = " +
-                         force + "\n  end\nend\nsubsection Time\n" + time +
-                         "end\n");
-  }
-
   /**
    * A shallow toggle of two hinged bars (EA = 3, span 2, rise 0.3) with @p force
    * down on its apex, joint 1. It snaps through at 0.029 N.
