@@ -110,7 +110,8 @@ namespace auxfem
                       const SceneContext &,
                       Scene &scene)
     {
-      scene.title = get(prm, title);
+      scene.title     = get(prm, title);
+      scene.dimension = scene.context.dimension = get(prm, dimension);
       read_constants(get(prm, constants), scene.context);
       if (get(prm, dimension) == 3)
         throw InputError("Dimension = 3: scenes in three dimensions are not "

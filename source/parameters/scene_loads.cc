@@ -13,6 +13,9 @@ namespace auxfem
     const Text joints = {"Joints", "", "Set of joints.", true};
     const Text struts = {"Struts", "", "Set of struts.", true};
 
+    /** Components of motion and load in the plane. */
+    constexpr std::array<unsigned int, 3> plane_components = {{0, 1, 5}};
+
     // Supports
 
     const Choice support_type = {
@@ -46,9 +49,10 @@ namespace auxfem
       for (unsigned int i = 0; i < 3; ++i)
         if (!is_word(prm, support_motion[i]))
           {
-            anything         = true;
-            support.fixed[i] = true;
-            support.motion[i] =
+            const unsigned int c = plane_components[i];
+            anything             = true;
+            support.fixed[c]     = true;
+            support.motion[c] =
               read_time_function(prm, support_motion[i], context);
           }
       if (!anything)
@@ -69,13 +73,13 @@ namespace auxfem
       support.joints         = get(prm, joints);
       const std::string type = get(prm, support_type);
       if (type == "clamp")
-        support.fixed = {{true, true, true}};
+        support.fixed = {{true, true, false, false, false, true}};
       else if (type == "pin")
-        support.fixed = {{true, true, false}};
+        support.fixed = {{true, true}};
       else if (type == "roller x")
-        support.fixed = {{false, true, false}};
+        support.fixed = {{false, true}};
       else if (type == "roller y")
-        support.fixed = {{true, false, false}};
+        support.fixed = {{true}};
       else
         read_motion(prm, context, support);
       scene.supports.push_back(support);
@@ -133,11 +137,12 @@ namespace auxfem
                  const std::string  &name,
                  const SceneContext &context,
                  Scene              &scene) {
-                scene.masses.push_back({name,
-                                        get(prm, joints),
-                                        get(prm, mass),
-                                        get(prm, mass_rotary_inertia),
-                                        context.path});
+                scene.masses.push_back(
+                  {name,
+                   get(prm, joints),
+                   get(prm, mass),
+                   dealii::Tensor<1, 3>({0, 0, get(prm, mass_rotary_inertia)}),
+                   context.path});
               }};
     }
 
@@ -178,7 +183,7 @@ namespace auxfem
           load.path   = context.path;
           load.joints = get(prm, joints);
           for (unsigned int i = 0; i < joint_load.size(); ++i)
-            load.components[i] =
+            load.components[plane_components[i]] =
               read_time_function(prm, joint_load[i], context);
           scene.joint_loads.push_back(load);
         }
@@ -284,6 +289,9 @@ namespace auxfem
                    get(prm, joints),
                    {{get(prm, initial_velocity[0]),
                      get(prm, initial_velocity[1]),
+                     0,
+                     0,
+                     0,
                      get(prm, initial_velocity[2])}},
                    context.path});
               }};

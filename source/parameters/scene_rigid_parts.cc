@@ -51,12 +51,14 @@ namespace auxfem
       part.mass          = get(prm, mass);
       part.clamps_struts = get(prm, elastic_struts) == "clamped";
       if (!is_word(prm, rotary_inertia))
-        part.rotary_inertia = get(prm, rotary_inertia);
+        part.rotary_inertia =
+          dealii::Tensor<1, 3>({0, 0, get(prm, rotary_inertia)});
       if (part.struts.empty() == part.joints.empty())
         throw InputError(part.path + ": give either Struts or Joints, " +
                          (part.struts.empty() ? "here none of them is given"
                                               : "here both are given"));
-      if (part.mass == 0 && part.rotary_inertia.value_or(0) > 0)
+      if (part.mass == 0 && part.rotary_inertia &&
+          part.rotary_inertia->norm() > 0)
         throw InputError(part.path +
                          ": Rotary inertia is given, but Mass = 0. "
                          "Give the part a mass");

@@ -146,7 +146,7 @@ namespace auxfem
                         const double              automatic,
                         Section                  &section)
     {
-      section.shear_area = section.area *
+      section.shear_area_2 = section.area *
         (is_word(prm, shear_correction) ? automatic
                                         : get(prm, shear_correction));
     }
@@ -154,18 +154,18 @@ namespace auxfem
     void read_rectangle(dealii::ParameterHandler &prm, Section &section)
     {
       const double b = get(prm, width), h = get(prm, height);
-      section.area          = b * h;
-      section.second_moment = b * h * h * h / 12;
-      section.radius        = h / 2;
+      section.area            = b * h;
+      section.second_moment_3 = b * h * h * h / 12;
+      section.radius          = h / 2;
       set_shear_area(prm, 5. / 6., section);
     }
 
     void read_circle(dealii::ParameterHandler &prm, Section &section)
     {
-      const double r        = get(prm, radius);
-      section.area          = PI * r * r;
-      section.second_moment = PI / 4 * r * r * r * r;
-      section.radius        = r;
+      const double r          = get(prm, radius);
+      section.area            = PI * r * r;
+      section.second_moment_3 = PI / 4 * r * r * r * r;
+      section.radius          = r;
       set_shear_area(prm, 0.9, section);
     }
 
@@ -181,7 +181,7 @@ namespace auxfem
           " is more than Outer radius = " + prm.get(outer_radius.name) +
           "; reduce it, or set Shape = circle for a solid rod");
       section.area = PI * (outer * outer - inner * inner);
-      section.second_moment =
+      section.second_moment_3 =
         PI / 4 * (std::pow(outer, 4) - std::pow(inner, 4));
       section.radius = outer;
       set_shear_area(prm, 0.5, section);
@@ -189,12 +189,12 @@ namespace auxfem
 
     void read_given(dealii::ParameterHandler &prm, Section &section)
     {
-      section.area          = get(prm, area);
-      section.shear_area    = get(prm, shear_area);
-      section.second_moment = get(prm, second_moment);
-      section.radius        = is_word(prm, drawing_radius)
-               ? std::sqrt(3 * section.second_moment / section.area)
-               : get(prm, drawing_radius);
+      section.area            = get(prm, area);
+      section.shear_area_2    = get(prm, shear_area);
+      section.second_moment_3 = get(prm, second_moment);
+      section.radius          = is_word(prm, drawing_radius)
+                 ? std::sqrt(3 * section.second_moment_3 / section.area)
+                 : get(prm, drawing_radius);
     }
 
     void read_material(dealii::ParameterHandler &prm, Section &section)

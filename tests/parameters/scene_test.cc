@@ -185,8 +185,8 @@ end
     EXPECT_EQ(scene.sections[0].struts, "all");
     const Section &bar = scene.sections[0].section;
     expect_close(bar.area, 2e-5);
-    expect_close(bar.shear_area, 2e-5 * 5 / 6);
-    expect_close(bar.second_moment, 1e-2 * 8e-9 / 12);
+    expect_close(bar.shear_area_2, 2e-5 * 5 / 6);
+    expect_close(bar.second_moment_3, 1e-2 * 8e-9 / 12);
     expect_close(bar.radius, 1e-3);
     expect_close(bar.youngs_modulus, 70e9);
     expect_close(bar.shear_modulus, 28e9);
@@ -197,8 +197,8 @@ end
     EXPECT_EQ(scene.sections[1].struts, "stubs");
     const Section &rod = scene.sections[1].section;
     expect_close(rod.area, PI * 3e-6);
-    expect_close(rod.shear_area, 0.6 * PI * 3e-6);
-    expect_close(rod.second_moment, PI / 4 * 15e-12);
+    expect_close(rod.shear_area_2, 0.6 * PI * 3e-6);
+    expect_close(rod.second_moment_3, PI / 4 * 15e-12);
     expect_close(rod.radius, 2e-3);
   }
 
@@ -217,8 +217,8 @@ end
         .sections.at(0)
         .section;
     expect_close(circle.area, 4 * PI);
-    expect_close(circle.shear_area, 3.6 * PI);
-    expect_close(circle.second_moment, 4 * PI);
+    expect_close(circle.shear_area_2, 3.6 * PI);
+    expect_close(circle.second_moment_3, 4 * PI);
 
     // the numbers of a rectangle of width 2 and height 6
     const Section given =
@@ -231,8 +231,8 @@ end
         .sections.at(0)
         .section;
     expect_close(given.area, 12);
-    expect_close(given.shear_area, 10);
-    expect_close(given.second_moment, 36);
+    expect_close(given.shear_area_2, 10);
+    expect_close(given.second_moment_3, 36);
     expect_close(given.radius, 3);
   }
 
@@ -350,8 +350,8 @@ end
     EXPECT_EQ(again.all_parameters, first.all_parameters);
     EXPECT_EQ(again.title, first.title);
     EXPECT_EQ(again.sections.size(), first.sections.size());
-    EXPECT_EQ(again.sections[1].section.shear_area,
-              first.sections[1].section.shear_area);
+    EXPECT_EQ(again.sections[1].section.shear_area_2,
+              first.sections[1].section.shear_area_2);
     EXPECT_EQ(again.connectors[1].direction, first.connectors[1].direction);
     EXPECT_EQ(again.joint_loads[0].components[1].value(0.004),
               first.joint_loads[0].components[1].value(0.004));

@@ -28,8 +28,9 @@ namespace auxfem
               (element.place.end - element.place.begin) / 2;
             elements.push_back(
               {section.mass_per_length() * jacobian,
-               rotary_inertia ? section.rotary_inertia_per_length() * jacobian
-                              : 0.,
+               rotary_inertia
+                 ? section.rotary_inertia_per_length()[2] * jacobian
+                 : 0.,
                section.mass_proportional_damping,
                numbering.is_owned(element)});
           }

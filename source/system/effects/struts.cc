@@ -41,14 +41,14 @@ namespace auxfem
             data.jacobian =
               length * (element.place.end - element.place.begin) / 2;
             data.stiffness = {section.axial_stiffness(),
-                              section.shear_stiffness(),
-                              section.bending_stiffness(),
+                              section.shear_stiffness_2(),
+                              section.bending_stiffness_3(),
                               section.stiffness_proportional_damping};
             if (!shear_flexibility)
               data.stiffness.shear =
                 std::max(data.stiffness.shear,
-                         rigid_shear_factor * 12 * section.bending_stiffness() /
-                           (length * length));
+                         rigid_shear_factor * 12 *
+                           section.bending_stiffness_3() / (length * length));
             data.counted = numbering.is_owned(element);
             largest_stiffness_per_length =
               std::max({largest_stiffness_per_length,
@@ -184,7 +184,6 @@ namespace auxfem
                              (1 + xi) / 2,
                          point.position,
                          tangent);
-            point.rotation = 0;
             for (int a = 0; a <= order; ++a)
               {
                 for (unsigned int d = 0; d < 2; ++d)
@@ -192,7 +191,7 @@ namespace auxfem
                     point.displacement[d] += N[a] * u[3 * a + d];
                     point.velocity[d] += N[a] * v[3 * a + d];
                   }
-                point.rotation += N[a] * u[3 * a + 2];
+                point.rotation[2] += N[a] * u[3 * a + 2];
               }
             double E[3] = {0, 0, 0}, V[3] = {0, 0, 0};
             for (int g = 0; g < order; ++g)
@@ -201,9 +200,18 @@ namespace auxfem
                   E[k] += H[g] * elastic[g][k];
                   V[k] += H[g] * viscous[g][k];
                 }
-            point.axial_force    = E[0] + V[0];
-            point.shear_force    = E[1] + V[1];
-            point.bending_moment = E[2] + V[2];
+            const double turn = large_rotation ? point.rotation[2] : 0.;
+            const double c = std::cos(turn), s = std::sin(turn);
+            for (unsigned int d = 0; d < 2; ++d)
+              {
+                const double normal = d == 0 ? -tangent[1] : tangent[0];
+                point.axes[d][0]    = c * tangent[d] + s * normal;
+                point.axes[d][1]    = c * normal - s * tangent[d];
+              }
+            point.axes[2][2]     = 1;
+            point.force[0]       = E[0] + V[0];
+            point.force[1]       = E[1] + V[1];
+            point.moment[2]      = E[2] + V[2];
             point.energy_density = (E[0] * E[0] / data.stiffness.axial +
                                     E[1] * E[1] / data.stiffness.shear +
                                     E[2] * E[2] / data.stiffness.bending) /

@@ -10,13 +10,17 @@ namespace auxfem
   /** Section forces and kinematics at a point of a strut, for output. */
   struct StrutPoint
   {
-    dealii::Point<3>     position;       ///< at rest (m)
-    dealii::Tensor<1, 3> displacement;   ///< m
-    dealii::Tensor<1, 3> velocity;       ///< m/s
-    double               rotation;       ///< rad
-    double               axial_force;    ///< N, positive in tension
-    double               shear_force;    ///< N
-    double               bending_moment; ///< N m
+    dealii::Point<3>     position;     ///< at rest (m)
+    dealii::Tensor<1, 3> displacement; ///< m
+    dealii::Tensor<1, 3> velocity;     ///< m/s
+    /** Rotation vector since rest (rad). */
+    dealii::Tensor<1, 3> rotation;
+    /** Section axes 1, 2, 3 now, as columns. */
+    dealii::Tensor<2, 3> axes;
+    /** Axial force, positive in tension, and shear along axes 2, 3 (N). */
+    dealii::Tensor<1, 3> force;
+    /** Torque and bending moments about axes 2, 3 (N m). */
+    dealii::Tensor<1, 3> moment;
     double               energy_density; ///< strain energy per length (J/m)
   };
 
