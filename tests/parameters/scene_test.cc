@@ -80,7 +80,7 @@ subsection Supports
     set Joints = right
     set Type = prescribed
     set Displacement x = 10 mm
-    set Rotation = F0*t
+    set Rotation z = F0*t
   end
 end
 subsection Masses
@@ -93,7 +93,7 @@ subsection Loads
   subsection impact
     set Joints = top
     set Force y = -F0*min(t/t0, 1)
-    set Moment = 2 kN mm
+    set Moment z = 2 kN mm
   end
   subsection wind
     set Type = line
@@ -108,7 +108,7 @@ subsection Initial velocities
   subsection impactor
     set Joints = impacted
     set Velocity y = -36 km/h
-    set Angular velocity = 180 deg/s
+    set Angular velocity z = 180 deg/s
   end
 end
 subsection Discretization
