@@ -103,7 +103,7 @@ namespace auxfem
   /**
    * The structure as a graph in space: joints, struts between them, pairs of
    * joints meant for connectors, and named sets of all three. Plain data, made
-   * by a cell generator; knows nothing of finite elements. 
+   * by a cell generator; knows nothing of finite elements.
    */
   struct Lattice
   {
