@@ -81,7 +81,7 @@ namespace auxfem
               }
             ++result.factorizations;
           }
-        solve_increment(step.to);
+        solve_increment(step);
         if (!system.is_linear() &&
             system.largest_motion(increment).second > half_turn)
           {
@@ -89,6 +89,7 @@ namespace auxfem
               "an iteration turned a section by more than half a turn";
             return result;
           }
+        system.rotations().turn(step, increment);
         integrator.correct(increment, step.dt, step.to);
         is_in_place = true;
         ++result.iterations;
@@ -137,10 +138,10 @@ namespace auxfem
     return factorized_dt >= 0;
   }
 
-  void Newton::solve_increment(const State &trial)
+  void Newton::solve_increment(const Step &step)
   {
     const Stopwatch watch(phase_times.solve);
-    system.right_side(trial, linear_solver.right_side().Values());
+    system.right_side(step, linear_solver.right_side().Values());
     linear_solver.solve(increment);
   }
 

@@ -69,6 +69,10 @@ TEST(DampingOfBeam3D, TangentIsTheDerivativeOfTheForce)
     const double          stiffness = 0.9, damping = 2.5, step = 1e-5;
     typename Beam::Matrix matrix;
     matrix.fill(0);
+    SpaceTensor scaled_identity;
+    for (int i = 0; i < 3; ++i)
+      scaled_identity[i][i] = damping;
+    const std::vector<SpaceTensor> by_spin(Beam::n / 6, scaled_identity);
     Beam3D::add_damping_tangent(beam.shape,
                                 beam.frames.data(),
                                 beam.jacobian,
@@ -78,6 +82,7 @@ TEST(DampingOfBeam3D, TangentIsTheDerivativeOfTheForce)
                                 moving.velocities.data(),
                                 stiffness,
                                 damping,
+                                by_spin.data(),
                                 matrix.data());
     double worst = 0;
     for (int j = 0; j < Beam::n; ++j)

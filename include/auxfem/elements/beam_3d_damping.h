@@ -135,7 +135,8 @@ namespace auxfem
                       const NodeVelocity      *velocities,
                       const SpinVariation     *spins,
                       const double             stiffness_factor,
-                      const double             damping_factor)
+                      const double             damping_factor,
+                      const SpaceTensor       *angular_velocity_by_spin)
     {
       ResultantVariation<order> variation;
       SpaceTensor               by_slope =
@@ -165,16 +166,20 @@ namespace auxfem
                            kappa_variation(point, own_c, own_k));
             }
           variation.force[a] = section.force *
-            (stiffness_factor * gamma + damping_factor * spins[a].gamma);
+            (stiffness_factor * gamma +
+             spins[a].gamma * angular_velocity_by_spin[a]);
           variation.moment[a] = section.moment *
-            (stiffness_factor * kappa + damping_factor * spins[a].kappa);
+            (stiffness_factor * kappa +
+             spins[a].kappa * angular_velocity_by_spin[a]);
         }
       return variation;
     }
 
     /**
-     * Adds stiffness_factor dF/d(u, theta) + damping_factor dF/d(v, omega) of
-     * the damping force to @p matrix, spins at fixed v and omega.
+     * Adds the tangent of the damping force to @p matrix: @p stiffness_factor
+     * dF/d(u, theta) + dF/d(v, omega) d(v, omega), where displacements change v
+     * by @p damping_factor and spins change omega by
+     * @p angular_velocity_by_spin (order + 1 nodes).
      */
     template <int order>
     inline void add_damping_tangent(const BeamShape<order> &shape,
@@ -186,7 +191,8 @@ namespace auxfem
                                     const NodeVelocity     *velocities,
                                     const double            stiffness_factor,
                                     const double            damping_factor,
-                                    double                 *matrix)
+                                    const SpaceTensor *angular_velocity_by_spin,
+                                    double            *matrix)
     {
       const auto rotations = aligned_rotations<order>(nodes);
       for (int g = 0; g < order; ++g)
@@ -211,7 +217,8 @@ namespace auxfem
                                         velocities,
                                         spins,
                                         stiffness_factor,
-                                        damping_factor),
+                                        damping_factor,
+                                        angular_velocity_by_spin),
                       {section.force * r.gamma, section.moment * r.kappa},
                       stiffness_factor,
                       matrix);

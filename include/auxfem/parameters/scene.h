@@ -5,6 +5,7 @@
 #include <auxfem/elements/section.h>
 #include <auxfem/loads/time_function.h>
 #include <auxfem/mesh/cell.h>
+#include <auxfem/mesh/motion_components.h>
 
 #include <array>
 #include <cmath>
@@ -129,16 +130,6 @@ namespace auxfem
     TimeFunction load;             ///< f1, pushes the upper part down (N)
     std::string  path;
   };
-
-  /**
-   * Number of components of motion and load at a joint: three displacements or
-   * forces along x, y, z, three rotations or moments about them. In the plane
-   * only 0, 1 and 5 are used.
-   */
-  constexpr unsigned int n_motion_components = 6;
-
-  /** The component of rotation and moment that there is in the plane. */
-  constexpr unsigned int rotation_z = 5;
 
   /** `Supports/NAME`: prescribed motion of a set of joints. */
   struct SupportDefinition

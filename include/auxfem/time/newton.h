@@ -51,7 +51,7 @@ namespace auxfem
   private:
     ResidualNorm timed_residual(const Step &step);
     bool         factorize(const TimeIntegrator &integrator, const Step &step);
-    void         solve_increment(const State &trial);
+    void         solve_increment(const Step &step);
     bool   meets_conditions(const ResidualNorm &norm, const State &state) const;
     double in_force_units(const ResidualNorm &norm) const;
 

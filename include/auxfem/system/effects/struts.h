@@ -32,7 +32,7 @@ namespace auxfem
     bool damping           = false; ///< stiffness-proportional
   };
 
-  /** Internal forces of all struts: geometrically exact planar beams. */
+  /** Internal forces of all struts: geometrically exact beams. */
   class StrutForces : public Effect
   {
   public:
@@ -51,17 +51,6 @@ namespace auxfem
     virtual std::vector<StrutPoint>
     sample(const State &state, unsigned int e, unsigned int n_points) const = 0;
   };
-
-  /**
-   * Inertia of the struts, with mass-proportional damping where a section has
-   * it.
-   */
-  std::unique_ptr<Effect>
-  make_strut_inertia(const Lattice              &lattice,
-                     const DofNumbering         &numbering,
-                     const std::vector<Section> &sections,
-                     bool                        rotary_inertia,
-                     bool                        damping);
 } // namespace auxfem
 
 #endif
