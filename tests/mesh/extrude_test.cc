@@ -143,7 +143,7 @@ TEST(Extrude, RefusesUnknownJoints)
   });
   expect_parts(message,
                {"Lattice/Columns at",
-                "no set of joints named \"tip\"; did you mean \"tips\"?",
+                "no set of joints named \"tip\"; did you mean \"tips\"",
                 "\"all\"",
                 "\"notches\"",
                 "\"left\""});

@@ -67,7 +67,7 @@ TEST(SceneLattice, ColumnsNeedLayersAndJoints)
   expect_parts(refusal(3,
                        "set Cell = star\nset Layer distance = 1 mm\n"
                        "set Columns at = tip"),
-               {"Lattice/Columns at", "did you mean \"tips\"?"});
+               {"Lattice/Columns at", "did you mean \"tips\""});
   expect_parts(refusal(3, "set Cell = space star\nset Layer distance = 1 mm"),
                {"Lattice/Layer distance", "planar"});
 }
