@@ -15,7 +15,7 @@ namespace
     explicit SolvableSystem(const std::string &type)
       : of_scene(star_with_everything(3, 2), {"Solver/Type=" + type})
       , matrix(of_scene.system.make_tangent())
-      , solver(of_scene.scene.solver, *matrix, of_scene.dofs())
+      , solver(of_scene.scene.solver, *matrix, of_scene.system)
     {}
 
     void fill(const double size)
