@@ -101,13 +101,12 @@ namespace auxfem
 
   void JointBlocks::share_rows()
   {
-    row_map = std::make_unique<Epetra_Map>(-1,
+    row_map                = std::make_unique<Epetra_Map>(-1,
                                            int(unknowns.size()),
                                            0,
                                            numbering.communicator());
     const int        first = row_map->MinMyGID();
-    Epetra_IntVector owned(numbering.owned_map()),
-      local(numbering.local_map());
+    Epetra_IntVector owned(numbering.owned_map()), local(numbering.local_map());
     for (unsigned int i = 0; i < numbering.n_owned(); ++i)
       owned[i] = rows[i] < 0 ? -1 : first + rows[i];
     if (numbering.n_ranks() == 1)
@@ -125,8 +124,9 @@ namespace auxfem
     for (const dealii::Point<3> &joint : lattice.joints)
       middle += joint / double(lattice.joints.size());
 
-    std::vector<std::vector<double>> modes(
-      size(), std::vector<double>(unknowns.size(), 0.));
+    std::vector<std::vector<double>> modes(size(),
+                                           std::vector<double>(unknowns.size(),
+                                                               0.));
     for (unsigned int block = 0; block < joint_of_block.size(); ++block)
       {
         const dealii::Tensor<1, 3> arm =

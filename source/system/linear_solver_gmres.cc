@@ -4,6 +4,7 @@
 
 #include <Ifpack_Preconditioner.h>
 #include <Teuchos_ParameterList.hpp>
+#include <ml_MultiLevelPreconditioner.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +13,6 @@
 
 #include <AztecOO.h>
 #include <Ifpack.h>
-#include <ml_MultiLevelPreconditioner.h>
 
 namespace auxfem
 {
@@ -45,10 +45,10 @@ namespace auxfem
      * Smoothed aggregation with the lattice's rigid-body motions as near null
      * space. Chebyshev smoothing does the same on any number of ranks.
      */
-    std::unique_ptr<Epetra_Operator> make_multigrid(
-      const Epetra_CrsMatrix                 &matrix,
-      const unsigned int                      block_size,
-      const std::vector<std::vector<double>> &rigid_body_modes)
+    std::unique_ptr<Epetra_Operator>
+    make_multigrid(const Epetra_CrsMatrix                 &matrix,
+                   const unsigned int                      block_size,
+                   const std::vector<std::vector<double>> &rigid_body_modes)
     {
       std::vector<double> vectors;
       for (const std::vector<double> &mode : rigid_body_modes)
@@ -77,7 +77,7 @@ namespace auxfem
     std::unique_ptr<Epetra_Operator>
     make_incomplete_factorization(Epetra_CrsMatrix &matrix)
     {
-      const int one_layer = 1;
+      const int                              one_layer = 1;
       std::unique_ptr<Ifpack_Preconditioner> factorization(
         Ifpack().Create("ILU", &matrix, one_layer));
       Teuchos::ParameterList list;

@@ -81,8 +81,7 @@ namespace auxfem
     return reduced;
   }
 
-  void StrutCondensation::expand(const Epetra_Vector &z,
-                                 Epetra_Vector       &x) const
+  void StrutCondensation::expand(const Epetra_Vector &z, Epetra_Vector &x) const
   {
     influence->Multiply(false, z, x);
     x.Update(1., prepared, -1.);
@@ -237,11 +236,11 @@ namespace auxfem
               {
                 for (unsigned int k = 0; k < rows.size(); ++k)
                   entries[k] = of_inside[k][inner_index[unknown]];
-                influence->InsertGlobalValues(
-                  numbering.owned_map().GID(unknown),
-                  rows.size(),
-                  entries.data(),
-                  rows.data());
+                influence->InsertGlobalValues(numbering.owned_map().GID(
+                                                unknown),
+                                              rows.size(),
+                                              entries.data(),
+                                              rows.data());
               }
           }
       }

@@ -114,7 +114,7 @@ namespace auxfem
     const DofNumbering &numbering = system.numbering();
     for (unsigned int i = 0; i < numbering.n_owned(); ++i)
       solver.right_side()[i] = -rates[i];
-    solver.solve(increment);
+    solve();
     for (const int multiplier : numbering.multipliers())
       increment[multiplier] = 0;
     state.velocity->Update(1., increment, 1.);
@@ -123,13 +123,22 @@ namespace auxfem
   void ConsistentRates::find_accelerations(State &state)
   {
     system.right_side(state, solver.right_side().Values());
-    solver.solve(increment);
+    solve();
     state.acceleration->Update(1., increment, 1.);
     for (const int multiplier : system.numbering().multipliers())
       {
         state.displacement[multiplier] += increment[multiplier];
         (*state.acceleration)[multiplier] = 0;
       }
+  }
+
+  void ConsistentRates::solve()
+  {
+    solver.solve(increment);
+    if (!solver.failure().empty())
+      throw ComputationError("The accelerations that balance the forces were "
+                             "not found: " +
+                             solver.failure());
   }
 
   bool ConsistentRates::has_empty_row() const

@@ -87,18 +87,18 @@ namespace auxfem
     bool   is_free_at_joint(int unknown) const;
     double scale(int unknown) const;
 
-    const DofNumbering                 &numbering;
-    const JointBlocks                  &blocks;
-    TangentMatrix                      &tangent;
-    const double                        length;
-    std::vector<Inside>                 struts;
-    std::vector<int>                    inner_unknowns;
-    std::vector<int>                    inner_index;
-    std::unique_ptr<Epetra_Map>         inner_map;
-    std::unique_ptr<Epetra_CrsMatrix>   inner_matrix;
-    Epetra_LinearProblem                inner_problem;
-    std::unique_ptr<Amesos_BaseSolver>  inner_solver;
-    bool                                has_symbolic = false;
+    const DofNumbering                &numbering;
+    const JointBlocks                 &blocks;
+    TangentMatrix                     &tangent;
+    const double                       length;
+    std::vector<Inside>                struts;
+    std::vector<int>                   inner_unknowns;
+    std::vector<int>                   inner_index;
+    std::unique_ptr<Epetra_Map>        inner_map;
+    std::unique_ptr<Epetra_CrsMatrix>  inner_matrix;
+    Epetra_LinearProblem               inner_problem;
+    std::unique_ptr<Amesos_BaseSolver> inner_solver;
+    bool                               has_symbolic = false;
     /** A_II^-1 A_IJ, rows of the numbering, columns of JointBlocks. */
     std::unique_ptr<Epetra_CrsMatrix> influence;
     std::unique_ptr<Epetra_CrsMatrix> joint_matrix;
