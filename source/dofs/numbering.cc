@@ -12,7 +12,7 @@ namespace auxfem
 {
   namespace
   {
-    /** For local DoF i of @p fe: its place node * n_components + component in our order. */
+    /** For local DoF i of @p fe: its place node * components + component in our order. */
     std::vector<unsigned int>
     node_major_order(const dealii::FiniteElement<1, 3> &fe)
     {
@@ -20,7 +20,7 @@ namespace auxfem
       for (unsigned int i = 0; i < order.size(); ++i)
         {
           const auto [component, node] = fe.system_to_component_index(i);
-          order[i] = node * DofNumbering::n_components + component;
+          order[i]                     = node * fe.n_components() + component;
         }
       return order;
     }
@@ -42,6 +42,9 @@ namespace auxfem
                              const MPI_Comm     communicator)
     : lattice(lattice)
     , polynomial_order(order)
+    , node_components(lattice.dimension == 2
+                        ? std::vector<unsigned int>{0, 1, rotation_z}
+                        : std::vector<unsigned int>{0, 1, 2, 3, 4, 5})
     , comm(communicator)
   {
     number_unknowns(mesh, ties);
@@ -51,7 +54,7 @@ namespace auxfem
   void DofNumbering::number_unknowns(const StrutMesh &mesh, const Ties &ties)
   {
     const dealii::FESystem<1, 3> fe(dealii::FE_Q<1, 3>(polynomial_order),
-                                    n_components);
+                                    n_components());
     dealii::DoFHandler<1, 3>     dof_handler(mesh.triangulation());
     if (mesh.n_cells() > 0)
       dof_handler.distribute_dofs(fe);
@@ -66,11 +69,12 @@ namespace auxfem
     {
       int owner = -1, number = -1;
     };
-    std::vector<Unknown>                of_dof(dof_handler.n_dofs());
-    std::vector<std::array<Unknown, 3>> of_joint(lattice.joints.size());
-    std::vector<std::array<Unknown, 2>> of_end(lattice.struts.size());
-    std::vector<const Unknown *> of_cell(std::size_t(mesh.n_cells()) * n);
-    std::vector<int>             count(comm.NumProc(), 0);
+    std::vector<Unknown> of_dof(dof_handler.n_dofs());
+    using Motion = std::array<Unknown, n_motion_components>;
+    std::vector<Motion>                of_joint(lattice.joints.size());
+    std::vector<std::array<Motion, 2>> of_end(lattice.struts.size());
+    std::vector<const Unknown *>       of_cell(std::size_t(mesh.n_cells()) * n);
+    std::vector<int>                   count(comm.NumProc(), 0);
     const auto claim = [&count](Unknown &unknown, const int rank) {
       if (unknown.owner < 0)
         unknown = {rank, count[rank]++};
@@ -90,13 +94,14 @@ namespace auxfem
           ordered[our_place[i]] = dofs[i];
         for (unsigned int i = 0; i < n; ++i)
           {
-            const unsigned int node      = i / n_components,
-                               component = i % n_components;
+            const unsigned int node      = i / n_components(),
+                               component = node_components[i % n_components()];
             const bool at_joint          = (node == 0 && place.begin == 0.) ||
               (node == 1 && place.end == 1.);
             Unknown *unknown = &of_dof[ordered[i]];
-            if (at_joint && component == 2 && ties.released[place.strut][node])
-              unknown = &of_end[place.strut][node];
+            if (at_joint && component >= first_rotation &&
+                ties.released[place.strut][node])
+              unknown = &of_end[place.strut][node][component];
             else if (at_joint)
               unknown = &of_joint[strut.joints[node]][component];
             of_cell[std::size_t(c) * n + i] = claim(*unknown, rank);
@@ -104,7 +109,8 @@ namespace auxfem
       }
     const auto claim_displacements = [&](const unsigned int joint,
                                          const int          rank) {
-      for (unsigned int component = 0; component < 2; ++component)
+      for (unsigned int component = 0; component < lattice.dimension;
+           ++component)
         claim(of_joint[joint][component], rank);
     };
     for (unsigned int s = 0; s < lattice.struts.size(); ++s)
@@ -122,7 +128,7 @@ namespace auxfem
         const RigidPart &part = lattice.rigid_parts[p];
         if (part.clamps_struts)
           for (const unsigned int joint : part.joints)
-            if (of_joint[joint][2].owner >= 0)
+            if (of_joint[joint][rotation_z].owner >= 0)
               of_rigid_part[p].clamped_joints.push_back(joint);
         of_part[p].resize(2 * part.joints.size() - 3 +
                           of_rigid_part[p].clamped_joints.size());
@@ -143,17 +149,22 @@ namespace auxfem
                    of_cell.end(),
                    cell_numbers.begin(),
                    [&](const Unknown *unknown) { return global(*unknown); });
-    for (const auto &joint : of_joint)
-      joint_numbers.push_back(
-        {{global(joint[0]), global(joint[1]), global(joint[2])}});
+    const auto all_global = [&](const Motion &unknowns) {
+      MotionNumbers numbers;
+      std::transform(unknowns.begin(), unknowns.end(), numbers.begin(), global);
+      return numbers;
+    };
+    for (const Motion &joint : of_joint)
+      joint_numbers.push_back(all_global(joint));
+    constexpr MotionNumbers nothing = {{-1, -1, -1, -1, -1, -1}};
     for (unsigned int s = 0; s < lattice.struts.size(); ++s)
       {
-        std::array<int, 2> numbers;
+        std::array<MotionNumbers, 2> numbers;
         for (unsigned int end = 0; end < 2; ++end)
-          numbers[end] = lattice.struts[s].is_rigid() ? -1
+          numbers[end] = lattice.struts[s].is_rigid() ? nothing
             : ties.released[s][end]
-            ? global(of_end[s][end])
-            : joint_numbers[lattice.struts[s].joints[end]][2];
+            ? all_global(of_end[s][end])
+            : joint_numbers[lattice.struts[s].joints[end]];
         end_rotation_numbers.push_back(numbers);
       }
     for (unsigned int p = 0; p < of_part.size(); ++p)
@@ -165,7 +176,7 @@ namespace auxfem
   {
     const int my_rank = comm.MyPID();
     const int begin = first_owned[my_rank], end = first_owned[my_rank + 1];
-    const unsigned int n = (polynomial_order + 1) * n_components;
+    const unsigned int n = (polynomial_order + 1) * n_components();
     const auto is_mine   = [=](const int g) { return g >= begin && g < end; };
 
     std::vector<int> rows(end - begin);
@@ -204,7 +215,8 @@ namespace auxfem
         if (mine != invalid_index && is_mine(joint_numbers[mine][0]))
           for (const unsigned int other : {pair.first, pair.second})
             if (other != invalid_index)
-              for (unsigned int component = 0; component < 2; ++component)
+              for (unsigned int component = 0; component < lattice.dimension;
+                   ++component)
                 keep(joint_numbers[other][component]);
     const std::vector<std::vector<int>> coupled = coupled_rotations(ties);
     for (const std::vector<int> &numbers : coupled)
@@ -235,7 +247,7 @@ namespace auxfem
         {
           const int l = local->LID(cell_numbers[c * n + i]);
           element_numbers.push_back(l);
-          if (i % n_components == 2)
+          if (node_components[i % n_components()] >= first_rotation)
             mark_rotation(l);
         }
     for (const std::vector<int> &numbers : coupled)
@@ -245,6 +257,8 @@ namespace auxfem
     cell_numbers.clear();
     cell_numbers.shrink_to_fit();
     index_rigid_parts();
+    if (lattice.dimension == 3)
+      index_rotations(coupled);
   }
 
   std::vector<int>
@@ -256,7 +270,7 @@ namespace auxfem
       for (unsigned int component = 0; component < 2; ++component)
         numbers.push_back(joint_numbers[joint][component]);
     for (const unsigned int joint : unknowns.clamped_joints)
-      numbers.push_back(joint_numbers[joint][2]);
+      numbers.push_back(joint_numbers[joint][rotation_z]);
     return numbers;
   }
 
@@ -271,7 +285,7 @@ namespace auxfem
           }
         for (const unsigned int joint : of_rigid_part[p].clamped_joints)
           {
-            const int rotation  = joint_unknown(joint, 2);
+            const int rotation  = joint_unknown(joint, rotation_z);
             kinds[rotation]     = UnknownKind::rotation;
             rotations[rotation] = true;
           }
@@ -286,17 +300,61 @@ namespace auxfem
     std::vector<std::vector<int>> at_joint(lattice.joints.size());
     for (unsigned int s = 0; s < lattice.struts.size(); ++s)
       for (unsigned int end = 0; end < 2; ++end)
-        at_joint[lattice.struts[s].joints[end]].push_back(
-          end_rotation_numbers[s][end]);
+        for (const unsigned int component : node_components)
+          if (component >= first_rotation)
+            at_joint[lattice.struts[s].joints[end]].push_back(
+              end_rotation_numbers[s][end][component]);
     std::vector<std::vector<int>> coupled;
     for (const unsigned int joint : ties.sprung_joints)
       coupled.push_back(at_joint[joint]);
     return coupled;
   }
 
+  void
+  DofNumbering::index_rotations(const std::vector<std::vector<int>> &coupled)
+  {
+    rotation_of_unknown.assign(n_local(), -1);
+    const auto add = [this](const std::array<int, 3> &spins) {
+      if (spins[0] < 0 || rotation_of_unknown[spins[0]] >= 0)
+        return;
+      for (const int spin : spins)
+        rotation_of_unknown[spin] = rotations_in_space.size();
+      rotations_in_space.push_back(spins);
+    };
+    for (std::size_t i = 0; i < element_numbers.size(); i += n_components())
+      add({{element_numbers[i + 3],
+            element_numbers[i + 4],
+            element_numbers[i + 5]}});
+    for (const std::vector<int> &numbers : coupled)
+      for (std::size_t i = 0; i < numbers.size(); i += 3)
+        add({{local->LID(numbers[i]),
+              local->LID(numbers[i + 1]),
+              local->LID(numbers[i + 2])}});
+  }
+
   unsigned int DofNumbering::order() const
   {
     return polynomial_order;
+  }
+
+  unsigned int DofNumbering::n_components() const
+  {
+    return node_components.size();
+  }
+
+  const std::vector<unsigned int> &DofNumbering::components() const
+  {
+    return node_components;
+  }
+
+  const std::vector<std::array<int, 3>> &DofNumbering::spatial_rotations() const
+  {
+    return rotations_in_space;
+  }
+
+  int DofNumbering::spatial_rotation(const unsigned int local_number) const
+  {
+    return rotation_of_unknown.empty() ? -1 : rotation_of_unknown[local_number];
   }
 
   unsigned int DofNumbering::n_unknowns() const
@@ -367,7 +425,7 @@ namespace auxfem
   const int *DofNumbering::element_unknowns(const unsigned int e) const
   {
     return &element_numbers[std::size_t(e) * (polynomial_order + 1) *
-                            n_components];
+                            n_components()];
   }
 
   int DofNumbering::joint_unknown(const unsigned int joint,
@@ -384,9 +442,10 @@ namespace auxfem
   }
 
   int DofNumbering::end_rotation(const unsigned int strut,
-                                 const unsigned int end) const
+                                 const unsigned int end,
+                                 const unsigned int component) const
   {
-    const int global = end_rotation_numbers[strut][end];
+    const int global = end_rotation_numbers[strut][end][component];
     return global < 0 ? -1 : local->LID(global);
   }
 

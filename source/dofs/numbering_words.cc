@@ -7,20 +7,40 @@
 
 namespace auxfem
 {
+  const char *motion_in_words(const unsigned int component,
+                              const unsigned int dimension)
+  {
+    constexpr std::array<const char *, n_motion_components> in_plane = {
+      {"horizontal displacement",
+       "vertical displacement",
+       "",
+       "",
+       "",
+       "rotation"}};
+    constexpr std::array<const char *, n_motion_components> in_space = {
+      {"displacement along x",
+       "displacement along y",
+       "displacement along z",
+       "rotation about x",
+       "rotation about y",
+       "rotation about z"}};
+    return (dimension == 2 ? in_plane : in_space)[component];
+  }
+
   std::string DofNumbering::describe(const unsigned int local_number) const
   {
-    const int          global       = local->GID(local_number);
-    const char        *component[3] = {"horizontal displacement",
-                                       "vertical displacement",
-                                       "rotation"};
+    const int          global = local->GID(local_number);
     std::ostringstream words;
     for (unsigned int j = 0; j < joint_numbers.size(); ++j)
-      for (unsigned int c = 0; c < n_components; ++c)
+      for (const unsigned int c : node_components)
         if (joint_numbers[j][c] == global)
           {
-            words << component[c] << " of joint " << j << " at ("
-                  << lattice.joints[j][0] << ", " << lattice.joints[j][1]
-                  << ")";
+            words << motion_in_words(c, lattice.dimension) << " of joint " << j
+                  << " at (" << lattice.joints[j][0] << ", "
+                  << lattice.joints[j][1];
+            if (lattice.dimension == 3)
+              words << ", " << lattice.joints[j][2];
+            words << ")";
             return words.str();
           }
     for (unsigned int p = 0; p < of_rigid_part.size(); ++p)
@@ -34,15 +54,16 @@ namespace auxfem
             words << (joints.size() > 4 ? " ..." : "");
             return words.str();
           }
-    const unsigned int n = (polynomial_order + 1) * n_components;
+    const unsigned int n = (polynomial_order + 1) * n_components();
     for (std::size_t i = 0; i < element_numbers.size(); ++i)
       if (element_numbers[i] == static_cast<int>(local_number))
         {
           const Element &element = element_list[i / n];
           const Strut   &strut   = lattice.struts[element.place.strut];
-          words << component[i % n_components] << " of strut "
-                << element.place.strut << " (joints " << strut.joints[0]
-                << " - " << strut.joints[1] << ")";
+          words << motion_in_words(node_components[i % n_components()],
+                                   lattice.dimension)
+                << " of strut " << element.place.strut << " (joints "
+                << strut.joints[0] << " - " << strut.joints[1] << ")";
           break;
         }
     return words.str();
@@ -66,7 +87,7 @@ namespace auxfem
 
   bool DofNumbering::is_rigid_joint(const unsigned int joint) const
   {
-    return !joint_has(joint, 2) &&
+    return !joint_has(joint, rotation_z) &&
       std::any_of(lattice.rigid_parts.begin(),
                   lattice.rigid_parts.end(),
                   [joint](const RigidPart &part) {

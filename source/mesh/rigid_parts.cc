@@ -59,7 +59,8 @@ namespace auxfem
       for (const Portion &portion : portions)
         inertia += part.mass * portion.share *
           part.centre_of_mass.distance_square(portion.place);
-      part.rotary_inertia = definition.rotary_inertia.value_or(inertia);
+      part.rotary_inertia =
+        definition.rotary_inertia ? (*definition.rotary_inertia)[2] : inertia;
     }
 
     /**

@@ -132,9 +132,9 @@ namespace auxfem
     add("ux", "m", "displacement along x", Quantity::displacement, 0);
     add("uy", "m", "displacement along y", Quantity::displacement, 1);
     if (std::all_of(joints.begin(), joints.end(), [&](const unsigned int j) {
-          return numbering.joint_has(j, 2);
+          return numbering.joint_has(j, rotation_z);
         }))
-      add("phi", "rad", "rotation", Quantity::displacement, 2);
+      add("phi", "rad", "rotation", Quantity::displacement, rotation_z);
     if (system.is_dynamic())
       {
         add("vx", "m/s", "velocity along x", Quantity::velocity, 0);
@@ -155,7 +155,8 @@ namespace auxfem
       {
         UnknownSum sum{Quantity::residual, {}, 1.};
         for (const Support::PrescribedUnknown &prescribed : support.unknowns)
-          if (prescribed.component == component &&
+          if (prescribed.component ==
+                system.numbering().components()[component] &&
               system.numbering().is_owned(prescribed.unknown))
             sum.unknowns.push_back(prescribed.unknown);
         sums.push_back(std::move(sum));

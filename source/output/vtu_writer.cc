@@ -133,10 +133,10 @@ namespace auxfem
             append(values, point.displacement);
             if (dynamic)
               append(values, point.velocity);
-            for (const double value : {point.rotation,
-                                       point.axial_force,
-                                       point.shear_force,
-                                       point.bending_moment,
+            for (const double value : {point.rotation[2],
+                                       point.force[0],
+                                       point.force[1],
+                                       point.moment[2],
                                        point.energy_density})
               values.push_back(value);
             values.push_back(radius);

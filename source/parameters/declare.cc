@@ -30,7 +30,7 @@ namespace auxfem
       return {Kind::quantity_list,
               entry.unit,
               entry.range,
-              {},
+              entry.words,
               entry.minimum_length,
               entry.maximum_length,
               entry.default_value.empty() && entry.minimum_length > 0};
@@ -101,6 +101,17 @@ namespace auxfem
       if (rule.required && value.empty())
         throw InputError(entry.name +
                          " must be given: " + rule.allowed_with_units());
+      return value;
+    }
+
+    /** checked_text() of an entry that is needed as a number. */
+    template <class Entry>
+    std::string number_text(dealii::ParameterHandler &prm, const Entry &entry)
+    {
+      const std::string value = checked_text(prm, entry);
+      if (rule_of(entry).is_word(value))
+        throw InputError(entry.name + ": \"" + value +
+                         "\" stands where a number is needed");
       return value;
     }
 
@@ -258,11 +269,7 @@ namespace auxfem
 
   double get(dealii::ParameterHandler &prm, const Quantity &entry)
   {
-    const std::string value = checked_text(prm, entry);
-    if (rule_of(entry).is_word(value))
-      throw InputError(entry.name + ": \"" + value +
-                       "\" stands where a number is needed");
-    return parse_quantity(value, entry.unit);
+    return parse_quantity(number_text(prm, entry), entry.unit);
   }
 
 
@@ -271,8 +278,7 @@ namespace auxfem
                           const QuantityList       &entry)
   {
     std::vector<double> result;
-    for (const std::string &item :
-         split_quantity_list(checked_text(prm, entry)))
+    for (const std::string &item : split_quantity_list(number_text(prm, entry)))
       result.push_back(parse_quantity(item, entry.unit));
     return result;
   }
@@ -337,6 +343,13 @@ namespace auxfem
 
 
   bool is_word(dealii::ParameterHandler &prm, const Quantity &entry)
+  {
+    return rule_of(entry).is_word(checked_text(prm, entry));
+  }
+
+
+
+  bool is_word(dealii::ParameterHandler &prm, const QuantityList &entry)
   {
     return rule_of(entry).is_word(checked_text(prm, entry));
   }

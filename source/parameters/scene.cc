@@ -74,8 +74,10 @@ namespace auxfem
       scene.file              = file;
       scene.context.directory = directory_of(file);
 
-      // Without a model nothing can be said about what the rest may be.
-      if (const std::optional<Model> model = model_of(root))
+      // Without model and dimension nothing can be said about what the rest may
+      // be.
+      const std::optional<Model> model = model_of(root);
+      if (model && dimension_of(root))
         {
           scene.model = *model;
           check_subsection_names(root, *model, mistakes);

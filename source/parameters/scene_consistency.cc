@@ -134,6 +134,12 @@ namespace auxfem
 
     void check_reduced_cell(const Scene &scene, Mistakes &mistakes)
     {
+      if (scene.dimension == 3)
+        mistakes.add(
+          message(scene,
+                  "Dimension = 3: with Model = reduced cell the cell "
+                  "moves in its plane. Set Dimension = 2, or choose "
+                  "Model = lattice"));
       const std::size_t n_connectors = scene.connectors.size();
       // A group with mistakes is not among the scene's.
       if (n_connectors > 1 || (n_connectors == 0 && mistakes.empty()))

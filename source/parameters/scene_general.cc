@@ -13,12 +13,16 @@ namespace auxfem
   {
     using dealii::Utilities::trim;
 
-    const Text    title     = {"Title", "", "Title of the scene, for people."};
-    const Integer dimension = {"Dimension",
-                               2,
-                               2,
-                               3,
-                               "Dimension of space; only 2 so far."};
+    const Text title = {"Title", "", "Title of the scene, for people."};
+    const std::vector<std::pair<std::string, unsigned int>> dimensions =
+      {{"2", 2}, {"3", 3}};
+
+    const Choice dimension = {
+      "Dimension",
+      "2",
+      {dimensions[0].first, dimensions[1].first},
+      "Dimension of space: a scene in the plane of x and y, or in space. A scene "
+      "in the plane may be run in space as it is."};
     const std::vector<std::pair<std::string, Model>> models =
       {{"lattice", Model::lattice}, {"reduced cell", Model::reduced_cell}};
 
@@ -33,6 +37,25 @@ namespace auxfem
       "",
       "Constants for expressions, \"name = number, name = number\"; a number "
       "may have a unit word and then counts in SI."};
+
+    /** What @p word stands for in @p table; nothing if it is none of it. */
+    template <class Value>
+    std::optional<Value>
+    value_of(const std::vector<std::pair<std::string, Value>> &table,
+             const std::string                                &word)
+    {
+      for (const auto &[known, value] : table)
+        if (known == word)
+          return value;
+      return {};
+    }
+
+    /** The word of @p choice at the top level of the file, or its default. */
+    std::string chosen(const ParameterSubsection &root, const Choice &choice)
+    {
+      const ParameterEntry *entry = root.find_entry(choice.name);
+      return entry == nullptr ? choice.default_value : entry->value;
+    }
 
     bool is_identifier(const std::string &name)
     {
@@ -110,11 +133,10 @@ namespace auxfem
                       const SceneContext &,
                       Scene &scene)
     {
-      scene.title = get(prm, title);
+      scene.title     = get(prm, title);
+      scene.dimension = scene.context.dimension =
+        *value_of(dimensions, get(prm, dimension));
       read_constants(get(prm, constants), scene.context);
-      if (get(prm, dimension) == 3)
-        throw InputError("Dimension = 3: scenes in three dimensions are not "
-                         "supported yet; set Dimension = 2");
     }
   } // namespace
 
@@ -151,12 +173,13 @@ namespace auxfem
 
   std::optional<Model> model_of(const ParameterSubsection &root)
   {
-    const ParameterEntry *entry = root.find_entry(model.name);
-    const std::string     found =
-      entry == nullptr ? model.default_value : entry->value;
-    for (const auto &[word, value] : models)
-      if (word == found)
-        return value;
-    return {};
+    return value_of(models, chosen(root, model));
+  }
+
+
+
+  std::optional<unsigned int> dimension_of(const ParameterSubsection &root)
+  {
+    return value_of(dimensions, chosen(root, dimension));
   }
 } // namespace auxfem

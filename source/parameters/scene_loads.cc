@@ -1,5 +1,6 @@
 #include <auxfem/parameters/errors.h>
 #include <auxfem/parameters/scene_sections.h>
+#include <auxfem/parameters/scene_space.h>
 
 #include <deal.II/base/utilities.h>
 
@@ -13,109 +14,22 @@ namespace auxfem
     const Text joints = {"Joints", "", "Set of joints.", true};
     const Text struts = {"Struts", "", "Set of struts.", true};
 
-    // Supports
-
-    const Choice support_type = {
-      "Type",
-      "clamp",
-      {"clamp", "pin", "roller x", "roller y", "prescribed"},
-      "What is held or moved."};
-
-    const std::array<TimeExpression, 3> support_motion = {
-      {{"Displacement x",
-        "free",
-        "m",
-        "Course of the displacement along x.",
-        {"free"}},
-       {"Displacement y",
-        "free",
-        "m",
-        "Course of the displacement along y.",
-        {"free"}},
-       {"Rotation",
-        "free",
-        "rad",
-        "Course of the rotation, counterclockwise.",
-        {"free"}}}};
-
-    void read_motion(ParameterHandler   &prm,
-                     const SceneContext &context,
-                     SupportDefinition  &support)
-    {
-      bool anything = false;
-      for (unsigned int i = 0; i < 3; ++i)
-        if (!is_word(prm, support_motion[i]))
-          {
-            anything         = true;
-            support.fixed[i] = true;
-            support.motion[i] =
-              read_time_function(prm, support_motion[i], context);
-          }
-      if (!anything)
-        throw InputError(context.path +
-                         ": Type = prescribed, but everything is free. Give at "
-                         "least one of Displacement x, Displacement y, "
-                         "Rotation, or remove the support");
-    }
-
-    void read_support(ParameterHandler   &prm,
-                      const std::string  &name,
-                      const SceneContext &context,
-                      Scene              &scene)
-    {
-      SupportDefinition support;
-      support.name           = name;
-      support.path           = context.path;
-      support.joints         = get(prm, joints);
-      const std::string type = get(prm, support_type);
-      if (type == "clamp")
-        support.fixed = {{true, true, true}};
-      else if (type == "pin")
-        support.fixed = {{true, true, false}};
-      else if (type == "roller x")
-        support.fixed = {{false, true, false}};
-      else if (type == "roller y")
-        support.fixed = {{true, false, false}};
-      else
-        read_motion(prm, context, support);
-      scene.supports.push_back(support);
-    }
-
-    SubsectionKind supports_kind()
-    {
-      return {"Supports",
-              Form::named_groups,
-              "Joints that are held or moved.",
-              [](ParameterHandler &prm) {
-                declare(prm, joints);
-                declare(prm, support_type);
-              },
-              "Type",
-              {{"clamp", "Neither displacement nor rotation.", {}},
-               {"pin", "No displacement, free rotation.", {}},
-               {"roller x", "Free to move along x and to rotate.", {}},
-               {"roller y", "Free to move along y and to rotate.", {}},
-               {"prescribed",
-                "Each component free or with a given course in time.",
-                [](ParameterHandler &prm) {
-                  for (const TimeExpression &entry : support_motion)
-                    declare(prm, entry);
-                }}},
-              read_support};
-    }
-
     // Masses
 
-    const Quantity mass                = {"Mass",
-                                          "",
-                                          "kg",
-                                          Range::non_negative(),
-                                          "Mass on every joint of the set."};
-    const Quantity mass_rotary_inertia = {"Rotary inertia",
-                                          "0",
-                                          "kg m2",
-                                          Range::non_negative(),
-                                          "Its moment of inertia."};
+    const Quantity     mass                = {"Mass",
+                                              "",
+                                              "kg",
+                                              Range::non_negative(),
+                                              "Mass on every joint of the set."};
+    const QuantityList mass_rotary_inertia = {
+      "Rotary inertia",
+      "0",
+      "kg m2",
+      Range::non_negative(),
+      1,
+      3,
+      "Its moment of inertia: one number, in space the same about every axis, "
+      "or three, about x, y and z at rest, of which the plane needs the last."};
 
     SubsectionKind masses_kind()
     {
@@ -133,11 +47,12 @@ namespace auxfem
                  const std::string  &name,
                  const SceneContext &context,
                  Scene              &scene) {
-                scene.masses.push_back({name,
-                                        get(prm, joints),
-                                        get(prm, mass),
-                                        get(prm, mass_rotary_inertia),
-                                        context.path});
+                scene.masses.push_back(
+                  {name,
+                   get(prm, joints),
+                   get(prm, mass),
+                   read_moments_of_inertia(prm, mass_rotary_inertia, context),
+                   context.path});
               }};
     }
 
@@ -148,23 +63,43 @@ namespace auxfem
                               {"joint", "line"},
                               "Whether joints or struts are loaded."};
 
-    const std::array<TimeExpression, 3> joint_load = {
-      {{"Force x", "0", "N", "Force along x on every joint of the set."},
-       {"Force y", "0", "N", "Force along y on every joint of the set."},
-       {"Moment",
-        "0",
-        "N m",
-        "Moment on every joint of the set, counterclockwise."}}};
+    const auto joint_load = for_components<TimeExpression>(
+      {"Force", "0", "N", "Force on every joint of the set"},
+      {"Moment", "0", "N m", "Moment on every joint of the set"});
 
-    const std::array<TimeExpression, 2> line_load = {
-      {{"Force per length x",
-        "0",
-        "N/m",
-        "Force along x per undeformed length."},
-       {"Force per length y",
-        "0",
-        "N/m",
-        "Force along y per undeformed length."}}};
+    const Choice load_direction = {
+      "Direction",
+      "fixed",
+      {"fixed", "follows the joint"},
+      "Whether force and moment keep their direction, or turn with the rotation "
+      "of their joint, which they have the direction of at rest."};
+
+    const auto line_load = for_axes<TimeExpression>(
+      {"Force per length", "0", "N/m", "Force per undeformed length"});
+
+    void read_joint_load(ParameterHandler    &prm,
+                         const SceneContext  &context,
+                         JointLoadDefinition &load)
+    {
+      load.joints        = get(prm, joints);
+      load.follows_joint = get(prm, load_direction) != "fixed";
+      for (unsigned int c = 0; c < joint_load.size(); ++c)
+        {
+          if (!is_in_plane(c))
+            require_space(prm, joint_load[c], context);
+          load.components[c] = read_time_function(prm, joint_load[c], context);
+        }
+    }
+
+    void read_line_load(ParameterHandler   &prm,
+                        const SceneContext &context,
+                        LineLoadDefinition &load)
+    {
+      load.struts = get(prm, struts);
+      require_space(prm, line_load[2], context);
+      for (unsigned int c = 0; c < line_load.size(); ++c)
+        load.components[c] = read_time_function(prm, line_load[c], context);
+    }
 
     void read_load(ParameterHandler   &prm,
                    const std::string  &name,
@@ -174,22 +109,17 @@ namespace auxfem
       if (get(prm, load_type) == "joint")
         {
           JointLoadDefinition load;
-          load.name   = name;
-          load.path   = context.path;
-          load.joints = get(prm, joints);
-          for (unsigned int i = 0; i < joint_load.size(); ++i)
-            load.components[i] =
-              read_time_function(prm, joint_load[i], context);
+          load.name = name;
+          load.path = context.path;
+          read_joint_load(prm, context, load);
           scene.joint_loads.push_back(load);
         }
       else
         {
           LineLoadDefinition load;
-          load.name   = name;
-          load.path   = context.path;
-          load.struts = get(prm, struts);
-          for (unsigned int i = 0; i < line_load.size(); ++i)
-            load.components[i] = read_time_function(prm, line_load[i], context);
+          load.name = name;
+          load.path = context.path;
+          read_line_load(prm, context, load);
           scene.line_loads.push_back(load);
         }
     }
@@ -198,18 +128,19 @@ namespace auxfem
     {
       return {"Loads",
               Form::named_groups,
-              "Dead loads; all loads of a joint or strut add up.",
+              "Forces and moments; all loads of a joint or strut add up.",
               [](ParameterHandler &prm) { declare(prm, load_type); },
               "Type",
               {{"joint",
                 "Force and moment on joints.",
                 [](ParameterHandler &prm) {
                   declare(prm, joints);
+                  declare(prm, load_direction);
                   for (const TimeExpression &entry : joint_load)
                     declare(prm, entry);
                 }},
                {"line",
-                "Force per length on struts.",
+                "Dead force per length on struts.",
                 [](ParameterHandler &prm) {
                   declare(prm, struts);
                   for (const TimeExpression &entry : line_load)
@@ -220,48 +151,60 @@ namespace auxfem
 
     // Gravity
 
-    const std::array<Quantity, 2> acceleration = {
-      {{"Acceleration x",
-        "0",
-        "m/s2",
-        Range::any(),
-        "Acceleration of free fall along x."},
-       {"Acceleration y",
-        "0",
-        "m/s2",
-        Range::any(),
-        "Acceleration of free fall along y, e.g. -9.81."}}};
+    const auto acceleration = for_axes<Quantity>(
+      {"Acceleration", "0", "m/s2", Range::any(), "Acceleration of free fall"});
+
+    void read_gravity(ParameterHandler &prm,
+                      const std::string &,
+                      const SceneContext &context,
+                      Scene              &scene)
+    {
+      require_space(prm, acceleration[2], context);
+      for (unsigned int c = 0; c < acceleration.size(); ++c)
+        scene.gravity[c] = get(prm, acceleration[c]);
+    }
 
     SubsectionKind gravity_kind()
     {
       return {"Gravity",
               Form::fixed,
-              "Weight of struts and masses.",
+              "Weight of struts and masses, e.g. Acceleration y = -9.81.",
               [](ParameterHandler &prm) {
                 for (const Quantity &entry : acceleration)
                   declare(prm, entry);
               },
               "",
               {},
-              [](ParameterHandler &prm,
-                 const std::string &,
-                 const SceneContext &,
-                 Scene &scene) {
-                for (unsigned int i = 0; i < acceleration.size(); ++i)
-                  scene.gravity[i] = get(prm, acceleration[i]);
-              }};
+              read_gravity};
     }
 
     // Initial velocities
 
-    const std::array<Quantity, 3> initial_velocity = {
-      {{"Velocity x", "0", "m/s", Range::any(), "Velocity along x at t = 0."},
-       {"Velocity y", "0", "m/s", Range::any(), "Velocity along y at t = 0."},
-       {"Angular velocity",
-        "0",
-        "rad/s",
-        Range::any(),
-        "Angular velocity at t = 0, counterclockwise."}}};
+    const auto initial_velocity = for_components<Quantity>(
+      {"Velocity", "0", "m/s", Range::any(), "Velocity at t = 0"},
+      {"Angular velocity",
+       "0",
+       "rad/s",
+       Range::any(),
+       "Angular velocity at t = 0"});
+
+    void read_initial_velocity(ParameterHandler   &prm,
+                               const std::string  &name,
+                               const SceneContext &context,
+                               Scene              &scene)
+    {
+      InitialVelocityDefinition definition;
+      definition.name   = name;
+      definition.path   = context.path;
+      definition.joints = get(prm, joints);
+      for (unsigned int c = 0; c < initial_velocity.size(); ++c)
+        {
+          if (!is_in_plane(c))
+            require_space(prm, initial_velocity[c], context);
+          definition.velocity[c] = get(prm, initial_velocity[c]);
+        }
+      scene.initial_velocities.push_back(definition);
+    }
 
     SubsectionKind initial_velocities_kind()
     {
@@ -275,18 +218,7 @@ namespace auxfem
               },
               "",
               {},
-              [](ParameterHandler   &prm,
-                 const std::string  &name,
-                 const SceneContext &context,
-                 Scene              &scene) {
-                scene.initial_velocities.push_back(
-                  {name,
-                   get(prm, joints),
-                   {{get(prm, initial_velocity[0]),
-                     get(prm, initial_velocity[1]),
-                     get(prm, initial_velocity[2])}},
-                   context.path});
-              }};
+              read_initial_velocity};
     }
   } // namespace
 

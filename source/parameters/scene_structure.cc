@@ -1,5 +1,6 @@
 #include <auxfem/parameters/errors.h>
 #include <auxfem/parameters/scene_sections.h>
+#include <auxfem/parameters/scene_space.h>
 
 #include <algorithm>
 
@@ -111,10 +112,19 @@ namespace auxfem
     const Text joints = {"Joints", "", "Set of joints.", true};
     const Text released_struts =
       {"Struts", "all", "Set of struts whose ends are released there."};
-    const Choice   joint_type      = {"Type",
-                                      "hinge",
-                                      {"hinge", "rotational spring"},
-                                      "How the struts are connected."};
+    const Choice       joint_type = {"Type",
+                                     "hinge",
+                                     {"hinge", "revolute", "rotational spring"},
+                                     "How the struts are connected."};
+    const QuantityList joint_axis = {
+      "Axis",
+      "",
+      "1",
+      Range::any(),
+      3,
+      3,
+      "Components x, y and z at rest of the axis about which struts turn, of "
+      "any length but zero."};
     const Quantity joint_stiffness = {
       "Stiffness",
       "",
@@ -129,11 +139,21 @@ namespace auxfem
                     Scene                    &scene)
     {
       JointDefinition joint;
-      joint.name   = name;
-      joint.path   = context.path;
-      joint.joints = get(prm, joints);
-      joint.struts = get(prm, released_struts);
-      if (get(prm, joint_type) == "rotational spring")
+      joint.name             = name;
+      joint.path             = context.path;
+      joint.joints           = get(prm, joints);
+      joint.struts           = get(prm, released_struts);
+      const std::string type = get(prm, joint_type);
+      if (type == "revolute")
+        {
+          require_space(prm,
+                        joint_type,
+                        context,
+                        "In the plane that is Type = hinge; set it");
+          joint.type = JointDefinition::Type::revolute;
+          joint.axis = read_unit_vector(prm, joint_axis, context);
+        }
+      if (type == "rotational spring")
         {
           joint.type      = JointDefinition::Type::rotational_spring;
           joint.stiffness = get(prm, joint_stiffness);
@@ -152,9 +172,15 @@ namespace auxfem
                 declare(prm, joint_type);
               },
               "Type",
-              {{"hinge", "Struts turn freely.", {}},
+              {{"hinge", "Struts turn freely, in space about every axis.", {}},
+               {"revolute",
+                "Struts turn freely about one axis only; with Dimension = 3.",
+                [](dealii::ParameterHandler &prm) {
+                  declare(prm, joint_axis);
+                }},
                {"rotational spring",
-                "A spring resists the relative rotation.",
+                "A spring resists the relative rotation, in space about every "
+                "axis alike.",
                 [](dealii::ParameterHandler &prm) {
                   declare(prm, joint_stiffness);
                 }}},
@@ -188,18 +214,18 @@ namespace auxfem
       "1",
       Range::any(),
       2,
-      2,
-      "Components x and y of the direction, of any length but zero; only with "
-      "Geometry = direction."};
+      3,
+      "Components x, y and in space z of the direction, of any length but zero; "
+      "only with Geometry = direction."};
     const QuantityList ground_offset = {
       "Ground offset",
       "0 0",
       "m",
       Range::any(),
       2,
-      2,
-      "Place of the ground point, counted from the joint at rest; only with "
-      "Between = ground: JOINTS."};
+      3,
+      "Place x, y and in space z of the ground point, counted from the joint at "
+      "rest; only with Between = ground: JOINTS."};
 
     void check_connector(const ConnectorDefinition &connector,
                          const double               direction_length)
@@ -215,7 +241,7 @@ namespace auxfem
       if (!along_line && !(direction_length > 0))
         throw InputError(connector.path +
                          ": Geometry = direction needs a Direction other than "
-                         "0 0, e.g. set Direction = 0 1");
+                         "zero, e.g. set Direction = 0 1");
       if (offset && !grounded)
         throw InputError(connector.path +
                          ": Ground offset is given, but "
@@ -260,14 +286,9 @@ namespace auxfem
       connector.between = get(prm, between);
       if (get(prm, geometry) == "direction")
         connector.geometry = ConnectorDefinition::Geometry::direction;
-      const std::vector<double> vector = get(prm, direction);
-      const std::vector<double> offset = get(prm, ground_offset);
-      for (unsigned int i = 0; i < 2; ++i)
-        {
-          connector.direction[i]     = vector[i];
-          connector.ground_offset[i] = offset[i];
-        }
-      const double length = connector.direction.norm();
+      connector.direction     = read_vector(prm, direction, context);
+      connector.ground_offset = read_vector(prm, ground_offset, context);
+      const double length     = connector.direction.norm();
       check_connector(connector, length);
       if (length > 0)
         connector.direction /= length;

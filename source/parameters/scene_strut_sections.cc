@@ -1,8 +1,10 @@
 #include <auxfem/parameters/errors.h>
 #include <auxfem/parameters/scene_sections.h>
+#include <auxfem/parameters/scene_space.h>
 
 #include <deal.II/base/numbers.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace auxfem
@@ -17,16 +19,18 @@ namespace auxfem
                            {"rectangle", "circle", "tube", "given"},
                            "Shape of the cross-section."};
 
-    const Quantity width          = {"Width",
-                                     "",
-                                     "m",
-                                     Range::positive(),
-                                     "Side of the rectangle normal to the plane."};
-    const Quantity height         = {"Height",
-                                     "",
-                                     "m",
-                                     Range::positive(),
-                                     "Side of the rectangle in the plane."};
+    const Quantity width = {
+      "Width",
+      "",
+      "m",
+      Range::positive(),
+      "Side of the rectangle along axis 3, normal to the plane."};
+    const Quantity height = {
+      "Height",
+      "",
+      "m",
+      Range::positive(),
+      "Side of the rectangle along axis 2, in the plane."};
     const Quantity radius         = {"Radius",
                                      "",
                                      "m",
@@ -49,13 +53,64 @@ namespace auxfem
       "",
       "m2",
       Range::positive(),
-      "Area that carries shear, shear correction included."};
+      "Area that carries shear along axis 2, shear correction included."};
+    const Quantity shear_area_3  = {"Shear area 3",
+                                    "auto",
+                                    "m2",
+                                    Range::positive(),
+                                    "The same along axis 3, which space needs; "
+                                     "auto: Shear area.",
+                                    {"auto"}};
     const Quantity second_moment = {
       "Second moment of area",
       "",
       "m4",
       Range::positive(),
-      "Second moment of area about the normal of the plane."};
+      "Second moment of area about axis 3, for bending in the plane."};
+    const Quantity second_moment_2 = {
+      "Second moment of area 2",
+      "auto",
+      "m4",
+      Range::positive(),
+      "The same about axis 2, which space needs; "
+      "auto: Second moment of area.",
+      {"auto"}};
+    const Quantity torsion_of_rectangle = {
+      "Torsion constant",
+      "auto",
+      "m4",
+      Range::positive(),
+      "Torsion constant J, which space needs; auto: Saint-Venant's.",
+      {"auto"}};
+    const Quantity given_torsion = {
+      "Torsion constant",
+      "auto",
+      "m4",
+      Range::positive(),
+      "Torsion constant J, which space needs; auto: sum of the second moments of "
+      "area.",
+      {"auto"}};
+    const QuantityList given_rotary_inertia = {
+      "Rotary inertia",
+      "auto",
+      "kg m",
+      Range::non_negative(),
+      3,
+      3,
+      "Rotary inertia per length about axes 1, 2 and 3, of which the plane needs "
+      "the last; auto: density times sum of the second moments of area, and each "
+      "of them.",
+      {"auto"}};
+    const QuantityList reference = {
+      "Reference vector",
+      "auto",
+      "1",
+      Range::any(),
+      3,
+      3,
+      "Vector x, y, z that axis 3 is as near to as can be at rest, not along the "
+      "strut, which space needs; auto: z, or x for struts within 5 degrees of z.",
+      {"auto"}};
     const Quantity drawing_radius = {
       "Drawing radius",
       "auto",
@@ -110,6 +165,7 @@ namespace auxfem
       declare(prm, youngs_modulus);
       declare(prm, poissons_ratio);
       declare(prm, density);
+      declare(prm, reference);
       declare(prm, stiffness_damping);
       declare(prm, mass_damping);
     }
@@ -119,6 +175,7 @@ namespace auxfem
       declare(prm, width);
       declare(prm, height);
       declare(prm, shear_correction);
+      declare(prm, torsion_of_rectangle);
     }
 
     void declare_circle(dealii::ParameterHandler &prm)
@@ -138,35 +195,76 @@ namespace auxfem
     {
       declare(prm, area);
       declare(prm, shear_area);
+      declare(prm, shear_area_3);
       declare(prm, second_moment);
+      declare(prm, second_moment_2);
+      declare(prm, given_torsion);
+      declare(prm, given_rotary_inertia);
       declare(prm, drawing_radius);
     }
 
-    void set_shear_area(dealii::ParameterHandler &prm,
-                        const double              automatic,
-                        Section                  &section)
+    /** The number in @p entry; @p automatic in place of `auto`. */
+    double value_or(dealii::ParameterHandler &prm,
+                    const Quantity           &entry,
+                    const double              automatic)
     {
-      section.shear_area = section.area *
-        (is_word(prm, shear_correction) ? automatic
-                                        : get(prm, shear_correction));
+      return is_word(prm, entry) ? automatic : get(prm, entry);
+    }
+
+    void set_shear_areas(dealii::ParameterHandler &prm,
+                         const double              automatic,
+                         Section                  &section)
+    {
+      section.shear_area_2 = section.shear_area_3 =
+        section.area * value_or(prm, shear_correction, automatic);
+    }
+
+    /**
+     * Saint-Venant's torsion constant of a rectangle with longer side @p b and
+     * shorter side @p t (m4), exact to round-off: Timoshenko and Goodier,
+     * Theory of Elasticity, section 109,
+     * J = b t^3 / 3 (1 - 192/pi^5 t/b sum tanh(n pi b / (2 t)) / n^5)
+     * over odd n.
+     */
+    double torsion_constant_of_rectangle(const double b, const double t)
+    {
+      // Summed as one minus tanh, of which ten terms reach round-off, since
+      // exp(-21 pi) < 1e-28; the ones sum to 31/32 zeta(5).
+      double sum = 31. / 32. * 1.0369277551433699263;
+      for (unsigned int n = 1; n < 20; n += 2)
+        sum -= 2 / ((std::exp(n * PI * b / t) + 1) * std::pow(n, 5));
+      return b * t * t * t / 3 * (1 - 192 / std::pow(PI, 5) * t / b * sum);
+    }
+
+    /** A section that is the same about every axis across the strut. */
+    void set_round(const double second_moment, Section &section)
+    {
+      section.second_moment_2  = second_moment;
+      section.second_moment_3  = second_moment;
+      section.torsion_constant = 2 * second_moment;
     }
 
     void read_rectangle(dealii::ParameterHandler &prm, Section &section)
     {
       const double b = get(prm, width), h = get(prm, height);
-      section.area          = b * h;
-      section.second_moment = b * h * h * h / 12;
-      section.radius        = h / 2;
-      set_shear_area(prm, 5. / 6., section);
+      section.area            = b * h;
+      section.second_moment_2 = h * b * b * b / 12;
+      section.second_moment_3 = b * h * h * h / 12;
+      section.torsion_constant =
+        value_or(prm,
+                 torsion_of_rectangle,
+                 torsion_constant_of_rectangle(std::max(b, h), std::min(b, h)));
+      section.radius = h / 2;
+      set_shear_areas(prm, 5. / 6., section);
     }
 
     void read_circle(dealii::ParameterHandler &prm, Section &section)
     {
-      const double r        = get(prm, radius);
-      section.area          = PI * r * r;
-      section.second_moment = PI / 4 * r * r * r * r;
-      section.radius        = r;
-      set_shear_area(prm, 0.9, section);
+      const double r = get(prm, radius);
+      section.area   = PI * r * r;
+      section.radius = r;
+      set_round(PI / 4 * r * r * r * r, section);
+      set_shear_areas(prm, 0.9, section);
     }
 
     void read_tube(dealii::ParameterHandler &prm,
@@ -180,21 +278,33 @@ namespace auxfem
           path + ": Wall thickness = " + prm.get(wall_thickness.name) +
           " is more than Outer radius = " + prm.get(outer_radius.name) +
           "; reduce it, or set Shape = circle for a solid rod");
-      section.area = PI * (outer * outer - inner * inner);
-      section.second_moment =
-        PI / 4 * (std::pow(outer, 4) - std::pow(inner, 4));
+      section.area   = PI * (outer * outer - inner * inner);
       section.radius = outer;
-      set_shear_area(prm, 0.5, section);
+      set_round(PI / 4 * (std::pow(outer, 4) - std::pow(inner, 4)), section);
+      set_shear_areas(prm, 0.5, section);
     }
 
     void read_given(dealii::ParameterHandler &prm, Section &section)
     {
-      section.area          = get(prm, area);
-      section.shear_area    = get(prm, shear_area);
-      section.second_moment = get(prm, second_moment);
-      section.radius        = is_word(prm, drawing_radius)
-               ? std::sqrt(3 * section.second_moment / section.area)
-               : get(prm, drawing_radius);
+      section.area         = get(prm, area);
+      section.shear_area_2 = get(prm, shear_area);
+      section.shear_area_3 = value_or(prm, shear_area_3, section.shear_area_2);
+      section.second_moment_3 = get(prm, second_moment);
+      section.second_moment_2 =
+        value_or(prm, second_moment_2, section.second_moment_3);
+      section.torsion_constant =
+        value_or(prm,
+                 given_torsion,
+                 section.second_moment_2 + section.second_moment_3);
+      section.radius =
+        value_or(prm,
+                 drawing_radius,
+                 std::sqrt(3 * section.second_moment_3 / section.area));
+      if (!is_word(prm, given_rotary_inertia))
+        {
+          const std::vector<double> values = get(prm, given_rotary_inertia);
+          section.given_rotary_inertia = {{values[0], values[1], values[2]}};
+        }
     }
 
     void read_material(dealii::ParameterHandler &prm, Section &section)
@@ -225,6 +335,9 @@ namespace auxfem
       else
         read_given(prm, definition.section);
       read_material(prm, definition.section);
+      if (!is_word(prm, reference))
+        definition.section.reference =
+          read_unit_vector(prm, reference, context);
       definition.has_density = !is_word(prm, density);
       if (definition.has_density)
         definition.section.density = get(prm, density);
@@ -239,7 +352,9 @@ namespace auxfem
     return {"Sections",
             SubsectionKind::Form::named_groups,
             "Cross-sections and materials; of several for one strut the last "
-            "counts.",
+            "counts. Axis 1 of a section is along the strut; in the plane axis "
+            "2 lies in it and axis 3 is its normal, in space see Reference "
+            "vector.",
             declare_common,
             "Shape",
             {{"rectangle", "Solid rectangle.", declare_rectangle},

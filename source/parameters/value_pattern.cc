@@ -130,6 +130,11 @@ namespace auxfem
         (rule.unit == "1" ? "" : " in " + rule.unit);
     }
 
+    std::string words_before(const ValueRule &rule)
+    {
+      return rule.words.empty() ? "" : joined(rule.words) + ", or ";
+    }
+
     std::string list_phrase(const ValueRule &rule)
     {
       const std::string least     = std::to_string(rule.minimum_length);
@@ -138,12 +143,7 @@ namespace auxfem
       const std::string count     = (least == most ? least
                                        : unlimited ? least + " or more"
                                                    : least + " to " + most);
-      return number_phrase(rule, count + " numbers");
-    }
-
-    std::string words_before(const ValueRule &rule)
-    {
-      return rule.words.empty() ? "" : joined(rule.words) + ", or ";
+      return words_before(rule) + number_phrase(rule, count + " numbers");
     }
   } // namespace
 

@@ -6,6 +6,26 @@
 
 namespace auxfem
 {
+  namespace
+  {
+    /**
+     * Component @p moved of the motion at @p arm that the unit motion of
+     * component @p of_body of a rigid body makes.
+     */
+    double motion(const unsigned int          of_body,
+                  const unsigned int          moved,
+                  const dealii::Tensor<1, 3> &arm)
+    {
+      if (of_body == moved)
+        return 1.;
+      if (of_body < first_rotation || moved >= first_rotation)
+        return 0.;
+      dealii::Tensor<1, 3> axis;
+      axis[of_body - first_rotation] = 1.;
+      return dealii::cross_product_3d(axis, arm)[moved];
+    }
+  } // namespace
+
   JointBlocks::JointBlocks(const System &system)
     : numbering(system.numbering())
     , lattice(system.lattice())
@@ -19,7 +39,7 @@ namespace auxfem
 
   unsigned int JointBlocks::size() const
   {
-    return DofNumbering::n_components;
+    return numbering.n_components();
   }
 
   const Epetra_Map &JointBlocks::map() const
@@ -64,7 +84,10 @@ namespace auxfem
     std::vector<std::vector<int>> blocks(lattice.joints.size());
     for (unsigned int joint = 0; joint < lattice.joints.size(); ++joint)
       for (unsigned int c = 0; c < size(); ++c)
-        place(numbering.joint_unknown(joint, c), c, joint, blocks[joint]);
+        place(numbering.joint_unknown(joint, numbering.components()[c]),
+              c,
+              joint,
+              blocks[joint]);
     // What is left are rotations of released ends.
     for (unsigned int e = 0; e < numbering.elements().size(); ++e)
       for (unsigned int i = 0; i < 2 * size(); ++i)
@@ -119,39 +142,24 @@ namespace auxfem
   std::vector<std::vector<double>>
   JointBlocks::rigid_body_modes(const double length) const
   {
-    const unsigned int dimension = size() == 3 ? 2 : 3;
-    dealii::Point<3>   middle;
+    dealii::Point<3> middle;
     for (const dealii::Point<3> &joint : lattice.joints)
       middle += joint / double(lattice.joints.size());
 
+    const std::vector<unsigned int> &components = numbering.components();
     std::vector<std::vector<double>> modes(size(),
                                            std::vector<double>(unknowns.size(),
                                                                0.));
-    for (unsigned int block = 0; block < joint_of_block.size(); ++block)
+    for (unsigned int row = 0; row < unknowns.size(); ++row)
       {
+        if (unknowns[row] < 0 ||
+            numbering.kind(unknowns[row]) == UnknownKind::prescribed)
+          continue;
         const dealii::Tensor<1, 3> arm =
-          (lattice.joints[joint_of_block[block]] - middle) / length;
-        const auto set =
-          [&](unsigned int mode, unsigned int component, double value) {
-            const unsigned int row     = block * size() + component;
-            const int          unknown = unknowns[row];
-            if (unknown >= 0 &&
-                numbering.kind(unknown) != UnknownKind::prescribed)
-              modes[mode][row] = value;
-          };
-        for (unsigned int i = 0; i < size(); ++i)
-          set(i, i, 1.);
-        // Rotation r about axis k moves along axis k+1 by -r times the arm
-        // along k+2, and along k+2 by r times the arm along k+1.
-        for (unsigned int mode = dimension; mode < size(); ++mode)
-          {
-            const unsigned int axis = dimension == 2 ? 2 : mode - dimension;
-            const unsigned int next = (axis + 1) % 3, last = (axis + 2) % 3;
-            if (next < dimension)
-              set(mode, next, -arm[last]);
-            if (last < dimension)
-              set(mode, last, arm[next]);
-          }
+          (lattice.joints[joint_of_block[row / size()]] - middle) / length;
+        const unsigned int moved = components[row % size()];
+        for (unsigned int mode = 0; mode < size(); ++mode)
+          modes[mode][row] = motion(components[mode], moved, arm);
       }
     return modes;
   }

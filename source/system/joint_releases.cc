@@ -28,8 +28,8 @@ namespace auxfem
     SpringBase spring_base(const JointRelease::AtJoint &at,
                            const DofNumbering          &numbering)
     {
-      if (numbering.joint_has(at.joint, 2))
-        return {numbering.joint_unknown(at.joint, 2), false};
+      if (numbering.joint_has(at.joint, rotation_z))
+        return {numbering.joint_unknown(at.joint, rotation_z), false};
       if (at.ends.size() == 1)
         return {-1, true};
       return {numbering.end_rotation(at.ends[0].strut, at.ends[0].end), false};

@@ -1,8 +1,8 @@
-#include <auxfem/elements/beam_shape.h>
 #include <auxfem/mesh/sets.h>
 #include <auxfem/parameters/errors.h>
 #include <auxfem/system/effects/applied_loads.h>
-#include <auxfem/system/effects/beam_dispatch.h>
+#include <auxfem/system/effects/following_loads.h>
+#include <auxfem/system/line_rule.h>
 #include <auxfem/system/make_loads.h>
 
 #include <algorithm>
@@ -19,49 +19,53 @@ namespace auxfem
       return TimeFunction(text, "constant", context);
     }
 
-    /** Integrals of the shape functions over [-1, 1] and the nodes there. */
-    struct LineRule
+    void add_dead_load(const JointLoadDefinition &definition,
+                       const Lattice             &lattice,
+                       const DofNumbering        &numbering,
+                       const SceneContext        &context,
+                       AppliedLoads              &loads)
     {
-      std::vector<double> integrals, nodes;
-    };
-
-    LineRule line_rule(const unsigned int order)
-    {
-      return dispatch_order(order, [](auto p) {
-        const BeamShape<p> shape;
-        return LineRule{{shape.integral, shape.integral + p + 1},
-                        {shape.node, shape.node + p + 1}};
-      });
+      const std::vector<unsigned int> joints =
+        select_joints(lattice,
+                      definition.joints,
+                      context,
+                      definition.path + "/Joints");
+      for (const unsigned int c : numbering.components())
+        {
+          if (definition.components[c].is_zero())
+            continue;
+          const unsigned int load = loads.add_load(definition.components[c]);
+          for (const unsigned int joint : joints)
+            {
+              if (!numbering.joint_has(joint, c))
+                throw InputError(definition.path + "/Moment " +
+                                 "xyz"[c - first_rotation] + ": " +
+                                 numbering.why_no_rotation(joint));
+              const int unknown = numbering.joint_unknown(joint, c);
+              if (unknown >= 0)
+                loads.add_weight(load, unknown, 1.);
+            }
+        }
     }
 
-    void add_joint_loads(const Scene        &scene,
-                         const Lattice      &lattice,
-                         const DofNumbering &numbering,
-                         AppliedLoads       &loads)
+    void add_following_load(const JointLoadDefinition &definition,
+                            const Lattice             &lattice,
+                            const DofNumbering        &numbering,
+                            const SceneContext        &context,
+                            FollowingLoads            &loads)
     {
-      for (const JointLoadDefinition &definition : scene.joint_loads)
+      for (const unsigned int joint :
+           select_joints(lattice,
+                         definition.joints,
+                         context,
+                         definition.path + "/Joints"))
         {
-          const std::vector<unsigned int> joints =
-            select_joints(lattice,
-                          definition.joints,
-                          scene.context,
-                          definition.path + "/Joints");
-          for (unsigned int c = 0; c < 3; ++c)
-            {
-              if (definition.components[c].is_zero())
-                continue;
-              const unsigned int load =
-                loads.add_load(definition.components[c]);
-              for (const unsigned int joint : joints)
-                {
-                  if (!numbering.joint_has(joint, c))
-                    throw InputError(definition.path + "/Moment: " +
-                                     numbering.why_no_rotation(joint));
-                  const int unknown = numbering.joint_unknown(joint, c);
-                  if (unknown >= 0)
-                    loads.add_weight(load, unknown, 1.);
-                }
-            }
+          if (!numbering.joint_has(joint, rotation_z))
+            throw InputError(definition.path +
+                             "/Direction = follows the joint: " +
+                             numbering.why_no_rotation(joint));
+          if (numbering.joint_unknown(joint, rotation_z) >= 0)
+            loads.add(definition.components, joint);
         }
     }
 
@@ -75,8 +79,8 @@ namespace auxfem
                           const PerLength         &per_length,
                           AppliedLoads            &loads)
     {
-      const LineRule     rule = line_rule(numbering.order());
-      const unsigned int n    = DofNumbering::n_components;
+      const LineRule     rule(numbering.order());
+      const unsigned int n = numbering.n_components();
       for (unsigned int e = 0; e < numbering.elements().size(); ++e)
         {
           const StrutMesh::Place &place = numbering.elements()[e].place;
@@ -144,7 +148,7 @@ namespace auxfem
                              scene.context,
                              definition.path + "/Struts"))
             chosen[strut] = true;
-          for (unsigned int c = 0; c < 2; ++c)
+          for (unsigned int c = 0; c < lattice.dimension; ++c)
             {
               if (definition.components[c].is_zero())
                 continue;
@@ -171,7 +175,7 @@ namespace auxfem
                      AppliedLoads                 &loads)
     {
       const std::vector<bool> all(lattice.struts.size(), true);
-      for (unsigned int c = 0; c < 2; ++c)
+      for (unsigned int c = 0; c < lattice.dimension; ++c)
         {
           if (scene.gravity[c] == 0)
             continue;
@@ -208,108 +212,43 @@ namespace auxfem
     }
   } // namespace
 
-  std::vector<UnknownMass> point_masses(const Scene        &scene,
-                                        const Lattice      &lattice,
-                                        const DofNumbering &numbering)
+  std::vector<std::unique_ptr<Effect>>
+  make_loads(const Scene                  &scene,
+             const Lattice                &lattice,
+             const DofNumbering           &numbering,
+             const std::vector<Section>   &sections,
+             const std::vector<RigidBody> &bodies,
+             const SimulatedEffects       &simulated)
   {
-    std::vector<UnknownMass> masses;
-    for (const MassDefinition &definition : scene.masses)
-      for (const unsigned int joint :
-           select_joints(lattice,
-                         definition.joints,
-                         scene.context,
-                         definition.path + "/Joints"))
-        for (unsigned int c = 0; c < 3; ++c)
-          {
-            const double mass =
-              c < 2 ? definition.mass : definition.rotary_inertia;
-            if (mass > 0 && !numbering.joint_has(joint, c))
-              throw InputError(definition.path + "/Rotary inertia: " +
-                               numbering.why_no_rotation(joint));
-            const int unknown = numbering.joint_unknown(joint, c);
-            if (mass > 0 && unknown >= 0)
-              masses.emplace_back(unknown, mass);
-          }
-    return masses;
-  }
-
-  std::unique_ptr<Effect> make_loads(const Scene                  &scene,
-                                     const Lattice                &lattice,
-                                     const DofNumbering           &numbering,
-                                     const std::vector<Section>   &sections,
-                                     const std::vector<RigidBody> &bodies,
-                                     const bool                    gravity)
-  {
-    if (scene.joint_loads.empty() && scene.line_loads.empty() && !gravity)
-      return nullptr;
-    auto loads = std::make_unique<AppliedLoads>(numbering,
-                                                scene.time.scheme == "static" &&
-                                                  !scene.time.static_start);
-    add_joint_loads(scene, lattice, numbering, *loads);
-    add_line_loads(scene, lattice, numbering, bodies, *loads);
-    if (gravity)
-      add_gravity(scene, lattice, numbering, sections, bodies, *loads);
-    return loads;
-  }
-
-  std::vector<std::pair<int, double>>
-  initial_velocities(const Scene        &scene,
-                     const Lattice      &lattice,
-                     const DofNumbering &numbering)
-  {
-    const LineRule                      rule = line_rule(numbering.order());
-    const unsigned int                  n    = DofNumbering::n_components;
-    std::vector<std::pair<int, double>> velocities;
-    for (const InitialVelocityDefinition &definition : scene.initial_velocities)
-      {
-        const std::vector<unsigned int> joints =
-          select_joints(lattice,
-                        definition.joints,
-                        scene.context,
-                        definition.path + "/Joints");
-        dealii::Point<3>  centre;
-        std::vector<bool> chosen(lattice.joints.size(), false);
-        for (const unsigned int joint : joints)
-          {
-            chosen[joint] = true;
-            centre += lattice.joints[joint] / double(joints.size());
-          }
-        const auto &v        = definition.velocity;
-        const auto  at_place = [&](const dealii::Point<3> &x,
-                                  const unsigned int      c) {
-          if (c == 2)
-            return v[2];
-          return c == 0 ? v[0] - v[2] * (x[1] - centre[1])
-                         : v[1] + v[2] * (x[0] - centre[0]);
-        };
-        for (const unsigned int joint : joints)
-          for (unsigned int c = 0; c < n; ++c)
-            if (numbering.joint_unknown(joint, c) >= 0)
-              velocities.emplace_back(numbering.joint_unknown(joint, c),
-                                      at_place(lattice.joints[joint], c));
-        for (unsigned int e = 0; e < numbering.elements().size(); ++e)
-          {
-            const StrutMesh::Place &place = numbering.elements()[e].place;
-            const Strut            &strut = lattice.struts[place.strut];
-            if (!chosen[strut.joints[0]] || !chosen[strut.joints[1]])
-              continue;
-            for (unsigned int a = 0; a < rule.nodes.size(); ++a)
-              {
-                dealii::Point<3>     position;
-                dealii::Tensor<1, 3> tangent;
-                lattice.axis(strut,
-                             place.begin +
-                               (place.end - place.begin) * (1 + rule.nodes[a]) /
-                                 2,
-                             position,
-                             tangent);
-                for (unsigned int c = 0; c < n; ++c)
-                  velocities.emplace_back(numbering.element_unknowns(
-                                            e)[n * a + c],
-                                          at_place(position, c));
-              }
-          }
-      }
-    return velocities;
+    std::vector<std::unique_ptr<Effect>> effects;
+    if (scene.joint_loads.empty() && scene.line_loads.empty() &&
+        !simulated.gravity)
+      return effects;
+    const bool raised_from_zero =
+      scene.time.scheme == "static" && !scene.time.static_start;
+    auto dead = std::make_unique<AppliedLoads>(numbering, raised_from_zero);
+    auto following =
+      std::make_unique<FollowingLoads>(lattice, numbering, raised_from_zero);
+    bool any_follows = false;
+    for (const JointLoadDefinition &load : scene.joint_loads)
+      // Without large rotations nothing turns.
+      if (load.follows_joint && simulated.large_rotation)
+        {
+          add_following_load(load,
+                             lattice,
+                             numbering,
+                             scene.context,
+                             *following);
+          any_follows = true;
+        }
+      else
+        add_dead_load(load, lattice, numbering, scene.context, *dead);
+    add_line_loads(scene, lattice, numbering, bodies, *dead);
+    if (simulated.gravity)
+      add_gravity(scene, lattice, numbering, sections, bodies, *dead);
+    effects.push_back(std::move(dead));
+    if (any_follows)
+      effects.push_back(std::move(following));
+    return effects;
   }
 } // namespace auxfem

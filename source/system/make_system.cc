@@ -1,9 +1,11 @@
 #include <auxfem/mesh/sets.h>
 #include <auxfem/parameters/errors.h>
-#include <auxfem/system/effects/point_masses.h>
 #include <auxfem/system/effects/rigid_part_inertia.h>
+#include <auxfem/system/effects/strut_inertia.h>
+#include <auxfem/system/initial_velocities.h>
 #include <auxfem/system/joint_releases.h>
 #include <auxfem/system/make_loads.h>
+#include <auxfem/system/make_masses.h>
 #include <auxfem/system/system.h>
 
 #include <algorithm>
@@ -62,11 +64,14 @@ namespace auxfem
                        definition.path + "/Between");
         ties.connected.insert(ties.connected.end(), pairs.begin(), pairs.end());
       }
-    dofs = std::make_unique<DofNumbering>(graph,
+    dofs           = std::make_unique<DofNumbering>(graph,
                                           *mesh,
                                           scene.discretization.order,
                                           ties,
                                           communicator);
+    node_rotations = std::make_unique<NodeRotations>(*dofs);
+    if (simulated.large_rotation)
+      state_layout.n_rotations = dofs->spatial_rotations().size();
   }
 
   void System::make_supports(const Scene &scene)
@@ -79,13 +84,13 @@ namespace auxfem
     std::map<std::pair<unsigned, unsigned>, Holder> holders;
     for (const SupportDefinition &definition : scene.supports)
       {
-        Support support{definition.name, {}, definition.motion};
+        Support support{definition.name, {}, {}, definition.motion};
         for (const unsigned int joint :
              select_joints(graph,
                            definition.joints,
                            scene.context,
                            definition.path + "/Joints"))
-          for (unsigned int c = 0; c < 3; ++c)
+          for (const unsigned int c : dofs->components())
             {
               if (!definition.fixed[c])
                 continue;
@@ -95,7 +100,7 @@ namespace auxfem
                   // A hinge may be clamped: then its rotation is not there.
                   if (at_rest && !dofs->is_rigid_joint(joint))
                     continue;
-                  throw InputError(definition.path + "/Rotation: " +
+                  throw InputError(definition.path + "/Rotation z: " +
                                    dofs->why_no_rotation(joint) +
                                    " Type = pin holds displacements only.");
                 }
@@ -107,11 +112,9 @@ namespace auxfem
                   // corner.
                   if (at_rest && holder->second.at_rest)
                     continue;
-                  const char *names[3] = {"horizontal displacement",
-                                          "vertical displacement",
-                                          "rotation"};
                   throw InputError(
-                    definition.path + ": the " + names[c] + " of joint " +
+                    definition.path + ": the " +
+                    motion_in_words(c, graph.dimension) + " of joint " +
                     std::to_string(joint) + " is already prescribed by " +
                     holder->second.support->path +
                     ". Take the joint out of one of the two sets.");
@@ -122,9 +125,27 @@ namespace auxfem
               dofs->prescribe(unknown);
               support.unknowns.push_back({unknown, c});
             }
+        if (state_layout.n_rotations > 0)
+          group_rotations(support);
         support_list.push_back(support);
       }
     rows = dofs->owned_rows();
+  }
+
+  void System::group_rotations(Support &support) const
+  {
+    for (const Support::PrescribedUnknown &prescribed : support.unknowns)
+      {
+        if (prescribed.component < first_rotation)
+          continue;
+        const unsigned int rotation =
+          dofs->spatial_rotation(prescribed.unknown);
+        if (support.rotations.empty() ||
+            support.rotations.back().rotation != rotation)
+          support.rotations.push_back({rotation, {{false, false, false}}});
+        support.rotations.back().fixed[prescribed.component - first_rotation] =
+          true;
+      }
   }
 
   void System::make_effects(const Scene                     &scene,
@@ -195,26 +216,17 @@ namespace auxfem
             graph,
             *dofs,
             section_list,
-            simulated.rotary_inertia,
-            simulated.strut_damping &&
-              any_section(&Section::mass_proportional_damping)));
-        const std::vector<UnknownMass> masses =
-          point_masses(scene, graph, *dofs);
-        if (!masses.empty())
-          {
-            auto effect = std::make_unique<PointMasses>(*dofs);
-            for (const auto &[unknown, mass] : masses)
-              effect->add(unknown, mass);
-            effects.push_back(std::move(effect));
-          }
+            {simulated.large_rotation,
+             simulated.rotary_inertia,
+             simulated.strut_damping &&
+               any_section(&Section::mass_proportional_damping)}));
+        for (auto &masses :
+             make_masses(scene, graph, *dofs, simulated.large_rotation))
+          effects.push_back(std::move(masses));
       }
     n_balanced = effects.size();
-    if (auto loads = make_loads(scene,
-                                graph,
-                                *dofs,
-                                section_list,
-                                bodies,
-                                simulated.gravity))
+    for (auto &loads :
+         make_loads(scene, graph, *dofs, section_list, bodies, simulated))
       effects.push_back(std::move(loads));
   }
 } // namespace auxfem

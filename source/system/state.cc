@@ -5,6 +5,7 @@ namespace auxfem
   State::State(const Epetra_BlockMap &unknowns, const StateLayout &layout)
     : displacement(unknowns)
     , residual(unknowns)
+    , rotations(layout.n_rotations)
     , history(layout.n_history, 0.)
     , dissipated(layout.n_dissipated, 0.)
   {

@@ -46,6 +46,11 @@ namespace auxfem
     return state_layout;
   }
 
+  const NodeRotations &System::rotations() const
+  {
+    return *node_rotations;
+  }
+
   const StrutForces *System::struts() const
   {
     return strut_forces;
@@ -114,41 +119,6 @@ namespace auxfem
   {
     for (const auto &effect : effects)
       effect->begin_step(step);
-  }
-
-  void System::prescribe_motion(State &state, const double dt) const
-  {
-    for (const Support &support : support_list)
-      {
-        std::array<std::array<double, 3>, 3> jets = {};
-        for (unsigned int c = 0; c < 3; ++c)
-          if (!support.motion[c].is_zero())
-            jets[c] = support.motion[c].jet(state.time, dt);
-        for (const auto &[unknown, component] : support.unknowns)
-          {
-            state.displacement[unknown] = jets[component][0];
-            if (state.velocity)
-              (*state.velocity)[unknown] = jets[component][1];
-            if (state.acceleration)
-              (*state.acceleration)[unknown] = jets[component][2];
-          }
-      }
-  }
-
-  void System::right_side(const State &state, double *right_side) const
-  {
-    for (unsigned int i = 0; i < dofs->n_owned(); ++i)
-      right_side[i] = -state.residual[i];
-    for (const Support &support : support_list)
-      {
-        std::array<double, 3> places;
-        for (unsigned int c = 0; c < 3; ++c)
-          places[c] = support.motion[c].value(state.time);
-        for (const auto &[unknown, component] : support.unknowns)
-          if (dofs->is_owned(unknown))
-            right_side[unknown] =
-              places[component] - state.displacement[unknown];
-      }
   }
 
   ResidualNorm System::residual(const Step &step)
@@ -259,15 +229,7 @@ namespace auxfem
     if (std::isfinite(step.dt))
       step.to.strut_dissipation += step.dt / 2 *
         (step.from.strut_damping_power + step.to.strut_damping_power);
-    // Prescribed motion works by the mean of the support forces over the step.
-    for (const Support &support : support_list)
-      for (const auto &prescribed : support.unknowns)
-        if (const int i = prescribed.unknown; dofs->is_owned(i))
-          {
-            step.to.external_work +=
-              (step.from.residual[i] + step.to.residual[i]) / 2 *
-              (step.to.displacement[i] - step.from.displacement[i]);
-          }
+    step.to.external_work += support_work(step);
     step.to.energies = energies(step.to);
   }
 

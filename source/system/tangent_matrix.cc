@@ -15,7 +15,7 @@ namespace auxfem
     , unknowns_begin(1, 0)
     , block_begin(1, 0)
   {
-    const unsigned int n = (numbering.order() + 1) * DofNumbering::n_components;
+    const unsigned int n = (numbering.order() + 1) * numbering.n_components();
     for (unsigned int e = 0; e < numbering.elements().size(); ++e)
       register_block(numbering.element_unknowns(e), n);
   }

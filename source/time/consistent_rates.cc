@@ -22,7 +22,7 @@ namespace auxfem
     const Step  step{before, state, /*dt=*/0.};
     state.acceleration->PutScalar(0.);
     system.begin_step(step);
-    system.prescribe_motion(state, dt);
+    system.prescribe_motion(step, dt);
     system.residual(step);
 
     if (!factorize_mass(step))
@@ -42,7 +42,7 @@ namespace auxfem
         project_velocities(state, rates);
         system.residual(step);
       }
-    find_accelerations(state);
+    find_accelerations(step);
     if (state.algorithmic_acceleration)
       *state.algorithmic_acceleration = *state.acceleration;
     system.residual(step);
@@ -62,7 +62,7 @@ namespace auxfem
     find_rates(state, rates);
     project_velocities(state, rates);
     system.residual(step);
-    find_accelerations(state);
+    find_accelerations(step);
   }
 
   bool ConsistentRates::factorize_mass(const Step &step)
@@ -117,13 +117,16 @@ namespace auxfem
     solve();
     for (const int multiplier : numbering.multipliers())
       increment[multiplier] = 0;
+    system.rotations().make_material(state, increment);
     state.velocity->Update(1., increment, 1.);
   }
 
-  void ConsistentRates::find_accelerations(State &state)
+  void ConsistentRates::find_accelerations(const Step &step)
   {
-    system.right_side(state, solver.right_side().Values());
+    State &state = step.to;
+    system.right_side(step, solver.right_side().Values());
     solve();
+    system.rotations().make_material(state, increment);
     state.acceleration->Update(1., increment, 1.);
     for (const int multiplier : system.numbering().multipliers())
       {

@@ -81,7 +81,7 @@ namespace auxfem
               }
             ++result.factorizations;
           }
-        result.linear_iterations += solve_increment(step.to);
+        result.linear_iterations += solve_increment(step);
         if (!linear_solver.failure().empty())
           {
             result.reason = linear_solver.failure();
@@ -94,6 +94,7 @@ namespace auxfem
               "an iteration turned a section by more than half a turn";
             return result;
           }
+        system.rotations().turn(step, increment);
         integrator.correct(increment, step.dt, step.to);
         is_in_place = true;
         ++result.iterations;
@@ -142,11 +143,11 @@ namespace auxfem
     return factorized_dt >= 0;
   }
 
-  unsigned int Newton::solve_increment(const State &trial)
+  unsigned int Newton::solve_increment(const Step &step)
   {
     const Stopwatch     watch(phase_times.solve);
     const unsigned long before = linear_solver.n_iterations();
-    system.right_side(trial, linear_solver.right_side().Values());
+    system.right_side(step, linear_solver.right_side().Values());
     linear_solver.solve(increment);
     return linear_solver.n_iterations() - before;
   }

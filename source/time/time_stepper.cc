@@ -53,6 +53,7 @@ namespace auxfem
         trial = state;
         const Step step{state, trial, std::numeric_limits<double>::infinity()};
         equilibrium.predict(step);
+        system.rotations().follow(step);
         system.begin_step(step);
         const Newton::Result result = solver.solve(equilibrium, step);
         solver.drop_factorization();
@@ -63,7 +64,10 @@ namespace auxfem
             ". Start from rest, or raise the load in steps with "
             "`Scheme = static` to see where it is lost.");
         if (state.velocity)
-          *trial.velocity = *state.velocity;
+          {
+            *trial.velocity = *state.velocity;
+            system.rotations().make_material(trial, *trial.velocity);
+          }
         state = trial;
       }
     if (integrator->is_dynamic())
@@ -159,8 +163,9 @@ namespace auxfem
     try
       {
         integrator->predict(step);
+        system.rotations().follow(step);
         if (integrator->is_dynamic())
-          system.prescribe_motion(trial, parameters.step);
+          system.prescribe_motion(step, parameters.step);
         system.begin_step(step);
         return solver.solve(*integrator, step);
       }

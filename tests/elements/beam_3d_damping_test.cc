@@ -69,6 +69,10 @@ TEST(DampingOfBeam3D, TangentIsTheDerivativeOfTheForce)
     const double          stiffness = 0.9, damping = 2.5, step = 1e-5;
     typename Beam::Matrix matrix;
     matrix.fill(0);
+    SpaceTensor scaled_identity;
+    for (int i = 0; i < 3; ++i)
+      scaled_identity[i][i] = damping;
+    const std::vector<SpaceTensor> by_spin(Beam::n / 6, scaled_identity);
     Beam3D::add_damping_tangent(beam.shape,
                                 beam.frames.data(),
                                 beam.jacobian,
@@ -78,6 +82,7 @@ TEST(DampingOfBeam3D, TangentIsTheDerivativeOfTheForce)
                                 moving.velocities.data(),
                                 stiffness,
                                 damping,
+                                by_spin.data(),
                                 matrix.data());
     double worst = 0;
     for (int j = 0; j < Beam::n; ++j)
@@ -170,13 +175,15 @@ TEST(DampingOfBeam3D, RigidMotionOfADeformedElementIsNotDamped)
   });
 }
 
-TEST(DampingOfBeam3D, StrainRatesAreThoseOfTheStrains)
+TEST(DampingOfBeam3D, StrainRatesAreThoseOfTheStrainsWhereNodesTurnedAlike)
 {
   for_each_beam_3d([](const auto &beam) {
     using Beam = std::decay_t<decltype(beam)>;
-    const Moving<Beam> moving(beam, 4);
-    const double       step  = 1e-5;
-    const auto         after = [&](const double time) {
+    Moving<Beam> moving(beam, 4);
+    for (Beam3D::Node &node : moving.nodes)
+      node.rotation = moving.nodes[0].rotation;
+    const double step  = 1e-5;
+    const auto   after = [&](const double time) {
       auto nodes = moving.nodes;
       for (int a = 0; a <= Beam::order; ++a)
         nodes[a] = {nodes[a].displacement + time * moving.velocities[a].linear,
@@ -184,8 +191,7 @@ TEST(DampingOfBeam3D, StrainRatesAreThoseOfTheStrains)
                       nodes[a].rotation};
       return nodes;
     };
-    const auto rotations =
-      Beam3D::aligned_rotations<Beam::order>(moving.nodes.data());
+    const Beam3D::RelativeRotations<Beam::order> relative(moving.nodes.data());
     for (int g = 0; g < Beam::order; ++g)
       {
         const auto point = Beam3D::kinematics(beam.shape,
@@ -193,7 +199,7 @@ TEST(DampingOfBeam3D, StrainRatesAreThoseOfTheStrains)
                                               1 / beam.jacobian,
                                               beam.frames[g],
                                               moving.nodes.data(),
-                                              rotations);
+                                              relative);
         const auto rates = Beam3D::rates(beam.shape,
                                          g,
                                          1 / beam.jacobian,

@@ -364,7 +364,7 @@ end
 
     write("scene.prm", bars);
     expect_refusal(run_with({"Supports/ground/Type=clamp"}),
-                   {"Supports/ground/Rotation",
+                   {"Supports/ground/Rotation z",
                     "a rigid part is hinged there",
                     "Type = pin"});
     expect_refusal(run_with({"Joints/spring/Joints=1",

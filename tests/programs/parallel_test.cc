@@ -49,7 +49,7 @@ namespace
                             "--set",
                             "Loads/hit/Force x=1e3 * t",
                             "--set",
-                            "Loads/hit/Moment=0.5 * t"};
+                            "Loads/hit/Moment z=0.5 * t"};
 
     Words with(Words words, const Words &more) const
     {

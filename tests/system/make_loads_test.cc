@@ -69,7 +69,7 @@ TEST(MakeLoads, AJointLoadActsOnItsJointOnlyAndFollowsTime)
                                            "    set Joints = 2\n"
                                            "    set Force x = 3 * t\n"
                                            "    set Force y = -2\n"
-                                           "    set Moment = t^2\n"
+                                           "    set Moment z = t^2\n"
                                            "  end\n"
                                            "end\n"),
                               0.5);
@@ -205,7 +205,7 @@ TEST(MakeLoads, InitialVelocitiesAreThoseOfARigidBody)
                                             "    set Joints = all\n"
                                             "    set Velocity x = 3\n"
                                             "    set Velocity y = -1\n"
-                                            "    set Angular velocity = 2\n"
+                                            "    set Angular velocity z = 2\n"
                                             "  end\n"
                                             "end\n"),
                                {"Discretization/Order=4",

@@ -76,12 +76,12 @@ TEST(MakeSystem, TwoMotionsOfOneJointAreRefused)
                                          "  subsection first\n"
                                          "    set Joints = 2\n"
                                          "    set Type = prescribed\n"
-                                         "    set Rotation = 0.1 * t\n"
+                                         "    set Rotation z = 0.1 * t\n"
                                          "  end\n"
                                          "  subsection second\n"
                                          "    set Joints = 2\n"
                                          "    set Type = prescribed\n"
-                                         "    set Rotation = 0.1 * t\n"
+                                         "    set Rotation z = 0.1 * t\n"
                                          "  end\n"
                                          "end\n");
   EXPECT_TRUE(contains(message, "rotation of joint 2")) << message;
@@ -93,10 +93,10 @@ TEST(MakeSystem, AMomentOnAHingeIsRefused)
                                          "subsection Loads\n"
                                          "  subsection twist\n"
                                          "    set Joints = 1\n"
-                                         "    set Moment = 2\n"
+                                         "    set Moment z = 2\n"
                                          "  end\n"
                                          "end\n");
-  EXPECT_TRUE(contains(message, "Loads/twist/Moment: joint 1")) << message;
+  EXPECT_TRUE(contains(message, "Loads/twist/Moment z: joint 1")) << message;
 }
 
 TEST(MakeSystem, AForceOnAHingeIsNot)
@@ -119,11 +119,12 @@ TEST(MakeSystem, ARotationPrescribedAtAHingeIsRefusedUnlessItIsZero)
       "  subsection drive\n"
       "    set Joints = 1\n"
       "    set Type = prescribed\n"
-      "    set Rotation = " +
+      "    set Rotation z = " +
       angle + "\n  end\nend\n";
   };
   const std::string message = refusal_of(turned_by("0.1 * t"));
-  EXPECT_TRUE(contains(message, "Supports/drive/Rotation: joint 1")) << message;
+  EXPECT_TRUE(contains(message, "Supports/drive/Rotation z: joint 1"))
+    << message;
   EXPECT_EQ(refusal_of(turned_by("0")), "");
 }
 

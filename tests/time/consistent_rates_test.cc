@@ -94,7 +94,7 @@ namespace
            "  subsection spin\n"
            "    set Joints = all\n"
            "    set Velocity y = 1.5\n"
-           "    set Angular velocity = 3\n"
+           "    set Angular velocity z = 3\n"
            "  end\n"
            "  subsection stretch\n"
            "    set Joints = 1\n"

@@ -145,7 +145,7 @@ TEST(Newton, PrescribedUnknownsMoveToTheirPlaceInOneIteration)
                                "    set Type = prescribed\n"
                                "    set Displacement x = 0.01\n"
                                "    set Displacement y = 0.2\n"
-                               "    set Rotation = -0.3\n"
+                               "    set Rotation z = -0.3\n"
                                "  end\n"
                                "end\n"
                                "subsection Time\n"

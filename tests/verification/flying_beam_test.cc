@@ -68,7 +68,7 @@ subsection Loads
     set Joints  = 0
     set Force x = 8 * )" +
       pulse + R"(
-    set Moment  = -80 * )" +
+    set Moment z  = -80 * )" +
       pulse + R"(
   end
 end

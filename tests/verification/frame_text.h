@@ -121,7 +121,7 @@ namespace auxfem
         support(name, joints, "prescribed");
         set(path + "Displacement x", motion[0]);
         set(path + "Displacement y", motion[1]);
-        return set(path + "Rotation", motion[2]);
+        return set(path + "Rotation z", motion[2]);
       }
 
       /** Force x, y and moment on each joint: expressions in t. */
@@ -133,7 +133,7 @@ namespace auxfem
         set(path + "Joints", joints);
         set(path + "Force x", components[0]);
         set(path + "Force y", components[1]);
-        return set(path + "Moment", components[2]);
+        return set(path + "Moment z", components[2]);
       }
 
       StaticScene &hinge(const std::string &name,

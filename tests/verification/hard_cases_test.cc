@@ -281,7 +281,7 @@ TEST(HardCases, LatticeHeldAtOneJointTurnsAlong)
                            "Supports/foundation/Type=prescribed",
                            "Supports/foundation/Displacement x=0",
                            "Supports/foundation/Displacement y=0",
-                           "Supports/foundation/Rotation=" +
+                           "Supports/foundation/Rotation z=" +
                              text(2 * pi * turns) + " * t",
                            "Effects/Connector viscosity=off",
                            "Time/Scheme=static",

@@ -162,7 +162,7 @@ namespace
     SceneRun run(frame("0 0; 3 0; 3 1", "0 1; 1 2") + part("L", "all", 4) +
                    "subsection Initial velocities\n subsection throw\n"
                    "  set Joints = all\n  set Velocity x = 2\n"
-                   "  set Velocity y = 7\n  set Angular velocity = " +
+                   "  set Velocity y = 7\n  set Angular velocity z = " +
                    text(rate) + "\n end\nend\n" + time(dt, end),
                  {"Time/Scheme=" + scheme});
     const RigidPart &part = run.lattice.rigid_parts.at(0);

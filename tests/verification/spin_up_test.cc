@@ -37,7 +37,7 @@ subsection Supports
     set Type           = prescribed
     set Displacement x = 0
     set Displacement y = 0
-    set Rotation = if(t < 15, 6/15*(t^2/2+(15/(2*pi))^2*(cos(2*pi*t/15)-1)), 6*t-45)
+    set Rotation z = if(t < 15, 6/15*(t^2/2+(15/(2*pi))^2*(cos(2*pi*t/15)-1)), 6*t-45)
   end
 end
 subsection Discretization

@@ -44,7 +44,7 @@ subsection Supports
     set Joints         = 1
     set Type           = prescribed
     set Displacement x = 0
-    set Rotation       = 0
+    set Rotation z     = 0
   end
 end
 subsection Loads

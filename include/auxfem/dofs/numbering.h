@@ -1,6 +1,7 @@
 #ifndef auxfem_dofs_numbering_h
 #define auxfem_dofs_numbering_h
 
+#include <auxfem/mesh/motion_components.h>
 #include <auxfem/mesh/strut_mesh.h>
 
 #include <Epetra_Import.h>
@@ -12,6 +13,10 @@
 
 namespace auxfem
 {
+  /** Words for a component of motion, e.g. `vertical displacement` or `rotation
+   * about x`. */
+  const char *motion_in_words(unsigned int component, unsigned int dimension);
+
   /** What is released and tied beyond the rigid joints. */
   struct Ties
   {
@@ -45,11 +50,12 @@ namespace auxfem
   };
 
   /**
-   * Numbering of the unknowns of a planar lattice: u_x, u_y and the rotation at
-   * every node. The ends of all struts at a joint share its two displacements,
-   * those not released also its rotation, so a joint is one set of unknowns and
-   * no constraint equation is needed. Joints at which only rigid struts end
-   * have no rotation. The conditions of rigid parts add a Lagrange multiplier
+   * Numbering of the unknowns of a lattice: at every node u_x, u_y and the
+   * rotation in the plane, u_x, u_y, u_z and the spins about x, y, z in space.
+   * The ends of all struts at a joint share its displacements, those not
+   * released also its rotation, so a joint is one set of unknowns and no
+   * constraint equation is needed. Joints at which only rigid struts end have
+   * no rotation. The conditions of rigid parts add a Lagrange multiplier
    * each.
    *
    * Each rank owns a contiguous range of global numbers and stores ("local")
@@ -61,9 +67,6 @@ namespace auxfem
   class DofNumbering
   {
   public:
-    /** Unknowns a node: u_x, u_y, rotation. */
-    static constexpr unsigned int n_components = 3;
-
     /** An element kept on this rank. */
     struct Element
     {
@@ -79,6 +82,13 @@ namespace auxfem
                  MPI_Comm         communicator);
 
     unsigned int order() const;
+
+    /** Unknowns a node: 3 in the plane, 6 in space. */
+    unsigned int n_components() const;
+
+    /** The components of motion that nodes have: 0, 1, 5 in the plane, else
+     * all. */
+    const std::vector<unsigned int> &components() const;
 
     /** Global number of unknowns, prescribed ones included. */
     unsigned int n_unknowns() const;
@@ -111,15 +121,15 @@ namespace auxfem
     bool is_rotation(unsigned int local) const;
 
     /**
-     * Local numbers of the (order + 1) * 3 unknowns of element @p e, node by node
-     * in the node order of FE_Q (both ends, then the inner nodes).
+     * Local numbers of the (order + 1) * n_components() unknowns of element @p e,
+     * node by node in the node order of FE_Q (both ends, then the inner nodes).
      */
     const int *element_unknowns(unsigned int e) const;
 
     /**
-     * Local number of a joint's unknown (component 0, 1: displacement, 2:
-     * rotation); -1 if it does not exist (all struts released) or is not kept
-     * on this rank.
+     * Local number of a joint's unknown, by component of motion; -1 if it does
+     * not exist (in the plane, or all struts released) or is not kept on this
+     * rank.
      */
     int joint_unknown(unsigned int joint, unsigned int component) const;
 
@@ -136,10 +146,22 @@ namespace auxfem
     std::string why_no_rotation(unsigned int joint) const;
 
     /**
-     * Local number of the rotation of a strut's end, released or not; -1 if
-     * not on this rank.
+     * Local number of a component of the rotation of a strut's end, released
+     * or not; -1 if not on this rank.
      */
-    int end_rotation(unsigned int strut, unsigned int end) const;
+    int end_rotation(unsigned int strut,
+                     unsigned int end,
+                     unsigned int component = rotation_z) const;
+
+    /**
+     * The rotations kept on this rank, in space: local numbers of their spins
+     * about x, y, z. Empty in the plane.
+     */
+    const std::vector<std::array<int, 3>> &spatial_rotations() const;
+
+    /** Index into spatial_rotations() of that which a local unknown is part of;
+     * -1: none. */
+    int spatial_rotation(unsigned int local) const;
 
     /**
      * Local number of a multiplier of a rigid part: 0 for the distance of the
@@ -199,17 +221,22 @@ namespace auxfem
     /** Global numbers of all unknowns of a rigid part, its multipliers too. */
     std::vector<int> rigid_part_numbers(unsigned int rigid_part) const;
     void             index_rigid_parts();
+    /** Groups the local spins into rotations. */
+    void index_rotations(const std::vector<std::vector<int>> &coupled);
     /** Global numbers of all rotations at each of the sprung joints. */
     std::vector<std::vector<int>> coupled_rotations(const Ties &ties) const;
 
-    const Lattice &lattice;
-    unsigned int   polynomial_order;
-    Epetra_MpiComm comm;
+    /** Global numbers by component of motion; -1: does not exist. */
+    using MotionNumbers = std::array<int, n_motion_components>;
 
-    /** Global number of each joint's three unknowns; -1: does not exist. */
-    std::vector<std::array<int, 3>> joint_numbers;
-    /** Global number of both end rotations of each strut. */
-    std::vector<std::array<int, 2>> end_rotation_numbers;
+    const Lattice                  &lattice;
+    const unsigned int              polynomial_order;
+    const std::vector<unsigned int> node_components;
+    Epetra_MpiComm                  comm;
+
+    std::vector<MotionNumbers> joint_numbers;
+    /** Rotations at both ends of each strut; displacements are left out. */
+    std::vector<std::array<MotionNumbers, 2>> end_rotation_numbers;
     /** A rigid part's clamped joints and global numbers of multipliers. */
     struct RigidPartUnknowns
     {
@@ -236,6 +263,10 @@ namespace auxfem
     std::vector<int>         element_numbers;
     std::vector<UnknownKind> kinds;
     std::vector<bool>        rotations;
+
+    std::vector<std::array<int, 3>> rotations_in_space;
+    /** Index into it by local unknown; empty in the plane. */
+    std::vector<int> rotation_of_unknown;
   };
 } // namespace auxfem
 

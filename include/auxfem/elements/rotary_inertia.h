@@ -1,7 +1,7 @@
 #ifndef auxfem_elements_rotary_inertia_h
 #define auxfem_elements_rotary_inertia_h
 
-#include <auxfem/elements/rotation.h>
+#include <auxfem/elements/rotation_rates.h>
 
 namespace auxfem
 {
@@ -26,11 +26,7 @@ namespace auxfem
         SpaceVector({inertia_2 + inertia_3, inertia_2, inertia_3}));
     }
 
-    /** Angular velocity (rad/s) and acceleration (rad/s2), W and its rate. */
-    struct Motion
-    {
-      SpaceVector velocity, acceleration;
-    };
+    using Motion = AngularMotion;
 
     /** Kinetic energy W . J W / 2 (J). */
     inline double kinetic_energy(const SpaceTensor &inertia,

@@ -1,11 +1,17 @@
 #ifndef auxfem_elements_section_h
 #define auxfem_elements_section_h
 
+#include <deal.II/base/tensor.h>
+
+#include <array>
+#include <optional>
+
 namespace auxfem
 {
   /**
-   * Cross-section and material of a strut, reduced to what the planar beam
-   * needs (SI).
+   * Cross-section and material of a strut, reduced to what beams need (SI).
+   * Axis 1 is the strut's; axes 2 and 3 are the principal axes of the section.
+   * In the plane axis 2 lies in it and axis 3 is its normal.
    */
   struct Section
   {
@@ -13,10 +19,21 @@ namespace auxfem
     double shear_modulus  = 0; ///< G = E / (2 (1 + nu)) (Pa)
     double density        = 0; ///< rho (kg/m3)
     double area           = 0; ///< A (m2)
-    /** Shear area k A, shear correction included (m2). */
-    double shear_area = 0;
-    /** I about the axis normal to the plane (m4). */
-    double second_moment = 0;
+    /** Shear areas k A along axes 2 and 3, shear correction included (m2). */
+    double shear_area_2 = 0, shear_area_3 = 0;
+    /** I about axes 2 and 3 (m4). */
+    double second_moment_2 = 0, second_moment_3 = 0;
+    /** J of Saint-Venant's torsion (m4). */
+    double torsion_constant = 0;
+    /**
+     * Rotary inertia per length about axes 1, 2, 3 (kg m); empty: density times
+     * I_2 + I_3, I_2, I_3.
+     */
+    std::optional<std::array<double, 3>> given_rotary_inertia;
+    /**
+     * Vector that axis 3 is as near to as can be; empty: default_reference().
+     */
+    std::optional<dealii::Tensor<1, 3>> reference;
     /** Radius of the tube drawn in ParaView (m). */
     double radius = 0;
     /** The time beta in stress = E (strain + beta strain rate) (s). */
@@ -29,25 +46,44 @@ namespace auxfem
     {
       return youngs_modulus * area;
     }
-    /** k G A (N). */
-    double shear_stiffness() const
+    /** k G A along axis 2 (N). */
+    double shear_stiffness_2() const
     {
-      return shear_modulus * shear_area;
+      return shear_modulus * shear_area_2;
     }
-    /** EI (N m2). */
-    double bending_stiffness() const
+    /** k G A along axis 3 (N). */
+    double shear_stiffness_3() const
     {
-      return youngs_modulus * second_moment;
+      return shear_modulus * shear_area_3;
+    }
+    /** G J (N m2). */
+    double torsion_stiffness() const
+    {
+      return shear_modulus * torsion_constant;
+    }
+    /** EI about axis 2 (N m2). */
+    double bending_stiffness_2() const
+    {
+      return youngs_modulus * second_moment_2;
+    }
+    /** EI about axis 3 (N m2). */
+    double bending_stiffness_3() const
+    {
+      return youngs_modulus * second_moment_3;
     }
     /** rho A (kg/m). */
     double mass_per_length() const
     {
       return density * area;
     }
-    /** rho I (kg m). */
-    double rotary_inertia_per_length() const
+    /** About axes 1, 2, 3 (kg m). */
+    std::array<double, 3> rotary_inertia_per_length() const
     {
-      return density * second_moment;
+      if (given_rotary_inertia)
+        return *given_rotary_inertia;
+      return {{density * (second_moment_2 + second_moment_3),
+               density * second_moment_2,
+               density * second_moment_3}};
     }
   };
 } // namespace auxfem

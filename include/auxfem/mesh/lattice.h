@@ -96,11 +96,13 @@ namespace auxfem
   /**
    * The structure as a graph in space: joints, struts between them, pairs of
    * joints meant for connectors, and named sets of all three. Plain data, made
-   * by a cell generator; knows nothing of finite elements. Planar scenes have z
-   * = 0.
+   * by a cell generator; knows nothing of finite elements.
    */
   struct Lattice
   {
+    /** Dimension of space: 2, with z = 0 everywhere, or 3. */
+    unsigned int dimension = 2;
+
     /** Positions at rest (m). */
     std::vector<dealii::Point<3>> joints;
 

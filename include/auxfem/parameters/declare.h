@@ -80,6 +80,8 @@ namespace auxfem
     unsigned int minimum_length;
     unsigned int maximum_length;
     std::string  sentence;
+    /** Words allowed in place of the numbers, e.g. `auto`; see is_word(). */
+    std::vector<std::string> words = {};
   };
 
   /** A whole number. */
@@ -166,6 +168,9 @@ namespace auxfem
 
   /** Whether the value of @p entry is one of its words instead of a number. */
   bool is_word(dealii::ParameterHandler &prm, const Quantity &entry);
+
+  /** Whether the value of @p entry is one of its words instead of numbers. */
+  bool is_word(dealii::ParameterHandler &prm, const QuantityList &entry);
 
   /** Whether the value of @p entry is one of its words instead of a function. */
   bool is_word(dealii::ParameterHandler &prm, const TimeExpression &entry);

@@ -52,6 +52,9 @@ namespace auxfem
     /** Path of the subsection in work, e.g. `Connectors/damper`, for messages.
      */
     std::string path;
+
+    /** Dimension of space: 2 or 3. */
+    unsigned int dimension = 2;
   };
 
   /**

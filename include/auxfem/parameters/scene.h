@@ -5,6 +5,7 @@
 #include <auxfem/elements/section.h>
 #include <auxfem/loads/time_function.h>
 #include <auxfem/mesh/cell.h>
+#include <auxfem/mesh/motion_components.h>
 
 #include <array>
 #include <cmath>
@@ -46,7 +47,8 @@ namespace auxfem
   {
     enum class Type
     {
-      hinge,
+      hinge,    ///< free to turn; in space about any axis
+      revolute, ///< in space: free to turn about one axis
       rotational_spring
     };
     std::string name;
@@ -54,8 +56,10 @@ namespace auxfem
     std::string struts; ///< strut set whose ends are released there
     Type        type = Type::hinge;
     /** K' (N m/rad) between a released strut and what it turns against. */
-    double      stiffness = 0;
-    std::string path;
+    double stiffness = 0;
+    /** Unit vector of a revolute hinge's axis at rest. */
+    dealii::Tensor<1, 3> axis;
+    std::string          path;
   };
 
   /** `Rigid parts/NAME`: struts or joints that move as rigid bodies. */
@@ -70,9 +74,11 @@ namespace auxfem
      */
     bool   single_struts = false;
     double mass          = 0; ///< of each part (kg)
-    /** About the centre of mass (kg m2); empty: from the even spread of mass.
+    /**
+     * About axes through the centre of mass along x, y, z at rest (kg m2), in
+     * the plane the last alone; empty: from the even spread of mass.
      */
-    std::optional<double> rotary_inertia;
+    std::optional<dealii::Tensor<1, 3>> rotary_inertia;
     /** Whether elastic struts at its joints are clamped to it, not hinged. */
     bool        clamps_struts = false;
     std::string path;
@@ -130,13 +136,10 @@ namespace auxfem
   {
     std::string name;
     std::string joints; ///< joint set
-    /**
-     * Which of u_x, u_y, rotation are prescribed, and their course (m, m,
-     * rad).
-     */
-    std::array<bool, 3>         fixed = {{false, false, false}};
-    std::array<TimeFunction, 3> motion;
-    std::string                 path;
+    /** Which components are prescribed, and their course (m, rad). */
+    std::array<bool, n_motion_components>         fixed = {};
+    std::array<TimeFunction, n_motion_components> motion;
+    std::string                                   path;
   };
 
   /** `Masses/NAME`: a point mass on every joint of a set. */
@@ -144,21 +147,25 @@ namespace auxfem
   {
     std::string name;
     std::string joints;
-    double      mass           = 0; ///< kg
-    double      rotary_inertia = 0; ///< kg m2
-    std::string path;
+    double      mass = 0; ///< kg
+    /** About axes along x, y, z at rest (kg m2); in the plane the last alone.
+     */
+    dealii::Tensor<1, 3> rotary_inertia;
+    std::string          path;
   };
 
   /**
-   * `Loads/NAME` of type `joint`: a dead force and moment on every joint of a
-   * set.
+   * `Loads/NAME` of type `joint`: a force and moment on every joint of a set.
    */
   struct JointLoadDefinition
   {
-    std::string                 name;
-    std::string                 joints;
-    std::array<TimeFunction, 3> components; ///< F_x, F_y (N), M (N m)
-    std::string                 path;
+    std::string name;
+    std::string joints;
+    /** N, N m. */
+    std::array<TimeFunction, n_motion_components> components;
+    /** Whether force and moment turn with the joint; else they are dead. */
+    bool        follows_joint = false;
+    std::string path;
   };
 
   /**
@@ -169,17 +176,18 @@ namespace auxfem
   {
     std::string                 name;
     std::string                 struts;
-    std::array<TimeFunction, 2> components; ///< q_x, q_y (N/m)
+    std::array<TimeFunction, 3> components; ///< q_x, q_y, q_z (N/m)
     std::string                 path;
   };
 
   /** `Initial velocities/NAME`: velocity of a set of joints at t = 0. */
   struct InitialVelocityDefinition
   {
-    std::string           name;
-    std::string           joints;
-    std::array<double, 3> velocity = {{0, 0, 0}}; ///< m/s, m/s, rad/s
-    std::string           path;
+    std::string name;
+    std::string joints;
+    /** m/s, rad/s */
+    std::array<double, n_motion_components> velocity = {};
+    std::string                             path;
   };
 
   /** On, off, or decided from the scene. */
@@ -299,6 +307,8 @@ namespace auxfem
   {
     std::string title;
     Model       model = Model::lattice;
+    /** Dimension of space: 2 or 3. */
+    unsigned int dimension = 2;
     /** With Model::reduced_cell; its connector is the one in `connectors`. */
     std::optional<ReducedCellDefinition> reduced_cell;
     SceneContext                context; ///< directory of the file, constants

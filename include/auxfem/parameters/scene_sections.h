@@ -76,12 +76,13 @@ namespace auxfem
   SubsectionKind              sections_kind();
   SubsectionKind              rigid_parts_kind();
   SubsectionKind              reduced_cell_kind();
+  SubsectionKind              supports_kind();
   std::vector<SubsectionKind> load_kinds();
   std::vector<SubsectionKind> time_kinds();
   std::vector<SubsectionKind> output_kinds();
   ///@}
 
-  /** @name The top-level entry `Model`. */
+  /** @name The top-level entries `Model` and `Dimension`. */
   ///@{
   /** The word for @p model, e.g. `reduced cell`. */
   std::string name_of(Model model);
@@ -91,6 +92,9 @@ namespace auxfem
    * none, which check_and_declare() reports.
    */
   std::optional<Model> model_of(const ParameterSubsection &root);
+
+  /** As model_of(), the dimension of space. */
+  std::optional<unsigned int> dimension_of(const ParameterSubsection &root);
   ///@}
 
   /**

@@ -1,9 +1,12 @@
 #ifndef auxfem_system_state_h
 #define auxfem_system_state_h
 
+#include <auxfem/elements/rotation.h>
+
 #include <Epetra_Vector.h>
 
 #include <optional>
+#include <vector>
 
 namespace auxfem
 {
@@ -24,6 +27,8 @@ namespace auxfem
     /** Internal variables of connectors. */
     unsigned int n_history    = 0;
     unsigned int n_dissipated = 0; ///< viscous connectors
+    /** Rotations in space kept as quaternions; none if they stay small. */
+    unsigned int n_rotations = 0;
   };
 
   /** Energies at one time (J). */
@@ -64,7 +69,7 @@ namespace auxfem
     unsigned long step = 0;
 
     /** M, m, rad; the multipliers of rigid parts (N) lie here too, without
-     * rates. */
+     * rates. Large rotations in space: see NodeRotations. */
     Vector displacement;
 
     std::optional<Vector> velocity;     ///< m/s, m/s, rad/s
@@ -82,6 +87,12 @@ namespace auxfem
      * m); in rows of multipliers the conditions (m).
      */
     Vector residual;
+
+    /**
+     * Large rotations in space since rest, in the order of
+     * DofNumbering::spatial_rotations().
+     */
+    std::vector<Quaternion> rotations;
 
     /**
      * Internal variables of connectors, group after group (see

@@ -8,6 +8,7 @@
 #include <auxfem/system/effects/rigid_part_conditions.h>
 #include <auxfem/system/effects/struts.h>
 #include <auxfem/system/joint_releases.h>
+#include <auxfem/system/node_rotations.h>
 
 #include <memory>
 #include <vector>
@@ -22,10 +23,29 @@ namespace auxfem
       int          unknown; ///< local number
       unsigned int component;
     };
+    /** A large rotation in space of which spins are prescribed. */
+    struct PrescribedRotation
+    {
+      unsigned int        rotation; ///< of DofNumbering::spatial_rotations()
+      std::array<bool, 3> fixed;    ///< about x, y, z
+      /** All three, so that its rotation vector is `motion`. */
+      bool is_whole() const
+      {
+        return fixed[0] && fixed[1] && fixed[2];
+      }
+    };
     std::string                    name;
     std::vector<PrescribedUnknown> unknowns;
-    /** Course of each component (m, m, rad). */
-    std::array<TimeFunction, 3> motion;
+    /** Those whose spins are among `unknowns`. */
+    std::vector<PrescribedRotation> rotations;
+    /** Course of each component (m, rad). */
+    std::array<TimeFunction, n_motion_components> motion;
+
+    /** Whether an unknown is moved as part of one of `rotations`. */
+    bool moves_as_rotation(const PrescribedUnknown &prescribed) const
+    {
+      return !rotations.empty() && prescribed.component >= first_rotation;
+    }
   };
 
   /**
@@ -91,16 +111,19 @@ namespace auxfem
 
     /**
      * Displacement, and in dynamics velocity and acceleration, of prescribed
-     * unknowns at state.time.
+     * unknowns of step.to at its time, which are differences over @p dt (s).
      */
-    void prescribe_motion(State &state, double dt) const;
+    void prescribe_motion(const Step &step, double dt) const;
+
+    /** Large rotations in space. */
+    const NodeRotations &rotations() const;
 
     /**
-     * Right-hand side of an increment at @p state into @p right_side (n_owned
-     * entries): minus the residual in free rows, in prescribed rows the
-     * prescribed displacement minus that of @p state.
+     * Right-hand side of an increment at step.to into @p right_side (n_owned
+     * entries): minus the residual in free rows, in prescribed rows what is
+     * missing to the prescribed displacement or rotation.
      */
-    void right_side(const State &state, double *right_side) const;
+    void right_side(const Step &step, double *right_side) const;
 
     /** Fills step.to.residual. Returns the norm of free rows over all ranks. */
     ResidualNorm residual(const Step &step);
@@ -152,6 +175,9 @@ namespace auxfem
      */
     void hold_multipliers(State &state) const;
 
+    /** Work of prescribed motion in a step, this rank's share (J). */
+    double support_work(const Step &step) const;
+
     /** Energies (over all ranks) of the state last given to residual(). */
     Energies energies(const State &state) const;
 
@@ -159,6 +185,7 @@ namespace auxfem
                         const std::vector<JointRelease> &releases,
                         MPI_Comm                         communicator);
     void make_supports(const Scene &scene);
+    void group_rotations(Support &support) const;
     void make_effects(const Scene                     &scene,
                       const std::vector<JointRelease> &releases);
 
@@ -166,6 +193,7 @@ namespace auxfem
     SimulatedEffects                     simulated;
     std::unique_ptr<StrutMesh>           mesh;
     std::unique_ptr<DofNumbering>        dofs;
+    std::unique_ptr<NodeRotations>       node_rotations;
     std::vector<std::unique_ptr<Effect>> effects;
     /**
      * The first n_internal effects are internal forces: their sum is the force

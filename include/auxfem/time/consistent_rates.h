@@ -55,7 +55,7 @@ namespace auxfem
     double find_rates(const State &state, std::vector<double> &rates) const;
     void   refuse_strain(const State &state, double rate, double dt) const;
     void   project_velocities(State &state, const std::vector<double> &rates);
-    void   find_accelerations(State &state);
+    void   find_accelerations(const Step &step);
     /** Solves for `increment`; throws ComputationError if that fails. */
     void solve();
     bool has_empty_row() const;

@@ -54,7 +54,7 @@ namespace auxfem
     ResidualNorm timed_residual(const Step &step);
     bool         factorize(const TimeIntegrator &integrator, const Step &step);
     /** Returns the number of iterations of the linear solver. */
-    unsigned int solve_increment(const State &trial);
+    unsigned int solve_increment(const Step &step);
     bool   meets_conditions(const ResidualNorm &norm, const State &state) const;
     double in_force_units(const ResidualNorm &norm) const;
 

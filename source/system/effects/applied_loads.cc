@@ -1,10 +1,13 @@
 #include <auxfem/system/effects/applied_loads.h>
 
+#include <algorithm>
+
 namespace auxfem
 {
   AppliedLoads::AppliedLoads(const DofNumbering &numbering,
                              const bool          raised_from_zero)
     : numbering(numbering)
+    , rotations(numbering)
     , raised_from_zero(raised_from_zero)
   {}
 
@@ -48,17 +51,28 @@ namespace auxfem
   {
     // The mean force over the step times the displacement: exact for the
     // average-acceleration rule, second order otherwise.
-    const double *before = step.from.displacement.Values();
-    const double *now    = step.to.displacement.Values();
-    double        work   = 0;
+    double work = 0;
     for (const Load &load : loads)
       {
         double along = 0;
         for (const Weight &w : load.weights)
           if (numbering.is_owned(w.unknown))
-            along += w.weight * (now[w.unknown] - before[w.unknown]);
+            along += w.weight * motion(step, w.unknown);
         work += (load.before + load.now) / 2 * along;
       }
     step.to.external_work += work;
+  }
+
+  double AppliedLoads::motion(const Step &step, const int unknown) const
+  {
+    if (const int i = numbering.spatial_rotation(unknown);
+        i >= 0 && !step.to.rotations.empty())
+      {
+        const std::array<int, 3> &spins = numbering.spatial_rotations()[i];
+        const SpaceVector         turn  = rotations.spatial_turn(step, i);
+        return turn[std::find(spins.begin(), spins.end(), unknown) -
+                    spins.begin()];
+      }
+    return step.to.displacement[unknown] - step.from.displacement[unknown];
   }
 } // namespace auxfem

@@ -28,12 +28,12 @@ namespace auxfem
         ends.second_joint = pair.second;
         ends.cell         = pair.cell;
         bool is_touched   = false;
-        for (unsigned int i = 0; i < 4; ++i)
+        for (unsigned int i = 0; i < 6; ++i)
           {
-            const unsigned int joint = i < 2 ? pair.first : pair.second;
+            const unsigned int joint = i < 3 ? pair.first : pair.second;
             ends.unknowns[i]         = joint == invalid_index
                       ? -1
-                      : numbering.joint_unknown(joint, i % 2);
+                      : numbering.joint_unknown(joint, i % 3);
             is_touched = is_touched || numbering.is_owned(ends.unknowns[i]);
           }
         ends.counted     = numbering.is_owned(ends.unknowns[0]);
@@ -53,16 +53,15 @@ namespace auxfem
         if (ends.counted)
           counted.push_back(connectors.size());
         connectors.push_back(ends);
-        const dealii::Tensor<1, 3> along =
-          definition.geometry == ConnectorDefinition::Geometry::direction
-          ? definition.direction
-          : ends.span / ends.rest_length;
-        direction.push_back({{along[0], along[1]}});
+        direction.push_back(definition.geometry ==
+                                ConnectorDefinition::Geometry::direction
+                              ? definition.direction
+                              : ends.span / ends.rest_length);
       }
     const unsigned int n = connectors.size();
     motion.resize(n);
     response.resize(n);
-    velocity_difference.resize(n, {{0, 0}});
+    velocity_difference.resize(n);
     current_length.resize(n);
     stored.resize(n, 0.);
     layout.n_history += n * law->n_history();
@@ -83,7 +82,7 @@ namespace auxfem
     for (unsigned int i = 0; i < connectors.size(); ++i)
       {
         const std::size_t block =
-          matrix.register_block(connectors[i].unknowns.data(), 4);
+          matrix.register_block(connectors[i].unknowns.data(), 6);
         if (i == 0)
           first_block = block;
       }
@@ -101,34 +100,35 @@ namespace auxfem
     const double *v = state.velocity ? state.velocity->Values() : nullptr;
     for (unsigned int i = 0; i < connectors.size(); ++i)
       {
-        const Ends &ends      = connectors[i];
-        const auto difference = [&ends](const double *x, const unsigned int c) {
-          return (ends.unknowns[2 + c] >= 0 ? x[ends.unknowns[2 + c]] : 0.) -
-            (ends.unknowns[c] >= 0 ? x[ends.unknowns[c]] : 0.);
+        const Ends &ends       = connectors[i];
+        const auto  difference = [&ends](const double *x) {
+          dealii::Tensor<1, 3> result;
+          for (unsigned int c = 0; c < 3; ++c)
+            result[c] =
+              (ends.unknowns[3 + c] >= 0 ? x[ends.unknowns[3 + c]] : 0.) -
+              (ends.unknowns[c] >= 0 ? x[ends.unknowns[c]] : 0.);
+          return result;
         };
-        const double du[2] = {difference(u, 0), difference(u, 1)};
+        const dealii::Tensor<1, 3> du = difference(u);
         if (follows_line)
           {
-            const double x = ends.span[0] + du[0], y = ends.span[1] + du[1];
-            current_length[i] = std::sqrt(x * x + y * y);
-            direction[i] = {{x / current_length[i], y / current_length[i]}};
+            const dealii::Tensor<1, 3> line = ends.span + du;
+            current_length[i]               = line.norm();
+            direction[i]                    = line / current_length[i];
             // L^2 - L0^2 = du.(2 span + du): no difference of nearly equal
             // lengths.
-            motion[i].extension = (du[0] * (2 * ends.span[0] + du[0]) +
-                                   du[1] * (2 * ends.span[1] + du[1])) /
+            motion[i].extension = du * (2. * ends.span + du) /
               (current_length[i] + ends.rest_length);
           }
         else
-          motion[i].extension =
-            direction[i][0] * du[0] + direction[i][1] * du[1];
+          motion[i].extension = direction[i] * du;
         if (v != nullptr)
-          velocity_difference[i] = {{difference(v, 0), difference(v, 1)}};
+          velocity_difference[i] = difference(v);
         // Without inertia a velocity is a difference over a step in which the
         // line turns; that of the extension does not see the turn.
         motion[i].rate = differences_extension(state, dt)
           ? (motion[i].extension - motion[i].previous_extension) / dt
-          : direction[i][0] * velocity_difference[i][0] +
-            direction[i][1] * velocity_difference[i][1];
+          : direction[i] * velocity_difference[i];
         motion[i].dt   = dt;
       }
   }
@@ -149,13 +149,13 @@ namespace auxfem
                   step.to.history.data() + first_history,
                   response.data());
     for (unsigned int i = 0; i < connectors.size(); ++i)
-      for (unsigned int c = 0; c < 2; ++c)
+      for (unsigned int c = 0; c < 3; ++c)
         {
           const double force = response[i].force * direction[i][c];
           if (connectors[i].unknowns[c] >= 0)
             residual[connectors[i].unknowns[c]] -= force;
-          if (connectors[i].unknowns[2 + c] >= 0)
-            residual[connectors[i].unknowns[2 + c]] += force;
+          if (connectors[i].unknowns[3 + c] >= 0)
+            residual[connectors[i].unknowns[3 + c]] += force;
         }
   }
 
@@ -171,16 +171,16 @@ namespace auxfem
         const double along = factors.stiffness * response[i].stiffness +
           factors.damping * response[i].damping;
         // D: derivative of the force on the second end by the relative motion.
-        double D[2][2];
-        for (unsigned int a = 0; a < 2; ++a)
-          for (unsigned int b = 0; b < 2; ++b)
+        double D[3][3];
+        for (unsigned int a = 0; a < 3; ++a)
+          for (unsigned int b = 0; b < 3; ++b)
             D[a][b] = along * n[a] * n[b];
         if (follows_line)
           {
             // The line turns with the ends: force and rate change direction.
             const double turning = factors.stiffness / current_length[i];
-            for (unsigned int a = 0; a < 2; ++a)
-              for (unsigned int b = 0; b < 2; ++b)
+            for (unsigned int a = 0; a < 3; ++a)
+              for (unsigned int b = 0; b < 3; ++b)
                 {
                   const double across = (a == b ? 1. : 0.) - n[a] * n[b];
                   D[a][b] += turning * response[i].force * across;
@@ -192,10 +192,10 @@ namespace auxfem
                     turning * response[i].damping * n[a] * rate_by_position;
                 }
           }
-        double block[16];
-        for (unsigned int a = 0; a < 4; ++a)
-          for (unsigned int b = 0; b < 4; ++b)
-            block[4 * a + b] = ((a < 2) == (b < 2) ? 1 : -1) * D[a % 2][b % 2];
+        double block[36];
+        for (unsigned int a = 0; a < 6; ++a)
+          for (unsigned int b = 0; b < 6; ++b)
+            block[6 * a + b] = ((a < 3) == (b < 3) ? 1 : -1) * D[a % 3][b % 3];
         matrix.add(first_block + i, block);
       }
   }
@@ -261,9 +261,9 @@ namespace auxfem
     ConnectorReport    report;
     report.ends[0] = lattice.joints[ends.first_joint];
     report.ends[1] = report.ends[0] + ends.span;
-    for (unsigned int k = 0; k < 4; ++k)
+    for (unsigned int k = 0; k < 6; ++k)
       if (ends.unknowns[k] >= 0)
-        report.displacements[k / 2][k % 2] =
+        report.displacements[k / 3][k % 3] =
           state.displacement[ends.unknowns[k]];
     report.force     = response[c].force;
     report.extension = motion[c].extension;

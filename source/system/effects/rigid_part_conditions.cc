@@ -83,7 +83,7 @@ namespace auxfem
                               base[1],
                               base[2],
                               base[3],
-                              numbering.joint_unknown(joint, 2),
+                              numbering.joint_unknown(joint, rotation_z),
                               multiplier()}},
                             {body.rest, body.length}});
         if (body.counted)

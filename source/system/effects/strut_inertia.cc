@@ -1,23 +1,22 @@
-#include <auxfem/elements/beam_shape.h>
 #include <auxfem/system/effects/beam_dispatch.h>
-#include <auxfem/system/effects/struts.h>
+#include <auxfem/system/effects/strut_inertia.h>
 
 namespace auxfem
 {
   namespace
   {
     /**
-     * Consistent mass M of the struts, translational rho A and rotary rho I,
-     * and with damping the force alpha M v. Constant in the plane.
+     * Consistent mass M of struts in the plane, translational rho A and rotary
+     * rho I, and with damping the force alpha M v. Constant.
      */
     template <int order, bool damped>
-    class StrutInertia : public Effect
+    class PlaneStrutInertia : public Effect
     {
     public:
-      StrutInertia(const Lattice              &lattice,
-                   const DofNumbering         &numbering,
-                   const std::vector<Section> &sections,
-                   const bool                  rotary_inertia)
+      PlaneStrutInertia(const Lattice              &lattice,
+                        const DofNumbering         &numbering,
+                        const std::vector<Section> &sections,
+                        const bool                  rotary_inertia)
         : numbering(numbering)
       {
         for (const DofNumbering::Element &element : numbering.elements())
@@ -28,8 +27,9 @@ namespace auxfem
               (element.place.end - element.place.begin) / 2;
             elements.push_back(
               {section.mass_per_length() * jacobian,
-               rotary_inertia ? section.rotary_inertia_per_length() * jacobian
-                              : 0.,
+               rotary_inertia
+                 ? section.rotary_inertia_per_length()[2] * jacobian
+                 : 0.,
                section.mass_proportional_damping,
                numbering.is_owned(element)});
           }
@@ -146,21 +146,20 @@ namespace auxfem
   make_strut_inertia(const Lattice              &lattice,
                      const DofNumbering         &numbering,
                      const std::vector<Section> &sections,
-                     const bool                  rotary_inertia,
-                     const bool                  damping)
+                     const InertiaModel         &model)
   {
-    return dispatch_order(
-      numbering.order(),
-      [&](auto order) -> std::unique_ptr<Effect> {
-        if (damping)
-          return std::make_unique<StrutInertia<order, true>>(lattice,
-                                                             numbering,
-                                                             sections,
-                                                             rotary_inertia);
-        return std::make_unique<StrutInertia<order, false>>(lattice,
-                                                            numbering,
-                                                            sections,
-                                                            rotary_inertia);
-      });
+    if (lattice.dimension == 3)
+      return make_space_strut_inertia(lattice, numbering, sections, model);
+    const auto make = [&](auto order, auto damped) -> std::unique_ptr<Effect> {
+      return std::make_unique<PlaneStrutInertia<order, damped>>(
+        lattice,
+        numbering,
+        sections,
+        model.rotary_inertia);
+    };
+    return dispatch_order(numbering.order(), [&](auto order) {
+      return model.damping ? make(order, std::true_type())
+                           : make(order, std::false_type());
+    });
   }
 } // namespace auxfem

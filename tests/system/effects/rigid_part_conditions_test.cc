@@ -318,7 +318,7 @@ TEST(RigidPartConditions, ATurningBarIsHeldByTheCentripetalForce)
                                   "  subsection spin\n"
                                   "    set Joints = all\n"
                                   "    set Velocity y = 5\n"
-                                  "    set Angular velocity = 5\n"
+                                  "    set Angular velocity z = 5\n"
                                   "  end\n"
                                   "end\n"));
   const RigidPartReport report = run.system.rigid_parts()->report(0, run.state);

@@ -2,7 +2,7 @@
 #define auxfem_system_effects_applied_loads_h
 
 #include <auxfem/loads/time_function.h>
-#include <auxfem/system/effect.h>
+#include <auxfem/system/node_rotations.h>
 
 namespace auxfem
 {
@@ -44,7 +44,11 @@ namespace auxfem
       double              before = 0; ///< value at the start of the step
       double              now    = 0; ///< value at its end
     };
+    /** How far an unknown moved in the step, rotations in the global frame. */
+    double motion(const Step &step, int unknown) const;
+
     const DofNumbering &numbering;
+    const NodeRotations rotations;
     const bool          raised_from_zero;
     std::vector<Load>   loads;
   };

@@ -7,32 +7,22 @@
 
 namespace auxfem
 {
+  /** Largest polynomial order of struts in the plane, and in space. */
+  constexpr int largest_plane_order = 6, largest_space_order = 4;
+
   /**
    * Calls @p make with the polynomial order as a compile-time constant
-   * (std::integral_constant<int, order>), order in 1..6.
+   * (std::integral_constant<int, order>), order in 1..largest.
    */
-  template <class Make>
+  template <int largest = largest_plane_order, class Make>
   auto dispatch_order(const unsigned int order, const Make &make)
   {
-    switch (order)
-      {
-        case 1:
-          return make(std::integral_constant<int, 1>());
-        case 2:
-          return make(std::integral_constant<int, 2>());
-        case 3:
-          return make(std::integral_constant<int, 3>());
-        case 4:
-          return make(std::integral_constant<int, 4>());
-        case 5:
-          return make(std::integral_constant<int, 5>());
-        case 6:
-          return make(std::integral_constant<int, 6>());
-        default:
-          AssertThrow(false,
-                      dealii::ExcMessage("Polynomial order must be 1..6."));
-          return make(std::integral_constant<int, 1>());
-      }
+    if constexpr (largest > 1)
+      if (order < largest)
+        return dispatch_order<largest - 1>(order, make);
+    AssertThrow(order == largest,
+                dealii::ExcMessage("Polynomial order out of range."));
+    return make(std::integral_constant<int, largest>());
   }
 } // namespace auxfem
 

@@ -63,8 +63,8 @@ namespace auxfem
   private:
     struct Ends
     {
-      /** Local unknowns x1, y1, x2, y2; -1: ground. */
-      std::array<int, 4> unknowns;
+      /** Local unknowns x1, y1, z1, x2, y2, z2; -1: ground, z in the plane. */
+      std::array<int, 6> unknowns;
       /** From first to second end at rest (m). */
       dealii::Tensor<1, 3> span;
       double               rest_length; ///< m
@@ -85,12 +85,12 @@ namespace auxfem
     unsigned int                        first_history, first_dissipated;
     std::size_t                         first_block = 0;
 
-    std::vector<ConnectorMotion>       motion;
-    std::vector<ConnectorResponse>     response;
-    std::vector<double>                stored;
-    std::vector<std::array<double, 2>> direction;
-    std::vector<std::array<double, 2>> velocity_difference;
-    std::vector<double>                current_length;
+    std::vector<ConnectorMotion>      motion;
+    std::vector<ConnectorResponse>    response;
+    std::vector<double>               stored;
+    std::vector<dealii::Tensor<1, 3>> direction;
+    std::vector<dealii::Tensor<1, 3>> velocity_difference;
+    std::vector<double>               current_length;
   };
 } // namespace auxfem
 

@@ -10,13 +10,17 @@ namespace auxfem
   /** Section forces and kinematics at a point of a strut, for output. */
   struct StrutPoint
   {
-    dealii::Point<3>     position;       ///< at rest (m)
-    dealii::Tensor<1, 3> displacement;   ///< m
-    dealii::Tensor<1, 3> velocity;       ///< m/s
-    double               rotation;       ///< rad
-    double               axial_force;    ///< N, positive in tension
-    double               shear_force;    ///< N
-    double               bending_moment; ///< N m
+    dealii::Point<3>     position;     ///< at rest (m)
+    dealii::Tensor<1, 3> displacement; ///< m
+    dealii::Tensor<1, 3> velocity;     ///< m/s
+    /** Rotation vector since rest (rad). */
+    dealii::Tensor<1, 3> rotation;
+    /** Section axes 1, 2, 3 now, as columns. */
+    dealii::Tensor<2, 3> axes;
+    /** Axial force, positive in tension, and shear along axes 2, 3 (N). */
+    dealii::Tensor<1, 3> force;
+    /** Torque and bending moments about axes 2, 3 (N m). */
+    dealii::Tensor<1, 3> moment;
     double               energy_density; ///< strain energy per length (J/m)
   };
 
@@ -28,7 +32,7 @@ namespace auxfem
     bool damping           = false; ///< stiffness-proportional
   };
 
-  /** Internal forces of all struts: geometrically exact planar beams. */
+  /** Internal forces of all struts: geometrically exact beams. */
   class StrutForces : public Effect
   {
   public:
@@ -47,17 +51,6 @@ namespace auxfem
     virtual std::vector<StrutPoint>
     sample(const State &state, unsigned int e, unsigned int n_points) const = 0;
   };
-
-  /**
-   * Inertia of the struts, with mass-proportional damping where a section has
-   * it.
-   */
-  std::unique_ptr<Effect>
-  make_strut_inertia(const Lattice              &lattice,
-                     const DofNumbering         &numbering,
-                     const std::vector<Section> &sections,
-                     bool                        rotary_inertia,
-                     bool                        damping);
 } // namespace auxfem
 
 #endif

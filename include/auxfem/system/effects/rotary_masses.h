@@ -1,0 +1,44 @@
+#ifndef auxfem_system_effects_rotary_masses_h
+#define auxfem_system_effects_rotary_masses_h
+
+#include <auxfem/elements/rotary_inertia.h>
+#include <auxfem/system/node_rotations.h>
+
+namespace auxfem
+{
+  /**
+   * Rotary inertia at nodes that turn far in space: Euler's equations with
+   * their gyroscopic terms.
+   */
+  class RotaryMasses : public Effect
+  {
+  public:
+    explicit RotaryMasses(const DofNumbering &numbering);
+
+    /** Adds @p inertia (kg m2, global frame at rest) to one of DofNumbering::spatial_rotations(). */
+    void add(unsigned int rotation, const SpaceTensor &inertia);
+
+    bool is_linear() const override;
+    void register_blocks(TangentMatrix &matrix) override;
+    void add_residual(const Step &step, double *residual) override;
+    void add_tangent(const Step           &step,
+                     const TangentFactors &factors,
+                     TangentMatrix        &matrix) const override;
+    void add_energies(const State &state, Energies &energies) const override;
+
+  private:
+    struct Mass
+    {
+      unsigned int rotation;
+      SpaceTensor  inertia;
+    };
+    RotaryInertia::Motion motion(const Mass &mass, const State &state) const;
+
+    const DofNumbering &numbering;
+    const NodeRotations rotations;
+    std::vector<Mass>   masses;
+    std::size_t         first_block = 0;
+  };
+} // namespace auxfem
+
+#endif

@@ -1,0 +1,20 @@
+#ifndef auxfem_system_initial_velocities_h
+#define auxfem_system_initial_velocities_h
+
+#include <auxfem/dofs/numbering.h>
+#include <auxfem/parameters/scene.h>
+
+namespace auxfem
+{
+  /**
+   * Velocities at t = 0 by local unknown (m/s, rad/s). A set moves as a rigid
+   * body: its velocity plus the angular velocity about the mean of its joints;
+   * nodes inside a strut move along if both ends belong to the set.
+   */
+  std::vector<std::pair<int, double>>
+  initial_velocities(const Scene        &scene,
+                     const Lattice      &lattice,
+                     const DofNumbering &numbering);
+} // namespace auxfem
+
+#endif

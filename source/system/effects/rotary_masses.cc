@@ -1,0 +1,86 @@
+#include <auxfem/system/effects/rotary_masses.h>
+
+namespace auxfem
+{
+  RotaryMasses::RotaryMasses(const DofNumbering &numbering)
+    : numbering(numbering)
+    , rotations(numbering)
+  {}
+
+  void RotaryMasses::add(const unsigned int rotation,
+                         const SpaceTensor &inertia)
+  {
+    masses.push_back({rotation, inertia});
+  }
+
+  bool RotaryMasses::is_linear() const
+  {
+    return false;
+  }
+
+  void RotaryMasses::register_blocks(TangentMatrix &matrix)
+  {
+    for (unsigned int i = 0; i < masses.size(); ++i)
+      {
+        const std::size_t block = matrix.register_block(
+          numbering.spatial_rotations()[masses[i].rotation].data(),
+          3);
+        if (i == 0)
+          first_block = block;
+      }
+  }
+
+  RotaryInertia::Motion RotaryMasses::motion(const Mass  &mass,
+                                             const State &state) const
+  {
+    return {rotations.values(*state.velocity, mass.rotation),
+            rotations.values(*state.acceleration, mass.rotation)};
+  }
+
+  void RotaryMasses::add_residual(const Step &step, double *residual)
+  {
+    for (const Mass &mass : masses)
+      {
+        const SpaceVector torque =
+          RotaryInertia::torque(mass.inertia,
+                                step.to.rotations[mass.rotation],
+                                motion(mass, step.to));
+        const std::array<int, 3> &spins =
+          numbering.spatial_rotations()[mass.rotation];
+        for (unsigned int c = 0; c < 3; ++c)
+          residual[spins[c]] += torque[c];
+      }
+  }
+
+  void RotaryMasses::add_tangent(const Step           &step,
+                                 const TangentFactors &factors,
+                                 TangentMatrix        &matrix) const
+  {
+    for (unsigned int i = 0; i < masses.size(); ++i)
+      {
+        const unsigned int           rotation = masses[i].rotation;
+        const RotaryInertia::Tangent tangent =
+          RotaryInertia::tangent(masses[i].inertia,
+                                 step.to.rotations[rotation],
+                                 motion(masses[i], step.to));
+        const SpaceTensor block = factors.stiffness * tangent.by_spin +
+          (factors.damping * tangent.by_velocity +
+           factors.mass * tangent.by_acceleration) *
+            rotations.turn_by_spin(step, rotation);
+        double values[9];
+        for (unsigned int r = 0; r < 3; ++r)
+          for (unsigned int c = 0; c < 3; ++c)
+            values[3 * r + c] = block[r][c];
+        matrix.add(first_block + i, values);
+      }
+  }
+
+  void RotaryMasses::add_energies(const State &state, Energies &energies) const
+  {
+    for (const Mass &mass : masses)
+      if (numbering.is_owned(numbering.spatial_rotations()[mass.rotation][0]))
+        energies.kinetic +=
+          RotaryInertia::kinetic_energy(mass.inertia,
+                                        motion(mass, state).velocity);
+  }
+} // namespace auxfem

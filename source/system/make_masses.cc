@@ -1,0 +1,79 @@
+#include <auxfem/mesh/sets.h>
+#include <auxfem/parameters/errors.h>
+#include <auxfem/system/effects/point_masses.h>
+#include <auxfem/system/effects/rotary_masses.h>
+#include <auxfem/system/make_masses.h>
+
+namespace auxfem
+{
+  namespace
+  {
+    /** Mass or moment of inertia that acts on a component of motion. */
+    double share(const MassDefinition &mass, const unsigned int component)
+    {
+      return component < first_rotation
+        ? mass.mass
+        : mass.rotary_inertia[component - first_rotation];
+    }
+
+    void refuse_missing_rotation(const MassDefinition &mass,
+                                 const DofNumbering   &numbering,
+                                 const unsigned int    joint)
+    {
+      if (mass.rotary_inertia.norm() > 0 &&
+          !numbering.joint_has(joint, rotation_z))
+        throw InputError(
+          mass.path + "/Rotary inertia: " + numbering.why_no_rotation(joint));
+    }
+
+    SpaceTensor along_global_axes(const SpaceVector &values)
+    {
+      SpaceTensor result;
+      for (unsigned int c = 0; c < 3; ++c)
+        result[c][c] = values[c];
+      return result;
+    }
+  } // namespace
+
+  std::vector<std::unique_ptr<Effect>>
+  make_masses(const Scene        &scene,
+              const Lattice      &lattice,
+              const DofNumbering &numbering,
+              const bool          large_rotation)
+  {
+    auto       points     = std::make_unique<PointMasses>(numbering);
+    auto       rotary     = std::make_unique<RotaryMasses>(numbering);
+    const bool turns      = large_rotation && lattice.dimension == 3;
+    bool       has_points = false, has_rotary = false;
+    for (const MassDefinition &mass : scene.masses)
+      for (const unsigned int joint : select_joints(lattice,
+                                                    mass.joints,
+                                                    scene.context,
+                                                    mass.path + "/Joints"))
+        {
+          refuse_missing_rotation(mass, numbering, joint);
+          for (const unsigned int c : numbering.components())
+            {
+              const int unknown = numbering.joint_unknown(joint, c);
+              if (unknown < 0 || share(mass, c) == 0 ||
+                  (turns && c >= first_rotation))
+                continue;
+              points->add(unknown, share(mass, c));
+              has_points = true;
+            }
+          const int spin = numbering.joint_unknown(joint, rotation_z);
+          if (turns && spin >= 0 && mass.rotary_inertia.norm() > 0)
+            {
+              rotary->add(numbering.spatial_rotation(spin),
+                          along_global_axes(mass.rotary_inertia));
+              has_rotary = true;
+            }
+        }
+    std::vector<std::unique_ptr<Effect>> effects;
+    if (has_points)
+      effects.push_back(std::move(points));
+    if (has_rotary)
+      effects.push_back(std::move(rotary));
+    return effects;
+  }
+} // namespace auxfem

@@ -1,0 +1,87 @@
+#include <auxfem/system/node_rotations.h>
+
+namespace auxfem
+{
+  NodeRotations::NodeRotations(const DofNumbering &numbering)
+    : numbering(numbering)
+  {}
+
+  void NodeRotations::follow(const Step &step) const
+  {
+    for (unsigned int i = 0; i < step.to.rotations.size(); ++i)
+      step.to.rotations[i] = normalized(step.from.rotations[i] *
+                                        exponential(material_turn(step, i)));
+  }
+
+  void NodeRotations::turn(const Step &step, Vector &increment) const
+  {
+    for (unsigned int i = 0; i < step.to.rotations.size(); ++i)
+      {
+        const SpaceVector spin     = values(increment, i);
+        Quaternion       &rotation = step.to.rotations[i];
+        const SpaceVector before   = material_turn(step, i),
+                          guess = before + rotated(conjugate(rotation), spin);
+        rotation                = normalized(exponential(spin) * rotation);
+        set_values(rotation_vector_near(conjugate(step.from.rotations[i]) *
+                                          rotation,
+                                        guess) -
+                     before,
+                   i,
+                   increment);
+      }
+  }
+
+  void NodeRotations::make_material(const State &state, Vector &vector) const
+  {
+    for (unsigned int i = 0; i < state.rotations.size(); ++i)
+      set_values(rotated(conjugate(state.rotations[i]), values(vector, i)),
+                 i,
+                 vector);
+  }
+
+  SpaceVector NodeRotations::spatial_turn(const Step        &step,
+                                          const unsigned int i) const
+  {
+    return rotated(step.from.rotations[i], material_turn(step, i));
+  }
+
+  SpaceVector NodeRotations::material_turn(const Step        &step,
+                                           const unsigned int i) const
+  {
+    return values(step.to.displacement, i) - values(step.from.displacement, i);
+  }
+
+  void NodeRotations::set_material_turn(const Step        &step,
+                                        const unsigned int i,
+                                        const SpaceVector &turn) const
+  {
+    set_values(values(step.from.displacement, i) + turn,
+               i,
+               step.to.displacement);
+  }
+
+  SpaceTensor NodeRotations::turn_by_spin(const Step        &step,
+                                          const unsigned int i) const
+  {
+    // T^-1 P^T is the transpose of P T^-T.
+    return transpose(
+      rotated(step.to.rotations[i],
+              transpose(inverse_tangent_operator(material_turn(step, i)))));
+  }
+
+  SpaceVector NodeRotations::values(const Vector      &vector,
+                                    const unsigned int i) const
+  {
+    const std::array<int, 3> &spins = numbering.spatial_rotations()[i];
+    return SpaceVector({vector[spins[0]], vector[spins[1]], vector[spins[2]]});
+  }
+
+  void NodeRotations::set_values(const SpaceVector &values,
+                                 const unsigned int i,
+                                 Vector            &vector) const
+  {
+    const std::array<int, 3> &spins = numbering.spatial_rotations()[i];
+    for (unsigned int c = 0; c < 3; ++c)
+      vector[spins[c]] = values[c];
+  }
+} // namespace auxfem
