@@ -21,6 +21,7 @@ namespace auxfem
       ++totals.steps;
       totals.iterations += report.iterations;
       totals.factorizations += report.factorizations;
+      totals.linear_iterations += report.linear_iterations;
       totals.retries += report.retries;
     }
 

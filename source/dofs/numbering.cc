@@ -20,7 +20,7 @@ namespace auxfem
       for (unsigned int i = 0; i < order.size(); ++i)
         {
           const auto [component, node] = fe.system_to_component_index(i);
-          order[i] = node * fe.n_components() + component;
+          order[i]                     = node * fe.n_components() + component;
         }
       return order;
     }
@@ -69,12 +69,12 @@ namespace auxfem
     {
       int owner = -1, number = -1;
     };
-    std::vector<Unknown>                of_dof(dof_handler.n_dofs());
+    std::vector<Unknown> of_dof(dof_handler.n_dofs());
     using Motion = std::array<Unknown, n_motion_components>;
     std::vector<Motion>                of_joint(lattice.joints.size());
     std::vector<std::array<Motion, 2>> of_end(lattice.struts.size());
-    std::vector<const Unknown *> of_cell(std::size_t(mesh.n_cells()) * n);
-    std::vector<int>             count(comm.NumProc(), 0);
+    std::vector<const Unknown *>       of_cell(std::size_t(mesh.n_cells()) * n);
+    std::vector<int>                   count(comm.NumProc(), 0);
     const auto claim = [&count](Unknown &unknown, const int rank) {
       if (unknown.owner < 0)
         unknown = {rank, count[rank]++};
@@ -310,8 +310,8 @@ namespace auxfem
     return coupled;
   }
 
-  void DofNumbering::index_rotations(
-    const std::vector<std::vector<int>> &coupled)
+  void
+  DofNumbering::index_rotations(const std::vector<std::vector<int>> &coupled)
   {
     rotation_of_unknown.assign(n_local(), -1);
     const auto add = [this](const std::array<int, 3> &spins) {
@@ -347,8 +347,7 @@ namespace auxfem
     return node_components;
   }
 
-  const std::vector<std::array<int, 3>> &
-  DofNumbering::spatial_rotations() const
+  const std::vector<std::array<int, 3>> &DofNumbering::spatial_rotations() const
   {
     return rotations_in_space;
   }

@@ -10,27 +10,27 @@ namespace auxfem
   const char *motion_in_words(const unsigned int component,
                               const unsigned int dimension)
   {
-    constexpr std::array<const char *, n_motion_components> in_plane =
-      {{"horizontal displacement",
-        "vertical displacement",
-        "",
-        "",
-        "",
-        "rotation"}};
-    constexpr std::array<const char *, n_motion_components> in_space =
-      {{"displacement along x",
-        "displacement along y",
-        "displacement along z",
-        "rotation about x",
-        "rotation about y",
-        "rotation about z"}};
+    constexpr std::array<const char *, n_motion_components> in_plane = {
+      {"horizontal displacement",
+       "vertical displacement",
+       "",
+       "",
+       "",
+       "rotation"}};
+    constexpr std::array<const char *, n_motion_components> in_space = {
+      {"displacement along x",
+       "displacement along y",
+       "displacement along z",
+       "rotation about x",
+       "rotation about y",
+       "rotation about z"}};
     return (dimension == 2 ? in_plane : in_space)[component];
   }
 
   std::string DofNumbering::describe(const unsigned int local_number) const
   {
-    const int                global = local->GID(local_number);
-    std::ostringstream       words;
+    const int          global = local->GID(local_number);
+    std::ostringstream words;
     for (unsigned int j = 0; j < joint_numbers.size(); ++j)
       for (const unsigned int c : node_components)
         if (joint_numbers[j][c] == global)
@@ -62,9 +62,8 @@ namespace auxfem
           const Strut   &strut   = lattice.struts[element.place.strut];
           words << motion_in_words(node_components[i % n_components()],
                                    lattice.dimension)
-                << " of strut "
-                << element.place.strut << " (joints " << strut.joints[0]
-                << " - " << strut.joints[1] << ")";
+                << " of strut " << element.place.strut << " (joints "
+                << strut.joints[0] << " - " << strut.joints[1] << ")";
           break;
         }
     return words.str();

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <ctime>
 #include <sstream>
@@ -60,6 +61,7 @@ namespace auxfem
       object.add("steps", totals.steps);
       object.add("newton_iterations", totals.iterations);
       object.add("factorizations", totals.factorizations);
+      object.add("linear_iterations", totals.linear_iterations);
       object.add("retries", totals.retries);
       return object;
     }
@@ -363,6 +365,11 @@ namespace auxfem
            << seconds(wall.solve) << ", output " << seconds(wall.output) << '\n'
            << "Peak memory " << (summary.resources.memory >> 20) << " MiB\n";
 
+    if (totals.linear_iterations > 0)
+      stream << "Linear iterations a solution "
+             << std::llround(double(totals.linear_iterations) /
+                             totals.iterations)
+             << '\n';
     stream << poissons_ratio_text(summary.strain)
            << closing_energies_text(summary.energies, folder);
     return stream.str();

@@ -14,8 +14,10 @@ namespace auxfem
                          const dealii::Point<3> &centre,
                          const Velocity         &velocity)
     {
-      const SpaceVector turning = dealii::cross_product_3d(
-        SpaceVector({velocity[3], velocity[4], velocity[5]}), point - centre);
+      const SpaceVector turning =
+        dealii::cross_product_3d(SpaceVector(
+                                   {velocity[3], velocity[4], velocity[5]}),
+                                 point - centre);
       Velocity result = velocity;
       for (unsigned int c = 0; c < 3; ++c)
         result[c] += turning[c];

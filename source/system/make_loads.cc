@@ -25,8 +25,11 @@ namespace auxfem
                        const SceneContext        &context,
                        AppliedLoads              &loads)
     {
-      const std::vector<unsigned int> joints = select_joints(
-        lattice, definition.joints, context, definition.path + "/Joints");
+      const std::vector<unsigned int> joints =
+        select_joints(lattice,
+                      definition.joints,
+                      context,
+                      definition.path + "/Joints");
       for (const unsigned int c : numbering.components())
         {
           if (definition.components[c].is_zero())
@@ -51,11 +54,11 @@ namespace auxfem
                             const SceneContext        &context,
                             FollowingLoads            &loads)
     {
-      for (const unsigned int joint : select_joints(lattice,
-                                                    definition.joints,
-                                                    context,
-                                                    definition.path +
-                                                      "/Joints"))
+      for (const unsigned int joint :
+           select_joints(lattice,
+                         definition.joints,
+                         context,
+                         definition.path + "/Joints"))
         {
           if (!numbering.joint_has(joint, rotation_z))
             throw InputError(definition.path +
@@ -77,7 +80,7 @@ namespace auxfem
                           AppliedLoads            &loads)
     {
       const LineRule     rule(numbering.order());
-      const unsigned int n    = numbering.n_components();
+      const unsigned int n = numbering.n_components();
       for (unsigned int e = 0; e < numbering.elements().size(); ++e)
         {
           const StrutMesh::Place &place = numbering.elements()[e].place;
@@ -231,8 +234,11 @@ namespace auxfem
       // Without large rotations nothing turns.
       if (load.follows_joint && simulated.large_rotation)
         {
-          add_following_load(
-            load, lattice, numbering, scene.context, *following);
+          add_following_load(load,
+                             lattice,
+                             numbering,
+                             scene.context,
+                             *following);
           any_follows = true;
         }
       else

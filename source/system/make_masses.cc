@@ -22,8 +22,8 @@ namespace auxfem
     {
       if (mass.rotary_inertia.norm() > 0 &&
           !numbering.joint_has(joint, rotation_z))
-        throw InputError(mass.path + "/Rotary inertia: " +
-                         numbering.why_no_rotation(joint));
+        throw InputError(
+          mass.path + "/Rotary inertia: " + numbering.why_no_rotation(joint));
     }
 
     SpaceTensor along_global_axes(const SpaceVector &values)
@@ -35,18 +35,21 @@ namespace auxfem
     }
   } // namespace
 
-  std::vector<std::unique_ptr<Effect>> make_masses(const Scene        &scene,
-                                                   const Lattice      &lattice,
-                                                   const DofNumbering &numbering,
-                                                   const bool large_rotation)
+  std::vector<std::unique_ptr<Effect>>
+  make_masses(const Scene        &scene,
+              const Lattice      &lattice,
+              const DofNumbering &numbering,
+              const bool          large_rotation)
   {
-    auto       points = std::make_unique<PointMasses>(numbering);
-    auto       rotary = std::make_unique<RotaryMasses>(numbering);
-    const bool turns  = large_rotation && lattice.dimension == 3;
+    auto       points     = std::make_unique<PointMasses>(numbering);
+    auto       rotary     = std::make_unique<RotaryMasses>(numbering);
+    const bool turns      = large_rotation && lattice.dimension == 3;
     bool       has_points = false, has_rotary = false;
     for (const MassDefinition &mass : scene.masses)
-      for (const unsigned int joint : select_joints(
-             lattice, mass.joints, scene.context, mass.path + "/Joints"))
+      for (const unsigned int joint : select_joints(lattice,
+                                                    mass.joints,
+                                                    scene.context,
+                                                    mass.path + "/Joints"))
         {
           refuse_missing_rotation(mass, numbering, joint);
           for (const unsigned int c : numbering.components())

@@ -2,8 +2,8 @@
 #include <auxfem/parameters/errors.h>
 #include <auxfem/system/effects/rigid_part_inertia.h>
 #include <auxfem/system/effects/strut_inertia.h>
-#include <auxfem/system/joint_releases.h>
 #include <auxfem/system/initial_velocities.h>
+#include <auxfem/system/joint_releases.h>
 #include <auxfem/system/make_loads.h>
 #include <auxfem/system/make_masses.h>
 #include <auxfem/system/system.h>
@@ -64,7 +64,7 @@ namespace auxfem
                        definition.path + "/Between");
         ties.connected.insert(ties.connected.end(), pairs.begin(), pairs.end());
       }
-    dofs = std::make_unique<DofNumbering>(graph,
+    dofs           = std::make_unique<DofNumbering>(graph,
                                           *mesh,
                                           scene.discretization.order,
                                           ties,
@@ -225,8 +225,8 @@ namespace auxfem
           effects.push_back(std::move(masses));
       }
     n_balanced = effects.size();
-    for (auto &loads : make_loads(
-           scene, graph, *dofs, section_list, bodies, simulated))
+    for (auto &loads :
+         make_loads(scene, graph, *dofs, section_list, bodies, simulated))
       effects.push_back(std::move(loads));
   }
 } // namespace auxfem

@@ -20,9 +20,8 @@ namespace auxfem
         const SpaceVector spin     = values(increment, i);
         Quaternion       &rotation = step.to.rotations[i];
         const SpaceVector before   = material_turn(step, i),
-                          guess =
-                            before + rotated(conjugate(rotation), spin);
-        rotation = normalized(exponential(spin) * rotation);
+                          guess = before + rotated(conjugate(rotation), spin);
+        rotation                = normalized(exponential(spin) * rotation);
         set_values(rotation_vector_near(conjugate(step.from.rotations[i]) *
                                           rotation,
                                         guess) -

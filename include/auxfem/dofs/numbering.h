@@ -13,7 +13,8 @@
 
 namespace auxfem
 {
-  /** Words for a component of motion, e.g. `vertical displacement` or `rotation about x`. */
+  /** Words for a component of motion, e.g. `vertical displacement` or `rotation
+   * about x`. */
   const char *motion_in_words(unsigned int component, unsigned int dimension);
 
   /** What is released and tied beyond the rigid joints. */
@@ -85,7 +86,8 @@ namespace auxfem
     /** Unknowns a node: 3 in the plane, 6 in space. */
     unsigned int n_components() const;
 
-    /** The components of motion that nodes have: 0, 1, 5 in the plane, else all. */
+    /** The components of motion that nodes have: 0, 1, 5 in the plane, else
+     * all. */
     const std::vector<unsigned int> &components() const;
 
     /** Global number of unknowns, prescribed ones included. */
@@ -157,7 +159,8 @@ namespace auxfem
      */
     const std::vector<std::array<int, 3>> &spatial_rotations() const;
 
-    /** Index into spatial_rotations() of that which a local unknown is part of; -1: none. */
+    /** Index into spatial_rotations() of that which a local unknown is part of;
+     * -1: none. */
     int spatial_rotation(unsigned int local) const;
 
     /**

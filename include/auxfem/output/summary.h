@@ -13,6 +13,8 @@ namespace auxfem
   struct RunTotals
   {
     unsigned long steps = 0, iterations = 0, factorizations = 0, retries = 0;
+    /** Of the iterative linear solver; 0 with direct ones. */
+    unsigned long linear_iterations = 0;
     PhaseTimes    wall;
   };
 

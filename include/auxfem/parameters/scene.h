@@ -259,7 +259,11 @@ namespace auxfem
   /** `Solver`: linear solver. */
   struct SolverParameters
   {
-    std::string type = "auto"; ///< `auto`, `klu`, `mumps`
+    std::string type           = "auto"; ///< `auto`, `klu`, `mumps`, `gmres`
+    std::string preconditioner = "amg";  ///< `amg`, `ilu`
+    /** Of an iterative solution, relative to the right-hand side. */
+    double       tolerance          = 1e-8;
+    unsigned int maximum_iterations = 1000;
   };
 
   /** `Discretization`. */

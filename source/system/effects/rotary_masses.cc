@@ -23,7 +23,8 @@ namespace auxfem
     for (unsigned int i = 0; i < masses.size(); ++i)
       {
         const std::size_t block = matrix.register_block(
-          numbering.spatial_rotations()[masses[i].rotation].data(), 3);
+          numbering.spatial_rotations()[masses[i].rotation].data(),
+          3);
         if (i == 0)
           first_block = block;
       }
