@@ -10,27 +10,61 @@ namespace auxfem
   const char *motion_in_words(const unsigned int component,
                               const unsigned int dimension)
   {
-    constexpr std::array<const char *, n_motion_components> in_plane =
-      {{"horizontal displacement",
-        "vertical displacement",
-        "",
-        "",
-        "",
-        "rotation"}};
-    constexpr std::array<const char *, n_motion_components> in_space =
-      {{"displacement along x",
-        "displacement along y",
-        "displacement along z",
-        "rotation about x",
-        "rotation about y",
-        "rotation about z"}};
+    constexpr std::array<const char *, n_motion_components> in_plane = {
+      {"horizontal displacement",
+       "vertical displacement",
+       "",
+       "",
+       "",
+       "rotation"}};
+    constexpr std::array<const char *, n_motion_components> in_space = {
+      {"displacement along x",
+       "displacement along y",
+       "displacement along z",
+       "rotation about x",
+       "rotation about y",
+       "rotation about z"}};
     return (dimension == 2 ? in_plane : in_space)[component];
+  }
+
+  std::string DofNumbering::describe_condition(const int global) const
+  {
+    const auto has = [global](const auto &numbers) {
+      return std::find(numbers.begin(), numbers.end(), global) != numbers.end();
+    };
+    for (unsigned int p = 0; p < of_rigid_part.size(); ++p)
+      {
+        const MotionNumbers &motion = of_rigid_part[p].motion;
+        std::ostringstream   words;
+        if (has(of_rigid_part[p].multipliers))
+          words << "condition";
+        else if (has(motion))
+          words << motion_in_words(
+            std::find(motion.begin(), motion.end(), global) - motion.begin(),
+            lattice.dimension);
+        else
+          continue;
+        words << " of the rigid part of joints";
+        const auto &joints = lattice.rigid_parts[p].joints;
+        for (unsigned int i = 0; i < joints.size() && i < 4; ++i)
+          words << ' ' << joints[i];
+        words << (joints.size() > 4 ? " ..." : "");
+        return words.str();
+      }
+    for (const HingeUnknowns &hinge : of_hinge)
+      if (has(hinge.multipliers))
+        return "condition of the revolute hinge at joint " +
+          std::to_string(hinge.joint);
+    return "";
   }
 
   std::string DofNumbering::describe(const unsigned int local_number) const
   {
-    const int                global = local->GID(local_number);
-    std::ostringstream       words;
+    const int          global = local->GID(local_number);
+    std::ostringstream words;
+    words << describe_condition(global);
+    if (!words.str().empty())
+      return words.str();
     for (unsigned int j = 0; j < joint_numbers.size(); ++j)
       for (const unsigned int c : node_components)
         if (joint_numbers[j][c] == global)
@@ -43,17 +77,6 @@ namespace auxfem
             words << ")";
             return words.str();
           }
-    for (unsigned int p = 0; p < of_rigid_part.size(); ++p)
-      for (const int multiplier : of_rigid_part[p].multipliers)
-        if (multiplier == global)
-          {
-            words << "condition of the rigid part of joints";
-            const auto &joints = lattice.rigid_parts[p].joints;
-            for (unsigned int i = 0; i < joints.size() && i < 4; ++i)
-              words << ' ' << joints[i];
-            words << (joints.size() > 4 ? " ..." : "");
-            return words.str();
-          }
     const unsigned int n = (polynomial_order + 1) * n_components();
     for (std::size_t i = 0; i < element_numbers.size(); ++i)
       if (element_numbers[i] == static_cast<int>(local_number))
@@ -62,9 +85,8 @@ namespace auxfem
           const Strut   &strut   = lattice.struts[element.place.strut];
           words << motion_in_words(node_components[i % n_components()],
                                    lattice.dimension)
-                << " of strut "
-                << element.place.strut << " (joints " << strut.joints[0]
-                << " - " << strut.joints[1] << ")";
+                << " of strut " << element.place.strut << " (joints "
+                << strut.joints[0] << " - " << strut.joints[1] << ")";
           break;
         }
     return words.str();

@@ -254,8 +254,8 @@ namespace auxfem
   {
     record.add(state.energies);
     part_rotations.follow(state);
-    for (const double rotation : part_rotations.values())
-      rotation_so_far = std::max(rotation_so_far, std::abs(rotation));
+    for (const SpaceVector &rotation : part_rotations.values())
+      rotation_so_far = std::max(rotation_so_far, rotation.norm());
   }
 
   const EnergyRecord &History::energies() const
