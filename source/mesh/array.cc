@@ -1,3 +1,4 @@
+#include <auxfem/mesh/arc.h>
 #include <auxfem/mesh/cell.h>
 #include <auxfem/parameters/errors.h>
 
@@ -5,7 +6,6 @@
 #include <cmath>
 #include <cstdint>
 #include <set>
-#include <tuple>
 #include <unordered_map>
 
 namespace auxfem
@@ -138,6 +138,7 @@ namespace auxfem
       ArrayBuilder(const UnitCell &cell, const Index3 &n_cells)
         : cell(cell)
         , n_cells(n_cells)
+        , tolerance(relative_tolerance * cell_size(cell))
         , finder(cell_size(cell))
       {
         lattice.n_cells = n_cells[0] * n_cells[1] * n_cells[2];
@@ -155,6 +156,7 @@ namespace auxfem
           for (at[1] = 0; at[1] < n_cells[1]; ++at[1])
             for (at[0] = 0; at[0] < n_cells[0]; ++at[0])
               add_cell(at);
+        add_struts_across();
         add_pairs_across();
         if (cell.ports.empty())
           add_faces_of_bounding_box();
@@ -217,28 +219,58 @@ namespace auxfem
             Strut strut;
             strut.joints  = {{global[unit.first], global[unit.second]}};
             strut.sagitta = unit.sagitta;
+            strut.normal  = unit.normal;
             strut.cell    = number;
-
-            // Arcs that bulge to different sides are different struts.
-            const bool   turned  = strut.joints[0] > strut.joints[1];
-            const double sagitta = turned ? -strut.sagitta : strut.sagitta;
-            const auto [low, high] =
-              std::minmax(strut.joints[0], strut.joints[1]);
-            const auto known =
-              strut_at.emplace(std::make_tuple(low, high, sagitta),
-                               lattice.struts.size());
-            if (known.second || is_of_this_cell(known.first->second))
-              {
-                for (const auto &set : unit.sets)
-                  lattice.strut_sets[set].push_back(lattice.struts.size());
-                lattice.struts.push_back(strut);
-              }
+            add_strut(strut, unit.sets);
           }
       }
 
-      bool is_of_this_cell(const unsigned int strut) const
+      void add_strut(const Strut &strut, const std::vector<std::string> &sets)
       {
-        return lattice.struts[strut].cell == number;
+        const unsigned int index = lattice.struts.size();
+        const unsigned int known = find_strut(strut);
+        if (known == invalid_index)
+          strut_at.emplace(std::minmax(strut.joints[0], strut.joints[1]),
+                           index);
+        else if (lattice.struts[known].cell != strut.cell)
+          return;
+        for (const auto &set : sets)
+          lattice.strut_sets[set].push_back(index);
+        lattice.struts.push_back(strut);
+      }
+
+      /** The first strut with the same axis; invalid_index if there is none. */
+      unsigned int find_strut(const Strut &strut) const
+      {
+        const auto known =
+          strut_at.equal_range(std::minmax(strut.joints[0], strut.joints[1]));
+        for (auto other = known.first; other != known.second; ++other)
+          // Arcs that bulge to different sides are different struts.
+          if ((rise(lattice.struts[other->second]) - rise(strut)).norm() <=
+              tolerance)
+            return other->second;
+        return invalid_index;
+      }
+
+      dealii::Tensor<1, 3> rise(const Strut &strut) const
+      {
+        return rise_of_arc(lattice.joints[strut.joints[1]] -
+                             lattice.joints[strut.joints[0]],
+                           strut.sagitta,
+                           strut.normal);
+      }
+
+      /** Needs all cells, as add_pairs_across(). */
+      void add_struts_across()
+      {
+        for (const auto &[set, ends] : cell.struts_across)
+          for (const JointPair &pair : pairs_of_neighbours(ends))
+            {
+              Strut strut;
+              strut.joints = {{pair.first, pair.second}};
+              strut.cell   = pair.cell;
+              add_strut(strut, {set});
+            }
       }
 
       void add_pairs()
@@ -259,21 +291,31 @@ namespace auxfem
       /** Needs all cells: the next one of a cell is made after it. */
       void add_pairs_across()
       {
-        const Index3 stride = {{1, n_cells[0], n_cells[0] * n_cells[1]}};
         for (const auto &[name, members] : cell.pairs_across)
-          for (unsigned int c = 0; c < lattice.n_cells; ++c)
-            for (const auto &member : members)
-              {
-                const unsigned int d = member.direction;
-                if (c / stride[d] % n_cells[d] + 1 == n_cells[d])
-                  continue;
-                const JointPair pair = {
-                  global_of_cell[c][member.first],
-                  global_of_cell[c + stride[d]][member.second],
-                  c};
-                if (pair.first != pair.second)
-                  add_pair(name, pair);
-              }
+          for (const JointPair &pair : pairs_of_neighbours(members))
+            add_pair(name, pair);
+      }
+
+      /** Those of @p members, cell by cell, whose joints are not one. */
+      std::vector<JointPair>
+      pairs_of_neighbours(const std::vector<NeighbourPair> &members) const
+      {
+        const Index3 stride = {{1, n_cells[0], n_cells[0] * n_cells[1]}};
+        std::vector<JointPair> pairs;
+        for (unsigned int c = 0; c < lattice.n_cells; ++c)
+          for (const auto &member : members)
+            {
+              const unsigned int d = member.direction;
+              if (c / stride[d] % n_cells[d] + 1 == n_cells[d])
+                continue;
+              const JointPair pair = {
+                global_of_cell[c][member.first],
+                global_of_cell[c + stride[d]][member.second],
+                c};
+              if (pair.first != pair.second)
+                pairs.push_back(pair);
+            }
+        return pairs;
       }
 
       void add_to_joint_set(const std::string               &name,
@@ -296,10 +338,9 @@ namespace auxfem
 
       void add_faces_of_bounding_box()
       {
-        const char  *names[3][2] = {{"left", "right"},
-                                    {"bottom", "top"},
-                                    {"back", "front"}};
-        const double tolerance   = relative_tolerance * cell_size(cell);
+        const char *names[3][2] = {{"left", "right"},
+                                   {"bottom", "top"},
+                                   {"back", "front"}};
         for (unsigned int d = 0; d < 3; ++d)
           {
             const auto [lowest, highest] =
@@ -342,12 +383,14 @@ namespace auxfem
 
       const UnitCell           &cell;
       const Index3             &n_cells;
+      const double              tolerance; ///< for places (m)
       JointFinder               finder;
       Lattice                   lattice;
       unsigned int              number = 0; ///< of the cell in work
       std::vector<unsigned int> global; ///< lattice joint of each cell joint
       std::vector<std::vector<unsigned int>> global_of_cell; ///< by number
-      std::map<std::tuple<unsigned int, unsigned int, double>, unsigned int>
+      /** Struts by the lower and the higher number of their joints. */
+      std::multimap<std::pair<unsigned int, unsigned int>, unsigned int>
         strut_at;
       std::map<std::string, std::set<std::pair<unsigned int, unsigned int>>>
         known_pairs;

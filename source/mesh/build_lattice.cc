@@ -1,3 +1,4 @@
+#include <auxfem/mesh/place_text.h>
 #include <auxfem/mesh/rigid_parts.h>
 #include <auxfem/mesh/sets.h>
 #include <auxfem/parameters/errors.h>
@@ -77,7 +78,9 @@ namespace auxfem
         }
     }
 
-    std::string describe(const unsigned int number, const Lattice &lattice)
+    std::string describe(const unsigned int number,
+                         const Lattice     &lattice,
+                         const unsigned int dimension)
     {
       const Strut         &strut = lattice.struts[number];
       dealii::Point<3>     middle;
@@ -85,8 +88,8 @@ namespace auxfem
       lattice.axis(strut, 0.5, middle, tangent);
       std::ostringstream text;
       text << "Strut " << number << " (joints " << strut.joints[0] << " and "
-           << strut.joints[1] << ", middle at (" << middle[0] << ", "
-           << middle[1] << ") m";
+           << strut.joints[1] << ", middle at "
+           << place_text(middle, dimension);
       for (const auto &[name, members] : lattice.strut_sets)
         if (name != "all" &&
             std::binary_search(members.begin(), members.end(), number))
@@ -95,7 +98,7 @@ namespace auxfem
       return text.str();
     }
 
-    void check_sections(const Lattice &lattice)
+    void check_sections(const Lattice &lattice, const unsigned int dimension)
     {
       const auto has_none = [](const Strut &strut) {
         return strut.section == invalid_index && !strut.is_rigid();
@@ -108,7 +111,7 @@ namespace auxfem
         std::find_if(lattice.struts.begin(), lattice.struts.end(), has_none) -
         lattice.struts.begin();
       throw InputError(
-        "Sections: " + describe(first, lattice) +
+        "Sections: " + describe(first, lattice, dimension) +
         (n_bare > 1 ? " and " + std::to_string(n_bare - 1) + " more have"
                     : " has") +
         " no section. Add a section whose struts include them (\"all\" means "
@@ -124,7 +127,7 @@ namespace auxfem
       add_set(definition, scene.context, lattice);
     assign_sections(scene, lattice);
     make_rigid_parts(scene, lattice);
-    check_sections(lattice);
+    check_sections(lattice, scene.context.dimension);
     return lattice;
   }
 } // namespace auxfem

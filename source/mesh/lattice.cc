@@ -1,6 +1,6 @@
+#include <auxfem/mesh/arc.h>
 #include <auxfem/mesh/lattice.h>
 
-#include <deal.II/base/exceptions.h>
 #include <deal.II/base/quadrature_lib.h>
 
 #include <algorithm>
@@ -88,14 +88,7 @@ namespace auxfem
         return;
       }
 
-    const double in_plane = std::hypot(along[0], along[1]);
-    Assert(in_plane > 0.,
-           dealii::ExcMessage(
-             "An arc lies in a plane that contains the "
-             "left-hand normal; its chord cannot be along z."));
-    dealii::Tensor<1, 3> left;
-    left[0] = -along[1] / in_plane;
-    left[1] = along[0] / in_plane;
+    const dealii::Tensor<1, 3> left = left_of(along, strut.normal);
 
     // The tangent turns evenly from +angle at the start to -angle at the end.
     // Its integral is written as a product: the difference of two sines would

@@ -1,5 +1,6 @@
 #include <auxfem/mesh/condition.h>
 #include <auxfem/mesh/index_text.h>
+#include <auxfem/mesh/place_text.h>
 #include <auxfem/mesh/sets.h>
 #include <auxfem/parameters/errors.h>
 #include <auxfem/parameters/quantity.h>
@@ -41,16 +42,6 @@ namespace auxfem
       for (std::size_t i = 0; i < std::min(limit, names.size()); ++i)
         text += (i == 0 ? "" : ", ") + quoted(names[i]);
       return names.size() > limit ? text + ", ..." : text;
-    }
-
-    std::string place_text(const dealii::Point<3> &place)
-    {
-      std::ostringstream text;
-      text << '(' << place[0] << ", " << place[1];
-      if (place[2] != 0.)
-        text << ", " << place[2];
-      text << ") m";
-      return text.str();
     }
 
     std::vector<dealii::Point<3>> middles_of_struts(const Lattice &lattice)
@@ -201,8 +192,13 @@ namespace auxfem
         catch (const InputError &error)
           {
             throw InputError(path + ": " + quoted(text) + ": " + error.what() +
-                             ". Write the place like \"nearest: 0.01, 0.02\" "
-                             "(in m) or \"nearest: 10 mm, 20 mm\".");
+                             (context.dimension == 3
+                                ? ". Write the place like \"nearest: 0.01, "
+                                  "0.02, 0.03\" (in m) or \"nearest: 10 mm, "
+                                  "20 mm, 30 mm\"."
+                                : ". Write the place like \"nearest: 0.01, "
+                                  "0.02\" (in m) or \"nearest: 10 mm, 20 "
+                                  "mm\"."));
           }
         return place;
       }
@@ -210,15 +206,20 @@ namespace auxfem
       std::string extent() const
       {
         const auto box = bounding_box(lattice);
-        return "The joints lie between " + place_text(box[0]) + " and " +
-          place_text(box[1]) + ".";
+        return "The joints lie between " +
+          place_text(box[0], context.dimension) + " and " +
+          place_text(box[1], context.dimension) + ".";
       }
 
       std::string allowed() const
       {
         return "Allowed: the name of a set of " + noun +
-          "s, several joined by +, numbers like \"3, 5\", \"nearest: x, "
-          "y\", or a condition like \"y > ymax - 1e-6 && x < 0.02\".";
+          "s, several joined by +, numbers like \"3, 5\", \"nearest: " +
+          (context.dimension == 3
+             ? "x, y, z\", or a condition like \"y > ymax - 1e-6 && z < "
+               "0.02\"."
+             : "x, y\", or a condition like \"y > ymax - 1e-6 && x < "
+               "0.02\".");
       }
 
       const std::string                     noun;
@@ -271,10 +272,12 @@ namespace auxfem
         pairs.push_back({joint, invalid_index});
       return pairs;
     }
+
     /** Only pairs across neighbouring cells can be missing. */
-    [[noreturn]] void refuse_without_pairs(const Lattice     &lattice,
-                                           const std::string &name,
-                                           const std::string &path)
+    [[noreturn]] void refuse_without_pairs(const Lattice      &lattice,
+                                           const std::string  &name,
+                                           const SceneContext &context,
+                                           const std::string  &path)
     {
       throw InputError(
         path + ": the lattice has no joint pairs " + quoted(name) +
@@ -283,8 +286,9 @@ namespace auxfem
            ? "one cell has no neighbour"
            : "here no cell has a neighbour in their direction, or both share "
              "the joint") +
-        ". Repeat the cell in that direction ('Cells x', 'Cells y' of the "
-        "lattice) or remove what uses these pairs.");
+        ". Repeat the cell in that direction ('Cells x', 'Cells y'" +
+        (context.dimension == 3 ? ", 'Cells z'" : "") +
+        " of the lattice) or remove what uses these pairs.");
     }
   } // namespace
 
@@ -327,7 +331,7 @@ namespace auxfem
     if (set != lattice.pair_sets.end())
       {
         if (set->second.empty())
-          refuse_without_pairs(lattice, text, path);
+          refuse_without_pairs(lattice, text, context, path);
         return set->second;
       }
 

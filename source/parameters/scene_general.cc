@@ -21,8 +21,7 @@ namespace auxfem
       "Dimension",
       "2",
       {dimensions[0].first, dimensions[1].first},
-      "Dimension of space: a scene in the plane of x and y, or in space. A scene "
-      "in the plane may be run in space as it is."};
+      "Dimension of space: 2 for scenes in the plane of x and y."};
     const std::vector<std::pair<std::string, Model>> models =
       {{"lattice", Model::lattice}, {"reduced cell", Model::reduced_cell}};
 

@@ -29,7 +29,7 @@ namespace auxfem
       1,
       3,
       "Its moment of inertia: one number, in space the same about every axis, "
-      "or three, about x, y and z at rest, of which the plane needs the last."};
+      "or three, about x, y and z at rest, of which the plane uses the last."};
 
     SubsectionKind masses_kind()
     {
@@ -72,7 +72,7 @@ namespace auxfem
       "fixed",
       {"fixed", "follows the joint"},
       "Whether force and moment keep their direction, or turn with the rotation "
-      "of their joint, which they have the direction of at rest."};
+      "of the joint; they are given as they are at rest."};
 
     const auto line_load = for_axes<TimeExpression>(
       {"Force per length", "0", "N/m", "Force per undeformed length"});

@@ -33,7 +33,7 @@ namespace auxfem
       3,
       "Moment of inertia of each part about its centre of mass: one number, in "
       "space the same about every axis, or three, about x, y and z at rest, of "
-      "which the plane needs the last; auto: that of the spread mass.",
+      "which the plane uses the last; auto: that of the spread mass.",
       {"auto"}};
     const Choice elastic_struts = {
       "Elastic struts",

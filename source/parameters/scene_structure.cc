@@ -60,15 +60,74 @@ namespace auxfem
                              1,
                              100000,
                              "Number of unit cells along y."};
+    const Integer cells_z = {"Cells z",
+                             1,
+                             1,
+                             100000,
+                             "Number of unit cells or layers along z; more "
+                             "than 1 only with Dimension = 3."};
+
+    const Quantity layer_distance = {
+      "Layer distance",
+      "0 m",
+      "m",
+      Range::non_negative(),
+      "Distance of the layers of a planar cell along z, joined by straight "
+      "struts (set \"columns\"); 0: not repeated along z. Only with "
+      "Dimension = 3."};
+
+    const Text columns_at = {
+      "Columns at",
+      "all",
+      "Joints of the cell at which these struts stand: sets of joints or sides "
+      "of the cell joined by +, or all; only with a Layer distance."};
+
+    /** In the plane there is one layer of no thickness. */
+    void refuse_layers(dealii::ParameterHandler &prm,
+                       const SceneContext       &context)
+    {
+      const auto refuse = [&](const std::string &name) {
+        throw InputError(context.path + "/" + name + " = " + prm.get(name) +
+                         ": a scene in the plane does not extend along z. "
+                         "Remove " +
+                         name + " or set Dimension = 3 at the top of the file");
+      };
+      if (get(prm, cells_z) > 1)
+        refuse(cells_z.name);
+      if (get(prm, layer_distance) > 0)
+        refuse(layer_distance.name);
+    }
+
+    /** The chosen cell, repeated along z at the layer distance if there is one.
+     */
+    std::shared_ptr<const Cell> read_cell(dealii::ParameterHandler &prm,
+                                          const SceneContext       &context)
+    {
+      std::unique_ptr<Cell> cell =
+        find(cell_registry(), get(prm, cell_choice())).make(prm, context);
+      const double      distance = get(prm, layer_distance);
+      const std::string columns  = get(prm, columns_at);
+      if (distance > 0)
+        return std::make_shared<GivenCell>(
+          extrude(cell->build(), distance, columns, context.path));
+      if (columns != columns_at.default_value)
+        throw InputError(context.path + "/" + columns_at.name + " = " +
+                         columns +
+                         ": there are no layers for columns to join. Remove "
+                         "it or give a Layer distance");
+      return cell;
+    }
 
     void read_lattice(dealii::ParameterHandler &prm,
                       const std::string &,
                       const SceneContext &context,
                       Scene              &scene)
     {
-      scene.n_cells = {{get(prm, cells_x), get(prm, cells_y), 1}};
-      scene.cell =
-        find(cell_registry(), get(prm, cell_choice())).make(prm, context);
+      if (context.dimension == 2)
+        refuse_layers(prm, context);
+      scene.n_cells = {
+        {get(prm, cells_x), get(prm, cells_y), get(prm, cells_z)}};
+      scene.cell = read_cell(prm, context);
     }
 
     SubsectionKind lattice_kind()
@@ -80,6 +139,9 @@ namespace auxfem
                 declare(prm, cell_choice());
                 declare(prm, cells_x);
                 declare(prm, cells_y);
+                declare(prm, cells_z);
+                declare(prm, layer_distance);
+                declare(prm, columns_at);
               },
               "Cell",
               variants_of(cell_registry()),
@@ -94,8 +156,9 @@ namespace auxfem
         "Sets",
         Form::free_entries,
         "Sets of joints or struts: \"joints: \" or \"struts: \" followed "
-        "by set names joined by +, by numbers, by \"nearest: x, y\" or by "
-        "a condition in x and y (m), e.g. joints: y > ymax - 1e-6.",
+        "by set names joined by +, by numbers, by \"nearest: x, y\" (in "
+        "space \"nearest: x, y, z\") or by a condition in x, y and z (m), "
+        "e.g. joints: y > ymax - 1e-6.",
         {},
         "",
         {},

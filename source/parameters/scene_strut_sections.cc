@@ -54,13 +54,13 @@ namespace auxfem
       "m2",
       Range::positive(),
       "Area that carries shear along axis 2, shear correction included."};
-    const Quantity shear_area_3  = {"Shear area 3",
-                                    "auto",
-                                    "m2",
-                                    Range::positive(),
-                                    "The same along axis 3, which space needs; "
-                                     "auto: Shear area.",
-                                    {"auto"}};
+    const Quantity shear_area_3 = {
+      "Shear area 3",
+      "auto",
+      "m2",
+      Range::positive(),
+      "The same along axis 3, unused in the plane; auto: Shear area.",
+      {"auto"}};
     const Quantity second_moment = {
       "Second moment of area",
       "",
@@ -72,23 +72,21 @@ namespace auxfem
       "auto",
       "m4",
       Range::positive(),
-      "The same about axis 2, which space needs; "
-      "auto: Second moment of area.",
+      "The same about axis 2, unused in the plane; auto: Second moment of area.",
       {"auto"}};
     const Quantity torsion_of_rectangle = {
       "Torsion constant",
       "auto",
       "m4",
       Range::positive(),
-      "Torsion constant J, which space needs; auto: Saint-Venant's.",
+      "Torsion constant J, unused in the plane; auto: Saint-Venant's.",
       {"auto"}};
     const Quantity given_torsion = {
       "Torsion constant",
       "auto",
       "m4",
       Range::positive(),
-      "Torsion constant J, which space needs; auto: sum of the second moments of "
-      "area.",
+      "Torsion constant J, unused in the plane; auto: sum of the second moments of area.",
       {"auto"}};
     const QuantityList given_rotary_inertia = {
       "Rotary inertia",
@@ -97,9 +95,7 @@ namespace auxfem
       Range::non_negative(),
       3,
       3,
-      "Rotary inertia per length about axes 1, 2 and 3, of which the plane needs "
-      "the last; auto: density times sum of the second moments of area, and each "
-      "of them.",
+      "Rotary inertia per length about axes 1, 2 and 3, of which the plane uses the last; auto: density times the second moments of area, about axis 1 their sum.",
       {"auto"}};
     const QuantityList reference = {
       "Reference vector",
@@ -108,8 +104,7 @@ namespace auxfem
       Range::any(),
       3,
       3,
-      "Vector x, y, z that axis 3 is as near to as can be at rest, not along the "
-      "strut, which space needs; auto: z, or x for struts within 5 degrees of z.",
+      "Vector x, y, z that axis 3 is as near to as can be, at rest; it may not lie along a strut; unused in the plane; auto: z, or x for struts within 5 degrees of z.",
       {"auto"}};
     const Quantity drawing_radius = {
       "Drawing radius",

@@ -140,9 +140,11 @@ namespace auxfem
       const std::string least     = std::to_string(rule.minimum_length);
       const std::string most      = std::to_string(rule.maximum_length);
       const bool        unlimited = rule.maximum_length > 100000;
-      const std::string count     = (least == most ? least
-                                       : unlimited ? least + " or more"
-                                                   : least + " to " + most);
+      const bool adjacent = rule.maximum_length == rule.minimum_length + 1;
+      const std::string count =
+        (least == most ? least
+           : unlimited ? least + " or more"
+                       : least + (adjacent ? " or " : " to ") + most);
       return words_before(rule) + number_phrase(rule, count + " numbers");
     }
   } // namespace

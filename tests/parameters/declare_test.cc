@@ -79,6 +79,23 @@ namespace
 
 
 
+  TEST(Declare, ListsMayBeAWord)
+  {
+    const QuantityList axes =
+      {"Axes", "auto", "m", Range::any(), 2, 3, "Numbers.", {"auto"}};
+    dealii::ParameterHandler prm;
+    declare(prm, axes);
+    EXPECT_TRUE(is_word(prm, axes));
+    EXPECT_THROW(get(prm, axes), InputError);
+    prm.set("Axes", std::string("1 2 mm"));
+    EXPECT_FALSE(is_word(prm, axes));
+    EXPECT_EQ(get(prm, axes), (std::vector<double>{1, 2e-3}));
+    EXPECT_THROW(prm.set("Axes", std::string("automatic")),
+                 dealii::ExceptionBase);
+  }
+
+
+
   TEST(Declare, FunctionsOfTimeMayHaveAUnitWord)
   {
     dealii::ParameterHandler prm;
@@ -183,6 +200,15 @@ namespace
     EXPECT_EQ(rule.problem("3 kg"), "unit word \"kg\" does not fit");
     EXPECT_EQ(rule.problem("thin"), "\"thin\" is not a number");
     EXPECT_EQ(rule.allowed(), "a number > 0 in m");
+    rule.kind           = ValueRule::Kind::quantity_list;
+    rule.words          = {"auto"};
+    rule.minimum_length = 2;
+    rule.maximum_length = 3;
+    EXPECT_EQ(rule.allowed(), "auto, or 2 or 3 numbers > 0 in m");
+    rule.maximum_length = 4;
+    rule.words.clear();
+    EXPECT_EQ(rule.allowed(), "2 to 4 numbers > 0 in m");
+    rule.kind = ValueRule::Kind::quantity;
     EXPECT_EQ(rule.allowed_with_units(),
               "a number > 0 in m; unit words allowed: m, mm, cm, um, km, in, "
               "ft");

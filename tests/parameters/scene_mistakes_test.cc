@@ -68,6 +68,10 @@ namespace
                    {"Rigid parts/name",
                     "Rotary inertia is given, but Mass = 0",
                     "Give the part a mass"});
+    expect_message(group("Rigid parts",
+                         "set Struts = all\nset Mass = 1 kg\n"
+                         "set Rotary inertia = 0"),
+                   {"Rigid parts/name/Rotary inertia = 0", "not be zero"});
     expect_message(group("Rigid parts", "set Struts = all\nset Mass = -1 kg"),
                    {"Rigid parts/name/Mass", "-1 kg", ">= 0"});
     expect_message(
@@ -135,8 +139,8 @@ namespace
                    {"not a whole number"});
     expect_message(subsection("Output", "set Graphics = maybe"),
                    {"one of true, false"});
-    expect_message("set Dimension = 3\n",
-                   {"scene.prm", "three dimensions", "Dimension = 2"});
+    expect_message("set Dimension = 4\n",
+                   {"scene.prm:4: Dimension = 4", "one of 2, 3"});
   }
 
 

@@ -260,27 +260,29 @@ end
 
   TEST(Scene, DescribesSupportsAndLoads)
   {
-    using Fixed       = std::array<bool, 3>;
+    using Fixed       = std::array<bool, n_motion_components>;
     const Scene scene = read_scene_from_text(full, "full.prm");
     ASSERT_EQ(scene.supports.size(), 3u);
-    EXPECT_EQ(scene.supports[0].fixed, (Fixed{{true, true, true}}));
-    EXPECT_EQ(scene.supports[1].fixed, (Fixed{{false, true, false}}));
-    EXPECT_EQ(scene.supports[2].fixed, (Fixed{{true, false, true}}));
+    EXPECT_EQ(scene.supports[0].fixed,
+              (Fixed{{true, true, false, false, false, true}}));
+    EXPECT_EQ(scene.supports[1].fixed, (Fixed{{false, true}}));
+    EXPECT_EQ(scene.supports[2].fixed,
+              (Fixed{{true, false, false, false, false, true}}));
     expect_close(scene.supports[2].motion[0].value(0.3), 0.01);
-    expect_close(scene.supports[2].motion[2].value(0.4), 1);
+    expect_close(scene.supports[2].motion[rotation_z].value(0.4), 1);
 
     ASSERT_EQ(scene.masses.size(), 1u);
     expect_close(scene.masses[0].mass, 0.3);
     ASSERT_EQ(scene.joint_loads.size(), 1u);
     EXPECT_TRUE(scene.joint_loads[0].components[0].is_zero());
     expect_close(scene.joint_loads[0].components[1].value(0.004), -1);
-    expect_close(scene.joint_loads[0].components[2].value(0), 2);
+    expect_close(scene.joint_loads[0].components[rotation_z].value(0), 2);
     ASSERT_EQ(scene.line_loads.size(), 1u);
     expect_close(scene.line_loads[0].components[0].value(0), 3000);
     expect_close(scene.gravity[1], -9.81);
     ASSERT_EQ(scene.initial_velocities.size(), 1u);
     expect_close(scene.initial_velocities[0].velocity[1], -10);
-    expect_close(scene.initial_velocities[0].velocity[2], PI);
+    expect_close(scene.initial_velocities[0].velocity[rotation_z], PI);
   }
 
 

@@ -123,7 +123,8 @@ TEST(MakeSystem, ARotationPrescribedAtAHingeIsRefusedUnlessItIsZero)
       angle + "\n  end\nend\n";
   };
   const std::string message = refusal_of(turned_by("0.1 * t"));
-  EXPECT_TRUE(contains(message, "Supports/drive/Rotation z: joint 1")) << message;
+  EXPECT_TRUE(contains(message, "Supports/drive/Rotation z: joint 1"))
+    << message;
   EXPECT_EQ(refusal_of(turned_by("0")), "");
 }
 

@@ -65,10 +65,10 @@ subsection Masses
 end
 subsection Loads
   subsection throw
-    set Joints  = 0
-    set Force x = 8 * )" +
+    set Joints   = 0
+    set Force x  = 8 * )" +
       pulse + R"(
-    set Moment z  = -80 * )" +
+    set Moment z = -80 * )" +
       pulse + R"(
   end
 end

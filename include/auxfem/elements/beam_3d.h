@@ -7,58 +7,155 @@ namespace auxfem
 {
   namespace Beam3D
   {
-    /** Derivative of the energy per length by sum c_a N_a / |sum N_b p_b|. */
-    template <int order>
-    inline Quaternion energy_gradient(const Kinematics<order> &point,
-                                      const Resultants        &s)
+    /**
+     * Derivatives of the energy per length by r', psi and psi' at constant P_r,
+     * and the couple n x r' that a turn of P_r at constant psi has to overcome.
+     */
+    struct Gradient
     {
-      return {-2 * (s.moment * point.k.vector),
-              2. * dealii::cross_product_3d(s.force, point.slope) -
-                2 * point.k.scalar * s.moment +
-                2. * dealii::cross_product_3d(s.moment, point.k.vector)};
+      SpaceVector force; ///< n
+      SpaceVector by_psi, by_gradient, couple;
+      /** Section force and moment in the axes turned by P_r. */
+      SpaceVector middle_force, middle_moment;
+      SpaceVector middle_slope; ///< exp(-psi) r'
+      SpaceTensor tangent;      ///< T(psi)
+    };
+
+    inline Gradient energy_gradient(const Kinematics &point,
+                                    const Stiffness  &stiffness)
+    {
+      using dealii::cross_product_3d;
+      const RotationCoefficients &c     = point.coefficients;
+      const SpaceVector           force = section_force(stiffness,
+                                              point.strains.gamma);
+      Gradient                    d;
+      d.force        = point.axes * force;
+      d.middle_force = point.middle_axes * force;
+      d.middle_moment =
+        point.middle_axes * section_moment(stiffness, point.strains.kappa);
+      d.middle_slope = point.middle_axes * (point.slope * point.axes);
+      d.tangent      = tangent_operator(c, point.psi);
+      d.by_psi =
+        cross_product_3d(d.middle_force, d.middle_slope) * d.tangent +
+        d.middle_moment * tangent_derivative(c, point.psi, point.gradient);
+      d.by_gradient = d.middle_moment * d.tangent;
+      d.couple      = cross_product_3d(d.force, point.slope);
+      return d;
     }
 
-    /** Derivative of the energy per length by c_a. */
-    template <int order>
-    inline Quaternion node_gradient(const Kinematics<order> &point,
-                                    const int                a,
-                                    const Quaternion        &gradient,
-                                    const SpaceVector       &moment)
+    /** tau and tau' of the middle rotation, as in Beam3D. */
+    struct MiddleCoefficients
     {
-      return point.value[a] * gradient +
-        2 * point.derivative[a] * Quaternion{0, moment};
-    }
+      double tau, dtau;
 
-    /** Moment on a node: g . dc_a = moment . theta_a. */
-    inline SpaceVector node_moment(const Quaternion &g, const Quaternion &c)
-    {
-      return 0.5 * (g * conjugate(c)).vector;
-    }
+      explicit MiddleCoefficients(const SpaceVector &chi)
+      {
+        const double square = chi * chi;
+        if (square < 0.01)
+          {
+            // tan(x) / x with x = t / 2.
+            constexpr std::array<double, 6> of_tau = {{1. / 2,
+                                                       1. / 24,
+                                                       1. / 240,
+                                                       17. / 40320,
+                                                       31. / 725760,
+                                                       691. / 159667200}};
+            std::array<double, 5>           of_dtau;
+            for (int k = 0; k < 5; ++k)
+              of_dtau[k] = 2 * (k + 1) * of_tau[k + 1];
+            tau  = power_series(of_tau, square);
+            dtau = power_series(of_dtau, square);
+          }
+        else
+          {
+            const double t = std::sqrt(square), tangent = std::tan(t / 2);
+            tau  = tangent / t;
+            dtau = ((1 + tangent * tangent) / 2 - tau) / square;
+          }
+      }
+    };
 
-    /** Adds the nodal forces of @p s at Gauss point @p g to @p force. */
+    /**
+     * By how much spins of the nodes turn the middle rotation and psi of the
+     * nodes; derivatives of forces that act on these.
+     */
     template <int order>
-    inline void add_nodal_forces(const BeamShape<order>  &shape,
-                                 const int                g,
-                                 const double             jacobian,
-                                 const Kinematics<order> &point,
-                                 const Resultants        &s,
-                                 double                  *force)
+    struct NodeOperators
     {
-      const Quaternion gradient = energy_gradient(point, s);
-      const double     weight   = shape.weight[g] * jacobian;
-      for (int a = 0; a <= order; ++a)
-        {
-          const SpaceVector moment =
-            node_moment(node_gradient(point, a, gradient, s.moment),
-                        point.relative[a]);
-          for (int i = 0; i < 3; ++i)
-            {
-              force[n_components * a + i] +=
-                shape.weight[g] * shape.derivative[g][a] * s.force[i];
-              force[n_components * a + 3 + i] += weight * moment[i];
-            }
-        }
-    }
+      SpaceVector chi;
+      /** V_0, V_1. */
+      SpaceTensor middle_by_spin[2];
+      /** T(-psi_a)^-1. */
+      SpaceTensor psi_by_spin[order + 1];
+
+      explicit NodeOperators(const RelativeRotations<order> &relative)
+        : chi(relative.psi[1])
+      {
+        const double tau = MiddleCoefficients(chi).tau;
+        for (int end = 0; end < 2; ++end)
+          middle_by_spin[end] =
+            plus_identity((end == 0 ? 0.5 : -0.5) * tau *
+                            cross_product_tensor(chi),
+                          0.5);
+        for (int a = 0; a <= order; ++a)
+          psi_by_spin[a] = transpose(
+            inverse_tangent_operator(InverseRotationCoefficients(
+                                       relative.psi[a]),
+                                     relative.psi[a]));
+      }
+
+      /** Derivative of V_end^T @p couple by chi. */
+      SpaceTensor end_derivative(const int          end,
+                                 const SpaceVector &couple) const
+      {
+        const MiddleCoefficients c(chi);
+        const SpaceTensor        of_second =
+          0.5 * (c.dtau * dyad(dealii::cross_product_3d(chi, couple), chi) -
+                 c.tau * cross_product_tensor(couple));
+        return end == 1 ? of_second : -1. * of_second;
+      }
+    };
+
+    /** Sums over the Gauss points of an element. */
+    template <int order>
+    struct ElementGradient
+    {
+      SpaceVector force[order + 1]; ///< on the nodes
+      SpaceVector by_psi[order + 1];
+      SpaceVector couple; ///< on the middle rotation
+
+      /** Adds a Gauss point. */
+      void add(const BeamShape<order> &shape,
+               const int               g,
+               const double            jacobian,
+               const Gradient         &d)
+      {
+        const double weight = shape.weight[g] * jacobian;
+        for (int a = 0; a <= order; ++a)
+          {
+            const double derivative = shape.weight[g] * shape.derivative[g][a];
+            force[a] += derivative * d.force;
+            by_psi[a] += weight * shape.value[g][a] * d.by_psi +
+              derivative * d.by_gradient;
+          }
+        couple += weight * d.couple;
+      }
+
+      /** Moments on the nodes; @p at_ends gets what acts on the middle rotation. */
+      void find_moments(const NodeOperators<order> &nodes,
+                        SpaceVector                *moments,
+                        SpaceVector                &at_ends) const
+      {
+        at_ends = couple;
+        for (int a = 0; a <= order; ++a)
+          {
+            moments[a] = by_psi[a] * nodes.psi_by_spin[a];
+            at_ends -= moments[a];
+          }
+        for (int end = 0; end < 2; ++end)
+          moments[end] += at_ends * nodes.middle_by_spin[end];
+      }
+    };
 
     /**
      * Internal force of an element.
@@ -76,268 +173,263 @@ namespace auxfem
                                  const Node             *nodes,
                                  double                 *force)
     {
-      double     energy    = 0;
-      const auto rotations = aligned_rotations<order>(nodes);
-      for (int i = 0; i < n_components * (order + 1); ++i)
-        force[i] = 0;
+      const RelativeRotations<order> relative(nodes);
+      ElementGradient<order>         sum;
+      double                         energy = 0;
       for (int g = 0; g < order; ++g)
         {
-          const Kinematics<order> point =
-            kinematics(shape, g, 1 / jacobian, frames[g], nodes, rotations);
+          const Kinematics point =
+            kinematics(shape, g, 1 / jacobian, frames[g], nodes, relative);
           energy += shape.weight[g] * jacobian *
             energy_density(stiffness, point.strains);
-          add_nodal_forces(shape,
-                           g,
-                           jacobian,
-                           point,
-                           resultants(point, stiffness),
-                           force);
+          sum.add(shape, g, jacobian, energy_gradient(point, stiffness));
         }
+      SpaceVector moments[order + 1], at_ends;
+      sum.find_moments(NodeOperators<order>(relative), moments, at_ends);
+      for (int a = 0; a <= order; ++a)
+        for (int i = 0; i < 3; ++i)
+          {
+            force[n_components * a + i]     = sum.force[a][i];
+            force[n_components * a + 3 + i] = moments[a][i];
+          }
       return energy;
     }
 
-    /**
-     * Second derivatives of the energy per length at constant section force and
-     * moment, by r', c = sum c_a N_a / |sum N_b p_b| and k.
-     */
-    struct GeometricStiffness
+    /** Second derivatives of the energy per length, in the notation of Gradient. */
+    struct Hessian
     {
-      SpaceVector force, moment, slope;
-      double      scalar, vector; ///< twice by scalar or by vector part of c
-      SpaceVector mixed;          ///< once by each
-
-      /** By c and c, applied to @p c. */
-      Quaternion by_c_and_c(const Quaternion &c) const
-      {
-        return {scalar * c.scalar + mixed * c.vector,
-                c.scalar * mixed + 2 * (slope * c.vector) * force +
-                  2 * (force * c.vector) * slope + vector * c.vector};
-      }
-
-      /** By c and k, applied to @p k. */
-      Quaternion by_c_and_k(const Quaternion &k) const
-      {
-        return {-2 * (moment * k.vector),
-                -2 * k.scalar * moment +
-                  2. * dealii::cross_product_3d(moment, k.vector)};
-      }
-
-      /** By k and c, applied to @p c. */
-      Quaternion by_k_and_c(const Quaternion &c) const
-      {
-        return {-2 * (moment * c.vector),
-                -2 * c.scalar * moment +
-                  2. * dealii::cross_product_3d(c.vector, moment)};
-      }
-
-      /** By r' and c, applied to @p c. */
-      SpaceVector by_slope_and_c(const Quaternion &c) const
-      {
-        return 2. * dealii::cross_product_3d(c.vector, force);
-      }
+      SpaceTensor slope_slope, slope_psi, psi_psi, psi_gradient,
+        gradient_gradient;
     };
 
-    template <int order>
-    inline GeometricStiffness
-    geometric_stiffness(const Kinematics<order> &point, const Resultants &s)
+    inline Hessian energy_hessian(const Kinematics &point,
+                                  const Stiffness  &stiffness,
+                                  const Gradient   &d)
     {
-      const double torque = 4 * (s.moment * point.k.vector);
-      return {s.force,
-              s.moment,
-              point.slope,
-              torque,
-              -4 * (s.force * point.slope) - torque,
-              2. * dealii::cross_product_3d(s.force, point.slope) -
-                2. * energy_gradient(point, s).vector};
+      const RotationCoefficients &c = point.coefficients;
+      const SpaceVector           ones({1., 1., 1.});
+      const SpaceTensor by_gamma = with_principal_values(
+                          point.middle_axes,
+                          section_force(stiffness, ones)),
+                        by_kappa = with_principal_values(
+                          point.middle_axes,
+                          section_moment(stiffness, ones));
+      const SpaceTensor slope_cross = cross_product_tensor(d.middle_slope),
+                        force_cross = cross_product_tensor(d.middle_force);
+      const SpaceTensor &T          = d.tangent;
+      const SpaceTensor  kappa_by_psi =
+        tangent_derivative(c, point.psi, point.gradient);
+      const SpaceTensor turn = point.axes * transpose(point.middle_axes);
+      const SpaceTensor force_by_spin = by_gamma * slope_cross - force_cross;
+
+      Hessian h;
+      h.slope_slope =
+        with_principal_values(point.axes, section_force(stiffness, ones));
+      h.slope_psi = turn * force_by_spin * T;
+      h.psi_psi   = transpose(T) *
+          (force_cross * slope_cross - slope_cross * by_gamma * slope_cross) *
+          T +
+        left_tangent_derivative(c,
+                                point.psi,
+                                dealii::cross_product_3d(d.middle_force,
+                                                         d.middle_slope)) +
+        transpose(kappa_by_psi) * by_kappa * kappa_by_psi +
+        tangent_second_derivative(c,
+                                  point.psi,
+                                  point.gradient,
+                                  d.middle_moment);
+      h.psi_gradient =
+        transpose(kappa_by_psi) * by_kappa * T +
+        transpose(left_tangent_derivative(c, point.psi, d.middle_moment));
+      h.gradient_gradient = transpose(T) * by_kappa * T;
+      return h;
     }
 
-    /** Variations at a Gauss point by the three spins of one node. */
-    struct SpinVariation
+    /**
+     * Derivatives of forces, of moments that act on psi and of the couple on the
+     * middle rotation (rows) by displacements, by psi and by a turn of the
+     * middle rotation (columns).
+     */
+    template <int order>
+    struct ElementHessian
     {
-      Quaternion  c[3], k[3];
-      SpaceTensor gamma, kappa; ///< R dGamma and R dK, a column each spin
+      static constexpr int n = order + 1;
+      SpaceTensor          force_force[n][n], force_psi[n][n], psi_psi[n][n];
+      SpaceTensor force_middle[n], psi_middle[n], middle_force[n],
+        middle_psi[n], middle_middle;
+
+      /** Adds a Gauss point. */
+      void add(const BeamShape<order> &shape,
+               const int               g,
+               const double            jacobian,
+               const Kinematics       &point,
+               const Gradient         &d,
+               const Hessian          &h)
+      {
+        const SpaceTensor slope_cross = cross_product_tensor(point.slope),
+                          couple_by_slope = cross_product_tensor(d.force) -
+          slope_cross * h.slope_slope,
+                          couple_by_psi = -1. * slope_cross * h.slope_psi,
+                          slope_by_middle = h.slope_slope * slope_cross,
+                          psi_by_middle = transpose(h.slope_psi) * slope_cross;
+        const double weight = shape.weight[g] * jacobian;
+        middle_middle += weight * couple_by_slope * slope_cross;
+        for (int a = 0; a < n; ++a)
+          {
+            const double Da = shape.derivative[g][a] / jacobian,
+                         Na = shape.value[g][a];
+            force_middle[a] += weight * Da * slope_by_middle;
+            psi_middle[a] += weight * Na * psi_by_middle;
+            middle_force[a] += weight * Da * couple_by_slope;
+            middle_psi[a] += weight * Na * couple_by_psi;
+            for (int b = 0; b < n; ++b)
+              {
+                const double Db = shape.derivative[g][b] / jacobian,
+                             Nb = shape.value[g][b];
+                force_force[a][b] += weight * Da * Db * h.slope_slope;
+                force_psi[a][b] += weight * Da * Nb * h.slope_psi;
+                // The upper half; the other is its transpose.
+                if (b >= a)
+                  psi_psi[a][b] += weight *
+                    (Na * Nb * h.psi_psi + Na * Db * h.psi_gradient +
+                     Da * Nb * transpose(h.psi_gradient) +
+                     Da * Db * h.gradient_gradient);
+              }
+          }
+      }
+
+      void complete()
+      {
+        for (int a = 0; a < n; ++a)
+          for (int b = 0; b < a; ++b)
+            psi_psi[a][b] = transpose(psi_psi[b][a]);
+      }
     };
 
-    /** Sets column @p j of a matrix. */
+    /** Rows of a force or moment: its derivatives by the nodes' motion. */
+    template <int order>
+    struct Rows
+    {
+      SpaceTensor by_displacement[order + 1];
+      /** By spins, at a fixed middle rotation. */
+      SpaceTensor by_spin[order + 1];
+      SpaceTensor by_middle;
+
+      /** Adds the turn of the middle rotation to that by the ends' spins. */
+      void eliminate_middle(const NodeOperators<order> &nodes)
+      {
+        for (int end = 0; end < 2; ++end)
+          by_spin[end] += by_middle * nodes.middle_by_spin[end];
+      }
+    };
+
+    /** Writes @p rows, times @p factor, to three rows of a square matrix. */
+    template <int order>
     inline void
-    set_column(SpaceTensor &matrix, const int j, const SpaceVector &column)
+    write_rows(const Rows<order> &rows, const double factor, double *matrix)
     {
-      for (int i = 0; i < 3; ++i)
-        matrix[i][j] = column[i];
+      constexpr int n = n_components * (order + 1);
+      for (int b = 0; b <= order; ++b)
+        for (int i = 0; i < 3; ++i)
+          for (int j = 0; j < 3; ++j)
+            {
+              double *entry = matrix + i * n + n_components * b + j;
+              entry[0]      = factor * rows.by_displacement[b][i][j];
+              entry[3]      = factor * rows.by_spin[b][i][j];
+            }
     }
 
-    /** A spin of 1 about axis @p j, as the quaternion that halves it. */
-    inline Quaternion half_unit_spin(const int j)
-    {
-      Quaternion spin{0, {}};
-      spin.vector[j] = 0.5;
-      return spin;
-    }
-
-    /** R dGamma by a variation @p c at constant r'. */
+    /** From derivatives by psi to derivatives by spins. */
     template <int order>
-    inline SpaceVector gamma_variation(const Kinematics<order> &point,
-                                       const Quaternion        &c)
+    inline Rows<order> rows_of_force(const ElementHessian<order> &h,
+                                     const NodeOperators<order>  &nodes,
+                                     const int                    a,
+                                     const SpaceVector           &force)
     {
-      return 2. * dealii::cross_product_3d(point.slope, c.vector);
-    }
-
-    /** R dK by variations @p c and @p k. */
-    template <int order>
-    inline SpaceVector kappa_variation(const Kinematics<order> &point,
-                                       const Quaternion        &c,
-                                       const Quaternion        &k)
-    {
-      return 2. * (k.vector - (c * point.k).vector);
-    }
-
-    template <int order>
-    inline SpinVariation spin_variation(const Kinematics<order> &point,
-                                        const int                a)
-    {
-      SpinVariation v;
-      for (int j = 0; j < 3; ++j)
+      Rows<order> rows;
+      // The force turns with the middle rotation.
+      rows.by_middle = h.force_middle[a] - cross_product_tensor(force);
+      for (int b = 0; b <= order; ++b)
         {
-          const Quaternion dc = half_unit_spin(j) * point.relative[a];
-          v.c[j]              = point.value[a] * dc;
-          v.k[j]              = point.derivative[a] * dc;
-          set_column(v.gamma, j, gamma_variation(point, v.c[j]));
-          set_column(v.kappa, j, kappa_variation(point, v.c[j], v.k[j]));
+          rows.by_displacement[b] = h.force_force[a][b];
+          rows.by_spin[b]         = h.force_psi[a][b] * nodes.psi_by_spin[b];
+          rows.by_middle -= rows.by_spin[b];
         }
-      return v;
+      return rows;
     }
 
-    /**
-     * Variations of section force and moment in the frame of the section, but
-     * in global components (R dN, R dM).
-     */
+    /** Of T(psi_a)^-1 times the moment @p by_psi that acts on psi_a. */
     template <int order>
-    struct ResultantVariation
+    inline Rows<order> rows_of_moment(const ElementHessian<order>    &h,
+                                      const NodeOperators<order>     &nodes,
+                                      const RelativeRotations<order> &relative,
+                                      const int                       a,
+                                      const SpaceVector              &by_psi)
     {
-      SpaceTensor force_by_slope;                      ///< by r'
-      SpaceTensor force[order + 1], moment[order + 1]; ///< by the nodes' spins
-    };
-
-    /** Stiffness of a section in global components. */
-    struct SectionTensors
-    {
-      SpaceTensor force, moment;
-    };
-
-    template <int order>
-    inline SectionTensors section_tensors(const Kinematics<order> &point,
-                                          const Stiffness         &stiffness)
-    {
-      const SpaceVector ones({1., 1., 1.});
-      return {with_principal_values(point.axes, section_force(stiffness, ones)),
-              with_principal_values(point.axes,
-                                    section_moment(stiffness, ones))};
-    }
-
-    /**
-     * What the second variation of a node's own quaternion adds: from
-     * d(theta c / 2) = theta (dtheta c / 2) / 2, a multiple of the identity and
-     * half the cross product with the moment on the node.
-     */
-    inline SpaceTensor own_spin_stiffness(const Quaternion &g,
-                                          const Quaternion &c)
-    {
-      SpaceTensor result = -0.5 * cross_product_tensor(node_moment(g, c));
-      for (int i = 0; i < 3; ++i)
-        result[i][i] = -0.25 * dot(g, c);
-      return result;
-    }
-
-    /** Second derivative of the energy at constant resultants, by spins. */
-    inline SpaceTensor spin_stiffness(const GeometricStiffness &geometric,
-                                      const SpinVariation      &a,
-                                      const SpinVariation      &b)
-    {
-      SpaceTensor result;
-      for (int j = 0; j < 3; ++j)
+      Rows<order>       rows;
+      const SpaceTensor to_spin = transpose(nodes.psi_by_spin[a]);
+      rows.by_middle            = to_spin * h.psi_middle[a];
+      for (int b = 0; b <= order; ++b)
         {
-          const Quaternion by_c =
-            geometric.by_c_and_c(b.c[j]) + geometric.by_c_and_k(b.k[j]);
-          const Quaternion by_k = geometric.by_k_and_c(b.c[j]);
-          for (int i = 0; i < 3; ++i)
-            result[i][j] = dot(a.c[i], by_c) + dot(a.k[i], by_k);
+          rows.by_displacement[b] = to_spin * transpose(h.force_psi[b][a]);
+          rows.by_spin[b] = to_spin * h.psi_psi[a][b] * nodes.psi_by_spin[b];
+          if (b == a)
+            rows.by_spin[a] +=
+              inverse_tangent_derivative(InverseRotationCoefficients(
+                                           relative.psi[a]),
+                                         relative.psi[a],
+                                         by_psi) *
+              nodes.psi_by_spin[a];
+          rows.by_middle -= rows.by_spin[b];
         }
-      return result;
+      return rows;
     }
 
-    /** The same by r' and spins. */
-    inline SpaceTensor slope_stiffness(const GeometricStiffness &geometric,
-                                       const SpinVariation      &b)
-    {
-      SpaceTensor result;
-      for (int j = 0; j < 3; ++j)
-        set_column(result, j, geometric.by_slope_and_c(b.c[j]));
-      return result;
-    }
-
-    /** Adds block @p tensor times @p factor at @p position of a square matrix. */
-    inline void add_block(const SpaceTensor &tensor,
-                          const double       factor,
-                          const int          n,
-                          double            *position)
-    {
-      for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j)
-          position[i * n + j] += factor * tensor[i][j];
-    }
-
-    /**
-     * Adds the tangent at Gauss point @p g: the variation of the resultants and,
-     * times @p geometric_factor, that of the kinematics at resultants @p s.
-     */
+    /** Of what acts on the middle rotation: the couple less the moments. */
     template <int order>
-    inline void add_tangent(const BeamShape<order>          &shape,
-                            const int                        g,
-                            const double                     jacobian,
-                            const Kinematics<order>         &point,
-                            const SpinVariation             *spins,
-                            const ResultantVariation<order> &variation,
-                            const Resultants                &s,
-                            const double                     geometric_factor,
-                            double                          *matrix)
+    inline Rows<order> rows_of_middle(const ElementHessian<order> &h,
+                                      const NodeOperators<order>  &nodes,
+                                      const Rows<order>           *moments)
     {
-      constexpr int            n         = n_components * (order + 1);
-      const GeometricStiffness geometric = geometric_stiffness(point, s);
-      const Quaternion         gradient  = energy_gradient(point, s);
-      SpaceTensor              by_slope_and_spin[order + 1];
-      for (int a = 0; a <= order; ++a)
-        by_slope_and_spin[a] =
-          geometric_factor * slope_stiffness(geometric, spins[a]);
-      const double weight = shape.weight[g] * jacobian;
+      Rows<order> rows;
+      rows.by_middle = h.middle_middle;
+      for (int b = 0; b <= order; ++b)
+        {
+          rows.by_displacement[b] = h.middle_force[b];
+          rows.by_spin[b]         = h.middle_psi[b] * nodes.psi_by_spin[b];
+          rows.by_middle -= rows.by_spin[b];
+        }
       for (int a = 0; a <= order; ++a)
         {
-          const double      da    = shape.derivative[g][a] / jacobian;
-          const SpaceTensor gamma = transpose(spins[a].gamma),
-                            kappa = transpose(spins[a].kappa);
-          const SpaceTensor by_slope =
-            gamma * variation.force_by_slope + transpose(by_slope_and_spin[a]);
           for (int b = 0; b <= order; ++b)
             {
-              const double db = shape.derivative[g][b] / jacobian;
-              SpaceTensor  by_spins =
-                spin_stiffness(geometric, spins[a], spins[b]);
-              if (a == b)
-                by_spins += own_spin_stiffness(
-                  node_gradient(point, a, gradient, s.moment),
-                  point.relative[a]);
-              by_spins = geometric_factor * by_spins +
-                gamma * variation.force[b] + kappa * variation.moment[b];
-
-              double *block = matrix + n_components * (a * n + b);
-              add_block(variation.force_by_slope, weight * da * db, n, block);
-              add_block(variation.force[b] + by_slope_and_spin[b],
-                        weight * da,
-                        n,
-                        block + 3);
-              add_block(by_slope, weight * db, n, block + 3 * n);
-              add_block(by_spins, weight, n, block + 3 * n + 3);
+              rows.by_displacement[b] -= moments[a].by_displacement[b];
+              rows.by_spin[b] -= moments[a].by_spin[b];
             }
+          rows.by_middle -= moments[a].by_middle;
         }
+      return rows;
+    }
+
+    /** Adds V_end^T times what acts on the middle rotation to the moment of an end. */
+    template <int order>
+    inline void add_to_end(const int                   end,
+                           const NodeOperators<order> &nodes,
+                           const Rows<order>          &of_middle,
+                           const SpaceVector          &on_middle,
+                           Rows<order>                &moment)
+    {
+      const SpaceTensor share = transpose(nodes.middle_by_spin[end]);
+      for (int b = 0; b <= order; ++b)
+        {
+          moment.by_displacement[b] += share * of_middle.by_displacement[b];
+          moment.by_spin[b] += share * of_middle.by_spin[b];
+        }
+      // chi is psi of the second end.
+      const SpaceTensor by_chi =
+        nodes.end_derivative(end, on_middle) * nodes.psi_by_spin[1];
+      moment.by_spin[1] += by_chi;
+      moment.by_middle += share * of_middle.by_middle - by_chi;
     }
 
     /**
@@ -353,33 +445,47 @@ namespace auxfem
                         const double            factor,
                         double                 *matrix)
     {
-      constexpr int n         = n_components * (order + 1);
-      const auto    rotations = aligned_rotations<order>(nodes);
-      for (int i = 0; i < n * n; ++i)
-        matrix[i] = 0;
+      constexpr int                  n = n_components * (order + 1);
+      const RelativeRotations<order> relative(nodes);
+      ElementGradient<order>         gradient;
+      ElementHessian<order>          hessian;
       for (int g = 0; g < order; ++g)
         {
-          const Kinematics<order> point =
-            kinematics(shape, g, 1 / jacobian, frames[g], nodes, rotations);
-          const SectionTensors      section = section_tensors(point, stiffness);
-          SpinVariation             spins[order + 1];
-          ResultantVariation<order> variation;
-          variation.force_by_slope = factor * section.force;
-          for (int a = 0; a <= order; ++a)
-            {
-              spins[a]            = spin_variation(point, a);
-              variation.force[a]  = factor * section.force * spins[a].gamma;
-              variation.moment[a] = factor * section.moment * spins[a].kappa;
-            }
-          add_tangent(shape,
+          const Kinematics point =
+            kinematics(shape, g, 1 / jacobian, frames[g], nodes, relative);
+          const Gradient d = energy_gradient(point, stiffness);
+          gradient.add(shape, g, jacobian, d);
+          hessian.add(shape,
                       g,
                       jacobian,
                       point,
-                      spins,
-                      variation,
-                      resultants(point, stiffness),
-                      factor,
-                      matrix);
+                      d,
+                      energy_hessian(point, stiffness, d));
+        }
+      hessian.complete();
+      const NodeOperators<order> operators(relative);
+      SpaceVector                moments[order + 1], at_ends;
+      gradient.find_moments(operators, moments, at_ends);
+
+      Rows<order> of_moments[order + 1];
+      for (int a = 0; a <= order; ++a)
+        of_moments[a] =
+          rows_of_moment(hessian, operators, relative, a, gradient.by_psi[a]);
+      const Rows<order> of_middle =
+        rows_of_middle(hessian, operators, of_moments);
+      for (int a = 0; a <= order; ++a)
+        {
+          Rows<order> of_force =
+            rows_of_force(hessian, operators, a, gradient.force[a]);
+          of_force.eliminate_middle(operators);
+          write_rows(of_force, factor, matrix + n_components * a * n);
+          if (a < 2)
+            add_to_end(a, operators, of_middle, at_ends, of_moments[a]);
+          of_moments[a].by_middle -= cross_product_tensor(moments[a]);
+          of_moments[a].eliminate_middle(operators);
+          write_rows(of_moments[a],
+                     factor,
+                     matrix + (n_components * a + 3) * n);
         }
     }
 

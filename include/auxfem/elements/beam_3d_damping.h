@@ -13,10 +13,13 @@ namespace auxfem
      * moments are those of the strains plus beta times their rates, for the
      * same stiffness. With the notation of Beam3D and a dot for the rate,
      *
-     *     R Gamma. = v' + 2 r' x vec(c.),   R K. = 2 vec(k. - c. k),
+     *     R Gamma. = v' + r' x omega,   R K. = omega',
      *
-     * where angular velocities omega_a take the place of spins in c. and k..
-     * The small-displacement form has the damping force
+     * where v and the angular velocity omega are interpolated from the nodes.
+     * (That of the interpolated rotation differs from it by the error of the
+     * interpolation.) In a rigid motion both rates vanish, the damping forces
+     * are the derivatives of half their power by the velocities, and they are
+     * in equilibrium. The small-displacement form has the damping force
      * small_displacement_force() of beta times the velocities.
      */
 
@@ -26,34 +29,53 @@ namespace auxfem
       SpaceVector linear, angular; ///< m/s, rad/s
     };
 
-    /** Rates at a Gauss point. */
+    /** Rates at a Gauss point, in the global frame. */
     struct Rates
     {
-      SpaceVector slope;        ///< v'
-      Quaternion  c, k;         ///< c., k.
-      SpaceVector gamma, kappa; ///< R Gamma., R K.
+      SpaceVector gamma, kappa;    ///< R Gamma., R K. = omega'
+      SpaceVector angular;         ///< omega
     };
 
     template <int order>
-    inline Rates rates(const BeamShape<order>  &shape,
-                       const int                g,
-                       const double             inverse_jacobian,
-                       const Kinematics<order> &point,
-                       const NodeVelocity      *velocities)
+    inline Rates rates(const BeamShape<order> &shape,
+                       const int               g,
+                       const double            inverse_jacobian,
+                       const Kinematics       &point,
+                       const NodeVelocity     *velocities)
     {
-      Rates r{{}, {0, {}}, {0, {}}, {}, {}};
+      Rates r;
       for (int a = 0; a <= order; ++a)
         {
-          const Quaternion dc =
-            Quaternion{0, 0.5 * velocities[a].angular} * point.relative[a];
-          r.slope +=
-            shape.derivative[g][a] * inverse_jacobian * velocities[a].linear;
-          r.c = r.c + point.value[a] * dc;
-          r.k = r.k + point.derivative[a] * dc;
+          const double derivative = shape.derivative[g][a] * inverse_jacobian;
+          r.gamma += derivative * velocities[a].linear;
+          r.angular += shape.value[g][a] * velocities[a].angular;
+          r.kappa += derivative * velocities[a].angular;
         }
-      r.gamma = r.slope + gamma_variation(point, r.c);
-      r.kappa = kappa_variation(point, r.c, r.k);
+      r.gamma += dealii::cross_product_3d(point.slope, r.angular);
       return r;
+    }
+
+    /** Section force and moment of damping in the global frame, and by what rates make them. */
+    struct ViscousResultants
+    {
+      SpaceTensor by_gamma, by_kappa;
+      SpaceVector force, moment;
+    };
+
+    inline ViscousResultants viscous_resultants(const Kinematics &point,
+                                                const Stiffness  &stiffness,
+                                                const double damping_time,
+                                                const Rates &r)
+    {
+      const SpaceVector ones({damping_time, damping_time, damping_time});
+      ViscousResultants s;
+      s.by_gamma =
+        with_principal_values(point.axes, section_force(stiffness, ones));
+      s.by_kappa =
+        with_principal_values(point.axes, section_moment(stiffness, ones));
+      s.force  = s.by_gamma * r.gamma;
+      s.moment = s.by_kappa * r.kappa;
+      return s;
     }
 
     /**
@@ -72,107 +94,63 @@ namespace auxfem
                                     const NodeVelocity     *velocities,
                                     double                 *force)
     {
-      double     power     = 0;
-      const auto rotations = aligned_rotations<order>(nodes);
+      double                         power = 0;
+      const RelativeRotations<order> relative(nodes);
       for (int g = 0; g < order; ++g)
         {
-          const Kinematics<order> point =
-            kinematics(shape, g, 1 / jacobian, frames[g], nodes, rotations);
+          const Kinematics point =
+            kinematics(shape, g, 1 / jacobian, frames[g], nodes, relative);
           const Rates r = rates(shape, g, 1 / jacobian, point, velocities);
-          const SectionTensors section = section_tensors(point, stiffness);
-          const Resultants     s = {damping_time * section.force * r.gamma,
-                                    damping_time * section.moment * r.kappa};
-          power += shape.weight[g] * jacobian *
-            (s.force * r.gamma + s.moment * r.kappa);
-          add_nodal_forces(shape, g, jacobian, point, s, force);
+          const ViscousResultants s =
+            viscous_resultants(point, stiffness, damping_time, r);
+          const SpaceVector couple =
+            dealii::cross_product_3d(s.force, point.slope);
+          const double weight = shape.weight[g] * jacobian;
+          power += weight * (s.force * r.gamma + s.moment * r.kappa);
+          for (int a = 0; a <= order; ++a)
+            for (int i = 0; i < 3; ++i)
+              {
+                const double derivative =
+                  shape.weight[g] * shape.derivative[g][a];
+                force[n_components * a + i] += derivative * s.force[i];
+                force[n_components * a + 3 + i] += derivative * s.moment[i] +
+                  weight * shape.value[g][a] * couple[i];
+              }
         }
       return power;
     }
 
-    /**
-     * Variation of R Gamma. by the variation @p c at fixed nodal velocities,
-     * less what the variation of c. itself adds.
-     */
+    /** By what the spins of the nodes turn the section at a Gauss point. */
     template <int order>
-    inline SpaceVector gamma_rate_variation(const Kinematics<order> &point,
-                                            const Rates             &r,
-                                            const Quaternion        &c)
+    struct SectionSpin
     {
-      using dealii::cross_product_3d;
-      const SpaceVector &w = point.slope, &d = c.vector, &rate = r.c.vector;
-      return 2. * cross_product_3d(r.slope, d) -
-        2 * r.c.scalar * cross_product_3d(w, d) -
-        2 * c.scalar * cross_product_3d(w, rate) + 2 * (w * rate) * d +
-        2 * (w * d) * rate - 4 * (d * rate) * w;
-    }
+      SpaceTensor by_spin[order + 1];
 
-    /** The same of R K. by @p c and @p k. */
-    template <int order>
-    inline SpaceVector kappa_rate_variation(const Kinematics<order> &point,
-                                            const Rates             &r,
-                                            const Quaternion        &c,
-                                            const Quaternion        &k)
-    {
-      const auto by_c = [&point](const Quaternion &q) {
-        return point.k.scalar * q.vector +
-          dealii::cross_product_3d(q.vector, point.k.vector);
-      };
-      return 4 * (c.scalar * r.c.scalar - c.vector * r.c.vector) *
-        point.k.vector +
-        4 * r.c.scalar * by_c(c) + 4 * c.scalar * by_c(r.c) -
-        2. * (r.c * k).vector - 2. * (c * r.k).vector;
-    }
+      SectionSpin(const BeamShape<order>     &shape,
+                  const int                   g,
+                  const Kinematics           &point,
+                  const NodeOperators<order> &nodes)
+      {
+        const SpaceTensor T =
+          transpose(tangent_operator(point.coefficients, point.psi));
+        SpaceTensor by_middle = plus_identity(SpaceTensor(), 1.);
+        for (int a = 0; a <= order; ++a)
+          {
+            by_spin[a] = shape.value[g][a] * T * nodes.psi_by_spin[a];
+            by_middle -= by_spin[a];
+          }
+        for (int end = 0; end < 2; ++end)
+          by_spin[end] += by_middle * nodes.middle_by_spin[end];
+      }
+    };
 
-    /**
-     * Variation of section force and moment of damping: factors times those by
-     * motion and by velocity.
-     */
-    template <int order>
-    inline ResultantVariation<order>
-    damping_variation(const Kinematics<order> &point,
-                      const SectionTensors    &section,
-                      const Rates             &r,
-                      const NodeVelocity      *velocities,
-                      const SpinVariation     *spins,
-                      const double             stiffness_factor,
-                      const double             damping_factor,
-                      const SpaceTensor       *angular_velocity_by_spin)
+    /** Adds block @p tensor at @p position of a square matrix of @p n rows. */
+    inline void
+    add_block(const SpaceTensor &tensor, const int n, double *position)
     {
-      ResultantVariation<order> variation;
-      SpaceTensor               by_slope =
-        -2 * stiffness_factor * cross_product_tensor(r.c.vector);
       for (int i = 0; i < 3; ++i)
-        by_slope[i][i] += damping_factor;
-      variation.force_by_slope = section.force * by_slope;
-      for (int a = 0; a <= order; ++a)
-        {
-          SpaceTensor gamma, kappa;
-          for (int j = 0; j < 3; ++j)
-            {
-              const Quaternion &c = spins[a].c[j], &k = spins[a].k[j];
-              // Of c. and k. by the node's own quaternion
-              const Quaternion half_velocity{0, 0.5 * velocities[a].angular};
-              const Quaternion own =
-                half_velocity * half_unit_spin(j) * point.relative[a];
-              const Quaternion own_c = point.value[a] * own,
-                               own_k = point.derivative[a] * own;
-              set_column(gamma,
-                         j,
-                         gamma_rate_variation(point, r, c) +
-                           gamma_variation(point, own_c));
-              set_column(kappa,
-                         j,
-                         kappa_rate_variation(point, r, c, k) +
-                           kappa_variation(point, own_c, own_k));
-            }
-          variation.force[a] = section.force *
-            (stiffness_factor * gamma +
-             spins[a].gamma * angular_velocity_by_spin[a]);
-          variation.moment[a] = section.moment *
-            (stiffness_factor * kappa +
-             spins[a].kappa * angular_velocity_by_spin[a]);
-        }
-      return variation;
+        for (int j = 0; j < 3; ++j)
+          position[i * n + j] += tensor[i][j];
     }
 
     /**
@@ -194,34 +172,54 @@ namespace auxfem
                                     const SpaceTensor *angular_velocity_by_spin,
                                     double            *matrix)
     {
-      const auto rotations = aligned_rotations<order>(nodes);
+      constexpr int                  n = n_components * (order + 1);
+      const RelativeRotations<order> relative(nodes);
+      const NodeOperators<order>     operators(relative);
       for (int g = 0; g < order; ++g)
         {
-          const Kinematics<order> point =
-            kinematics(shape, g, 1 / jacobian, frames[g], nodes, rotations);
-          const Rates    r = rates(shape, g, 1 / jacobian, point, velocities);
-          SectionTensors section = section_tensors(point, stiffness);
-          section.force *= damping_time;
-          section.moment *= damping_time;
-          SpinVariation spins[order + 1];
-          for (int a = 0; a <= order; ++a)
-            spins[a] = spin_variation(point, a);
-          add_tangent(shape,
-                      g,
-                      jacobian,
-                      point,
-                      spins,
-                      damping_variation(point,
-                                        section,
-                                        r,
-                                        velocities,
-                                        spins,
-                                        stiffness_factor,
-                                        damping_factor,
-                                        angular_velocity_by_spin),
-                      {section.force * r.gamma, section.moment * r.kappa},
-                      stiffness_factor,
-                      matrix);
+          const Kinematics point =
+            kinematics(shape, g, 1 / jacobian, frames[g], nodes, relative);
+          const Rates r = rates(shape, g, 1 / jacobian, point, velocities);
+          const ViscousResultants s =
+            viscous_resultants(point, stiffness, damping_time, r);
+          const SectionSpin<order> spin(shape, g, point, operators);
+
+          const SpaceTensor slope_cross = cross_product_tensor(point.slope);
+          const SpaceTensor force_by_turn = stiffness_factor *
+            (s.by_gamma * cross_product_tensor(r.gamma) -
+             cross_product_tensor(s.force)),
+                            moment_by_turn = stiffness_factor *
+            (s.by_kappa * cross_product_tensor(r.kappa) -
+             cross_product_tensor(s.moment)),
+                            force_by_omega = s.by_gamma * slope_cross;
+          const SpaceTensor force_by_slope = s.by_gamma *
+            plus_identity(-stiffness_factor * cross_product_tensor(r.angular),
+                          damping_factor);
+          const SpaceTensor couple_by_slope =
+            stiffness_factor * cross_product_tensor(s.force) -
+            slope_cross * force_by_slope;
+          const double weight = shape.weight[g] * jacobian;
+          for (int b = 0; b <= order; ++b)
+            {
+              const double Nb = shape.value[g][b],
+                           Db = shape.derivative[g][b] / jacobian;
+              const SpaceTensor &omega = angular_velocity_by_spin[b];
+              const SpaceTensor  force = force_by_turn * spin.by_spin[b] +
+                Nb * force_by_omega * omega,
+                                moment = moment_by_turn * spin.by_spin[b] +
+                Db * s.by_kappa * omega,
+                                couple = -1. * slope_cross * force;
+              for (int a = 0; a <= order; ++a)
+                {
+                  const double Na = weight * shape.value[g][a],
+                               Da = shape.weight[g] * shape.derivative[g][a];
+                  double *block   = matrix + n_components * (a * n + b);
+                  add_block(Da * Db * force_by_slope, n, block);
+                  add_block(Da * force, n, block + 3);
+                  add_block(Na * Db * couple_by_slope, n, block + 3 * n);
+                  add_block(Da * moment + Na * couple, n, block + 3 * n + 3);
+                }
+            }
         }
     }
   } // namespace Beam3D

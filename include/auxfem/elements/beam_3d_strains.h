@@ -2,9 +2,7 @@
 #define auxfem_elements_beam_3d_strains_h
 
 #include <auxfem/elements/beam_shape.h>
-#include <auxfem/elements/rotation.h>
-
-#include <array>
+#include <auxfem/elements/rotation_operators.h>
 
 namespace auxfem
 {
@@ -23,20 +21,27 @@ namespace auxfem
    * is free of stress at rest. M_3 bends the plane of axes 1 and 2, in which
    * Q_2 acts: with axis 3 along z this is Beam2D.
    *
-   * The unit quaternions p_a of P at the nodes are interpolated by
-   * p = sum N_a p_a / |sum N_a p_a| (Romero 2004, Computational Mechanics 34,
-   * 121-133), for any order objective and a function of the state alone. P and
-   * not R is interpolated: R0 at the Gauss points can then be that of the exact
-   * axis, and small strains are not differences of numbers near one. Between
-   * neighbouring nodes P must turn by less than a half turn.
+   * P is interpolated as Crisfield & Jelenic (1999, Proceedings of the Royal
+   * Society A 455, 1125-1147) do: relative to the middle rotation P_r of the
+   * element's ends,
    *
-   * With ( ) a quaternion without scalar part, c_a = p_a p^-1, and k the
-   * derivative of sum N_a c_a / |sum N_b p_b| by s, spins theta_a
-   * (P_a <- exp(theta_a) P_a) vary these by dc_a = (theta_a) c_a / 2, and
-   * at the point itself, where sum N_a c_a / |sum N_b p_b| = 1,
+   *     P(s) = exp(psi(s)) P_r,   psi = sum N_a psi_a,   exp(psi_a) = P_a P_r^-1,
    *
-   *     R K = 2 vec(k),   R dK = 2 vec(dk - dc k),
-   *     R dGamma = dr' + 2 r' x vec(dc).
+   * for any order objective and a function of the state alone, in a plane the
+   * interpolation of the angle. P and not R is interpolated: R0 at the Gauss
+   * points can then be that of the exact axis, and small strains are not
+   * differences of numbers near one. The ends of an element must turn by less
+   * than two half turns relative to each other, neighbouring nodes by less than
+   * one.
+   *
+   * With T of rotation_operators.h the curvature is R K = exp(psi) T(psi) psi'.
+   * Spins theta_a (P_a <- exp(theta_a) P_a) turn P_r by
+   *
+   *     rho = V_0 theta_0 + V_1 theta_1,   V_0, V_1 = (I +- tau [chi]x) / 2,
+   *     tau = tan(|chi| / 2) / |chi|,      chi = psi_1 = -psi_0,
+   *
+   * and change psi_a, seen from a frame that turns with P_r, by
+   * T(-psi_a)^-1 (theta_a - rho).
    *
    * Unknowns of an element: displacement and spin node by node,
    * u_x, u_y, u_z, theta_x, theta_y, theta_z. The tangent is the derivative of
@@ -75,78 +80,88 @@ namespace auxfem
     /** Unknowns of a node. */
     constexpr int n_components = 6;
 
-    /** Kinematics at a Gauss point, in the notation above. */
+    /** Rotations of the nodes relative to the middle of the element's ends. */
     template <int order>
+    struct RelativeRotations
+    {
+      Quaternion  middle;         ///< P_r
+      SpaceVector psi[order + 1]; ///< of the nodes (rad)
+
+      explicit RelativeRotations(const Node *nodes)
+      {
+        // Signs such that neighbours along the axis lie in one hemisphere.
+        Quaternion rotations[order + 1];
+        rotations[0] = nodes[0].rotation;
+        int before   = 0;
+        for (int i = 1; i <= order; ++i)
+          {
+            // Both ends come before the inner nodes.
+            const int a  = i == order ? 1 : i + 1;
+            rotations[a] = nodes[a].rotation;
+            if (dot(rotations[a], rotations[before]) < 0)
+              rotations[a] = -1 * rotations[a];
+            before = a;
+          }
+        middle                   = normalized(rotations[0] + rotations[1]);
+        const Quaternion inverse = conjugate(middle);
+        for (int a = 0; a <= order; ++a)
+          psi[a] = rotation_vector(rotations[a] * inverse);
+      }
+
+      /** P at a point where the shape functions are @p values. */
+      Quaternion at(const double *values) const
+      {
+        SpaceVector p;
+        for (int a = 0; a <= order; ++a)
+          p += values[a] * psi[a];
+        return exponential(p) * middle;
+      }
+    };
+
+    /** Kinematics at a Gauss point, in the notation above. */
     struct Kinematics
     {
       Strains     strains;
-      SpaceVector slope; ///< r'
-      SpaceTensor axes;  ///< R
-      Quaternion  k;
-      /** c_a and its share in sum c_a N_a / |sum N_b p_b| and in k. */
-      Quaternion relative[order + 1];
-      double     value[order + 1], derivative[order + 1];
+      SpaceVector slope;         ///< r'
+      SpaceVector psi, gradient; ///< psi, psi'
+      SpaceTensor axes;          ///< R
+      SpaceTensor middle_axes;   ///< P_r R0
+      /** Of psi. */
+      RotationCoefficients coefficients;
     };
 
-    /**
-     * The rotations of the nodes with signs such that neighbours along the axis
-     * lie in one hemisphere.
-     */
     template <int order>
-    inline std::array<Quaternion, order + 1>
-    aligned_rotations(const Node *nodes)
+    inline Kinematics kinematics(const BeamShape<order>         &shape,
+                                 const int                       g,
+                                 const double                    inverse_jacobian,
+                                 const Frame                    &frame,
+                                 const Node                     *nodes,
+                                 const RelativeRotations<order> &relative)
     {
-      std::array<Quaternion, order + 1> rotations;
-      rotations[0] = nodes[0].rotation;
-      int before   = 0;
-      for (int i = 1; i <= order; ++i)
-        {
-          // Both ends come before the inner nodes.
-          const int a  = i == order ? 1 : i + 1;
-          rotations[a] = nodes[a].rotation;
-          if (dot(rotations[a], rotations[before]) < 0)
-            rotations[a] = -1 * rotations[a];
-          before = a;
-        }
-      return rotations;
-    }
-
-    template <int order>
-    inline Kinematics<order>
-    kinematics(const BeamShape<order>                  &shape,
-               const int                                g,
-               const double                             inverse_jacobian,
-               const Frame                             &frame,
-               const Node                              *nodes,
-               const std::array<Quaternion, order + 1> &rotations)
-    {
-      Kinematics<order> point;
-      SpaceVector       gradient;
-      Quaternion        sum{0, {}};
+      SpaceVector stretch, psi, gradient;
       for (int a = 0; a <= order; ++a)
         {
-          gradient +=
-            shape.derivative[g][a] * inverse_jacobian * nodes[a].displacement;
-          sum = sum + shape.value[g][a] * rotations[a];
+          const double derivative = shape.derivative[g][a] * inverse_jacobian;
+          stretch += derivative * nodes[a].displacement;
+          psi += shape.value[g][a] * relative.psi[a];
+          gradient += derivative * relative.psi[a];
         }
-      const Quaternion rotation = normalized(sum);
-      const Quaternion inverse  = conjugate(rotation);
-      const double     scale    = 1 / dot(sum, rotation);
-      point.k                   = {0, {}};
-      for (int a = 0; a <= order; ++a)
-        {
-          point.value[a] = scale * shape.value[g][a];
-          point.derivative[a] =
-            scale * inverse_jacobian * shape.derivative[g][a];
-          point.relative[a] = rotations[a] * inverse;
-          point.k           = point.k + point.derivative[a] * point.relative[a];
-        }
-      point.slope = frame.slope + gradient;
-      point.axes  = rotated(rotation, frame.axes);
+      const RotationCoefficients c(psi);
+      const Quaternion           turn     = exponential(psi);
+      const Quaternion           rotation = turn * relative.middle,
+                       inverse            = conjugate(rotation);
+      Kinematics point{{},
+                       frame.slope + stretch,
+                       psi,
+                       gradient,
+                       rotated(rotation, frame.axes),
+                       rotated(relative.middle, frame.axes),
+                       c};
       point.strains.gamma =
-        (rotated(inverse, gradient) + rotation_change(inverse, frame.slope)) *
+        (rotated(inverse, stretch) + rotation_change(inverse, frame.slope)) *
         frame.axes;
-      point.strains.kappa = 2. * point.k.vector * point.axes;
+      point.strains.kappa =
+        (tangent_operator(c, psi) * gradient) * point.middle_axes;
       return point;
     }
 
@@ -166,7 +181,7 @@ namespace auxfem
                         1 / jacobian,
                         frames[g],
                         nodes,
-                        aligned_rotations<order>(nodes))
+                        RelativeRotations<order>(nodes))
         .strains;
     }
 
@@ -195,20 +210,6 @@ namespace auxfem
       return (strains.gamma * section_force(stiffness, strains.gamma) +
               strains.kappa * section_moment(stiffness, strains.kappa)) /
         2;
-    }
-
-    /** Section force and moment in the global frame. */
-    struct Resultants
-    {
-      SpaceVector force, moment;
-    };
-
-    template <int order>
-    inline Resultants resultants(const Kinematics<order> &point,
-                                 const Stiffness         &stiffness)
-    {
-      return {point.axes * section_force(stiffness, point.strains.gamma),
-              point.axes * section_moment(stiffness, point.strains.kappa)};
     }
   } // namespace Beam3D
 } // namespace auxfem

@@ -15,19 +15,8 @@ namespace auxfem
   };
 
   /**
-   * T(Theta), by which a change of the rotation vector turns exp(Theta):
-   * d exp(Theta) = exp(Theta) [T dTheta]x (Bruels & Cardona 2010, Journal of
-   * Computational and Nonlinear Dynamics 5, 031002):
-   * @code
-   * T = I - (1 - cos t) / t^2 [Theta]x + (t - sin t) / t^3 [Theta]x [Theta]x
-   * @endcode
-   * with t = |Theta|.
-   */
-  SpaceTensor tangent_operator(const SpaceVector &rotation_vector);
-
-  /**
-   * The inverse of tangent_operator(), I + [Theta]x / 2 +
-   * (1 - t / 2 cot(t / 2)) / t^2 [Theta]x [Theta]x; singular at t = 2 pi.
+   * T(Theta)^-1, by which a rotation vector changes when exp(Theta) turns:
+   * d exp(Theta) = exp(Theta) [T dTheta]x; singular at |Theta| = 2 pi.
    */
   SpaceTensor inverse_tangent_operator(const SpaceVector &rotation_vector);
 

@@ -14,6 +14,8 @@ namespace auxfem
     double sagitta = 0;
     /** Names of the strut sets, e.g. `edges`, `stubs`. */
     std::vector<std::string> sets = {};
+    /** Unit normal of the arc's plane, as Strut::normal. */
+    dealii::Tensor<1, 3> normal = dealii::Point<3>(0, 0, 1);
   };
 
   /** A joint of a unit cell and a joint of the next cell along an axis. */
@@ -23,6 +25,13 @@ namespace auxfem
     /** 0, 1, 2: the next cell is the one at +x, +y, +z. */
     unsigned int direction;
     unsigned int second; ///< joint of the next cell
+  };
+
+  /** Straight struts of one strut set between neighbouring cells. */
+  struct StrutsAcross
+  {
+    std::string                set;
+    std::vector<NeighbourPair> ends;
   };
 
   /**
@@ -35,6 +44,9 @@ namespace auxfem
     std::vector<dealii::Point<3>> joints;
 
     std::vector<UnitStrut> struts;
+
+    /** Struts to the next cell, made wherever that neighbour exists. */
+    std::vector<StrutsAcross> struts_across;
 
     /** Pairs of joints offered for connectors, by name. */
     std::map<std::string, std::vector<std::pair<unsigned int, unsigned int>>>
@@ -83,6 +95,22 @@ namespace auxfem
     virtual UnitCell build() const = 0;
   };
 
+  /** A cell whose joints and struts are known already. */
+  class GivenCell : public Cell
+  {
+  public:
+    explicit GivenCell(const UnitCell &cell) : cell(cell)
+    {}
+
+    UnitCell build() const override
+    {
+      return cell;
+    }
+
+  private:
+    UnitCell cell;
+  };
+
   /** All kinds of cells the program knows (mesh/cells/register.cc). */
   const Registry<Cell> &cell_registry();
 
@@ -92,6 +120,8 @@ namespace auxfem
    * Joints of different cells that lie closer than 1e-8 of the cell's size
    * become one, and of struts or pairs that then coincide the first is kept.
    * Joints of one and the same cell are never merged.
+   *
+   * A strut across two cells has the number of the first one.
    *
    * Fills the joint sets `all`, `bottom`, `top`, `left`, `right` (in space also
    * `back`, `front`) and those of the cell, the strut sets `all` and those of
@@ -103,6 +133,20 @@ namespace auxfem
    */
   Lattice make_array(const UnitCell                    &cell,
                      const std::array<unsigned int, 3> &n_cells);
+
+  /**
+   * Gives a planar @p cell the period @p distance (m) along z and straight
+   * struts between equal joints of neighbouring layers, in the strut set
+   * `columns`. They stand at the joints of the cell's sets and sides named by
+   * @p columns, several joined by `+`, or at `all`.
+   *
+   * Throws InputError naming @p path if the cell is not planar or has no joints
+   * of that name.
+   */
+  UnitCell extrude(UnitCell           cell,
+                   double             distance,
+                   const std::string &columns,
+                   const std::string &path);
 } // namespace auxfem
 
 #endif

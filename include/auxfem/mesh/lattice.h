@@ -26,10 +26,17 @@ namespace auxfem
 
     /**
      * Rise of the arc's middle over the chord (m), positive to the left of the
-     * direction joints[0] -> joints[1] in the x-y plane; 0 for a straight
-     * strut.
+     * direction joints[0] -> joints[1] seen against `normal`, that is along
+     * normal x chord; 0 for a straight strut.
      */
     double sagitta = 0;
+
+    /**
+     * Unit normal of the plane an arc lies in. Not parallel to the chord, but
+     * need not be perpendicular to it: the arc rises along normal x chord
+     * whatever the angle between them. Without meaning for a straight strut.
+     */
+    dealii::Tensor<1, 3> normal = dealii::Point<3>(0, 0, 1);
 
     /** Number of the unit cell (i + nx * (j + ny * k)) the strut belongs to. */
     unsigned int cell = 0;

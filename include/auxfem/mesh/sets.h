@@ -8,9 +8,10 @@ namespace auxfem
 {
   /**
    * Joints named by @p text: the name of a joint set; several names joined by
-   * `+`; numbers `3, 5, 7`; `nearest: x, y` (the joint next to a point, lengths
-   * with or without unit words); or a condition in x, y, z (m) with xmin, xmax,
-   * ymin, ymax (and the scene's constants), e.g. `y > ymax - 1e-6 && x < 0.02`.
+   * `+`; numbers `3, 5, 7`; `nearest: x, y` or `nearest: x, y, z` (the joint
+   * next to a point, z = 0 if left out, lengths with or without unit words); or
+   * a condition in x, y, z (m) with xmin, xmax, ymin, ymax, zmin, zmax (and the
+   * scene's constants), e.g. `y > ymax - 1e-6 && x < 0.02`.
    * Throws InputError naming @p path: unknown set (with the nearest known names), no such joint
    * number, empty result.
    */

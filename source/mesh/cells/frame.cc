@@ -1,3 +1,4 @@
+#include <auxfem/mesh/arc.h>
 #include <auxfem/mesh/cells/entries.h>
 #include <auxfem/mesh/index_text.h>
 #include <auxfem/parameters/declare.h>
@@ -6,6 +7,7 @@
 
 #include <deal.II/base/utilities.h>
 
+#include <algorithm>
 #include <sstream>
 
 namespace auxfem
@@ -15,8 +17,8 @@ namespace auxfem
     const Text joints_entry{
       "Joints",
       "",
-      "Positions `x y` of the joints in m, separated by semicolons; they are "
-      "numbered from 0 in this order.",
+      "Positions `x y` of the joints in m, in space `x y z` or, for z = 0, "
+      "`x y`, separated by semicolons; they are numbered from 0 in this order.",
       true};
 
     const Text struts_entry{
@@ -24,7 +26,9 @@ namespace auxfem
       "",
       "Numbers of the two joints of each strut, separated by semicolons; a "
       "third number is the rise in m of a circular arc over its chord, positive "
-      "to the left of the direction from the first to the second joint.",
+      "to the left of the direction from the first to the second joint. In "
+      "space three more numbers may follow, the normal n of the arc's plane: "
+      "the arc then rises along n x chord; without them n is `0 0 1`.",
       true};
 
     void declare_frame(dealii::ParameterHandler &prm)
@@ -61,7 +65,10 @@ namespace auxfem
       return items;
     }
 
-    double read_metres(const std::string &word, const Item &item)
+    /** @p meaning of the number, e.g. `number in m`, is for the message. */
+    double read_number(const std::string &word,
+                       const Item        &item,
+                       const std::string &meaning)
     {
       try
         {
@@ -71,26 +78,50 @@ namespace auxfem
         }
       catch (const InputError &)
         {}
-      throw InputError(item.where + "has \"" + word +
-                       "\" where a number in m, without unit word, is needed.");
+      throw InputError(item.where + "has \"" + word + "\" where a " + meaning +
+                       ", without unit word, is needed.");
     }
 
-    std::vector<dealii::Point<3>> read_joints(const std::string &value,
-                                              const std::string &path)
+    double read_metres(const std::string &word, const Item &item)
+    {
+      return read_number(word, item, "number in m");
+    }
+
+    [[noreturn]] void refuse_coordinates(const Item        &item,
+                                         const unsigned int dimension)
+    {
+      throw InputError(
+        item.where + "has " + std::to_string(item.words.size()) +
+        (dimension == 3
+           ? " numbers instead of the coordinates x y z, or x y for z = 0. "
+             "Separate joints by semicolons: \"0 0 0; 1 0 0; 1 1 0.5\"."
+           : " numbers instead of the two coordinates x y. "
+             "Separate joints by semicolons: \"0 0; 1 0; 1 1\"."));
+    }
+
+    dealii::Point<3> read_joint(const Item &item, const unsigned int dimension)
+    {
+      if (item.words.size() != 2 && item.words.size() != 3)
+        refuse_coordinates(item, dimension);
+      dealii::Point<3> joint;
+      for (unsigned int d = 0; d < item.words.size(); ++d)
+        joint[d] = read_metres(item.words[d], item);
+      if (dimension == 2 && joint[2] != 0.)
+        throw InputError(item.where + "has the third coordinate " +
+                         item.words[2] +
+                         ", but the scene lies in the plane z = 0. Remove that "
+                         "coordinate, or set Dimension = 3 at the top of the "
+                         "file.");
+      return joint;
+    }
+
+    std::vector<dealii::Point<3>> read_joints(const std::string  &value,
+                                              const SceneContext &context)
     {
       std::vector<dealii::Point<3>> joints;
       for (const Item &item :
-           split_items(value, joints_entry.name, "joint", path))
-        {
-          if (item.words.size() != 2)
-            throw InputError(
-              item.where + "has " + std::to_string(item.words.size()) +
-              " numbers instead of the two coordinates x y. "
-              "Separate joints by semicolons: \"0 0; 1 0; 1 1\".");
-          joints.emplace_back(read_metres(item.words[0], item),
-                              read_metres(item.words[1], item),
-                              0.);
-        }
+           split_items(value, joints_entry.name, "joint", context.path))
+        joints.push_back(read_joint(item, context.dimension));
       return joints;
     }
 
@@ -110,89 +141,147 @@ namespace auxfem
       return *index;
     }
 
+    /** Far above round-off, far below what anybody means. */
+    constexpr double relative_tolerance = 1e-8;
+
+    dealii::Tensor<1, 3> chord_of(const UnitStrut &strut, const UnitCell &cell)
+    {
+      return cell.joints[strut.second] - cell.joints[strut.first];
+    }
+
+    void check_normal(const UnitStrut            &strut,
+                      const dealii::Tensor<1, 3> &chord,
+                      const Item                 &item)
+    {
+      const bool is_parallel =
+        dealii::cross_product_3d(strut.normal, chord).norm() <=
+        relative_tolerance * chord.norm();
+      if (strut.sagitta != 0. && is_parallel)
+        throw InputError(
+          item.where +
+          (item.words.size() == 3
+             ? "is an arc whose chord is parallel to z, so it does not say "
+               "in which plane it lies. Add the normal of that plane, for "
+               "example \"0 1 0.25 0 1 0\"."
+             : "is an arc whose chord is parallel to the normal of its "
+               "plane. Give a normal perpendicular to the chord."));
+    }
+
+    /** Whether two struts between the same joints have the same axis. */
+    bool are_equal(const UnitStrut            &strut,
+                   const dealii::Tensor<1, 3> &chord,
+                   const UnitStrut            &other,
+                   const UnitCell             &cell)
+    {
+      if (std::minmax(strut.first, strut.second) !=
+          std::minmax(other.first, other.second))
+        return false;
+      const dealii::Tensor<1, 3> difference =
+        rise_of_arc(chord, strut.sagitta, strut.normal) -
+        rise_of_arc(chord_of(other, cell), other.sagitta, other.normal);
+      return difference.norm() <= relative_tolerance * chord.norm();
+    }
+
     void
     check_strut(const UnitStrut &strut, const UnitCell &cell, const Item &item)
     {
-      const double chord =
-        cell.joints[strut.first].distance(cell.joints[strut.second]);
-      if (chord == 0.)
+      const dealii::Tensor<1, 3> chord = chord_of(strut, cell);
+      if (chord.norm() == 0.)
         throw InputError(item.where +
                          "has zero length: its two joints lie at the same "
                          "place. Make a ring of two or more arcs.");
+      check_normal(strut, chord, item);
 
       for (const UnitStrut &other : cell.struts)
-        if ((other.first == strut.first && other.second == strut.second &&
-             other.sagitta == strut.sagitta) ||
-            (other.first == strut.second && other.second == strut.first &&
-             other.sagitta == -strut.sagitta))
+        if (are_equal(strut, chord, other, cell))
           throw InputError(item.where + "repeats strut " +
                            std::to_string(&other - cell.struts.data()) +
                            ". Remove one of them.");
     }
 
-    void read_struts(const std::string &value,
-                     const std::string &path,
-                     UnitCell          &cell)
+    [[noreturn]] void refuse_strut(const Item        &item,
+                                   const unsigned int dimension)
+    {
+      throw InputError(
+        item.where + "has " + std::to_string(item.words.size()) +
+        " numbers instead of two joint numbers and, for an arc, its rise" +
+        (dimension == 3
+           ? ", after which the three numbers of its plane's normal may follow"
+           : "") +
+        ". Separate struts by semicolons: \"0 1; 1 2 0.25" +
+        (dimension == 3 ? "; 2 3 0.25 0 1 0\"." : "\"."));
+    }
+
+    dealii::Tensor<1, 3> read_normal(const Item &item)
+    {
+      dealii::Tensor<1, 3> normal;
+      for (unsigned int d = 0; d < 3; ++d)
+        normal[d] = read_number(item.words[3 + d],
+                                item,
+                                "number, a component of the normal");
+      if (normal.norm() == 0.)
+        throw InputError(item.where +
+                         "has the normal 0 0 0, which is no direction. Give "
+                         "a vector perpendicular to the plane of the arc, of "
+                         "any length.");
+      return normal / normal.norm();
+    }
+
+    UnitStrut read_strut(const Item        &item,
+                         const std::size_t  n_joints,
+                         const unsigned int dimension)
+    {
+      const std::size_t n          = item.words.size();
+      const bool        has_normal = (n == 6);
+      if (n != 2 && n != 3 && !(has_normal && dimension == 3))
+        refuse_strut(item, dimension);
+      UnitStrut strut;
+      strut.first  = read_joint_number(item.words[0], item, n_joints);
+      strut.second = read_joint_number(item.words[1], item, n_joints);
+      if (n > 2)
+        strut.sagitta = read_metres(item.words[2], item);
+      if (has_normal)
+        strut.normal = read_normal(item);
+      return strut;
+    }
+
+    void read_struts(const std::string  &value,
+                     const SceneContext &context,
+                     UnitCell           &cell)
     {
       for (const Item &item :
-           split_items(value, struts_entry.name, "strut", path))
+           split_items(value, struts_entry.name, "strut", context.path))
         {
-          if (item.words.size() != 2 && item.words.size() != 3)
-            throw InputError(item.where + "has " +
-                             std::to_string(item.words.size()) +
-                             " numbers instead of two joint numbers and, for "
-                             "an arc, its rise. Separate struts by semicolons: "
-                             "\"0 1; 1 2 0.25\".");
-          UnitStrut strut;
-          strut.first =
-            read_joint_number(item.words[0], item, cell.joints.size());
-          strut.second =
-            read_joint_number(item.words[1], item, cell.joints.size());
-          if (item.words.size() == 3)
-            strut.sagitta = read_metres(item.words[2], item);
+          const UnitStrut strut =
+            read_strut(item, cell.joints.size(), context.dimension);
           check_strut(strut, cell, item);
           cell.struts.push_back(strut);
         }
     }
 
-    class FrameCell : public Cell
-    {
-    public:
-      explicit FrameCell(const UnitCell &cell) : cell(cell)
-      {}
-
-      UnitCell build() const override
-      {
-        return cell;
-      }
-
-    private:
-      UnitCell cell;
-    };
-
     std::unique_ptr<Cell> make_frame(dealii::ParameterHandler &prm,
                                      const SceneContext       &context)
     {
       UnitCell cell;
-      cell.joints = read_joints(get(prm, joints_entry), context.path);
+      cell.joints = read_joints(get(prm, joints_entry), context);
       if (cell.joints.size() < 2)
         throw InputError(context.path + "/" + joints_entry.name +
                          ": a frame needs at least two joints, for example "
                          "\"0 0; 1 0\".");
-      read_struts(get(prm, struts_entry), context.path, cell);
+      read_struts(get(prm, struts_entry), context, cell);
       if (cell.struts.empty())
         throw InputError(context.path + "/" + struts_entry.name +
                          ": a frame needs at least one strut, for example "
                          "\"0 1\".");
       cell.why_no_period.fill("A frame has no neighbour cells.");
-      return std::make_unique<FrameCell>(cell);
+      return std::make_unique<GivenCell>(cell);
     }
   } // namespace
 
   RegistryEntry<Cell> frame_cell_entry()
   {
     return {"frame",
-            "Free-form planar frame: joints and straight or circular struts "
+            "Free-form frame: joints and straight or circular struts "
             "given one by one.",
             &declare_frame,
             &make_frame};

@@ -192,7 +192,7 @@ namespace auxfem
 
         cell.period[0]        = 2. * shape.half_width + shape.column_gap;
         cell.period[1]        = 2. * shape.half_height + shape.cell_gap;
-        cell.why_no_period[2] = "It is planar.";
+        cell.why_no_period[2] = "It is planar and has no Layer distance.";
         return cell;
       }
 

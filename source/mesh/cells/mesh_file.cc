@@ -1,4 +1,6 @@
+#include <auxfem/mesh/arc.h>
 #include <auxfem/mesh/cells/entries.h>
+#include <auxfem/mesh/place_text.h>
 #include <auxfem/parameters/declare.h>
 #include <auxfem/parameters/errors.h>
 
@@ -8,7 +10,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 #include <tuple>
 
 #include <gmsh.h>
@@ -285,7 +286,7 @@ namespace auxfem
       const double      unit;
     };
 
-    /** Makes a planar unit cell of a mesh. */
+    /** Makes a unit cell of a mesh. */
     class MeshToCell
     {
     public:
@@ -293,6 +294,7 @@ namespace auxfem
                  const std::string  &file,
                  const SceneContext &context)
         : mesh(mesh)
+        , is_planar(context.dimension == 2)
         , where(context.path + "/" + file_entry.name + ": in " + file + ", ")
         , tolerance(relative_tolerance * size())
       {}
@@ -329,19 +331,21 @@ namespace auxfem
         return mesh.places.at(node);
       }
 
-      /** Without the round-off of a rotation in space, if it has any. */
-      dealii::Point<3> planar_place(const std::size_t node) const
+      /**
+       * In the plane without the round-off of a rotation in space, if it has
+       * any.
+       */
+      dealii::Point<3> checked_place(const std::size_t node) const
       {
         const dealii::Point<3> &p = place(node);
+        if (!is_planar)
+          return p;
         if (std::abs(p[2]) > tolerance)
-          {
-            std::ostringstream text;
-            text << where << "node " << node << " lies at (" << p[0] << ", "
-                 << p[1] << ", " << p[2]
-                 << ") m.\nIn a planar scene all nodes of lines must have z = "
-                    "0.";
-            throw InputError(text.str());
-          }
+          throw InputError(where + "node " + std::to_string(node) +
+                           " lies at " + place_text(p, 3) +
+                           ".\nIn a planar scene all nodes of lines must have "
+                           "z = 0. Set Dimension = 3 at the top of the "
+                           "parameter file for a frame in space.");
         return {p[0], p[1], 0.};
       }
 
@@ -353,7 +357,7 @@ namespace auxfem
         for (auto &[node, joint] : joint_of_node)
           {
             joint = cell.joints.size();
-            cell.joints.push_back(planar_place(node));
+            cell.joints.push_back(checked_place(node));
           }
       }
 
@@ -365,27 +369,32 @@ namespace auxfem
           strut_of_nodes.emplace(std::make_tuple(low, high, line.middle),
                                  cell.struts.size());
         if (known.second)
-          cell.struts.push_back({joint_of_node.at(line.first),
-                                 joint_of_node.at(line.second),
-                                 sagitta(line)});
+          {
+            cell.struts.push_back(
+              {joint_of_node.at(line.first), joint_of_node.at(line.second)});
+            set_shape(line, cell.struts.back());
+          }
         const auto groups = mesh.groups_of_curve.find(line.curve);
         auto      &sets   = cell.struts[known.first->second].sets;
         if (groups != mesh.groups_of_curve.end())
           sets.insert(sets.end(), groups->second.begin(), groups->second.end());
       }
 
-      /** Also refuses lines of which no strut can be made. */
-      double sagitta(const Line &line) const
+      /**
+       * Makes @p strut an arc where @p line is one. Also refuses lines of which
+       * no strut can be made.
+       */
+      void set_shape(const Line &line, UnitStrut &strut) const
       {
-        const dealii::Point<3>     start = planar_place(line.first);
-        const dealii::Tensor<1, 3> chord = planar_place(line.second) - start;
+        const dealii::Point<3>     start = checked_place(line.first);
+        const dealii::Tensor<1, 3> chord = checked_place(line.second) - start;
         if (chord.norm() <= tolerance)
           throw InputError(text_of(line) +
                            " has zero length: its ends lie at the same place. "
                            "Remove it, or divide a ring into two or more "
                            "arcs.");
         if (line.middle == no_node)
-          return 0.;
+          return;
         if (joint_of_node.count(line.middle) > 0)
           throw InputError(text_of(line) + " has node " +
                            std::to_string(line.middle) +
@@ -393,22 +402,16 @@ namespace auxfem
                            "Struts meet at their ends only: divide the line "
                            "there.");
 
-        // The directions from one end to the middle node and from there to the
-        // other end differ by half the angle of the arc (inscribed angle), and
-        // sagitta = chord / 2 tan(angle / 4). The sine and one plus the cosine
-        // of this half are here times the product of both distances.
-        const dealii::Tensor<1, 3> there   = planar_place(line.middle) - start;
-        const dealii::Tensor<1, 3> back    = chord - there;
-        const double               product = there.norm() * back.norm();
-        const double               one_plus_cosine = product + there * back;
-        if (one_plus_cosine <= relative_tolerance * product)
+        const auto arc = arc_through(chord, checked_place(line.middle) - start);
+        if (!arc)
           throw InputError(text_of(line) + " turns back: its middle node " +
                            std::to_string(line.middle) +
                            " does not lie between its ends, and no arc leads "
                            "through it. Move that node.");
-        const double sine = back[0] * there[1] - back[1] * there[0];
-        const double rise = chord.norm() / 2. * sine / one_plus_cosine;
-        return std::abs(rise) <= tolerance ? 0. : rise;
+        if (std::abs(arc->sagitta) <= tolerance)
+          return;
+        strut.sagitta = arc->sagitta;
+        strut.normal  = arc->normal;
       }
 
       std::string text_of(const Line &line) const
@@ -435,27 +438,13 @@ namespace auxfem
       }
 
       const Mesh                         &mesh;
+      const bool                          is_planar;
       const std::string                   where;
       const double                        tolerance;
       UnitCell                            cell;
       std::map<std::size_t, unsigned int> joint_of_node;
       std::map<std::tuple<std::size_t, std::size_t, std::size_t>, unsigned int>
         strut_of_nodes;
-    };
-
-    class MeshFileCell : public Cell
-    {
-    public:
-      explicit MeshFileCell(const UnitCell &cell) : cell(cell)
-      {}
-
-      UnitCell build() const override
-      {
-        return cell;
-      }
-
-    private:
-      UnitCell cell;
     };
 
     std::unique_ptr<Cell> make_mesh_file(dealii::ParameterHandler &prm,
@@ -466,7 +455,7 @@ namespace auxfem
           .string();
       prm.set(file_entry.name, absolute_file(get(prm, file_entry), context));
       const Mesh mesh = MeshReader(file, get(prm, length_unit), context).read();
-      return std::make_unique<MeshFileCell>(
+      return std::make_unique<GivenCell>(
         MeshToCell(mesh, file, context).build());
     }
   } // namespace
@@ -474,7 +463,7 @@ namespace auxfem
   RegistryEntry<Cell> mesh_file_cell_entry()
   {
     return {"mesh file",
-            "Planar frame from the line elements of a file that gmsh reads.",
+            "Frame from the line elements of a file that gmsh reads.",
             &declare_mesh_file,
             &make_mesh_file};
   }

@@ -1,12 +1,9 @@
 #include <auxfem/mesh/cells/entries.h>
+#include <auxfem/mesh/cells/opening_angle.h>
 #include <auxfem/mesh/cells/star_shape.h>
 #include <auxfem/parameters/declare.h>
-#include <auxfem/parameters/errors.h>
-
-#include <deal.II/base/numbers.h>
 
 #include <cmath>
-#include <sstream>
 
 namespace auxfem
 {
@@ -32,51 +29,21 @@ namespace auxfem
       declare(prm, opening_angle);
     }
 
-    [[noreturn]] void refuse(const SceneContext &context,
-                             const double        angle,
-                             const std::string  &reason)
-    {
-      std::ostringstream text;
-      text << context.path << ": the cell 'star' cannot have an opening angle "
-           << "theta0 = " << angle * 180. / dealii::numbers::PI << " deg. "
-           << reason
-           << " Set 'Opening angle' to more than 45 deg and at most 90 deg.";
-      throw InputError(text.str());
-    }
-
-    void check_angle(const double        length,
-                     const double        angle,
-                     const SceneContext &context)
-    {
-      // Angles come from degrees: equality holds up to round-off only.
-      const double round_off = 1e-12;
-      const double distance  = length * (std::sin(angle) - std::cos(angle));
-      if (angle > dealii::numbers::PI_2 + round_off)
-        refuse(context,
-               angle,
-               "Above 90 deg the vertices between the tips point outwards: "
-               "theta0 <= 90 deg fails.");
-      if (distance <= round_off * length)
-        {
-          std::ostringstream reason;
-          reason << "Its notches would cross in the centre: b = L (sin(theta0) "
-                 << "- cos(theta0)) > 0 fails with b = " << distance
-                 << " m for L = " << length << " m.";
-          refuse(context,
-                 angle,
-                 reason.str() +
-                   " For flatter edges choose the cell 'general "
-                   "star', whose half width must only exceed "
-                   "L cos(theta0).");
-        }
-    }
-
     std::unique_ptr<Cell> make_star(dealii::ParameterHandler &prm,
                                     const SceneContext       &context)
     {
       const double length = get(prm, strut_length);
       const double angle  = get(prm, opening_angle);
-      check_angle(length, angle, context);
+      check_opening_angle({"star",
+                           angle,
+                           length,
+                           length * (std::sin(angle) - std::cos(angle)),
+                           "L (sin(theta0) - cos(theta0))",
+                           "45 deg",
+                           " For flatter edges choose the cell 'general "
+                           "star', whose half width must only exceed "
+                           "L cos(theta0)."},
+                          context);
 
       const double tip   = length * std::sin(angle);
       const double depth = length * std::cos(angle);

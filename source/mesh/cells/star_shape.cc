@@ -110,7 +110,7 @@ namespace auxfem
         cell.period[1] = cell.joints[cell.ports["top"][0]][1] -
           cell.joints[cell.ports["bottom"][0]][1];
 
-      cell.why_no_period[2] = "It is planar.";
+      cell.why_no_period[2] = "It is planar and has no Layer distance.";
     }
   } // namespace
 

@@ -232,13 +232,13 @@ namespace auxfem
         viscous = {};
         if constexpr (large_rotation)
           {
-            const Beam3D::Kinematics<order> point =
+            const Beam3D::Kinematics point =
               Beam3D::kinematics(shape,
                                  g,
                                  1 / jacobian,
                                  frames[g],
                                  motion.nodes,
-                                 Beam3D::aligned_rotations<order>(
+                                 Beam3D::RelativeRotations<order>(
                                    motion.nodes));
             elastic = forces(stiffness, point.strains);
             if constexpr (damped)
@@ -279,15 +279,11 @@ namespace auxfem
         SpaceVector sum;
         if constexpr (large_rotation)
           {
-            Quaternion rotation{0, {}};
-            const auto rotations =
-              Beam3D::aligned_rotations<order>(motion.nodes);
             for (int a = 0; a <= order; ++a)
-              {
-                rotation = rotation + shape_values[a] * rotations[a];
-                sum += shape_values[a] * motion.turns[a];
-              }
-            return rotation_vector_near(normalized(rotation), sum);
+              sum += shape_values[a] * motion.turns[a];
+            return rotation_vector_near(
+              Beam3D::RelativeRotations<order>(motion.nodes).at(shape_values),
+              sum);
           }
         else
           for (int a = 0; a <= order; ++a)

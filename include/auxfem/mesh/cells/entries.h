@@ -20,6 +20,9 @@ namespace auxfem
    */
   RegistryEntry<Cell> hinged_star_cell_entry();
 
+  /** The symmetric star cell in space (mesh/cells/space_star.cc). */
+  RegistryEntry<Cell> space_star_cell_entry();
+
   /** Joints and struts given one by one (mesh/cells/frame.cc). */
   RegistryEntry<Cell> frame_cell_entry();
 

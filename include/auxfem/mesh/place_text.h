@@ -1,0 +1,17 @@
+#ifndef auxfem_mesh_place_text_h
+#define auxfem_mesh_place_text_h
+
+#include <deal.II/base/point.h>
+
+#include <string>
+
+namespace auxfem
+{
+  /**
+   * A place for messages, `(x, y) m` in the plane (@p dimension 2) and
+   * `(x, y, z) m` in space.
+   */
+  std::string place_text(const dealii::Point<3> &place, unsigned int dimension);
+} // namespace auxfem
+
+#endif
