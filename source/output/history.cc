@@ -322,8 +322,8 @@ namespace auxfem
   {
     record.add(state.energies);
     part_rotations.follow(state);
-    for (const double rotation : part_rotations.values())
-      rotation_so_far = std::max(rotation_so_far, std::abs(rotation));
+    for (const SpaceVector &rotation : part_rotations.values())
+      rotation_so_far = std::max(rotation_so_far, rotation.norm());
     rotation_vectors.follow(state);
     rotation_so_far = std::max(rotation_so_far, rotation_vectors.largest());
   }

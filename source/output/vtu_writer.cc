@@ -10,26 +10,6 @@ namespace auxfem
         values.push_back(vector[d]);
     }
 
-    /**
-     * Displacement or velocity of @p point of a rigid part from those of its
-     * base joints.
-     */
-    dealii::Tensor<1, 3> carried_along(const Lattice               &lattice,
-                                       const RigidPart             &part,
-                                       const dealii::Point<3>      &point,
-                                       const std::array<double, 4> &of_base)
-    {
-      const NaturalPlace   place = place_in(part, lattice, point);
-      dealii::Tensor<1, 3> result;
-      for (unsigned int c = 0; c < 2; ++c)
-        {
-          const std::array<double, 4> shares = shape(place, c);
-          for (unsigned int i = 0; i < 4; ++i)
-            result[c] += shares[i] * of_base[i];
-        }
-      return result;
-    }
-
     /** Force of the joint at @p point on a rigid part; zero between joints. */
     dealii::Tensor<1, 3> force_at(const Lattice          &lattice,
                                   const RigidPart        &part,
@@ -39,8 +19,7 @@ namespace auxfem
       dealii::Tensor<1, 3> force;
       for (unsigned int k = 0; k < part.joints.size(); ++k)
         if (point == lattice.joints[part.joints[k]])
-          for (unsigned int c = 0; c < 2; ++c)
-            force[c] = report.forces[k][c];
+          force = report.forces[k];
       return force;
     }
 
@@ -198,7 +177,8 @@ namespace auxfem
     if (system.is_dynamic())
       fields.push_back({"velocity", 3, "m/s"});
     fields.push_back({"force", 3, "N"});
-    fields.push_back({"rotation", 1, "rad"});
+    fields.push_back(
+      {"rotation", system.lattice().dimension == 2 ? 1u : 3u, "rad"});
     for (const char *number : {"part", "definition", "cell"})
       fields.push_back({number, 1, ""});
     return fields;
@@ -242,23 +222,21 @@ namespace auxfem
       {
         const RigidPartReport report   = parts.report(i, state);
         const RigidPart      &part     = lattice.rigid_parts[report.part];
-        const double          rotation = parts.rotation(i, state);
+        const SpaceVector     rotation = parts.rotation(i, state);
         for (const auto &line : rigid_part_lines(part))
           {
             values.clear();
             for (const dealii::Point<3> &point : line)
               {
-                append(values,
-                       carried_along(lattice,
-                                     part,
-                                     point,
-                                     report.base_displacement));
+                const PointMotion motion = parts.motion(i, point, state);
+                append(values, motion.displacement);
                 if (system.is_dynamic())
-                  append(
-                    values,
-                    carried_along(lattice, part, point, report.base_velocity));
+                  append(values, motion.velocity);
                 append(values, force_at(lattice, part, report, point));
-                values.push_back(rotation);
+                if (lattice.dimension == 2)
+                  values.push_back(rotation[2]);
+                else
+                  append(values, rotation);
                 for (const unsigned int number :
                      {report.part, part.definition, part.cell})
                   values.push_back(number);
