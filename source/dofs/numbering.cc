@@ -1,12 +1,10 @@
-#include <auxfem/dofs/numbering.h>
+#include <auxfem/dofs/claimed_unknowns.h>
 
-#include <deal.II/base/mpi.h>
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_system.h>
 
 #include <algorithm>
-#include <sstream>
 
 namespace auxfem
 {
@@ -65,28 +63,16 @@ namespace auxfem
     // Every node gets the number its joint has, if it lies at one, else one of
     // its own. Numbers are first counted apart for each rank (the rank whose
     // cell touches the unknown first owns it), then shifted to rank ranges.
-    struct Unknown
-    {
-      int owner = -1, number = -1;
-    };
-    std::vector<Unknown> of_dof(dof_handler.n_dofs());
-    using Motion = std::array<Unknown, n_motion_components>;
-    std::vector<Motion>                of_joint(lattice.joints.size());
-    std::vector<std::array<Motion, 2>> of_end(lattice.struts.size());
-    std::vector<const Unknown *>       of_cell(std::size_t(mesh.n_cells()) * n);
-    std::vector<int>                   count(comm.NumProc(), 0);
-    const auto claim = [&count](Unknown &unknown, const int rank) {
-      if (unknown.owner < 0)
-        unknown = {rank, count[rank]++};
-      return &unknown;
-    };
+    using Unknown = ClaimedUnknowns::Unknown;
+    ClaimedUnknowns              claimed(lattice, ties, comm.NumProc());
+    std::vector<Unknown>         of_dof(dof_handler.n_dofs());
+    std::vector<const Unknown *> of_cell(std::size_t(mesh.n_cells()) * n);
 
     std::vector<dealii::types::global_dof_index> dofs(n);
     for (const auto &cell : active_cells(dof_handler, mesh))
       {
         const unsigned int      c     = cell->active_cell_index();
         const StrutMesh::Place &place = mesh.place(c);
-        const Strut            &strut = lattice.struts[place.strut];
         const int               rank  = cell->subdomain_id();
         cell->get_dof_indices(dofs);
         std::vector<dealii::types::global_dof_index> ordered(n);
@@ -98,78 +84,57 @@ namespace auxfem
                                component = node_components[i % n_components()];
             const bool at_joint          = (node == 0 && place.begin == 0.) ||
               (node == 1 && place.end == 1.);
-            Unknown *unknown = &of_dof[ordered[i]];
-            if (at_joint && component >= first_rotation &&
-                ties.released[place.strut][node])
-              unknown = &of_end[place.strut][node][component];
-            else if (at_joint)
-              unknown = &of_joint[strut.joints[node]][component];
-            of_cell[std::size_t(c) * n + i] = claim(*unknown, rank);
+            of_cell[std::size_t(c) * n + i] = at_joint
+              ? claimed.claim_end(place.strut, node, component, rank)
+              : claimed.claim(of_dof[ordered[i]], rank);
           }
       }
-    const auto claim_displacements = [&](const unsigned int joint,
-                                         const int          rank) {
-      for (unsigned int component = 0; component < lattice.dimension;
-           ++component)
-        claim(of_joint[joint][component], rank);
-    };
-    for (unsigned int s = 0; s < lattice.struts.size(); ++s)
-      if (lattice.struts[s].is_rigid())
-        for (const unsigned int joint : lattice.struts[s].joints)
-          claim_displacements(joint, mesh.rank(s));
-    // A joint without struts (a mass on connectors) has displacements only.
-    for (unsigned int joint = 0; joint < of_joint.size(); ++joint)
-      claim_displacements(joint, 0);
-
-    std::vector<std::vector<Unknown>> of_part(lattice.rigid_parts.size());
-    of_rigid_part.resize(lattice.rigid_parts.size());
-    for (unsigned int p = 0; p < of_part.size(); ++p)
-      {
-        const RigidPart &part = lattice.rigid_parts[p];
-        if (part.clamps_struts)
-          for (const unsigned int joint : part.joints)
-            if (of_joint[joint][rotation_z].owner >= 0)
-              of_rigid_part[p].clamped_joints.push_back(joint);
-        of_part[p].resize(2 * part.joints.size() - 3 +
-                          of_rigid_part[p].clamped_joints.size());
-        for (Unknown &multiplier : of_part[p])
-          claim(multiplier, of_joint[part.joints[0]][0].owner);
-      }
-
-    first_owned.assign(1, 0);
-    for (const int n_owned_by_rank : count)
-      first_owned.push_back(first_owned.back() + n_owned_by_rank);
-    const auto global = [this](const Unknown &unknown) {
-      return unknown.owner < 0 ? -1
-                               : first_owned[unknown.owner] + unknown.number;
-    };
+    claimed.claim_joints(mesh);
+    claimed.claim_rigid_parts();
+    claimed.claim_hinges();
+    take_numbers(claimed);
 
     cell_numbers.resize(of_cell.size());
     std::transform(of_cell.begin(),
                    of_cell.end(),
                    cell_numbers.begin(),
-                   [&](const Unknown *unknown) { return global(*unknown); });
-    const auto all_global = [&](const Motion &unknowns) {
+                   [&](const Unknown *unknown) {
+                     return first_owned[unknown->owner] + unknown->number;
+                   });
+    for (unsigned int h = 0; h < of_hinge.size(); ++h)
+      of_hinge[h].joint = ties.hinged[h].joint;
+  }
+
+  void DofNumbering::take_numbers(const ClaimedUnknowns &claimed)
+  {
+    first_owned.assign(1, 0);
+    for (const int n_owned_by_rank : claimed.counts())
+      first_owned.push_back(first_owned.back() + n_owned_by_rank);
+    const auto global = [this](const ClaimedUnknowns::Unknown &unknown) {
+      return unknown.owner < 0 ? -1
+                               : first_owned[unknown.owner] + unknown.number;
+    };
+    const auto all_global = [&](const ClaimedUnknowns::Motion &unknowns) {
       MotionNumbers numbers;
       std::transform(unknowns.begin(), unknowns.end(), numbers.begin(), global);
       return numbers;
     };
-    for (const Motion &joint : of_joint)
-      joint_numbers.push_back(all_global(joint));
-    constexpr MotionNumbers nothing = {{-1, -1, -1, -1, -1, -1}};
+    for (unsigned int joint = 0; joint < lattice.joints.size(); ++joint)
+      joint_numbers.push_back(all_global(claimed.joint(joint)));
     for (unsigned int s = 0; s < lattice.struts.size(); ++s)
+      end_rotation_numbers.push_back(
+        {{all_global(claimed.end_rotation(s, 0)),
+          all_global(claimed.end_rotation(s, 1))}});
+    for (const ClaimedUnknowns::RigidPartClaims &part : claimed.rigid_parts())
       {
-        std::array<MotionNumbers, 2> numbers;
-        for (unsigned int end = 0; end < 2; ++end)
-          numbers[end] = lattice.struts[s].is_rigid() ? nothing
-            : ties.released[s][end]
-            ? all_global(of_end[s][end])
-            : joint_numbers[lattice.struts[s].joints[end]];
-        end_rotation_numbers.push_back(numbers);
+        of_rigid_part.push_back(
+          {part.clamped_joints, all_global(part.motion), {}});
+        for (const ClaimedUnknowns::Unknown &multiplier : part.multipliers)
+          of_rigid_part.back().multipliers.push_back(global(multiplier));
       }
-    for (unsigned int p = 0; p < of_part.size(); ++p)
-      for (const Unknown &multiplier : of_part[p])
-        of_rigid_part[p].multipliers.push_back(global(multiplier));
+    for (const auto &hinge : claimed.hinges())
+      of_hinge.push_back(
+        {invalid_index, {{global(hinge[0]), global(hinge[1])}}});
   }
 
   void DofNumbering::collect_local(const StrutMesh &mesh, const Ties &ties)
@@ -218,11 +183,9 @@ namespace auxfem
               for (unsigned int component = 0; component < lattice.dimension;
                    ++component)
                 keep(joint_numbers[other][component]);
-    const std::vector<std::vector<int>> coupled = coupled_rotations(ties);
-    for (const std::vector<int> &numbers : coupled)
+    for (const std::vector<int> &numbers : coupled_numbers(ties))
       if (std::any_of(numbers.begin(), numbers.end(), is_mine))
         std::for_each(numbers.begin(), numbers.end(), keep);
-
     for (unsigned int p = 0; p < of_rigid_part.size(); ++p)
       {
         const std::vector<int> numbers = rigid_part_numbers(p);
@@ -236,100 +199,17 @@ namespace auxfem
     import = std::make_unique<Epetra_Import>(*local, *owned);
     kinds.assign(rows.size(), UnknownKind::translation);
     rotations.assign(rows.size(), false);
-    const auto mark_rotation = [this](const int l) {
-      kinds[l]     = UnknownKind::rotation;
-      rotations[l] = true;
-    };
 
     element_numbers.reserve(kept_cells.size() * n);
     for (const std::size_t c : kept_cells)
       for (unsigned int i = 0; i < n; ++i)
-        {
-          const int l = local->LID(cell_numbers[c * n + i]);
-          element_numbers.push_back(l);
-          if (node_components[i % n_components()] >= first_rotation)
-            mark_rotation(l);
-        }
-    for (const std::vector<int> &numbers : coupled)
-      for (const int g : numbers)
-        if (const int l = local->LID(g); l >= 0)
-          mark_rotation(l);
+        element_numbers.push_back(local->LID(cell_numbers[c * n + i]));
     cell_numbers.clear();
     cell_numbers.shrink_to_fit();
-    index_rigid_parts();
+    mark_rotations();
+    index_multipliers();
     if (lattice.dimension == 3)
-      index_rotations(coupled);
-  }
-
-  std::vector<int>
-  DofNumbering::rigid_part_numbers(const unsigned int rigid_part) const
-  {
-    const RigidPartUnknowns &unknowns = of_rigid_part[rigid_part];
-    std::vector<int>         numbers  = unknowns.multipliers;
-    for (const unsigned int joint : lattice.rigid_parts[rigid_part].joints)
-      for (unsigned int component = 0; component < 2; ++component)
-        numbers.push_back(joint_numbers[joint][component]);
-    for (const unsigned int joint : unknowns.clamped_joints)
-      numbers.push_back(joint_numbers[joint][rotation_z]);
-    return numbers;
-  }
-
-  void DofNumbering::index_rigid_parts()
-  {
-    for (const unsigned int p : kept_rigid_parts)
-      {
-        for (const int global : of_rigid_part[p].multipliers)
-          {
-            kept_multipliers.push_back(local->LID(global));
-            kinds[kept_multipliers.back()] = UnknownKind::multiplier;
-          }
-        for (const unsigned int joint : of_rigid_part[p].clamped_joints)
-          {
-            const int rotation  = joint_unknown(joint, rotation_z);
-            kinds[rotation]     = UnknownKind::rotation;
-            rotations[rotation] = true;
-          }
-      }
-  }
-
-  std::vector<std::vector<int>>
-  DofNumbering::coupled_rotations(const Ties &ties) const
-  {
-    if (ties.sprung_joints.empty())
-      return {};
-    std::vector<std::vector<int>> at_joint(lattice.joints.size());
-    for (unsigned int s = 0; s < lattice.struts.size(); ++s)
-      for (unsigned int end = 0; end < 2; ++end)
-        for (const unsigned int component : node_components)
-          if (component >= first_rotation)
-            at_joint[lattice.struts[s].joints[end]].push_back(
-              end_rotation_numbers[s][end][component]);
-    std::vector<std::vector<int>> coupled;
-    for (const unsigned int joint : ties.sprung_joints)
-      coupled.push_back(at_joint[joint]);
-    return coupled;
-  }
-
-  void
-  DofNumbering::index_rotations(const std::vector<std::vector<int>> &coupled)
-  {
-    rotation_of_unknown.assign(n_local(), -1);
-    const auto add = [this](const std::array<int, 3> &spins) {
-      if (spins[0] < 0 || rotation_of_unknown[spins[0]] >= 0)
-        return;
-      for (const int spin : spins)
-        rotation_of_unknown[spin] = rotations_in_space.size();
-      rotations_in_space.push_back(spins);
-    };
-    for (std::size_t i = 0; i < element_numbers.size(); i += n_components())
-      add({{element_numbers[i + 3],
-            element_numbers[i + 4],
-            element_numbers[i + 5]}});
-    for (const std::vector<int> &numbers : coupled)
-      for (std::size_t i = 0; i < numbers.size(); i += 3)
-        add({{local->LID(numbers[i]),
-              local->LID(numbers[i + 1]),
-              local->LID(numbers[i + 2])}});
+      index_rotations();
   }
 
   unsigned int DofNumbering::order() const
@@ -441,47 +321,18 @@ namespace auxfem
     return joint_numbers[joint][component] >= 0;
   }
 
+  int DofNumbering::global_number(const unsigned int joint,
+                                  const unsigned int component) const
+  {
+    return joint_numbers[joint][component];
+  }
+
   int DofNumbering::end_rotation(const unsigned int strut,
                                  const unsigned int end,
                                  const unsigned int component) const
   {
     const int global = end_rotation_numbers[strut][end][component];
     return global < 0 ? -1 : local->LID(global);
-  }
-
-  int DofNumbering::multiplier(const unsigned int rigid_part,
-                               const unsigned int number) const
-  {
-    return local->LID(of_rigid_part[rigid_part].multipliers[number]);
-  }
-
-  unsigned int DofNumbering::n_multipliers(const unsigned int rigid_part) const
-  {
-    return of_rigid_part[rigid_part].multipliers.size();
-  }
-
-  const std::vector<unsigned int> &
-  DofNumbering::clamped_joints(const unsigned int rigid_part) const
-  {
-    return of_rigid_part[rigid_part].clamped_joints;
-  }
-
-  const std::vector<unsigned int> &DofNumbering::rigid_parts() const
-  {
-    return kept_rigid_parts;
-  }
-
-  const std::vector<int> &DofNumbering::multipliers() const
-  {
-    return kept_multipliers;
-  }
-
-  unsigned int DofNumbering::n_multipliers() const
-  {
-    unsigned int sum = 0;
-    for (const RigidPartUnknowns &part : of_rigid_part)
-      sum += part.multipliers.size();
-    return sum;
   }
 
   UnknownKind DofNumbering::kind(const unsigned int local_number) const

@@ -27,10 +27,44 @@ namespace auxfem
     return (dimension == 2 ? in_plane : in_space)[component];
   }
 
+  std::string DofNumbering::describe_condition(const int global) const
+  {
+    const auto has = [global](const auto &numbers) {
+      return std::find(numbers.begin(), numbers.end(), global) != numbers.end();
+    };
+    for (unsigned int p = 0; p < of_rigid_part.size(); ++p)
+      {
+        const MotionNumbers &motion = of_rigid_part[p].motion;
+        std::ostringstream   words;
+        if (has(of_rigid_part[p].multipliers))
+          words << "condition";
+        else if (has(motion))
+          words << motion_in_words(
+            std::find(motion.begin(), motion.end(), global) - motion.begin(),
+            lattice.dimension);
+        else
+          continue;
+        words << " of the rigid part of joints";
+        const auto &joints = lattice.rigid_parts[p].joints;
+        for (unsigned int i = 0; i < joints.size() && i < 4; ++i)
+          words << ' ' << joints[i];
+        words << (joints.size() > 4 ? " ..." : "");
+        return words.str();
+      }
+    for (const HingeUnknowns &hinge : of_hinge)
+      if (has(hinge.multipliers))
+        return "condition of the revolute hinge at joint " +
+          std::to_string(hinge.joint);
+    return "";
+  }
+
   std::string DofNumbering::describe(const unsigned int local_number) const
   {
     const int          global = local->GID(local_number);
     std::ostringstream words;
+    words << describe_condition(global);
+    if (!words.str().empty())
+      return words.str();
     for (unsigned int j = 0; j < joint_numbers.size(); ++j)
       for (const unsigned int c : node_components)
         if (joint_numbers[j][c] == global)
@@ -41,17 +75,6 @@ namespace auxfem
             if (lattice.dimension == 3)
               words << ", " << lattice.joints[j][2];
             words << ")";
-            return words.str();
-          }
-    for (unsigned int p = 0; p < of_rigid_part.size(); ++p)
-      for (const int multiplier : of_rigid_part[p].multipliers)
-        if (multiplier == global)
-          {
-            words << "condition of the rigid part of joints";
-            const auto &joints = lattice.rigid_parts[p].joints;
-            for (unsigned int i = 0; i < joints.size() && i < 4; ++i)
-              words << ' ' << joints[i];
-            words << (joints.size() > 4 ? " ..." : "");
             return words.str();
           }
     const unsigned int n = (polynomial_order + 1) * n_components();

@@ -4,27 +4,28 @@
 
 namespace auxfem
 {
-  namespace
+  template <>
+  NaturalPlace natural_place<2>(const dealii::Point<3> &r0,
+                                const dealii::Point<3> &r1,
+                                const dealii::Point<3> &point)
   {
-    PlaneVector in_plane(const dealii::Tensor<1, 3> &v)
-    {
-      PlaneVector result;
-      result[0] = v[0];
-      result[1] = v[1];
-      return result;
-    }
-  } // namespace
-
-  NaturalPlace natural_place(const dealii::Point<3> &r0,
-                             const dealii::Point<3> &r1,
-                             const dealii::Point<3> &point)
-  {
-    const PlaneVector d = in_plane(r1 - r0), to_point = in_plane(point - r0);
+    const PlaneVector d        = in_dimension<2>(r1 - r0),
+                      to_point = in_dimension<2>(point - r0);
     return {(to_point * d) / (d * d), (to_point * turned(d)) / (d * d)};
   }
 
-  std::array<double, 4> shape(const NaturalPlace &place,
-                              const unsigned int  component)
+  template <>
+  NaturalPlace natural_place<3>(const dealii::Point<3> &r0,
+                                const dealii::Point<3> &r1,
+                                const dealii::Point<3> &point)
+  {
+    const dealii::Tensor<1, 3> d = r1 - r0;
+    return {((point - r0) * d) / (d * d), 0};
+  }
+
+  template <>
+  std::array<double, 4> shape<2>(const NaturalPlace &place,
+                                 const unsigned int  component)
   {
     const auto [a, b] = place;
     if (component == 0)
@@ -32,33 +33,50 @@ namespace auxfem
     return {{-b, 1 - a, b, a}};
   }
 
-  std::array<double, 16> rigid_mass_matrix(const double        mass,
-                                           const double        rotary_inertia,
-                                           const double        length,
-                                           const NaturalPlace &centre)
+  template <>
+  std::array<double, 6> shape<3>(const NaturalPlace &place,
+                                 const unsigned int  component)
+  {
+    std::array<double, 6> result = {};
+    result[component]            = 1 - place.a;
+    result[3 + component]        = place.a;
+    return result;
+  }
+
+  template <int dim>
+  std::array<double, 4 * dim * dim>
+  rigid_mass_matrix(const double        mass,
+                    const double        rotary_inertia,
+                    const double        length,
+                    const NaturalPlace &centre)
   {
     // Integrals over the mass of a, b and a^2 + b^2.
     const double first = mass * centre.a, skew = mass * centre.b,
                  second = mass * (centre.a * centre.a + centre.b * centre.b) +
       rotary_inertia / (length * length);
     const double m00 = mass - 2 * first + second, m01 = first - second;
-    return {{m00,
-             0,
-             m01,
-             -skew, //
-             0,
-             m00,
-             skew,
-             m01, //
-             m01,
-             skew,
-             second,
-             0, //
-             -skew,
-             m01,
-             0,
-             second}};
+    std::array<double, 4 *dim *dim> M = {};
+    const auto set = [&M](const int i, const int j, const double value) {
+      M[2 * dim * i + j] = M[2 * dim * j + i] = value;
+    };
+    for (int c = 0; c < dim; ++c)
+      {
+        set(c, c, m00);
+        set(dim + c, dim + c, second);
+        set(c, dim + c, m01);
+      }
+    if (dim == 2)
+      {
+        set(0, 3, -skew);
+        set(1, 2, skew);
+      }
+    return M;
   }
+
+  template std::array<double, 16>
+  rigid_mass_matrix<2>(double, double, double, const NaturalPlace &);
+  template std::array<double, 36>
+  rigid_mass_matrix<3>(double, double, double, const NaturalPlace &);
 
   PlaneVector ClampCondition::normal(const double rotation) const
   {

@@ -45,6 +45,42 @@ namespace auxfem
       return portions;
     }
 
+    /** Adds that of a point mass (kg) at @p arm (m) from the centre. */
+    void add_inertia(const double                mass,
+                     const dealii::Tensor<1, 3> &arm,
+                     dealii::Tensor<2, 3>       &inertia)
+    {
+      for (unsigned int i = 0; i < 3; ++i)
+        for (unsigned int j = 0; j < 3; ++j)
+          inertia[i][j] +=
+            mass * ((i == j ? arm.norm_square() : 0.) - arm[i] * arm[j]);
+    }
+
+    /** Whether joints and mass lie on the line of the base joints. */
+    bool lie_on_base_line(const Lattice              &lattice,
+                          const RigidPart            &part,
+                          const std::vector<Portion> &portions)
+    {
+      // Places are given with six digits or more.
+      constexpr double           negligible = 1e-6;
+      const dealii::Point<3>     origin     = lattice.joints[part.joints[0]];
+      const dealii::Tensor<1, 3> base = lattice.joints[part.joints[1]] - origin;
+      const auto is_on_line           = [&](const dealii::Point<3> &point) {
+        return dealii::cross_product_3d(base, point - origin).norm() <=
+          negligible * base.norm_square();
+      };
+      return std::all_of(part.joints.begin(),
+                         part.joints.end(),
+                         [&](const unsigned int joint) {
+                           return is_on_line(lattice.joints[joint]);
+                         }) &&
+        std::all_of(portions.begin(),
+                    portions.end(),
+                    [&](const Portion &portion) {
+                      return is_on_line(portion.place);
+                    });
+    }
+
     void set_mass(const RigidPartDefinition &definition,
                   const Lattice             &lattice,
                   RigidPart                 &part)
@@ -55,12 +91,39 @@ namespace auxfem
       part.mass                           = definition.mass;
       for (const Portion &portion : portions)
         part.centre_of_mass += portion.share * portion.place;
-      double inertia = 0;
       for (const Portion &portion : portions)
-        inertia += part.mass * portion.share *
-          part.centre_of_mass.distance_square(portion.place);
-      part.rotary_inertia =
-        definition.rotary_inertia ? (*definition.rotary_inertia)[2] : inertia;
+        add_inertia(part.mass * portion.share,
+                    portion.place - part.centre_of_mass,
+                    part.rotary_inertia);
+      if (definition.rotary_inertia)
+        {
+          part.rotary_inertia = 0;
+          for (unsigned int c = 0; c < 3; ++c)
+            part.rotary_inertia[c][c] = (*definition.rotary_inertia)[c];
+        }
+      part.has_rotation = lattice.dimension == 3 &&
+        (part.clamps_struts || !lie_on_base_line(lattice, part, portions));
+    }
+
+    /** Only one part can give a joint's struts its rotation. */
+    void refuse_second_clamp(const RigidPartDefinition &definition,
+                             const Scene               &scene,
+                             const Lattice             &lattice,
+                             const RigidPart           &part)
+    {
+      if (!part.clamps_struts || lattice.dimension == 2)
+        return;
+      for (const RigidPart &other : lattice.rigid_parts)
+        for (const unsigned int joint : part.joints)
+          if (other.clamps_struts &&
+              std::count(other.joints.begin(), other.joints.end(), joint) > 0)
+            throw InputError(
+              definition.path +
+              "/Elastic struts = clamped: the elastic struts at joint " +
+              std::to_string(joint) + " are clamped to a part of " +
+              scene.rigid_parts[other.definition].path +
+              " already. Set hinged for one of the two, or make one part of "
+              "them (Parts = struts that meet).");
     }
 
     /**
@@ -96,12 +159,14 @@ namespace auxfem
       std::iter_swap(part.joints.begin() + 1, farthest);
     }
 
-    void add_part(const unsigned int               definition_number,
-                  const RigidPartDefinition       &definition,
+    void add_part(const Scene                     &scene,
+                  const unsigned int               definition_number,
                   const std::vector<unsigned int> &struts,
                   const std::vector<unsigned int> &joints,
                   Lattice                         &lattice)
     {
+      const RigidPartDefinition &definition =
+        scene.rigid_parts[definition_number];
       RigidPart part;
       part.struts        = struts;
       part.joints        = joints;
@@ -109,6 +174,7 @@ namespace auxfem
       part.clamps_struts = definition.clamps_struts;
       choose_base(definition, lattice, part);
       set_mass(definition, lattice, part);
+      refuse_second_clamp(definition, scene, lattice, part);
       for (const unsigned int strut : struts)
         {
           lattice.struts[strut].rigid_part = lattice.rigid_parts.size();
@@ -179,8 +245,8 @@ namespace auxfem
         const RigidPartDefinition &definition = scene.rigid_parts[d];
         if (!definition.joints.empty())
           {
-            add_part(d,
-                     definition,
+            add_part(scene,
+                     d,
                      {},
                      select_joints(lattice,
                                    definition.joints,
@@ -202,7 +268,7 @@ namespace auxfem
         else
           groups = connected_groups(lattice, struts);
         for (const std::vector<unsigned int> &group : groups)
-          add_part(d, definition, group, joints_of(lattice, group), lattice);
+          add_part(scene, d, group, joints_of(lattice, group), lattice);
       }
   }
 

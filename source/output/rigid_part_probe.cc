@@ -75,7 +75,7 @@ namespace auxfem
   RigidPartRotations::RigidPartRotations(const System &system) : system(system)
   {
     if (system.rigid_parts())
-      rotations.assign(system.rigid_parts()->n_reported(), 0.);
+      rotations.assign(system.rigid_parts()->n_reported(), SpaceVector());
   }
 
   void RigidPartRotations::follow(const State &state)
@@ -83,12 +83,16 @@ namespace auxfem
     const double turn = 2 * dealii::numbers::PI;
     for (unsigned int i = 0; i < rotations.size(); ++i)
       {
-        const double now = system.rigid_parts()->rotation(i, state);
-        rotations[i]     = now + turn * std::round((rotations[i] - now) / turn);
+        const SpaceVector now = system.rigid_parts()->rotation(i, state);
+        if (system.lattice().dimension == 2)
+          rotations[i][2] =
+            now[2] + turn * std::round((rotations[i][2] - now[2]) / turn);
+        else
+          rotations[i] = rotation_vector_near(exponential(now), rotations[i]);
       }
   }
 
-  const std::vector<double> &RigidPartRotations::values() const
+  const std::vector<SpaceVector> &RigidPartRotations::values() const
   {
     return rotations;
   }
@@ -113,6 +117,7 @@ namespace auxfem
   {
     const Lattice  &lattice        = system.lattice();
     const Selection selection      = select(definition, scene, lattice);
+    n_dimensions                   = lattice.dimension;
     has_forces                     = !selection.joints.empty();
     n_parts                        = selection.parts.size();
     const RigidPartConditions &all = *system.rigid_parts();
@@ -135,16 +140,26 @@ namespace auxfem
 
   std::vector<Column> RigidPartProbe::columns() const
   {
-    std::vector<Column> result = {
-      {name + ".phi", "rad", "mean rotation of the probe's rigid parts"}};
+    std::vector<Column> result;
+    if (n_dimensions == 2)
+      result.push_back(
+        {name + ".phi", "rad", "mean rotation of the probe's rigid parts"});
+    else
+      for (const std::string direction : {"x", "y", "z"})
+        result.push_back({name + ".phi_" + direction,
+                          "rad",
+                          "mean rotation vector of the probe's rigid parts "
+                          "along " +
+                            direction});
     if (has_forces)
-      for (const char *direction : {"x", "y"})
-        result.push_back(
-          {name + ".f" + direction,
-           "N",
-           "sum of the forces of the probe's joints on its rigid "
-           "parts along " +
-             std::string(direction)});
+      for (const std::string direction : {"x", "y", "z"})
+        if (direction != "z" || n_dimensions == 3)
+          result.push_back(
+            {name + ".f" + direction,
+             "N",
+             "sum of the forces of the probe's joints on its rigid "
+             "parts along " +
+               direction});
     return result;
   }
 
@@ -152,17 +167,22 @@ namespace auxfem
   RigidPartProbe::values(const State              &state,
                          const RigidPartRotations &rotations) const
   {
-    std::vector<double> result(has_forces ? 3 : 1, 0.);
+    const unsigned int  n_rotations = n_dimensions == 2 ? 1 : 3;
+    std::vector<double> result(n_rotations + (has_forces ? n_dimensions : 0),
+                               0.);
     for (const Part &part : parts)
       {
-        result[0] += rotations.values()[part.report] / n_parts;
+        // In the plane the last alone.
+        for (unsigned int c = 0; c < n_rotations; ++c)
+          result[c] +=
+            rotations.values()[part.report][3 - n_rotations + c] / n_parts;
         if (!has_forces)
           continue;
         const RigidPartReport report =
           system.rigid_parts()->report(part.report, state);
         for (const unsigned int joint : part.joints)
-          for (unsigned int c = 0; c < 2; ++c)
-            result[1 + c] += report.forces[joint][c];
+          for (unsigned int c = 0; c < n_dimensions; ++c)
+            result[n_rotations + c] += report.forces[joint][c];
       }
     return result;
   }

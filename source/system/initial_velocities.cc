@@ -3,6 +3,9 @@
 #include <auxfem/system/initial_velocities.h>
 #include <auxfem/system/line_rule.h>
 
+#include <algorithm>
+#include <set>
+
 namespace auxfem
 {
   namespace
@@ -34,6 +37,15 @@ namespace auxfem
     const std::vector<unsigned int>    &components = numbering.components();
     const unsigned int                  n          = numbering.n_components();
     std::vector<std::pair<int, double>> velocities;
+    // A rigid part turns with a set only if all of it does.
+    std::set<int> of_rigid_parts;
+    for (const unsigned int p : numbering.rigid_parts())
+      if (lattice.rigid_parts[p].has_rotation)
+        for (const unsigned int c : components)
+          of_rigid_parts.insert(numbering.rigid_part_unknown(p, c));
+    const auto is_of_rigid_part = [&](const int unknown) {
+      return of_rigid_parts.count(unknown) > 0;
+    };
     for (const InitialVelocityDefinition &definition : scene.initial_velocities)
       {
         const std::vector<unsigned int> joints =
@@ -53,9 +65,24 @@ namespace auxfem
             const Velocity velocity =
               velocity_at(lattice.joints[joint], centre, definition.velocity);
             for (const unsigned int c : components)
-              if (numbering.joint_unknown(joint, c) >= 0)
+              if (numbering.joint_unknown(joint, c) >= 0 &&
+                  !is_of_rigid_part(numbering.joint_unknown(joint, c)))
                 velocities.emplace_back(numbering.joint_unknown(joint, c),
                                         velocity[c]);
+          }
+        for (const unsigned int p : numbering.rigid_parts())
+          {
+            const RigidPart &part = lattice.rigid_parts[p];
+            if (!part.has_rotation ||
+                !std::all_of(part.joints.begin(),
+                             part.joints.end(),
+                             [&](const auto joint) { return chosen[joint]; }))
+              continue;
+            const Velocity velocity =
+              velocity_at(part.centre_of_mass, centre, definition.velocity);
+            for (const unsigned int c : components)
+              velocities.emplace_back(numbering.rigid_part_unknown(p, c),
+                                      velocity[c]);
           }
         for (unsigned int e = 0; e < numbering.elements().size(); ++e)
           {
@@ -76,9 +103,10 @@ namespace auxfem
                 const Velocity velocity =
                   velocity_at(position, centre, definition.velocity);
                 for (unsigned int i = 0; i < n; ++i)
-                  velocities.emplace_back(numbering.element_unknowns(
-                                            e)[n * a + i],
-                                          velocity[components[i]]);
+                  if (const int unknown =
+                        numbering.element_unknowns(e)[n * a + i];
+                      !is_of_rigid_part(unknown))
+                    velocities.emplace_back(unknown, velocity[components[i]]);
               }
           }
       }

@@ -1,61 +1,127 @@
 #include <auxfem/mesh/sets.h>
 #include <auxfem/parameters/errors.h>
+#include <auxfem/system/effects/rotational_springs.h>
+#include <auxfem/system/effects/space_springs.h>
 #include <auxfem/system/joint_releases.h>
+
+#include <algorithm>
 
 namespace auxfem
 {
   namespace
   {
-    /** Ends of elastic struts; rigid ones are hinged everywhere. */
-    std::vector<std::vector<StrutEnd>> ends_by_joint(const Lattice &lattice)
+    using Type = JointDefinition::Type;
+    using What = Turning::What;
+
+    /** Ends of struts, elastic or rigid, by joint. */
+    std::vector<std::vector<StrutEnd>> ends_by_joint(const Lattice &lattice,
+                                                     const bool     rigid)
     {
       std::vector<std::vector<StrutEnd>> ends_at(lattice.joints.size());
       for (unsigned int s = 0; s < lattice.struts.size(); ++s)
-        for (unsigned int end = 0; end < 2 && !lattice.struts[s].is_rigid();
+        for (unsigned int end = 0;
+             end < 2 && lattice.struts[s].is_rigid() == rigid;
              ++end)
           ends_at[lattice.struts[s].joints[end]].push_back({s, end});
       return ends_at;
     }
 
-    /** What a released strut end turns against. */
-    struct SpringBase
+    /** A rigid part of which @p joint is a joint; nullptr if there is none. */
+    const RigidPart *rigid_part_at(const Lattice     &lattice,
+                                   const unsigned int joint)
     {
-      /** -1 without `is_ground`: not on this rank. */
-      int  unknown   = -1;
-      bool is_ground = false;
-    };
-
-    SpringBase spring_base(const JointRelease::AtJoint &at,
-                           const DofNumbering          &numbering)
-    {
-      if (numbering.joint_has(at.joint, rotation_z))
-        return {numbering.joint_unknown(at.joint, rotation_z), false};
-      if (at.ends.size() == 1)
-        return {-1, true};
-      return {numbering.end_rotation(at.ends[0].strut, at.ends[0].end), false};
+      for (const RigidPart &part : lattice.rigid_parts)
+        if (std::count(part.joints.begin(), part.joints.end(), joint) > 0)
+          return &part;
+      return nullptr;
     }
 
-    /** A rigid part has no rotation that the spring of a lone strut could act
-     * on. */
+    /** A rigid part in the plane has no rotation that the spring of a lone
+     * strut could act on. */
     void refuse_spring_to_rigid_part(const JointDefinition &definition,
                                      const Lattice         &lattice,
                                      const unsigned int     joint)
     {
-      for (const RigidPart &part : lattice.rigid_parts)
-        for (const unsigned int candidate : part.joints)
-          if (candidate == joint)
-            throw InputError(
-              definition.path + "/Joints: a rigid part is hinged at joint " +
-              std::to_string(joint) +
-              ", and a rotational spring cannot act on it. Take the joint out, "
-              "or put a short elastic strut clamped to the part between.");
+      if (rigid_part_at(lattice, joint))
+        throw InputError(
+          definition.path + "/Joints: a rigid part is hinged at joint " +
+          std::to_string(joint) +
+          ", and a rotational spring cannot act on it. Take the joint out, "
+          "or put a short elastic strut clamped to the part between.");
+    }
+
+    [[noreturn]] void refuse_bar(const JointDefinition &definition,
+                                 const unsigned int     joint)
+    {
+      throw InputError(
+        definition.path + "/Joints: the rigid part at joint " +
+        std::to_string(joint) +
+        " lies on one line, so it has no rotation that a spring or a revolute "
+        "hinge could act on. Leave its struts or the joint out, or set Elastic "
+        "struts = clamped for the part, which gives it a rotation.");
+    }
+
+    /** The rigid parts of the chosen rigid struts that end at a joint. */
+    std::vector<unsigned int>
+    chosen_rigid_parts(const JointDefinition       &definition,
+                       const Lattice               &lattice,
+                       const std::vector<StrutEnd> &ends,
+                       const std::vector<bool>     &chosen,
+                       const unsigned int           joint)
+    {
+      std::vector<unsigned int> parts;
+      for (const StrutEnd &end : ends)
+        {
+          const unsigned int part = lattice.struts[end.strut].rigid_part;
+          if (!chosen[end.strut] ||
+              std::count(parts.begin(), parts.end(), part) > 0)
+            continue;
+          if (lattice.rigid_parts[part].has_rotation)
+            parts.push_back(part);
+          else if (definition.type == Type::revolute)
+            refuse_bar(definition, joint);
+        }
+      return parts;
+    }
+
+    /** What turns at a joint, in order. */
+    std::vector<Turning> turning_ends(const JointRelease::AtJoint &at)
+    {
+      std::vector<Turning> turning;
+      for (const StrutEnd &end : at.ends)
+        turning.push_back({What::strut_end, end.strut, end.end});
+      for (const unsigned int part : at.rigid_parts)
+        turning.push_back({What::rigid_part, part, 0});
+      return turning;
+    }
+
+    /** What the @p ends at a joint turn against. */
+    Turning base_of(const JointRelease::AtJoint &at,
+                    const std::vector<Turning>  &ends,
+                    const Turning               &of_joint,
+                    const JointDefinition       &definition,
+                    const Lattice               &lattice)
+    {
+      if (of_joint.what != What::ground &&
+          std::count(ends.begin(), ends.end(), of_joint) == 0)
+        return of_joint;
+      if (ends.size() > 1)
+        return ends.front();
+      // A lone part turns against the ground, a strut not if a part is there.
+      if (lattice.dimension == 3 && ends.front().what == What::strut_end &&
+          rigid_part_at(lattice, at.joint))
+        refuse_bar(definition, at.joint);
+      return {};
     }
   } // namespace
 
   std::vector<JointRelease> joint_releases(const Scene   &scene,
                                            const Lattice &lattice)
   {
-    const std::vector<std::vector<StrutEnd>> ends_at = ends_by_joint(lattice);
+    const std::vector<std::vector<StrutEnd>> ends_at =
+                                               ends_by_joint(lattice, false),
+                                             rigid_ends_at =
+                                               ends_by_joint(lattice, true);
 
     std::vector<JointRelease> releases;
     for (const JointDefinition &definition : scene.joints)
@@ -66,22 +132,29 @@ namespace auxfem
                                                   scene.context,
                                                   definition.path + "/Struts"))
           chosen[s] = true;
-        JointRelease release{definition.type, definition.stiffness, {}};
+        JointRelease release{&definition, {}, {}};
         for (const unsigned int joint :
              select_joints(lattice,
                            definition.joints,
                            scene.context,
                            definition.path + "/Joints"))
           {
-            JointRelease::AtJoint at{joint, {}};
+            JointRelease::AtJoint at{joint, {}, {}};
             for (const StrutEnd &end : ends_at[joint])
               if (chosen[end.strut])
                 at.ends.push_back(end);
+            if (lattice.dimension == 3 && definition.type != Type::hinge)
+              at.rigid_parts = chosen_rigid_parts(definition,
+                                                  lattice,
+                                                  rigid_ends_at[joint],
+                                                  chosen,
+                                                  joint);
             // Elsewhere it acts between elastic struts.
-            if (definition.type == JointDefinition::Type::rotational_spring &&
+            if (lattice.dimension == 2 &&
+                definition.type == Type::rotational_spring &&
                 ends_at[joint].size() < 2)
               refuse_spring_to_rigid_part(definition, lattice, joint);
-            if (at.ends.empty())
+            if (at.ends.empty() && at.rigid_parts.empty())
               throw InputError(definition.path + ": no elastic strut of '" +
                                definition.struts + "' ends at joint " +
                                std::to_string(joint) +
@@ -93,39 +166,131 @@ namespace auxfem
     return releases;
   }
 
-  void release(const std::vector<JointRelease> &releases, Ties &ties)
+  void couple(std::vector<JointRelease> &releases,
+              const Lattice             &lattice,
+              Ties                      &ties)
   {
     for (const JointRelease &release : releases)
       for (const JointRelease::AtJoint &at : release.joints)
-        {
-          for (const StrutEnd &end : at.ends)
-            ties.released[end.strut][end.end] = true;
-          if (release.type == JointDefinition::Type::rotational_spring)
-            ties.sprung_joints.push_back(at.joint);
-        }
-  }
+        for (const StrutEnd &end : at.ends)
+          ties.released[end.strut][end.end] = true;
 
-  std::unique_ptr<RotationalSprings>
-  make_rotational_springs(const std::vector<JointRelease> &releases,
-                          const DofNumbering              &numbering)
-  {
-    auto springs = std::make_unique<RotationalSprings>(numbering);
-    bool is_used = false;
-    for (const JointRelease &release : releases)
-      if (release.type == JointDefinition::Type::rotational_spring)
+    const std::vector<Turning> of_joint =
+      joint_rotations(lattice, ties.released);
+    for (JointRelease &release : releases)
+      {
+        const JointDefinition &definition = *release.definition;
+        if (definition.type == Type::hinge)
+          continue;
         for (const JointRelease::AtJoint &at : release.joints)
           {
-            const SpringBase base = spring_base(at, numbering);
-            for (const StrutEnd &end : at.ends)
-              {
-                const int rotation = numbering.end_rotation(end.strut, end.end);
-                if (rotation < 0 || rotation == base.unknown ||
-                    (base.unknown < 0 && !base.is_ground))
-                  continue;
-                springs->add(base.unknown, rotation, release.stiffness);
-                is_used = true;
-              }
+            const std::vector<Turning> ends = turning_ends(at);
+            const Turning              base =
+              base_of(at, ends, of_joint[at.joint], definition, lattice);
+            for (const Turning &end : ends)
+              if (!(end == base))
+                release.pairs.push_back({at.joint, base, end});
           }
+        auto &coupled =
+          definition.type == Type::revolute ? ties.hinged : ties.sprung;
+        coupled.insert(coupled.end(),
+                       release.pairs.begin(),
+                       release.pairs.end());
+      }
+  }
+
+  namespace
+  {
+    /** Local numbers of the rotation about x, y, z; -1: not there. */
+    std::array<int, 3> spins(const DofNumbering &numbering,
+                             const Turning      &turning)
+    {
+      std::array<int, 3> unknowns;
+      for (unsigned int c = 0; c < 3; ++c)
+        unknowns[c] = numbering.rotation_unknown(turning, first_rotation + c);
+      return unknowns;
+    }
+
+    /** Calls @p add(stiffness, base, end) for springs kept on this rank. */
+    template <class Add>
+    void for_each_spring(const std::vector<JointRelease> &releases,
+                         const DofNumbering              &numbering,
+                         const Add                       &add)
+    {
+      for (const JointRelease &release : releases)
+        if (release.definition->type == Type::rotational_spring)
+          for (const TurningPair &pair : release.pairs)
+            {
+              const std::array<int, 3> base = spins(numbering, pair.base),
+                                       end  = spins(numbering, pair.end);
+              if (end[2] >= 0 &&
+                  (base[2] >= 0 || pair.base.what == What::ground))
+                add(release.definition->stiffness, base, end);
+            }
+    }
+  } // namespace
+
+  std::unique_ptr<Effect>
+  make_rotational_springs(const std::vector<JointRelease> &releases,
+                          const DofNumbering              &numbering,
+                          StateLayout                     &layout)
+  {
+    bool is_used = false;
+    if (layout.n_rotations > 0)
+      {
+        auto springs = std::make_unique<SpaceSprings>(numbering, layout);
+        for_each_spring(
+          releases,
+          numbering,
+          [&](const double stiffness, const auto &base, const auto &end) {
+            springs->add(base[0] < 0 ? -1 : numbering.spatial_rotation(base[0]),
+                         numbering.spatial_rotation(end[0]),
+                         stiffness,
+                         layout);
+            is_used = true;
+          });
+        return is_used ? std::move(springs) : nullptr;
+      }
+    auto springs = std::make_unique<RotationalSprings>(numbering);
+    for_each_spring(releases,
+                    numbering,
+                    [&](const double stiffness,
+                        const auto  &base,
+                        const auto  &end) {
+                      for (unsigned int c = 0; c < 3; ++c)
+                        if (end[c] >= 0)
+                          springs->add(base[c], end[c], stiffness);
+                      is_used = true;
+                    });
     return is_used ? std::move(springs) : nullptr;
+  }
+
+  std::unique_ptr<RevoluteHinges>
+  make_revolute_hinges(const std::vector<JointRelease> &releases,
+                       const DofNumbering              &numbering,
+                       const bool                       large_rotation,
+                       const double                     length)
+  {
+    std::unique_ptr<RevoluteHinges> hinges;
+    unsigned int                    number = 0;
+    for (const JointRelease &release : releases)
+      if (release.definition->type == Type::revolute)
+        for (const TurningPair &pair : release.pairs)
+          {
+            if (!hinges)
+              hinges = std::make_unique<RevoluteHinges>(numbering,
+                                                        large_rotation,
+                                                        length);
+            const std::array<int, 2> multipliers = {
+              {numbering.hinge_multiplier(number, 0),
+               numbering.hinge_multiplier(number, 1)}};
+            ++number;
+            if (multipliers[0] >= 0)
+              hinges->add(spins(numbering, pair.base),
+                          spins(numbering, pair.end),
+                          multipliers,
+                          release.definition->axis);
+          }
+    return hinges;
   }
 } // namespace auxfem

@@ -96,48 +96,53 @@ namespace auxfem
         }
     }
 
-    /** Adds a force on a point of a rigid body along component @p c. */
-    void add_on_body(const unsigned int  load,
-                     const unsigned int  c,
-                     const RigidBody    &body,
-                     const NaturalPlace &place,
-                     const double        force,
-                     AppliedLoads       &loads)
+    /** Adds @p force, by its @p shares. */
+    void add_shares(const unsigned int load,
+                    const ForceShares &shares,
+                    const double       force,
+                    AppliedLoads      &loads)
     {
-      const std::array<double, 4> shares = shape(place, c);
-      for (unsigned int i = 0; i < 4; ++i)
-        loads.add_weight(load, body.base[i], force * shares[i]);
+      for (const auto &[unknown, share] : shares)
+        loads.add_weight(load, unknown, force * share);
+    }
+
+    /** Calls @p action for the rigid parts of all kinds. */
+    template <class Action>
+    void for_each_body(const RigidBodies &bodies, const Action &action)
+    {
+      std::for_each(bodies.in_plane.begin(), bodies.in_plane.end(), action);
+      std::for_each(bodies.bars.begin(), bodies.bars.end(), action);
+      std::for_each(bodies.turning.begin(), bodies.turning.end(), action);
     }
 
     /** Adds a unit force per length along component @p c of the chosen rigid struts. */
-    void add_along_rigid_struts(const unsigned int            load,
-                                const unsigned int            c,
-                                const std::vector<bool>      &chosen,
-                                const Lattice                &lattice,
-                                const std::vector<RigidBody> &bodies,
-                                AppliedLoads                 &loads)
+    void add_along_rigid_struts(const unsigned int       load,
+                                const unsigned int       c,
+                                const std::vector<bool> &chosen,
+                                const Lattice           &lattice,
+                                const DofNumbering      &numbering,
+                                const RigidBodies       &bodies,
+                                AppliedLoads            &loads)
     {
-      for (const RigidBody &body : bodies)
-        {
-          const RigidPart &part = lattice.rigid_parts[body.part];
-          for (const unsigned int number : part.struts)
-            if (chosen[number])
-              add_on_body(load,
-                          c,
-                          body,
-                          place_in(part,
-                                   lattice,
-                                   lattice.centroid(lattice.struts[number])),
-                          lattice.length(lattice.struts[number]),
-                          loads);
-        }
+      for_each_body(bodies, [&](const auto &body) {
+        for (const unsigned int number : lattice.rigid_parts[body.part].struts)
+          if (const Strut &strut = lattice.struts[number]; chosen[number])
+            add_shares(load,
+                       force_shares(body,
+                                    lattice,
+                                    numbering,
+                                    lattice.centroid(strut),
+                                    c),
+                       lattice.length(strut),
+                       loads);
+      });
     }
 
-    void add_line_loads(const Scene                  &scene,
-                        const Lattice                &lattice,
-                        const DofNumbering           &numbering,
-                        const std::vector<RigidBody> &bodies,
-                        AppliedLoads                 &loads)
+    void add_line_loads(const Scene        &scene,
+                        const Lattice      &lattice,
+                        const DofNumbering &numbering,
+                        const RigidBodies  &bodies,
+                        AppliedLoads       &loads)
     {
       for (const LineLoadDefinition &definition : scene.line_loads)
         {
@@ -162,17 +167,23 @@ namespace auxfem
                 numbering,
                 [](const Strut &) { return 1.; },
                 loads);
-              add_along_rigid_struts(load, c, chosen, lattice, bodies, loads);
+              add_along_rigid_struts(load,
+                                     c,
+                                     chosen,
+                                     lattice,
+                                     numbering,
+                                     bodies,
+                                     loads);
             }
         }
     }
 
-    void add_gravity(const Scene                  &scene,
-                     const Lattice                &lattice,
-                     const DofNumbering           &numbering,
-                     const std::vector<Section>   &sections,
-                     const std::vector<RigidBody> &bodies,
-                     AppliedLoads                 &loads)
+    void add_gravity(const Scene                &scene,
+                     const Lattice              &lattice,
+                     const DofNumbering         &numbering,
+                     const std::vector<Section> &sections,
+                     const RigidBodies          &bodies,
+                     AppliedLoads               &loads)
     {
       const std::vector<bool> all(lattice.struts.size(), true);
       for (unsigned int c = 0; c < lattice.dimension; ++c)
@@ -191,13 +202,14 @@ namespace auxfem
               return sections[strut.section].mass_per_length();
             },
             loads);
-          for (const RigidBody &body : bodies)
-            add_on_body(load,
-                        c,
-                        body,
-                        body.centre,
-                        lattice.rigid_parts[body.part].mass,
-                        loads);
+          for_each_body(bodies, [&](const auto &body) {
+            const RigidPart &part = lattice.rigid_parts[body.part];
+            add_shares(
+              load,
+              force_shares(body, lattice, numbering, part.centre_of_mass, c),
+              part.mass,
+              loads);
+          });
           for (const MassDefinition &mass : scene.masses)
             for (const unsigned int joint :
                  select_joints(lattice,
@@ -213,12 +225,12 @@ namespace auxfem
   } // namespace
 
   std::vector<std::unique_ptr<Effect>>
-  make_loads(const Scene                  &scene,
-             const Lattice                &lattice,
-             const DofNumbering           &numbering,
-             const std::vector<Section>   &sections,
-             const std::vector<RigidBody> &bodies,
-             const SimulatedEffects       &simulated)
+  make_loads(const Scene                &scene,
+             const Lattice              &lattice,
+             const DofNumbering         &numbering,
+             const std::vector<Section> &sections,
+             const RigidBodies          &bodies,
+             const SimulatedEffects     &simulated)
   {
     std::vector<std::unique_ptr<Effect>> effects;
     if (scene.joint_loads.empty() && scene.line_loads.empty() &&

@@ -39,11 +39,12 @@ namespace auxfem
   make_masses(const Scene        &scene,
               const Lattice      &lattice,
               const DofNumbering &numbering,
+              const RigidBodies  &bodies,
               const bool          large_rotation)
   {
-    auto       points     = std::make_unique<PointMasses>(numbering);
-    auto       rotary     = std::make_unique<RotaryMasses>(numbering);
-    const bool turns      = large_rotation && lattice.dimension == 3;
+    auto points = std::make_unique<PointMasses>(numbering);
+    auto rotary = std::make_unique<RotaryMasses>(numbering, large_rotation);
+    const bool is_spatial = lattice.dimension == 3;
     bool       has_points = false, has_rotary = false;
     for (const MassDefinition &mass : scene.masses)
       for (const unsigned int joint : select_joints(lattice,
@@ -56,19 +57,30 @@ namespace auxfem
             {
               const int unknown = numbering.joint_unknown(joint, c);
               if (unknown < 0 || share(mass, c) == 0 ||
-                  (turns && c >= first_rotation))
+                  (is_spatial && c >= first_rotation))
                 continue;
               points->add(unknown, share(mass, c));
               has_points = true;
             }
           const int spin = numbering.joint_unknown(joint, rotation_z);
-          if (turns && spin >= 0 && mass.rotary_inertia.norm() > 0)
+          if (is_spatial && spin >= 0 && mass.rotary_inertia.norm() > 0)
             {
               rotary->add(numbering.spatial_rotation(spin),
                           along_global_axes(mass.rotary_inertia));
               has_rotary = true;
             }
         }
+    for (const TurningBody &body : bodies.turning)
+      {
+        const RigidPart &part = lattice.rigid_parts[body.part];
+        if (part.mass == 0)
+          continue;
+        for (const int unknown : body.centre)
+          points->add(unknown, part.mass);
+        rotary->add(numbering.spatial_rotation(body.rotation[0]),
+                    part.rotary_inertia);
+        has_points = has_rotary = true;
+      }
     std::vector<std::unique_ptr<Effect>> effects;
     if (has_points)
       effects.push_back(std::move(points));

@@ -35,7 +35,7 @@ namespace auxfem
       section_list.push_back(definition.section);
     state_layout.velocity = state_layout.acceleration = simulated.inertia;
 
-    const std::vector<JointRelease> releases = simulated.hinges
+    std::vector<JointRelease> releases = simulated.hinges
       ? joint_releases(scene, graph)
       : std::vector<JointRelease>();
     make_numbering(scene, releases, communicator);
@@ -45,16 +45,16 @@ namespace auxfem
       initial_velocities = auxfem::initial_velocities(scene, graph, *dofs);
   }
 
-  void System::make_numbering(const Scene                     &scene,
-                              const std::vector<JointRelease> &releases,
-                              const MPI_Comm                   communicator)
+  void System::make_numbering(const Scene               &scene,
+                              std::vector<JointRelease> &releases,
+                              const MPI_Comm             communicator)
   {
     mesh = std::make_unique<StrutMesh>(graph,
                                        scene.discretization.refinements,
                                        communicator);
     Ties ties;
     ties.released.assign(graph.struts.size(), {{false, false}});
-    release(releases, ties);
+    couple(releases, graph, ties);
     for (const ConnectorDefinition &definition : scene.connectors)
       {
         const std::vector<JointPair> pairs =
@@ -81,7 +81,8 @@ namespace auxfem
       const SupportDefinition *support;
       bool                     at_rest;
     };
-    std::map<std::pair<unsigned, unsigned>, Holder> holders;
+    // Joints of one rigid part may share a rotation.
+    std::map<int, Holder> holders;
     for (const SupportDefinition &definition : scene.supports)
       {
         Support support{definition.name, {}, {}, definition.motion};
@@ -100,17 +101,19 @@ namespace auxfem
                   // A hinge may be clamped: then its rotation is not there.
                   if (at_rest && !dofs->is_rigid_joint(joint))
                     continue;
-                  throw InputError(definition.path + "/Rotation z: " +
+                  throw InputError(definition.path + "/Rotation " +
+                                   "xyz"[c - first_rotation] + ": " +
                                    dofs->why_no_rotation(joint) +
                                    " Type = pin holds displacements only.");
                 }
-              const auto [holder, is_new] =
-                holders.insert({{joint, c}, {&definition, at_rest}});
+              const auto [holder, is_new] = holders.insert(
+                {dofs->global_number(joint, c), {&definition, at_rest}});
               if (!is_new)
                 {
                   // Two supports may both hold an unknown at rest, as at a
                   // corner.
-                  if (at_rest && holder->second.at_rest)
+                  if ((at_rest && holder->second.at_rest) ||
+                      holder->second.support == &definition)
                     continue;
                   throw InputError(
                     definition.path + ": the " +
@@ -148,6 +151,34 @@ namespace auxfem
       }
   }
 
+  void System::make_conditions(const Scene                     &scene,
+                               const std::vector<JointRelease> &releases,
+                               const RigidBodies               &bodies)
+  {
+    if (!graph.rigid_parts.empty())
+      {
+        auto of_parts =
+          std::make_unique<RigidPartConditions>(bodies,
+                                                graph,
+                                                *dofs,
+                                                simulated.large_rotation,
+                                                simulated.gravity
+                                                  ? scene.gravity
+                                                  : dealii::Tensor<1, 3>());
+        parts = of_parts.get();
+        conditions.push_back(parts);
+        effects.push_back(std::move(of_parts));
+      }
+    if (auto hinges = make_revolute_hinges(releases,
+                                           *dofs,
+                                           simulated.large_rotation,
+                                           mean_length))
+      {
+        conditions.push_back(hinges.get());
+        effects.push_back(std::move(hinges));
+      }
+  }
+
   void System::make_effects(const Scene                     &scene,
                             const std::vector<JointRelease> &releases)
   {
@@ -169,7 +200,7 @@ namespace auxfem
         strut_forces = struts.get();
         effects.push_back(std::move(struts));
       }
-    if (auto springs = make_rotational_springs(releases, *dofs))
+    if (auto springs = make_rotational_springs(releases, *dofs, state_layout))
       effects.push_back(std::move(springs));
 
     for (const ConnectorDefinition &definition : scene.connectors)
@@ -191,25 +222,13 @@ namespace auxfem
         connector_groups.push_back(group.get());
         effects.push_back(std::move(group));
       }
-    const std::vector<RigidBody> bodies = rigid_bodies(graph, *dofs);
-    if (!graph.rigid_parts.empty())
-      {
-        auto parts =
-          std::make_unique<RigidPartConditions>(bodies,
-                                                graph,
-                                                *dofs,
-                                                simulated.large_rotation,
-                                                simulated.gravity
-                                                  ? scene.gravity
-                                                  : dealii::Tensor<1, 3>());
-        conditions = parts.get();
-        effects.push_back(std::move(parts));
-      }
+    const RigidBodies bodies = rigid_bodies(graph, *dofs);
+    make_conditions(scene, releases, bodies);
     n_internal = effects.size();
 
     if (simulated.inertia)
       {
-        if (!bodies.empty())
+        if (!bodies.in_plane.empty() || !bodies.bars.empty())
           effects.push_back(std::make_unique<RigidPartInertia>(bodies));
         if (is_elastic)
           effects.push_back(make_strut_inertia(
@@ -221,7 +240,7 @@ namespace auxfem
              simulated.strut_damping &&
                any_section(&Section::mass_proportional_damping)}));
         for (auto &masses :
-             make_masses(scene, graph, *dofs, simulated.large_rotation))
+             make_masses(scene, graph, *dofs, bodies, simulated.large_rotation))
           effects.push_back(std::move(masses));
       }
     n_balanced = effects.size();

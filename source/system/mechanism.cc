@@ -67,6 +67,7 @@ namespace auxfem
     matrix.matrix().ExtractDiagonalCopy(stiffness_diagonal);
     double stiffest = 0;
     stiffness_diagonal.MaxValue(&stiffest);
+    const double  length = system.length_scale();
     Epetra_Vector weight(stiffness_diagonal), shifted(stiffness_diagonal);
     for (unsigned int i = 0; i < numbering.n_owned(); ++i)
       {
@@ -80,7 +81,8 @@ namespace auxfem
         // A row without any stiffness counts as the stiffest: its motion is
         // then the softest of all.
         if (weight[i] <= 0)
-          weight[i] = stiffest > 0 ? stiffest : 1.;
+          weight[i] = (stiffest > 0 ? stiffest : 1.) *
+            (numbering.is_rotation(i) ? length * length : 1.);
         shifted[i] += softest * weight[i];
       }
     const Epetra_CrsMatrix stiffness(matrix.matrix());

@@ -19,7 +19,8 @@ namespace auxfem
     /**
      * Identity in the rows of displacements, the conditions' gradients G beside
      * it, a small negative number in the multipliers' diagonal: its Schur
-     * complement is -(G G^T + small) on unknowns that are free.
+     * complement is -(G G^T + small) on unknowns that are free. Rotations in
+     * space count as displacements at the length of a strut.
      */
     void
     make_matrix(const System &system, const Step &step, TangentMatrix &matrix)
@@ -27,10 +28,14 @@ namespace auxfem
       system.tangent(step, {0., 0., 0.}, matrix);
       const DofNumbering &numbering = system.numbering();
       Epetra_Vector       diagonal(numbering.owned_map());
+      const double        rotation = system.lattice().dimension == 3
+               ? system.length_scale() * system.length_scale()
+               : 1.;
       for (unsigned int i = 0; i < numbering.n_owned(); ++i)
         diagonal[i] = numbering.kind(i) == UnknownKind::multiplier
           ? -smallest_eigenvalue / 10
-          : 1.;
+          : numbering.kind(i) == UnknownKind::rotation ? rotation
+                                                       : 1.;
       matrix.matrix().ReplaceDiagonalValues(diagonal);
     }
 
@@ -41,16 +46,24 @@ namespace auxfem
           mode[i] = 0;
     }
 
-    [[noreturn]] void refuse(const DofNumbering  &numbering,
-                             const Epetra_Vector &mode)
+    [[noreturn]] void refuse(const System &system, const Epetra_Vector &mode)
     {
+      const DofNumbering &numbering = system.numbering();
       std::vector<double> sizes(numbering.n_owned());
       for (unsigned int i = 0; i < sizes.size(); ++i)
         sizes[i] = std::abs(mode[i]);
       throw InputError(
-        "Rigid parts: a " + numbering.describe_largest(sizes) +
+        std::string(system.lattice().dimension == 3
+                      ? "Rigid parts and revolute hinges: a "
+                      : "Rigid parts: a ") +
+        numbering.describe_largest(sizes) +
         " follows from the conditions of other parts and the supports, so the "
-        "forces in them are not determined.\nA rigid part between fixed joints, "
+        "forces in them are not determined.\n" +
+        (system.lattice().dimension == 3
+           ? "Two hinges on one axis hold a part twice: let one be a hinge, or "
+             "a support slide along the axis. "
+           : "") +
+        "A rigid part between fixed joints, "
         "or one too many in a closed loop, must go or become elastic (Sections), "
         "or a support must let go; bars that lie exactly in one line must be "
         "bent a little.");
@@ -89,6 +102,6 @@ namespace auxfem
         is_solved = std::isfinite(growth);
       }
     if (!is_solved || growth > 1 / smallest_eigenvalue)
-      refuse(numbering, mode);
+      refuse(system, mode);
   }
 } // namespace auxfem

@@ -58,7 +58,18 @@ namespace auxfem
 
   const RigidPartConditions *System::rigid_parts() const
   {
-    return conditions;
+    return parts;
+  }
+
+  bool System::has_conditions() const
+  {
+    return !conditions.empty();
+  }
+
+  void System::find_rates(const State &state, double *rates) const
+  {
+    for (const Conditions *of_kind : conditions)
+      of_kind->find_rates(state, rates);
   }
 
   const std::vector<const ConnectorForces *> &System::connectors() const
@@ -199,12 +210,15 @@ namespace auxfem
 
   double System::condition_tolerance(const State &state) const
   {
-    if (!conditions)
+    if (conditions.empty())
       return 0;
+    double length = mean_length;
+    for (const Conditions *of_kind : conditions)
+      length = std::max(length, of_kind->length());
     // A condition sums a few products of displacements and lengths.
     const double safety = 16;
     return safety * std::numeric_limits<double>::epsilon() *
-      (mean_length + largest_motion(state.displacement).first) *
+      (length + largest_motion(state.displacement).first) *
       std::sqrt(double(dofs->n_multipliers()));
   }
 

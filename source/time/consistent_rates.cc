@@ -35,7 +35,7 @@ namespace auxfem
             "not determined. Give every moving part a density or a mass "
             "(Sections/NAME/Density, Rigid parts/NAME/Mass, Masses).");
       }
-    if (system.rigid_parts())
+    if (system.has_conditions())
       {
         std::vector<double> rates;
         refuse_strain(state, find_rates(state, rates), dt);
@@ -77,7 +77,7 @@ namespace auxfem
   {
     const DofNumbering &numbering = system.numbering();
     rates.assign(numbering.n_local(), 0.);
-    system.rigid_parts()->find_rates(state, rates.data());
+    system.find_rates(state, rates.data());
     double mine = 0, largest = 0;
     for (const double rate : rates)
       mine = std::max(mine, std::abs(rate));
@@ -100,7 +100,11 @@ namespace auxfem
           round_off_of_differences * system.length_scale() / dt)
       return;
     std::ostringstream message;
-    message << "At t = 0 the joints of a rigid part move apart with " << rate
+    message << "At t = 0 the joints of a rigid part move apart"
+            << (system.lattice().dimension == 3
+                  ? ", or a revolute hinge turns across its axis,"
+                  : "")
+            << " with " << rate
             << " m/s, by Initial velocities or by Supports that start with a "
                "speed. Give all joints of the part velocities of one rigid "
                "motion that its supports allow, or let supports start from "

@@ -27,7 +27,7 @@ namespace auxfem
     , solver(system, scene.newton, scene.solver)
     , trial(system.initial_state())
   {
-    if (system.rigid_parts() && integrator->carries_on_alternating_errors())
+    if (system.has_conditions() && integrator->carries_on_alternating_errors())
       rate_solver = std::make_unique<RateSolver>(system, scene.solver);
     if (parameters.smallest_step == 0)
       parameters.smallest_step = parameters.step / 1024;

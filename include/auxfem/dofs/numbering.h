@@ -17,6 +17,34 @@ namespace auxfem
    * about x`. */
   const char *motion_in_words(unsigned int component, unsigned int dimension);
 
+  /** Something with a rotation, or the ground, which has none. */
+  struct Turning
+  {
+    enum class What
+    {
+      ground,
+      joint,     ///< with the struts that are rigidly connected there
+      strut_end, ///< released from its joint
+      rigid_part ///< in space, RigidPart::has_rotation
+    };
+    What what = What::ground;
+    /** Of the joint, strut or rigid part. */
+    unsigned int index = 0;
+    unsigned int end   = 0; ///< of the strut
+
+    bool operator==(const Turning &other) const
+    {
+      return what == other.what && index == other.index && end == other.end;
+    }
+  };
+
+  /** Two rotations at one joint that are coupled by a spring or a hinge. */
+  struct TurningPair
+  {
+    unsigned int joint;
+    Turning      base, end;
+  };
+
   /** What is released and tied beyond the rigid joints. */
   struct Ties
   {
@@ -29,9 +57,25 @@ namespace auxfem
     /** Pairs of joints whose motions act on each other through a connector. */
     std::vector<JointPair> connected;
 
-    /** Joints where springs couple the rotations of released strut ends. */
-    std::vector<unsigned int> sprung_joints;
+    /** Rotations coupled by springs. */
+    std::vector<TurningPair> sprung;
+
+    /** Rotations coupled by revolute hinges, with two conditions each. */
+    std::vector<TurningPair> hinged;
   };
+
+  /**
+   * For each joint what gives it its rotation: the joint itself, if an elastic
+   * strut that is not released ends there; in space a rigid part that clamps
+   * these struts, or the only rigid part with a rotation, if no such strut ends
+   * there; else nothing (ground).
+   * @param released as Ties::released.
+   */
+  std::vector<Turning>
+  joint_rotations(const Lattice                          &lattice,
+                  const std::vector<std::array<bool, 2>> &released);
+
+  class ClaimedUnknowns;
 
   /** Kinds of unknowns, measured apart in convergence tests. */
   enum class UnknownKind : unsigned char
@@ -55,8 +99,10 @@ namespace auxfem
    * The ends of all struts at a joint share its displacements, those not
    * released also its rotation, so a joint is one set of unknowns and no
    * constraint equation is needed. Joints at which only rigid struts end have
-   * no rotation. The conditions of rigid parts add a Lagrange multiplier
-   * each.
+   * no rotation, in space that of the rigid part. Rigid parts that turn in
+   * space have the displacement of their centre of mass and a rotation of their
+   * own. The conditions of rigid parts and of revolute hinges add a Lagrange
+   * multiplier each.
    *
    * Each rank owns a contiguous range of global numbers and stores ("local")
    * its owned unknowns first, then the ghosts that its elements and connectors
@@ -163,17 +209,43 @@ namespace auxfem
      * -1: none. */
     int spatial_rotation(unsigned int local) const;
 
+    /** Local number of a component of a rotation; -1: ground, or not on this
+     * rank. */
+    int rotation_unknown(const Turning &turning, unsigned int component) const;
+
     /**
-     * Local number of a multiplier of a rigid part: 0 for the distance of the
-     * base joints; 2 k - 3 and 2 k - 2 for joint k = 2, 3, ... of the part;
-     * then one for each of its clamped joints. -1 if not on this rank.
+     * Number of a joint's unknown that is the same for joints that share it,
+     * the same on every rank; -1 if there is none.
+     */
+    int global_number(unsigned int joint, unsigned int component) const;
+
+    /**
+     * Local number of an unknown of a rigid part's own,
+     * RigidPart::has_rotation: displacement of its centre of mass, rotation. -1
+     * if not on this rank.
+     */
+    int rigid_part_unknown(unsigned int rigid_part,
+                           unsigned int component) const;
+
+    /**
+     * Local number of a multiplier of a rigid part: of one with a rotation of
+     * its own 3 k + c for component c of joint k. Of others 0 for the distance
+     * of the base joints, then d for each joint k = 2, 3, ... of the part in d
+     * dimensions; then, in the plane, one for each of its clamped joints. -1 if
+     * not on this rank.
      */
     int multiplier(unsigned int rigid_part, unsigned int number) const;
 
     /** Number of multipliers of a rigid part; the same on every rank. */
     unsigned int n_multipliers(unsigned int rigid_part) const;
 
-    /** Joints whose rotation is tied to that of a rigid part. */
+    /**
+     * Local number of multiplier @p number (0, 1) of a pair of Ties::hinged; -1
+     * if not on this rank.
+     */
+    int hinge_multiplier(unsigned int hinge, unsigned int number) const;
+
+    /** In the plane: joints whose rotation is tied to that of a rigid part. */
     const std::vector<unsigned int> &
     clamped_joints(unsigned int rigid_part) const;
 
@@ -183,7 +255,7 @@ namespace auxfem
     /** Local numbers of the multipliers kept on this rank. */
     const std::vector<int> &multipliers() const;
 
-    /** Number of multipliers of all rigid parts. */
+    /** Number of all multipliers, over all ranks. */
     unsigned int n_multipliers() const;
 
     /** Kind of a local unknown; prescribed once prescribe() was called for it.
@@ -216,18 +288,27 @@ namespace auxfem
     std::string describe_largest(const std::vector<double> &size) const;
 
   private:
-    void number_unknowns(const StrutMesh &mesh, const Ties &ties);
-    void collect_local(const StrutMesh &mesh, const Ties &ties);
-    /** Global numbers of all unknowns of a rigid part, its multipliers too. */
-    std::vector<int> rigid_part_numbers(unsigned int rigid_part) const;
-    void             index_rigid_parts();
-    /** Groups the local spins into rotations. */
-    void index_rotations(const std::vector<std::vector<int>> &coupled);
-    /** Global numbers of all rotations at each of the sprung joints. */
-    std::vector<std::vector<int>> coupled_rotations(const Ties &ties) const;
-
     /** Global numbers by component of motion; -1: does not exist. */
     using MotionNumbers = std::array<int, n_motion_components>;
+
+    void number_unknowns(const StrutMesh &mesh, const Ties &ties);
+    void take_numbers(const ClaimedUnknowns &claimed);
+    void collect_local(const StrutMesh &mesh, const Ties &ties);
+    /** Global numbers of a rotation, components below first_rotation -1. */
+    MotionNumbers rotation_numbers(const Turning &turning) const;
+    /** Global numbers of all unknowns of a rigid part, its multipliers too. */
+    std::vector<int> rigid_part_numbers(unsigned int rigid_part) const;
+    /**
+     * Global numbers of unknowns that act on each other beyond elements: of
+     * rigid parts, and of coupled rotations with their multipliers.
+     */
+    std::vector<std::vector<int>> coupled_numbers(const Ties &ties) const;
+    void                          index_multipliers();
+    void                          mark_rotations();
+    /** Groups the local spins into rotations. */
+    void index_rotations();
+    /** Words for an unknown of a rigid part or a hinge; empty for others. */
+    std::string describe_condition(int global) const;
 
     const Lattice                  &lattice;
     const unsigned int              polynomial_order;
@@ -237,13 +318,21 @@ namespace auxfem
     std::vector<MotionNumbers> joint_numbers;
     /** Rotations at both ends of each strut; displacements are left out. */
     std::vector<std::array<MotionNumbers, 2>> end_rotation_numbers;
-    /** A rigid part's clamped joints and global numbers of multipliers. */
+    /** A rigid part's clamped joints and global numbers of its own unknowns. */
     struct RigidPartUnknowns
     {
       std::vector<unsigned int> clamped_joints;
+      MotionNumbers             motion;
       std::vector<int>          multipliers;
     };
     std::vector<RigidPartUnknowns> of_rigid_part;
+    /** A revolute hinge's joint and global numbers of multipliers. */
+    struct HingeUnknowns
+    {
+      unsigned int       joint;
+      std::array<int, 2> multipliers;
+    };
+    std::vector<HingeUnknowns> of_hinge;
     /** Rigid parts and multipliers kept on this rank. */
     std::vector<unsigned int> kept_rigid_parts;
     std::vector<int>          kept_multipliers;

@@ -8,16 +8,17 @@
 
 /**
  * @file
- * Rigid bodies in the plane in natural coordinates (Garcia de Jalon & Bayo,
- * Kinematic and Dynamic Simulation of Multibody Systems, 1994, chapter 2): the
- * unknowns are the places of points of the body, here r0 and r1 of its base.
- * With d = r1 - r0 and J the turn by a right angle, every other point of the
- * body is
+ * Rigid bodies in the plane, and bars in space, in natural coordinates (Garcia
+ * de Jalon & Bayo, Kinematic and Dynamic Simulation of Multibody Systems, 1994,
+ * chapter 2): the unknowns are the places of points of the body, here r0 and r1
+ * of its base. With d = r1 - r0 and J the turn by a right angle, every other
+ * point of the body is
  * @code
  * r = r0 + a d + b J d
  * @endcode
  * with constants a, b, and the body is rigid if |d| keeps its length. There is
- * no rotation among the unknowns, the mass matrix is constant.
+ * no rotation among the unknowns, the mass matrix is constant. In space the
+ * same holds without b for points on the line of the base.
  */
 namespace auxfem
 {
@@ -38,49 +39,68 @@ namespace auxfem
     double a, b;
   };
 
-  /** Natural place of @p point in a body with base points @p r0 and @p r1 (m, not equal). */
+  /** The first @p dim components of @p v. */
+  template <int dim>
+  dealii::Tensor<1, dim> in_dimension(const dealii::Tensor<1, 3> &v)
+  {
+    dealii::Tensor<1, dim> result;
+    for (int c = 0; c < dim; ++c)
+      result[c] = v[c];
+    return result;
+  }
+
+  /**
+   * Natural place of @p point in a body with base points @p r0 and @p r1 (m,
+   * not equal); in space of its projection on their line.
+   */
+  template <int dim>
   NaturalPlace natural_place(const dealii::Point<3> &r0,
                              const dealii::Point<3> &r1,
                              const dealii::Point<3> &point);
 
   /**
-   * Derivatives of component @p component (0, 1) of a point with respect to
-   * r0_x, r0_y, r1_x, r1_y: the shares of a force on the point that the base
-   * unknowns get.
+   * Derivatives of component @p component of a point with respect to r0_x,
+   * r0_y, ..., r1_x, r1_y, ...: the shares of a force on the point that the
+   * base unknowns get.
    */
-  std::array<double, 4> shape(const NaturalPlace &place,
-                              unsigned int        component);
+  template <int dim>
+  std::array<double, 2 * dim> shape(const NaturalPlace &place,
+                                    unsigned int        component);
 
   /**
-   * The consistent mass matrix of a body in the plane on its base unknowns
-   * r0_x, r0_y, r1_x, r1_y, row by row (kg). For an even bar it is m/3 and m/6.
+   * The consistent mass matrix of a body on its base unknowns r0_x, r0_y, ...,
+   * r1_x, r1_y, ..., row by row (kg). For an even bar it is m/3 and m/6.
+   * @param rotary_inertia about the centre of mass (kg m2), of a bar in space
+   *   about the axes across it.
    * @param length of the base (m).
    * @param centre natural place of the centre of mass.
-   * @param rotary_inertia about the centre of mass (kg m2).
    */
-  std::array<double, 16> rigid_mass_matrix(double              mass,
-                                           double              rotary_inertia,
-                                           double              length,
-                                           const NaturalPlace &centre);
+  template <int dim>
+  std::array<double, 4 * dim * dim>
+  rigid_mass_matrix(double              mass,
+                    double              rotary_inertia,
+                    double              length,
+                    const NaturalPlace &centre);
 
   /**
    * The condition |r1 - r0| = L as g = (|d|^2 - L^2) / (2 L) = 0 (m), so that
    * its multiplier is the force (N) along the base.
    */
+  template <int dim>
   struct DistanceCondition
   {
-    PlaneVector rest; ///< d at rest
-    double      length;
+    dealii::Tensor<1, dim> rest; ///< d at rest
+    double                 length;
 
     /** g, from the relative displacement @p stretch = u1 - u0 of the base. */
-    double value(const PlaneVector &stretch) const
+    double value(const dealii::Tensor<1, dim> &stretch) const
     {
       // Free of the cancellation that |d|^2 - L^2 would have.
       return (rest * stretch + 0.5 * (stretch * stretch)) / length;
     }
 
     /** dg / du1 = -dg / du0. */
-    PlaneVector gradient(const PlaneVector &stretch) const
+    dealii::Tensor<1, dim> gradient(const dealii::Tensor<1, dim> &stretch) const
     {
       return (rest + stretch) / length;
     }
@@ -94,9 +114,9 @@ namespace auxfem
   };
 
   /**
-   * The condition that a section turns with the body, as g = e(phi) . d = 0 (m)
-   * with e(phi) the unit normal of the base at rest turned by the section's
-   * rotation phi: g = L sin(angle of the base - phi).
+   * In the plane: the condition that a section turns with the body, as g =
+   * e(phi) . d = 0 (m) with e(phi) the unit normal of the base at rest turned
+   * by the section's rotation phi: g = L sin(angle of the base - phi).
    */
   struct ClampCondition
   {

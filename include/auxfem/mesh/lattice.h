@@ -59,7 +59,7 @@ namespace auxfem
 
   /**
    * Joints that move as one rigid body, and the rigid struts it is made of, if
-   * any. In the plane.
+   * any.
    */
   struct RigidPart
   {
@@ -80,8 +80,17 @@ namespace auxfem
     /** At rest (m). */
     dealii::Point<3> centre_of_mass;
 
-    /** Moment of inertia about the centre of mass (kg m2). */
-    double rotary_inertia = 0;
+    /**
+     * Tensor of inertia about the centre of mass (kg m2), in the global frame
+     * at rest. The plane needs its last entry alone.
+     */
+    dealii::Tensor<2, 3> rotary_inertia;
+
+    /**
+     * In space: whether the part has a rotation of its own. Else it is a bar:
+     * all of it lies on one line, about which it has no rotation.
+     */
+    bool has_rotation = false;
 
     /** Index into the scene's rigid part definitions. */
     unsigned int definition = 0;

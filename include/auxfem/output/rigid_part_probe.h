@@ -8,8 +8,8 @@
 namespace auxfem
 {
   /**
-   * Rotations of the rigid parts this rank reports on, counted on past half
-   * turns from state to state.
+   * Rotation vectors of the rigid parts this rank reports on, counted on past
+   * half turns from state to state.
    */
   class RigidPartRotations
   {
@@ -21,19 +21,20 @@ namespace auxfem
     void follow(const State &state);
 
     /** By the number of the part in RigidPartConditions::report() (rad). */
-    const std::vector<double> &values() const;
+    const std::vector<SpaceVector> &values() const;
 
   private:
-    const System       &system;
-    std::vector<double> rotations;
+    const System            &system;
+    std::vector<SpaceVector> rotations;
   };
 
   /**
    * A probe P on rigid parts, written `rigid: STRUTS` or `rigid: STRUTS @
    * JOINTS`, where the name of a definition (`Rigid parts/NAME`) may stand for
-   * the struts: `P.phi`, the mean rotation of the parts the struts belong to,
-   * counted on past half turns, and with joints `P.fx`, `P.fy`, the sum of the
-   * forces these exert on the parts.
+   * the struts: `P.phi`, in space `P.phi_x`, `P.phi_y`, `P.phi_z`, the mean
+   * rotation of the parts the struts belong to, counted on past half turns, and
+   * with joints `P.fx`, `P.fy`, in space `P.fz`, the sum of the forces these
+   * exert on the parts.
    */
   class RigidPartProbe
   {
@@ -73,6 +74,7 @@ namespace auxfem
 
     std::string       name;
     bool              has_forces;
+    unsigned int      n_dimensions;
     unsigned int      n_parts; ///< on all ranks
     const System     &system;
     std::vector<Part> parts; ///< of this rank

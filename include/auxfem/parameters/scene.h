@@ -299,6 +299,8 @@ namespace auxfem
     bool         graphics         = true;
     unsigned int history_interval = 1; ///< steps between rows of history.csv
     unsigned int segments = 8; ///< straight pieces an element is drawn with
+    /** Whether history.csv has the strains between opposite sides. */
+    bool                         effective_strains = false;
     std::vector<ProbeDefinition> probes;
   };
 

@@ -9,7 +9,8 @@ namespace auxfem
   /**
    * Velocities at t = 0 by local unknown (m/s, rad/s). A set moves as a rigid
    * body: its velocity plus the angular velocity about the mean of its joints;
-   * nodes inside a strut move along if both ends belong to the set.
+   * nodes inside a strut move along if both ends belong to the set, rigid parts
+   * with a rotation of their own turn along if all their joints do.
    */
   std::vector<std::pair<int, double>>
   initial_velocities(const Scene        &scene,

@@ -3,7 +3,7 @@
 
 #include <auxfem/dofs/numbering.h>
 #include <auxfem/parameters/scene.h>
-#include <auxfem/system/effects/rotational_springs.h>
+#include <auxfem/system/effects/revolute_hinges.h>
 
 namespace auxfem
 {
@@ -19,32 +19,54 @@ namespace auxfem
     struct AtJoint
     {
       unsigned int          joint;
-      std::vector<StrutEnd> ends; ///< at least one
+      std::vector<StrutEnd> ends; ///< of elastic struts
+      /** In space: rigid parts with a rotation, of the chosen rigid struts. */
+      std::vector<unsigned int> rigid_parts;
     };
-    JointDefinition::Type type;
-    double                stiffness; ///< of rotational springs (N m/rad)
-    std::vector<AtJoint>  joints;
+    /** Of the scene; must outlive this. */
+    const JointDefinition *definition;
+    std::vector<AtJoint>   joints;
+    /** What springs or revolute hinges couple; see couple(). */
+    std::vector<TurningPair> pairs;
   };
 
   /**
-   * The releases of all `Joints/NAME`. Throws InputError if none of the named
-   * struts ends at one of the named joints.
+   * The releases of all `Joints/NAME`, without pairs. Throws InputError if none
+   * of the named struts ends at one of the named joints, or if what ends there
+   * cannot turn as asked for.
    */
   std::vector<JointRelease> joint_releases(const Scene   &scene,
                                            const Lattice &lattice);
 
-  /** Marks what is released, and the joints that have springs, in @p ties. */
-  void release(const std::vector<JointRelease> &releases, Ties &ties);
+  /**
+   * Marks what is released in @p ties, and pairs, in @p releases and @p ties,
+   * released ends with what they turn against: the rotation of the joint if it
+   * has one, else that of the first of several ends, else, for a single end,
+   * the ground. Throws InputError where that would be a bar, which has no
+   * rotation.
+   */
+  void couple(std::vector<JointRelease> &releases,
+              const Lattice             &lattice,
+              Ties                      &ties);
 
   /**
-   * The springs between released ends and what they turn against: the rotation
-   * of the joint if a strut is rigid there, else that of the first of several
-   * released struts, else, for a strut alone, the ground. nullptr if this rank
-   * has none.
+   * The rotational springs. nullptr if this rank has none.
+   * @param layout extended by what springs keep of large rotations in space.
    */
-  std::unique_ptr<RotationalSprings>
+  std::unique_ptr<Effect>
   make_rotational_springs(const std::vector<JointRelease> &releases,
-                          const DofNumbering              &numbering);
+                          const DofNumbering              &numbering,
+                          StateLayout                     &layout);
+
+  /**
+   * The revolute hinges. nullptr if the scene has none.
+   * @param length by which their conditions become lengths (m).
+   */
+  std::unique_ptr<RevoluteHinges>
+  make_revolute_hinges(const std::vector<JointRelease> &releases,
+                       const DofNumbering              &numbering,
+                       bool                             large_rotation,
+                       double                           length);
 } // namespace auxfem
 
 #endif

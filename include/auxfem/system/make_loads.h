@@ -18,12 +18,12 @@ namespace auxfem
    * InputError for a moment on a joint without rotation.
    */
   std::vector<std::unique_ptr<Effect>>
-  make_loads(const Scene                  &scene,
-             const Lattice                &lattice,
-             const DofNumbering           &numbering,
-             const std::vector<Section>   &sections,
-             const std::vector<RigidBody> &bodies,
-             const SimulatedEffects       &simulated);
+  make_loads(const Scene                &scene,
+             const Lattice              &lattice,
+             const DofNumbering         &numbering,
+             const std::vector<Section> &sections,
+             const RigidBodies          &bodies,
+             const SimulatedEffects     &simulated);
 } // namespace auxfem
 
 #endif

@@ -4,6 +4,7 @@
 #include <auxfem/dofs/numbering.h>
 #include <auxfem/parameters/scene.h>
 #include <auxfem/system/effect.h>
+#include <auxfem/system/rigid_bodies.h>
 
 #include <memory>
 #include <vector>
@@ -11,13 +12,15 @@
 namespace auxfem
 {
   /**
-   * The scene's point masses and their rotary inertia as effects. Throws
-   * InputError for rotary inertia on a joint without rotation.
+   * The scene's point masses and their rotary inertia, and those of the rigid
+   * parts that have a rotation of their own, as effects. Throws InputError for
+   * rotary inertia on a joint without rotation.
    */
   std::vector<std::unique_ptr<Effect>>
   make_masses(const Scene        &scene,
               const Lattice      &lattice,
               const DofNumbering &numbering,
+              const RigidBodies  &bodies,
               bool                large_rotation);
 } // namespace auxfem
 

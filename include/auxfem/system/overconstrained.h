@@ -7,10 +7,10 @@
 namespace auxfem
 {
   /**
-   * Throws InputError naming a rigid part whose conditions follow from those of
-   * other parts and supports at @p state: a bar between two fixed joints, the
+   * Throws InputError naming a rigid part or a revolute hinge whose conditions
+   * follow from those of others and supports at @p state: a bar between two fixed joints, the
    * second diagonal of a closed loop. Their forces would be undetermined. Does
-   * nothing without rigid parts. Collective; uses @p matrix and @p solver.
+   * nothing without conditions. Collective; uses @p matrix and @p solver.
    */
   void refuse_overconstrained(System        &system,
                               State          state,

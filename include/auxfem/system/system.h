@@ -83,6 +83,13 @@ namespace auxfem
     /** nullptr if the scene has no rigid parts. */
     const RigidPartConditions *rigid_parts() const;
 
+    /** Whether there are conditions with multipliers: of rigid parts, of
+     * revolute hinges. */
+    bool has_conditions() const;
+
+    /** dg/dt of all conditions, as Conditions::find_rates(). */
+    void find_rates(const State &state, double *rates) const;
+
     const std::vector<const ConnectorForces *> &connectors() const;
     const std::vector<Support>                 &supports() const;
     const std::vector<EffectDecision>          &decisions() const;
@@ -142,9 +149,8 @@ namespace auxfem
     double round_off_floor(const State &state) const;
 
     /**
-     * Norm (m) up to which the conditions of rigid parts are met: their
-     * round-off. A looser tolerance would return as forces, divided by the
-     * square of the step.
+     * Norm (m) up to which the conditions are met: their round-off. A looser
+     * tolerance would return as forces, divided by the square of the step.
      */
     double condition_tolerance(const State &state) const;
 
@@ -181,11 +187,14 @@ namespace auxfem
     /** Energies (over all ranks) of the state last given to residual(). */
     Energies energies(const State &state) const;
 
-    void make_numbering(const Scene                     &scene,
-                        const std::vector<JointRelease> &releases,
-                        MPI_Comm                         communicator);
+    void make_numbering(const Scene               &scene,
+                        std::vector<JointRelease> &releases,
+                        MPI_Comm                   communicator);
     void make_supports(const Scene &scene);
     void group_rotations(Support &support) const;
+    void make_conditions(const Scene                     &scene,
+                         const std::vector<JointRelease> &releases,
+                         const RigidBodies               &bodies);
     void make_effects(const Scene                     &scene,
                       const std::vector<JointRelease> &releases);
 
@@ -208,7 +217,8 @@ namespace auxfem
     OwnedRows                            rows;
     std::vector<const ConnectorForces *> connector_groups;
     const StrutForces                   *strut_forces = nullptr;
-    const RigidPartConditions           *conditions   = nullptr;
+    const RigidPartConditions           *parts        = nullptr;
+    std::vector<const Conditions *>      conditions;
     std::vector<Support>                 support_list;
     std::vector<Section>                 section_list;
     StateLayout                          state_layout;

@@ -8,13 +8,14 @@ namespace auxfem
 {
   /**
    * Velocities and accelerations that belong to a lattice at given places:
-   * accelerations a and multipliers lambda of rigid parts from
+   * accelerations a and multipliers lambda of conditions (rigid parts, revolute
+   * hinges) from
    *
    * @code
    * M a + G^T lambda = f - f_int,   G a = -(dG/dt) v
    * @endcode
    *
-   * and velocities that the conditions of rigid parts allow, G v = 0, nearest
+   * and velocities that the conditions allow, G v = 0, nearest
    * to those given in the kinetic energy: M dv + G^T mu = 0, G dv = -G v, the
    * impulses of the conditions (Bayo & Ledesma, Nonlinear Dynamics 9, 1996).
    */

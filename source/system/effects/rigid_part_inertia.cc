@@ -2,7 +2,7 @@
 
 namespace auxfem
 {
-  RigidPartInertia::RigidPartInertia(std::vector<RigidBody> bodies)
+  RigidPartInertia::RigidPartInertia(RigidBodies bodies)
     : bodies(std::move(bodies))
   {}
 
@@ -13,46 +13,51 @@ namespace auxfem
 
   void RigidPartInertia::register_blocks(TangentMatrix &matrix)
   {
-    for (unsigned int i = 0; i < bodies.size(); ++i)
-      {
-        const std::size_t block =
-          matrix.register_block(bodies[i].base.data(), bodies[i].base.size());
-        if (i == 0)
-          first_block = block;
-      }
+    bool is_first = true;
+    for_each([&](const auto &body) {
+      const std::size_t block =
+        matrix.register_block(body.base.data(), body.base.size());
+      if (is_first)
+        first_block = block;
+      is_first = false;
+    });
   }
 
   void RigidPartInertia::add_residual(const Step &step, double *residual)
   {
     const double *a = step.to.acceleration->Values();
-    for (const RigidBody &body : bodies)
-      for (unsigned int i = 0; i < 4; ++i)
-        for (unsigned int j = 0; j < 4; ++j)
-          residual[body.base[i]] += body.mass[4 * i + j] * a[body.base[j]];
+    for_each([&](const auto &body) {
+      constexpr unsigned int n = std::tuple_size_v<decltype(body.base)>;
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int j = 0; j < n; ++j)
+          residual[body.base[i]] += body.mass[n * i + j] * a[body.base[j]];
+    });
   }
 
   void RigidPartInertia::add_tangent(const Step & /*step*/,
                                      const TangentFactors &factors,
                                      TangentMatrix        &matrix) const
   {
-    for (unsigned int b = 0; b < bodies.size(); ++b)
-      {
-        std::array<double, 16> block = bodies[b].mass;
-        for (double &entry : block)
-          entry *= factors.mass;
-        matrix.add(first_block + b, block.data());
-      }
+    std::size_t number = first_block;
+    for_each([&](const auto &body) {
+      auto block = body.mass;
+      for (double &entry : block)
+        entry *= factors.mass;
+      matrix.add(number++, block.data());
+    });
   }
 
   void RigidPartInertia::add_energies(const State &state,
                                       Energies    &energies) const
   {
     const double *v = state.velocity->Values();
-    for (const RigidBody &body : bodies)
+    for_each([&](const auto &body) {
+      constexpr unsigned int n = std::tuple_size_v<decltype(body.base)>;
       if (body.counted)
-        for (unsigned int i = 0; i < 4; ++i)
-          for (unsigned int j = 0; j < 4; ++j)
+        for (unsigned int i = 0; i < n; ++i)
+          for (unsigned int j = 0; j < n; ++j)
             energies.kinetic +=
-              body.mass[4 * i + j] / 2 * v[body.base[i]] * v[body.base[j]];
+              body.mass[n * i + j] / 2 * v[body.base[i]] * v[body.base[j]];
+    });
   }
 } // namespace auxfem

@@ -2,9 +2,11 @@
 
 namespace auxfem
 {
-  RotaryMasses::RotaryMasses(const DofNumbering &numbering)
+  RotaryMasses::RotaryMasses(const DofNumbering &numbering,
+                             const bool          large_rotation)
     : numbering(numbering)
     , rotations(numbering)
+    , large_rotation(large_rotation)
   {}
 
   void RotaryMasses::add(const unsigned int rotation,
@@ -15,7 +17,7 @@ namespace auxfem
 
   bool RotaryMasses::is_linear() const
   {
-    return false;
+    return !large_rotation;
   }
 
   void RotaryMasses::register_blocks(TangentMatrix &matrix)
@@ -41,11 +43,13 @@ namespace auxfem
   {
     for (const Mass &mass : masses)
       {
-        const SpaceVector torque =
-          RotaryInertia::torque(mass.inertia,
-                                step.to.rotations[mass.rotation],
-                                motion(mass, step.to));
-        const std::array<int, 3> &spins =
+        const RotaryInertia::Motion now    = motion(mass, step.to);
+        const SpaceVector           torque = large_rotation
+                    ? RotaryInertia::torque(mass.inertia,
+                                  step.to.rotations[mass.rotation],
+                                  now)
+                    : mass.inertia * now.acceleration;
+        const std::array<int, 3>   &spins =
           numbering.spatial_rotations()[mass.rotation];
         for (unsigned int c = 0; c < 3; ++c)
           residual[spins[c]] += torque[c];
@@ -58,15 +62,19 @@ namespace auxfem
   {
     for (unsigned int i = 0; i < masses.size(); ++i)
       {
-        const unsigned int           rotation = masses[i].rotation;
-        const RotaryInertia::Tangent tangent =
-          RotaryInertia::tangent(masses[i].inertia,
-                                 step.to.rotations[rotation],
-                                 motion(masses[i], step.to));
-        const SpaceTensor block = factors.stiffness * tangent.by_spin +
-          (factors.damping * tangent.by_velocity +
-           factors.mass * tangent.by_acceleration) *
-            rotations.turn_by_spin(step, rotation);
+        SpaceTensor block = factors.mass * masses[i].inertia;
+        if (large_rotation)
+          {
+            const unsigned int           rotation = masses[i].rotation;
+            const RotaryInertia::Tangent tangent =
+              RotaryInertia::tangent(masses[i].inertia,
+                                     step.to.rotations[rotation],
+                                     motion(masses[i], step.to));
+            block = factors.stiffness * tangent.by_spin +
+              (factors.damping * tangent.by_velocity +
+               factors.mass * tangent.by_acceleration) *
+                rotations.turn_by_spin(step, rotation);
+          }
         double values[9];
         for (unsigned int r = 0; r < 3; ++r)
           for (unsigned int c = 0; c < 3; ++c)

@@ -6,12 +6,15 @@
 
 namespace auxfem
 {
-  /** Inertia of rigid parts: constant mass matrices on the unknowns of their
-   * bases. */
+  /**
+   * Inertia of rigid parts in natural coordinates: constant mass matrices on
+   * the unknowns of their bases.
+   */
   class RigidPartInertia : public Effect
   {
   public:
-    explicit RigidPartInertia(std::vector<RigidBody> bodies);
+    /** @param bodies of which those with a rotation of their own are left out. */
+    explicit RigidPartInertia(RigidBodies bodies);
 
     bool is_linear() const override;
     void register_blocks(TangentMatrix &matrix) override;
@@ -22,8 +25,18 @@ namespace auxfem
     void add_energies(const State &state, Energies &energies) const override;
 
   private:
-    const std::vector<RigidBody> bodies;
-    std::size_t                  first_block = 0;
+    /** Calls @p action for all bodies in natural coordinates, in order. */
+    template <class Action>
+    void for_each(const Action &action) const
+    {
+      for (const NaturalBody<2> &body : bodies.in_plane)
+        action(body);
+      for (const NaturalBody<3> &body : bodies.bars)
+        action(body);
+    }
+
+    const RigidBodies bodies;
+    std::size_t       first_block = 0;
   };
 } // namespace auxfem
 

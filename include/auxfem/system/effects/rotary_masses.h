@@ -7,13 +7,13 @@
 namespace auxfem
 {
   /**
-   * Rotary inertia at nodes that turn far in space: Euler's equations with
-   * their gyroscopic terms.
+   * Rotary inertia at nodes in space: Euler's equations with their gyroscopic
+   * terms, which are left out if rotations are small.
    */
   class RotaryMasses : public Effect
   {
   public:
-    explicit RotaryMasses(const DofNumbering &numbering);
+    RotaryMasses(const DofNumbering &numbering, bool large_rotation);
 
     /** Adds @p inertia (kg m2, global frame at rest) to one of DofNumbering::spatial_rotations(). */
     void add(unsigned int rotation, const SpaceTensor &inertia);
@@ -36,6 +36,7 @@ namespace auxfem
 
     const DofNumbering &numbering;
     const NodeRotations rotations;
+    const bool          large_rotation;
     std::vector<Mass>   masses;
     std::size_t         first_block = 0;
   };

@@ -1,0 +1,39 @@
+#ifndef auxfem_system_conditions_h
+#define auxfem_system_conditions_h
+
+#include <auxfem/system/effect.h>
+
+namespace auxfem
+{
+  /**
+   * Conditions g = 0 (m) on the motion, with their Lagrange multipliers lambda
+   * (N): forces G^T lambda, and the conditions themselves in the rows of the
+   * multipliers. In an evaluation at rest in time (dt = 0) of a dynamic scene
+   * these rows hold d2g/dt2, which determines consistent accelerations.
+   */
+  class Conditions : public Effect
+  {
+  public:
+    /**
+     * dg/dt (m/s) of the velocities of @p state, into the multipliers' entries
+     * of @p rates (n_local entries).
+     */
+    virtual void find_rates(const State &state, double *rates) const = 0;
+
+    /** Length (m) whose round-off is in the conditions besides that of
+     * displacements. */
+    virtual double length() const
+    {
+      return 0;
+    }
+
+  protected:
+    /** Whether multiplier rows are to hold second derivatives. */
+    static bool wants_accelerations(const Step &step)
+    {
+      return step.dt == 0 && step.to.acceleration;
+    }
+  };
+} // namespace auxfem
+
+#endif
