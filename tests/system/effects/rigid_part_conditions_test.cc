@@ -248,7 +248,7 @@ TEST(RigidPartConditions, AFiniteRigidMotionMeetsThem)
       };
       set(0, std::cos(angle) * x[0] - std::sin(angle) * x[1] - x[0] + 5);
       set(1, std::sin(angle) * x[0] + std::cos(angle) * x[1] - x[1] - 4);
-      if (plate.of_scene.dofs().joint_has(joint, 2))
+      if (plate.of_scene.dofs().joint_has(joint, rotation_z))
         set(2, angle);
     }
   for (const double row : plate.residual(1.))
@@ -257,7 +257,7 @@ TEST(RigidPartConditions, AFiniteRigidMotionMeetsThem)
 
   // Whole turns of the sections are no other motion.
   for (const unsigned int joint : {2u, 3u})
-    plate.to.displacement[plate.of_scene.dofs().joint_unknown(joint, 2)] +=
+    plate.to.displacement[plate.of_scene.dofs().joint_unknown(joint, rotation_z)] +=
       2 * std::acos(-1.);
   for (const double row : plate.residual(1.))
     EXPECT_NEAR(row, 0, 1e-14);
