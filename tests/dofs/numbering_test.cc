@@ -138,8 +138,10 @@ TEST(DofNumbering, AReleasedEndHasARotationOfItsOwn)
   const Numbered tripods(tripod(), 2, 0, ties, MPI_COMM_SELF);
   EXPECT_EQ(tripods.dofs.n_unknowns(), 3u * (4 + 3) + 1);
   EXPECT_TRUE(tripods.dofs.joint_has(0, rotation_z));
-  EXPECT_NE(tripods.dofs.end_rotation(0, 0), tripods.dofs.joint_unknown(0, rotation_z));
-  EXPECT_EQ(tripods.dofs.end_rotation(1, 0), tripods.dofs.joint_unknown(0, rotation_z));
+  EXPECT_NE(tripods.dofs.end_rotation(0, 0),
+            tripods.dofs.joint_unknown(0, rotation_z));
+  EXPECT_EQ(tripods.dofs.end_rotation(1, 0),
+            tripods.dofs.joint_unknown(0, rotation_z));
   EXPECT_TRUE(tripods.dofs.is_rotation(tripods.dofs.end_rotation(0, 0)));
 }
 

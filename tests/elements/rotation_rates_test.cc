@@ -11,13 +11,14 @@ namespace
   const SpaceVector v({0.3, 1.1, -0.7}), w({-0.5, 0.2, 0.9});
 
   /** Angles on both sides of where series end, and far from it. */
-  const std::vector<double> angles = {0, 1e-9, 0.05, 0.2, 0.4999, 0.5001, 1.3,
-                                      3., 5.5};
+  const std::vector<double> angles =
+    {0, 1e-9, 0.05, 0.2, 0.4999, 0.5001, 1.3, 3., 5.5};
 
   /** Central difference of @p f along @p direction. */
   template <class Function>
-  SpaceVector
-  difference(const Function &f, const SpaceVector &p, const SpaceVector &direction)
+  SpaceVector difference(const Function    &f,
+                         const SpaceVector &p,
+                         const SpaceVector &direction)
   {
     const double step = 1e-5;
     return (f(p + step * direction) - f(p - step * direction)) / (2 * step);
@@ -67,18 +68,16 @@ TEST(RotationRates, DerivativesOfTheOperatorsAreThose)
       const auto                 T = [](const SpaceVector &at) {
         return tangent_operator(RotationCoefficients(at), at);
       };
-      EXPECT_LT((tangent_derivative(c, p, v) * w -
-                 difference([&](const SpaceVector &at) { return T(at) * v; },
-                            p,
-                            w))
-                  .norm(),
-                tolerance);
-      EXPECT_LT((left_tangent_derivative(c, p, v) * w -
-                 difference([&](const SpaceVector &at) { return v * T(at); },
-                            p,
-                            w))
-                  .norm(),
-                tolerance);
+      EXPECT_LT(
+        (tangent_derivative(c, p, v) * w -
+         difference([&](const SpaceVector &at) { return T(at) * v; }, p, w))
+          .norm(),
+        tolerance);
+      EXPECT_LT(
+        (left_tangent_derivative(c, p, v) * w -
+         difference([&](const SpaceVector &at) { return v * T(at); }, p, w))
+          .norm(),
+        tolerance);
       const SpaceVector m({0.8, -0.4, 0.6});
       EXPECT_LT((tangent_second_derivative(c, p, v, m) * w -
                  difference(
@@ -90,19 +89,17 @@ TEST(RotationRates, DerivativesOfTheOperatorsAreThose)
                    w))
                   .norm(),
                 tolerance);
-      EXPECT_LT((inverse_tangent_derivative(InverseRotationCoefficients(p),
-                                            p,
-                                            v) *
-                   w -
-                 difference(
-                   [&](const SpaceVector &at) {
-                     return inverse_tangent_operator(at) * v;
-                   },
-                   p,
-                   w))
-                  .norm(),
-                // Grows towards a whole turn.
-                angle < 4 ? tolerance : 1e-7);
+      EXPECT_LT(
+        (inverse_tangent_derivative(InverseRotationCoefficients(p), p, v) * w -
+         difference(
+           [&](const SpaceVector &at) {
+             return inverse_tangent_operator(at) * v;
+           },
+           p,
+           w))
+          .norm(),
+        // Grows towards a whole turn.
+        angle < 4 ? tolerance : 1e-7);
     }
 }
 
@@ -119,9 +116,9 @@ TEST(RotationRates, AngularMotionIsThatOfTheRotationVector)
                            exponential(phi(to)));
   };
   EXPECT_LT((between(-h, h) / (2 * h) - motion.velocity).norm(), 1e-7);
-  EXPECT_LT(((between(0, h) - between(-h, 0)) / (h * h) - motion.acceleration)
-              .norm(),
-            1e-6);
+  EXPECT_LT(
+    ((between(0, h) - between(-h, 0)) / (h * h) - motion.acceleration).norm(),
+    1e-6);
 }
 
 TEST(RotationRates, RotationAboutAFixedAxisHasTheRatesOfItsAngle)

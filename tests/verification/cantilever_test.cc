@@ -110,7 +110,10 @@ namespace
         {
           table.row("semicircle: u", run.motion(2, 0), 0, allowed);
           table.row("semicircle: v", run.motion(2, 1), 20 / pi, allowed);
-          table.row("semicircle: rotation", run.motion(2, rotation_z), -pi, 1e-8);
+          table.row("semicircle: rotation",
+                    run.motion(2, rotation_z),
+                    -pi,
+                    1e-8);
         }
     });
     table.row("straight: u", run.motion(2, 0), 10, allowed);

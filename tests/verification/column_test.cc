@@ -109,7 +109,9 @@ namespace
         if (load < 1)
           EXPECT_NEAR(run.motion(1, rotation_z), 0, 1e-8);
         else
-          EXPECT_NEAR(run.motion(1, rotation_z), std::sqrt(8 * (load - 1)), 2e-3);
+          EXPECT_NEAR(run.motion(1, rotation_z),
+                      std::sqrt(8 * (load - 1)),
+                      2e-3);
       }
   }
 } // namespace

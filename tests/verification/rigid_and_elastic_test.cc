@@ -45,7 +45,9 @@ namespace
 
   Tip motion_of(const SceneRun &run, const unsigned int joint)
   {
-    return {{run.motion(joint, 0), run.motion(joint, 1), run.motion(joint, rotation_z)}};
+    return {{run.motion(joint, 0),
+             run.motion(joint, 1),
+             run.motion(joint, rotation_z)}};
   }
 
   void compare(ComparisonTable &table, const Tip &found, const Tip &expected)
@@ -68,9 +70,10 @@ TEST(RigidAndElastic, ClampedPlateIsAMomentArm)
       complete(scene, is_linear);
       SceneRun run(scene.str());
       run.run();
-      const Tip    tip = motion_of(run, 1);
-      const double turn =
-        is_linear ? tip[2] : run.system.rigid_parts()->rotation(0, run.state)[2];
+      const Tip    tip  = motion_of(run, 1);
+      const double turn = is_linear
+        ? tip[2]
+        : run.system.rigid_parts()->rotation(0, run.state)[2];
       EXPECT_NEAR(turn, tip[2], 1e-12);
       EXPECT_GT(tip[2], 0.3);
 
@@ -163,7 +166,10 @@ TEST(RigidAndElastic, AClampedBeamKeepsTheColumnsUpright)
   // The tilt is 1e-11.
   table.row("sway (m)", run.motion(1, 0), 9. / 120 + 9 / 1e4, 1e-9);
   table.row("rotation", run.motion(1, rotation_z), 0, 1e-9);
-  table.row("moment at the feet (N m)", run.reaction("wall", rotation_z), 9, 1e-7);
+  table.row("moment at the feet (N m)",
+            run.reaction("wall", rotation_z),
+            9,
+            1e-7);
 }
 
 TEST(RigidAndElastic, SupportsCarryTheWeightOfARigidPart)

@@ -60,7 +60,9 @@ namespace
           EXPECT_NEAR(run.motion(1, rotation_z),
                       P * L * L / (2 * strut.bending),
                       round_off);
-          EXPECT_NEAR(run.reaction("clamp", rotation_z), -P * L, 100 * round_off);
+          EXPECT_NEAR(run.reaction("clamp", rotation_z),
+                      -P * L,
+                      100 * round_off);
         }
   }
 

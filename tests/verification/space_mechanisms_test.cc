@@ -1,11 +1,12 @@
 #include <verification/comparison_table.h>
-#include <verification/label.h>
 #include <verification/space_frame.h>
 
 #include <algorithm>
 #include <array>
 #include <fstream>
 #include <sstream>
+
+#include <verification/label.h>
 
 using namespace auxfem;
 using namespace auxfem::testing_support;
@@ -44,8 +45,8 @@ namespace
    */
   std::string door(const double dt, const double end)
   {
-    return space("0 0 0; " + place(axis) + "; " + place(axis + vector(0, 1, 0)) +
-                   "; 0 1 0",
+    return space("0 0 0; " + place(axis) + "; " +
+                   place(axis + vector(0, 1, 0)) + "; 0 1 0",
                  "0 1; 1 2; 2 3; 3 0") +
       part("door", "all", 4) + pin("0") + revolute("0", axis) + weight +
       time(dt, end);
@@ -57,13 +58,12 @@ namespace
     SceneRun run(door(dt, end));
     double   before = 0, crossing = 0, across = 0;
     run.run([&] {
-      const SpaceVector turn =
-        run.system.rigid_parts()->rotation(0, run.state);
-      const double now = std::abs(turn * axis);
+      const SpaceVector turn = run.system.rigid_parts()->rotation(0, run.state);
+      const double      now  = std::abs(turn * axis);
       across = std::max(across, dealii::cross_product_3d(turn, axis).norm());
       if (before < pi / 2 && now >= pi / 2)
-        crossing = run.state.time - dt +
-          dt * (pi / 2 - before) / (now - before);
+        crossing =
+          run.state.time - dt + dt * (pi / 2 - before) / (now - before);
       before = now;
     });
     EXPECT_LT(across, 1e-13);
@@ -188,11 +188,11 @@ namespace
    */
   struct Linkage
   {
-    const SpaceVector pivot  = vector(0.9, 0.3, 0.2),
-                      hinge  = vector(0.2, 1, 0.4) / std::sqrt(1.2),
-                      crank  = vector(0.3, 0, 0),
+    const SpaceVector pivot = vector(0.9, 0.3, 0.2),
+                      hinge = vector(0.2, 1, 0.4) / std::sqrt(1.2),
+                      crank = vector(0.3, 0, 0),
                       // Across the hinge.
-                      rocker = 0.8 / std::sqrt(1.04) * vector(1, -0.2, 0);
+      rocker = 0.8 / std::sqrt(1.04) * vector(1, -0.2, 0);
 
     SpaceVector end_of_crank(const double angle) const
     {
@@ -228,8 +228,7 @@ namespace
         clamped +
         " end\n subsection coupler\n  set Struts = 1\n  set Mass = 2\n end\n"
         " subsection rocker\n  set Struts = 2\n  set Mass = 3\n" +
-        clamped +
-        " end\nend\n" + pin("3") +
+        clamped + " end\nend\n" + pin("3") +
         "subsection Supports\n subsection motor\n  set Joints = 0\n"
         "  set Type = prescribed\n  set Displacement x = 0\n"
         "  set Displacement y = 0\n  set Displacement z = 0\n"
@@ -251,8 +250,9 @@ TEST(SpaceMechanisms, ASpatialFourBarLinkageFollowsItsClosedForm)
     const SpaceVector turn = run.system.rigid_parts()->rotation(1, run.state);
     error = std::max(error, (turn - rocker * linkage.hinge).norm());
   });
-  ComparisonTable table("Crank, coupler and rocker in space, a turn of the crank "
-                        "by 8 rad");
+  ComparisonTable table(
+    "Crank, coupler and rocker in space, a turn of the crank "
+    "by 8 rad");
   // The conditions hold to round-off at every step.
   table.row("angle of the rocker (rad)", error, 0, 1e-11);
   EXPECT_GT(travel, 0.2);

@@ -35,14 +35,14 @@ namespace
 
 TEST(FollowingLoads, TurnWithTheJointInSpace)
 {
-  LoadInSpace                one;
-  const auto                &dofs = one.of_scene.dofs();
-  const std::vector<double>  rows = one.residual(one.loads, one.to, 1.);
-  const Quaternion          &P =
+  LoadInSpace               one;
+  const auto               &dofs = one.of_scene.dofs();
+  const std::vector<double> rows = one.residual(one.loads, one.to, 1.);
+  const Quaternion         &P =
     one.to.rotations[dofs.spatial_rotation(dofs.joint_unknown(1, rotation_z))];
   const SpaceVector force  = rotated(P, SpaceVector({3, -2, 1.5})),
                     moment = rotated(P, SpaceVector({0.7, 5, -4}));
-  double            others = 0;
+  double others            = 0;
   for (const double row : rows)
     others += row * row;
   for (unsigned int c = 0; c < 3; ++c)
@@ -62,7 +62,7 @@ TEST(FollowingLoads, TurnWithTheJointInThePlane)
   FollowingLoads      loads(of_scene.lattice, dofs, false);
   loads.add(components(of_scene.scene.context), 1);
   State        from = of_scene.system.initial_state(), to = from;
-  const double angle                              = 0.7;
+  const double angle                                 = 0.7;
   to.displacement[dofs.joint_unknown(1, rotation_z)] = angle;
   std::vector<double> rows(dofs.n_local(), 0.);
   loads.begin_step({from, to, 1.});

@@ -257,7 +257,8 @@ TEST(RigidPartConditions, AFiniteRigidMotionMeetsThem)
 
   // Whole turns of the sections are no other motion.
   for (const unsigned int joint : {2u, 3u})
-    plate.to.displacement[plate.of_scene.dofs().joint_unknown(joint, rotation_z)] +=
+    plate.to
+      .displacement[plate.of_scene.dofs().joint_unknown(joint, rotation_z)] +=
       2 * std::acos(-1.);
   for (const double row : plate.residual(1.))
     EXPECT_NEAR(row, 0, 1e-14);

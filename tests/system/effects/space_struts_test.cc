@@ -45,7 +45,7 @@ end
                     large_rotation)
     {
       // Nodes of a strut must stay within half a turn of their neighbours.
-      State near = of_scene.system.initial_state();
+      State near      = of_scene.system.initial_state();
       to.displacement = near.displacement;
       to.rotations    = near.rotations;
       to              = moved(irregular(0.4), 0.4);
