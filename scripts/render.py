@@ -38,6 +38,11 @@ TITLES = {
     "axial_force": "axial force (N)",
     "shear_force": "shear force (N)",
     "bending_moment": "bending moment (N m)",
+    "shear_force_2": "shear force along axis 2 (N)",
+    "shear_force_3": "shear force along axis 3 (N)",
+    "torque": "torque (N m)",
+    "bending_moment_2": "bending moment about axis 2 (N m)",
+    "bending_moment_3": "bending moment about axis 3 (N m)",
     "strain_energy_density": "strain energy density (J/m)",
 }
 COLORS = [(31, 119, 180), (214, 39, 40), (44, 160, 44), (148, 103, 189),
@@ -45,6 +50,9 @@ COLORS = [(31, 119, 180), (214, 39, 40), (44, 160, 44), (148, 103, 189),
 DARK = (0.15, 0.15, 0.15)
 RIGID = (0.35, 0.35, 0.38)
 CONNECTOR = (0.10, 0.55, 0.25)
+
+# Where the camera is, seen from the lattice, and what is up in the picture.
+VIEWS = {"front": ((0, 0, 1), (0, 1, 0)), "iso": ((2, 1.5, 3), (0, 1, 0))}
 
 # Lattices are drawn this much larger and scaled down: software renderers do not
 # smooth edges themselves. Charts would choose other ticks then.
@@ -101,6 +109,12 @@ def tubes_of(lines, thickness):
     tubes.CappingOn()
     tubes.Update()
     return tubes.GetOutput()
+
+
+def usual_field(lines):
+    """In space neither bending moment tells the load of a strut alone."""
+    is_planar = lines.GetPointData().HasArray("bending_moment")
+    return "bending_moment" if is_planar else "strain_energy_density"
 
 
 def value_range(lines, field):
@@ -216,15 +230,36 @@ def renderer(window, left, bottom, right, top):
     return part
 
 
-def look_at(panel, box):
+def unit(vector):
+    length = math.hypot(*vector)
+    return [component / length for component in vector]
+
+
+def cross(a, b):
+    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
+            a[0] * b[1] - a[1] * b[0]]
+
+
+def size_in(view, box):
+    """Width and height of the box in the picture."""
+    direction, up = VIEWS[view]
+    to_right = unit(cross(up, direction))
+    upwards = unit(cross(direction, to_right))
+    return [sum(abs(axis[d]) * box.GetLength(d) for d in range(3))
+            for axis in (to_right, upwards)]
+
+
+def look_at(panel, box, view):
     centre = [0.0, 0.0, 0.0]
     box.GetCenter(centre)
-    height = box.GetLength(1)
+    direction, up = VIEWS[view]
+    away = 10 * box.GetDiagonalLength()
     camera = panel.GetActiveCamera()
     camera.ParallelProjectionOn()
     camera.SetFocalPoint(centre)
-    camera.SetPosition(centre[0], centre[1], centre[2] + 10 * height)
-    camera.SetParallelScale(height / 2)
+    camera.SetPosition([c + away * d for c, d in zip(centre, unit(direction))])
+    camera.SetViewUp(up)
+    camera.SetParallelScale(size_in(view, box)[1] / 2)
     panel.ResetCameraClippingRange()
 
 
@@ -266,14 +301,15 @@ def draw_lattice(arguments):
     thin_lines = [(lines_at(run, "rigid_parts", times), RIGID, 2.2),
                   (lines_at(run, "connectors", times), CONNECTOR, 1.5)]
     if struts:
+        arguments.color = arguments.color or usual_field(struts[0])
         bounds = color_bounds(struts, arguments)
         colors = color_map(*bounds)
     box = box_around([data for lines in [struts, thin_lines[0][0]] if lines
                       for data in lines])
 
     n_panels = len(times)
-    panel_height = round(arguments.width * box.GetLength(1)
-                         / (n_panels * box.GetLength(0)))
+    width, height = size_in(arguments.view, box)
+    panel_height = round(arguments.width * height / (n_panels * width))
     bar_height = BAR_STRIP if struts else 0
     total = panel_height + TIME_STRIP + bar_height
     bar_top, strip_top = bar_height / total, (bar_height + TIME_STRIP) / total
@@ -289,7 +325,7 @@ def draw_lattice(arguments):
         for lines, color, width in thin_lines:
             if lines:
                 panel.AddActor(line_actor(lines[i], color, width))
-        look_at(panel, box)
+        look_at(panel, box, arguments.view)
         strip = renderer(window, left, bar_top, right, strip_top)
         strip.AddActor2D(label(f"t = {time:g} s", 0.5, 0.2, 14))
     if struts:
@@ -446,7 +482,11 @@ def main():
         kind.add_argument("--width", type=int, default=900,
                           help="of the picture, in pixels")
     lattice.add_argument("values", metavar="time", nargs="+", type=float)
-    lattice.add_argument("--color", default="bending_moment", metavar="FIELD")
+    lattice.add_argument("--color", metavar="FIELD",
+                         help="default: bending_moment, in space "
+                              "strain_energy_density")
+    lattice.add_argument("--view", default="front", choices=sorted(VIEWS),
+                         help="along z, or obliquely for lattices in space")
     lattice.add_argument("--thickness", type=float, default=1, metavar="FACTOR",
                          help="draw struts this much thicker than they are")
     lattice.add_argument("--largest", type=float, metavar="VALUE",

@@ -21,6 +21,7 @@ namespace auxfem
       ++totals.steps;
       totals.iterations += report.iterations;
       totals.factorizations += report.factorizations;
+      totals.linear_iterations += report.linear_iterations;
       totals.retries += report.retries;
     }
 
@@ -114,7 +115,7 @@ namespace auxfem
       refuse_undetermined(scene, system, state, stepper);
       if (!scene.time.static_start)
         stepper.start(state);
-      refuse_probes_on_nothing(scene, lattice);
+      refuse_columns_of_nothing(scene, lattice);
       print_overview(scene, system);
     }
   } // namespace

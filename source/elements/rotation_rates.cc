@@ -19,8 +19,7 @@ namespace auxfem
     const RotationCoefficients c(rotation_vector);
     const SpaceTensor          T = tangent_operator(c, rotation_vector);
     return {T * first,
-            T * second +
-              tangent_derivative(c, rotation_vector, first) * first};
+            T * second + tangent_derivative(c, rotation_vector, first) * first};
   }
 
   SpaceVector rotation_vector_near(const Quaternion  &rotation,

@@ -7,6 +7,28 @@
 
 namespace auxfem
 {
+  namespace
+  {
+    /** A component of what a support exerts. */
+    Column reaction_column(const std::string &support,
+                           const unsigned int component,
+                           const unsigned int dimension)
+    {
+      const std::string axis = axis_name(component % 3);
+      if (component < first_rotation)
+        return {support + ".r" + axis,
+                "N",
+                "force of the support on the lattice along " + axis};
+      const bool is_planar = dimension == 2;
+      return {support + (is_planar ? ".m" : ".m" + axis),
+              "N m",
+              "moment of the support " +
+                (is_planar ? "" : "about " + axis + " ") +
+                "on the rotations it prescribes, without moments of its "
+                "forces"};
+    }
+  } // namespace
+
   void EnergyRecord::add(const Energies &energies)
   {
     // A run that starts from an equilibrium starts with work already done.
@@ -76,6 +98,7 @@ namespace auxfem
     : system(system)
     , communicator(communicator)
     , part_rotations(system)
+    , rotation_vectors(system)
   {
     columns.push_back({"time", "s", "time"});
     for (const ProbeDefinition &probe : scene.output.probes)
@@ -90,12 +113,18 @@ namespace auxfem
         columns.push_back(column);
     for (const ConnectorForces *group : system.connectors())
       define_connectors(*group);
+    if (scene.output.effective_strains)
+      {
+        strains.emplace(system);
+        for (const Column &column : strains->columns())
+          columns.push_back(column);
+      }
     for (const Column &column : energy_columns(/*has_struts=*/true))
       columns.push_back(column);
     row.resize(columns.size());
     const DofNumbering &numbering = system.numbering();
     for (unsigned int i = 0; i < numbering.n_owned(); ++i)
-      if (numbering.is_rotation(i))
+      if (numbering.is_rotation(i) && system.lattice().dimension == 2)
         rotations.push_back(i);
 
     on_first_rank(communicator, [&]() {
@@ -107,62 +136,75 @@ namespace auxfem
   void History::define_probe(const ProbeDefinition &probe,
                              const SceneContext    &context)
   {
-    const DofNumbering             &numbering = system.numbering();
+    const Lattice                  &lattice = system.lattice();
     const std::vector<unsigned int> joints =
-      select_joints(system.lattice(), probe.selection, context, probe.path);
-
-    const auto add = [&](const std::string &suffix,
-                         const std::string &unit,
-                         const std::string &meaning,
-                         const Quantity     quantity,
-                         const unsigned int component) {
-      UnknownSum sum{quantity, {}, 1. / joints.size()};
-      for (const unsigned int joint : joints)
-        {
-          const int unknown = numbering.joint_unknown(joint, component);
-          if (numbering.is_owned(unknown))
-            sum.unknowns.push_back(unknown);
-        }
-      sums.push_back(std::move(sum));
-      columns.push_back({probe.name + "." + suffix,
-                         unit,
-                         "mean " + meaning + " of the probe's joints"});
+      select_joints(lattice, probe.selection, context, probe.path);
+    const auto define = [&](const Column      &column,
+                            const Quantity     quantity,
+                            const unsigned int component) {
+      define_mean(probe, joints, column, quantity, component);
     };
 
-    add("ux", "m", "displacement along x", Quantity::displacement, 0);
-    add("uy", "m", "displacement along y", Quantity::displacement, 1);
+    for (unsigned int c = 0; c < lattice.dimension; ++c)
+      define({"u" + axis_name(c), "m", "displacement along " + axis_name(c)},
+             Quantity::displacement,
+             c);
     if (std::all_of(joints.begin(), joints.end(), [&](const unsigned int j) {
-          return numbering.joint_has(j, rotation_z);
+          return system.numbering().joint_has(j, rotation_z);
         }))
-      add("phi", "rad", "rotation", Quantity::displacement, rotation_z);
-    if (system.is_dynamic())
       {
-        add("vx", "m/s", "velocity along x", Quantity::velocity, 0);
-        add("vy", "m/s", "velocity along y", Quantity::velocity, 1);
+        if (lattice.dimension == 2)
+          define({"phi", "rad", "rotation"},
+                 Quantity::displacement,
+                 rotation_z);
+        else
+          for (unsigned int c = 0; c < 3; ++c)
+            define({"phi_" + axis_name(c),
+                    "rad",
+                    "component along " + axis_name(c) +
+                      " of the rotation vector"},
+                   Quantity::rotation_vector,
+                   first_rotation + c);
       }
+    if (system.is_dynamic())
+      for (unsigned int c = 0; c < lattice.dimension; ++c)
+        define({"v" + axis_name(c), "m/s", "velocity along " + axis_name(c)},
+               Quantity::velocity,
+               c);
+  }
+
+  void History::define_mean(const ProbeDefinition           &probe,
+                            const std::vector<unsigned int> &joints,
+                            const Column                    &column,
+                            const Quantity                   quantity,
+                            const unsigned int               component)
+  {
+    UnknownSum sum{quantity, {}, 1. / joints.size()};
+    for (const unsigned int joint : joints)
+      {
+        const int unknown = system.numbering().joint_unknown(joint, component);
+        if (system.numbering().is_owned(unknown))
+          sum.unknowns.push_back(unknown);
+      }
+    sums.push_back(std::move(sum));
+    columns.push_back({probe.name + "." + column.name,
+                       column.unit,
+                       "mean " + column.meaning + " of the probe's joints"});
   }
 
   void History::define_support(const Support &support)
   {
-    const std::array<Column, 3> reactions = {
-      {{".rx", "N", "force of the support on the lattice along x"},
-       {".ry", "N", "force of the support on the lattice along y"},
-       {".m",
-        "N m",
-        "moment of the support on the rotations it prescribes, without moments "
-        "of its forces"}}};
-    for (unsigned int component = 0; component < reactions.size(); ++component)
+    const DofNumbering &numbering = system.numbering();
+    for (const unsigned int component : numbering.components())
       {
         UnknownSum sum{Quantity::residual, {}, 1.};
         for (const Support::PrescribedUnknown &prescribed : support.unknowns)
-          if (prescribed.component == system.numbering().components()[component] &&
-              system.numbering().is_owned(prescribed.unknown))
+          if (prescribed.component == component &&
+              numbering.is_owned(prescribed.unknown))
             sum.unknowns.push_back(prescribed.unknown);
         sums.push_back(std::move(sum));
-
-        Column column = reactions[component];
-        column.name   = support.name + column.name;
-        columns.push_back(column);
+        columns.push_back(
+          reaction_column(support.name, component, system.lattice().dimension));
       }
   }
 
@@ -183,13 +225,9 @@ namespace auxfem
   {
     for (const UnknownSum &sum : sums)
       {
-        const Vector &vector = sum.quantity == Quantity::displacement
-          ? state.displacement
-          : sum.quantity == Quantity::velocity ? *state.velocity
-                                               : state.residual;
-        double        total  = 0;
+        double total = 0;
         for (const int unknown : sum.unknowns)
-          total += vector[unknown];
+          total += value(sum.quantity, state, unknown);
         row[column++] = sum.factor * total;
       }
     return column;
@@ -224,6 +262,31 @@ namespace auxfem
     return column;
   }
 
+  unsigned int History::add_strains(const State &state, unsigned int column)
+  {
+    if (strains)
+      for (const double strain : strains->values(state))
+        row[column++] = strain;
+    return column;
+  }
+
+  double History::value(const Quantity quantity,
+                        const State   &state,
+                        const int      unknown) const
+  {
+    switch (quantity)
+      {
+        case Quantity::displacement:
+          return state.displacement[unknown];
+        case Quantity::rotation_vector:
+          return rotation_vectors[unknown];
+        case Quantity::velocity:
+          return (*state.velocity)[unknown];
+        default:
+          return state.residual[unknown];
+      }
+  }
+
   void History::write(const State &state)
   {
     note(state);
@@ -231,6 +294,7 @@ namespace auxfem
     unsigned int column = add_unknown_sums(state, 1);
     column              = add_rigid_part_values(state, column);
     column              = add_connector_sums(state, column);
+    column              = add_strains(state, column);
     if (system.numbering().n_ranks() > 1)
       MPI_Allreduce(MPI_IN_PLACE,
                     row.data() + 1,
@@ -239,6 +303,10 @@ namespace auxfem
                     MPI_SUM,
                     communicator);
 
+    if (strains)
+      strain_so_far.add(state.time,
+                        strains->axes(),
+                        &row[column - strains->axes().size()]);
     for (const double energy : energy_values(record, /*has_struts=*/true))
       row[column++] = energy;
     AssertDimension(column, row.size());
@@ -256,6 +324,8 @@ namespace auxfem
     part_rotations.follow(state);
     for (const SpaceVector &rotation : part_rotations.values())
       rotation_so_far = std::max(rotation_so_far, rotation.norm());
+    rotation_vectors.follow(state);
+    rotation_so_far = std::max(rotation_so_far, rotation_vectors.largest());
   }
 
   const EnergyRecord &History::energies() const
@@ -268,8 +338,15 @@ namespace auxfem
     return rotation_so_far;
   }
 
-  void refuse_probes_on_nothing(const Scene &scene, const Lattice &lattice)
+  const LargestStrain &History::largest_strain() const
   {
+    return strain_so_far;
+  }
+
+  void refuse_columns_of_nothing(const Scene &scene, const Lattice &lattice)
+  {
+    if (scene.output.effective_strains)
+      EffectiveStrains::check(lattice);
     for (const ProbeDefinition &probe : scene.output.probes)
       if (RigidPartProbe::is_one(probe))
         RigidPartProbe::check(probe, scene, lattice);

@@ -71,7 +71,7 @@ namespace auxfem
   void RunOutput::Implementation::begin(const System &system)
   {
     // A mistyped probe must not cost the results of an earlier run.
-    refuse_probes_on_nothing(scene, system.lattice());
+    refuse_columns_of_nothing(scene, system.lattice());
 
     on_first_rank(communicator, [&]() {
       log = open_run_folder(scene, folder);
@@ -168,6 +168,7 @@ namespace auxfem
     summary.resources =
       gather_resources(since(start), summary.totals.wall, communicator);
     summary.energies = history->energies();
+    summary.strain   = history->largest_strain();
     summary.largest_rotation =
       dealii::Utilities::MPI::max(history->largest_rotation(), communicator);
     summary.time       = state.time;

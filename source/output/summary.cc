@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <ctime>
 #include <sstream>
@@ -18,6 +19,9 @@ namespace auxfem
 {
   namespace
   {
+    /** Of a lattice loaded along y. */
+    constexpr std::array<unsigned int, 2> lateral_axes = {{0, 2}};
+
     std::string now()
     {
       const std::time_t time = std::time(nullptr);
@@ -57,6 +61,7 @@ namespace auxfem
       object.add("steps", totals.steps);
       object.add("newton_iterations", totals.iterations);
       object.add("factorizations", totals.factorizations);
+      object.add("linear_iterations", totals.linear_iterations);
       object.add("retries", totals.retries);
       return object;
     }
@@ -207,6 +212,39 @@ namespace auxfem
     return object;
   }
 
+  namespace
+  {
+    JsonObject json(const LargestStrain &strain)
+    {
+      JsonObject object;
+      object.add("time", strain.time());
+      for (unsigned int axis = 0; axis < 3; ++axis)
+        if (const std::optional<double> value = strain.along(axis))
+          object.add(axis_name(axis), *value);
+      for (const unsigned int axis : lateral_axes)
+        if (const std::optional<double> ratio = strain.poissons_ratio(axis))
+          object.add("poissons_ratio_" + axis_name(axis), *ratio);
+      return object;
+    }
+
+    /** A line with effective Poisson's ratios; empty without any. */
+    std::string poissons_ratio_text(const LargestStrain &strain)
+    {
+      std::ostringstream ratios;
+      for (const unsigned int axis : lateral_axes)
+        if (const std::optional<double> ratio = strain.poissons_ratio(axis))
+          ratios << (ratios.tellp() > 0 ? ", " : "") << "-strain."
+                 << axis_name(axis) << "/strain.y = " << *ratio;
+      if (ratios.str().empty())
+        return "";
+      std::ostringstream line;
+      line << "Effective Poisson's ratio " << ratios.str()
+           << " at the largest |strain.y|, strain.y = " << *strain.along(1)
+           << '\n';
+      return line.str();
+    }
+  } // namespace
+
   std::string heading_text(const Scene &scene)
   {
     std::string text = "auxfem " + version_text() + "\n" + scene.file;
@@ -246,6 +284,8 @@ namespace auxfem
     object.add("energies_joule",
                json_of_energies(summary.energies, /*has_struts=*/true));
     object.add("largest_rotation_radian", summary.largest_rotation);
+    if (summary.strain.along(1))
+      object.add("largest_effective_strain", json(summary.strain));
     return object.text() + '\n';
   }
 
@@ -325,7 +365,13 @@ namespace auxfem
            << seconds(wall.solve) << ", output " << seconds(wall.output) << '\n'
            << "Peak memory " << (summary.resources.memory >> 20) << " MiB\n";
 
-    stream << closing_energies_text(summary.energies, folder);
+    if (totals.linear_iterations > 0)
+      stream << "Linear iterations a solution "
+             << std::llround(double(totals.linear_iterations) /
+                             totals.iterations)
+             << '\n';
+    stream << poissons_ratio_text(summary.strain)
+           << closing_energies_text(summary.energies, folder);
     return stream.str();
   }
 } // namespace auxfem

@@ -23,6 +23,43 @@ namespace auxfem
       return force;
     }
 
+    const std::vector<GraphicsField> section_force_fields_in_plane = {
+      {"rotation", 1, "rad"},
+      {"axial_force", 1, "N"},
+      {"shear_force", 1, "N"},
+      {"bending_moment", 1, "N m"}};
+
+    const std::vector<GraphicsField> section_force_fields_in_space = {
+      {"rotation", 3, "rad"},
+      {"d1", 3, ""},
+      {"d2", 3, ""},
+      {"d3", 3, ""},
+      {"axial_force", 1, "N"},
+      {"shear_force_2", 1, "N"},
+      {"shear_force_3", 1, "N"},
+      {"torque", 1, "N m"},
+      {"bending_moment_2", 1, "N m"},
+      {"bending_moment_3", 1, "N m"}};
+
+    /** Values of section_force_fields_in_plane. */
+    void append_in_plane(std::vector<float> &values, const StrutPoint &point)
+    {
+      for (const double value :
+           {point.rotation[2], point.force[0], point.force[1], point.moment[2]})
+        values.push_back(value);
+    }
+
+    /** Values of section_force_fields_in_space. */
+    void append_in_space(std::vector<float> &values, const StrutPoint &point)
+    {
+      append(values, point.rotation);
+      const SpaceTensor rows_are_axes = transpose(point.axes);
+      for (unsigned int i = 0; i < 3; ++i)
+        append(values, rows_are_axes[i]);
+      append(values, point.force);
+      append(values, point.moment);
+    }
+
     const std::vector<GraphicsField> connector_fields = {
       {"displacement", 3, "m"},
       {"force", 1, "N"},
@@ -65,12 +102,12 @@ namespace auxfem
     std::vector<GraphicsField> fields = {{"displacement", 3, "m"}};
     if (system.is_dynamic())
       fields.push_back({"velocity", 3, "m/s"});
+    for (const GraphicsField &field : system.lattice().dimension == 2
+           ? section_force_fields_in_plane
+           : section_force_fields_in_space)
+      fields.push_back(field);
     for (const GraphicsField &field :
-         std::vector<GraphicsField>{{"rotation", 1, "rad"},
-                                    {"axial_force", 1, "N"},
-                                    {"shear_force", 1, "N"},
-                                    {"bending_moment", 1, "N m"},
-                                    {"strain_energy_density", 1, "J/m"},
+         std::vector<GraphicsField>{{"strain_energy_density", 1, "J/m"},
                                     {"radius", 1, "m"},
                                     {"strut", 1, ""},
                                     {"cell", 1, ""},
@@ -82,13 +119,25 @@ namespace auxfem
     return fields;
   }
 
+  void VtuWriter::append_point(const StrutPoint   &point,
+                               std::vector<float> &values) const
+  {
+    append(values, point.displacement);
+    if (system.is_dynamic())
+      append(values, point.velocity);
+    if (system.lattice().dimension == 2)
+      append_in_plane(values, point);
+    else
+      append_in_space(values, point);
+    values.push_back(point.energy_density);
+  }
+
   void VtuWriter::write_struts(const State &state)
   {
     if (!strut_series)
       return;
 
     const DofNumbering &numbering = system.numbering();
-    const bool          dynamic   = system.is_dynamic();
     LineGraphics        graphics(strut_fields());
 
     std::vector<dealii::Point<3>> points;
@@ -109,15 +158,7 @@ namespace auxfem
              system.struts()->sample(state, e, n_segments + 1))
           {
             points.push_back(point.position);
-            append(values, point.displacement);
-            if (dynamic)
-              append(values, point.velocity);
-            for (const double value : {point.rotation[2],
-                                       point.force[0],
-                                       point.force[1],
-                                       point.moment[2],
-                                       point.energy_density})
-              values.push_back(value);
+            append_point(point, values);
             values.push_back(radius);
             for (const unsigned int value :
                  {number, strut.cell, strut.section, numbering.rank()})

@@ -160,6 +160,12 @@ namespace auxfem
                              scene.time.smallest_step,
                              " s: with Model = reduced cell steps are never "
                              "repeated with a smaller length. Remove it"));
+      if (scene.output.effective_strains)
+        mistakes.add(message(scene,
+                             "Output/Effective strains = true is not possible "
+                             "with Model = reduced cell, which has no joint "
+                             "sets. Remove it; angle and rise of the cell are "
+                             "in history.csv"));
     }
 
     /**

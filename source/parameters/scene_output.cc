@@ -32,6 +32,14 @@ namespace auxfem
       1,
       100,
       "Number of straight pieces an element is drawn with."};
+    const Boolean effective_strains = {
+      "Effective strains",
+      false,
+      "Whether history.csv has the columns strain.x, strain.y and in space "
+      "strain.z: the mean displacement of the joint set right minus that of "
+      "left over their mean distance at rest, so too for top and bottom, front "
+      "and back, where both sets exist and are apart. The last lines of a run "
+      "then give effective Poisson's ratios for a load along y."};
 
     void read_output(ParameterHandler &prm,
                      const std::string &,
@@ -43,6 +51,7 @@ namespace auxfem
       scene.output.graphics_interval = get(prm, graphics_interval);
       scene.output.history_interval  = get(prm, history_interval);
       scene.output.segments          = get(prm, segments);
+      scene.output.effective_strains = get(prm, effective_strains);
     }
   } // namespace
 
@@ -60,6 +69,7 @@ namespace auxfem
          declare(prm, graphics_interval);
          declare(prm, history_interval);
          declare(prm, segments);
+         declare(prm, effective_strains);
        },
        "",
        {},

@@ -86,16 +86,10 @@ namespace auxfem
     void refuse_layers(dealii::ParameterHandler &prm,
                        const SceneContext       &context)
     {
-      const auto refuse = [&](const std::string &name) {
-        throw InputError(context.path + "/" + name + " = " + prm.get(name) +
-                         ": a scene in the plane does not extend along z. "
-                         "Remove " +
-                         name + " or set Dimension = 3 at the top of the file");
-      };
       if (get(prm, cells_z) > 1)
-        refuse(cells_z.name);
+        refuse_in_plane(prm, cells_z.name, context, "Remove it");
       if (get(prm, layer_distance) > 0)
-        refuse(layer_distance.name);
+        refuse_in_plane(prm, layer_distance.name, context, "Remove it");
     }
 
     /** The chosen cell, repeated along z at the layer distance if there is one.

@@ -269,21 +269,54 @@ namespace auxfem
     const Choice solver_type = {
       "Type",
       "auto",
-      {"auto", "klu", "mumps"},
-      "Direct solver; auto: klu on one process, mumps on several."};
+      {"auto", "klu", "mumps", "gmres"},
+      "Direct solvers klu and mumps, or gmres, iterative, for lattices without "
+      "rigid parts that are too large for these; auto: klu, and mumps on "
+      "several processes where the lattice is large."};
+    const Choice preconditioner = {
+      "Preconditioner",
+      "amg",
+      {"amg", "ilu"},
+      "For Type = gmres. amg: multigrid on the joints; ilu: incomplete "
+      "factorization, quicker where steps are so short that inertia rules."};
+    const Quantity solver_tolerance = {
+      "Tolerance",
+      "1e-8",
+      "1",
+      Range::open(0, 1),
+      "Residual, relative to the right-hand side, at which gmres ends."};
+    const Integer solver_iterations = {
+      "Maximum iterations",
+      1000,
+      1,
+      100000,
+      "Iterations of gmres after which a step counts as failed."};
+
+    void declare_solver(ParameterHandler &prm)
+    {
+      declare(prm, solver_type);
+      declare(prm, preconditioner);
+      declare(prm, solver_tolerance);
+      declare(prm, solver_iterations);
+    }
 
     SubsectionKind solver_kind()
     {
       return {"Solver",
               Form::fixed,
               "Linear solver.",
-              [](ParameterHandler &prm) { declare(prm, solver_type); },
+              declare_solver,
               "",
               {},
               [](ParameterHandler &prm,
                  const std::string &,
                  const SceneContext &,
-                 Scene &scene) { scene.solver = {get(prm, solver_type)}; }};
+                 Scene &scene) {
+                scene.solver = {get(prm, solver_type),
+                                get(prm, preconditioner),
+                                get(prm, solver_tolerance),
+                                get(prm, solver_iterations)};
+              }};
     }
   } // namespace
 

@@ -52,7 +52,7 @@ namespace auxfem
                    const Course        &course,
                    const Step          &step)
     {
-      const Quaternion rotation = exponential(course.rotation(0));
+      const Quaternion  rotation = exponential(course.rotation(0));
       const SpaceVector turned =
         rotated(conjugate(step.from.rotations[i]),
                 course.rotation(0) -
@@ -85,10 +85,11 @@ namespace auxfem
       for (std::optional<Vector> *rate :
            {&step.to.velocity, &step.to.acceleration})
         if (*rate)
-          rotations.set_values(
-            without_fixed(rotations.values(**rate, i), after, fixed),
-            i,
-            **rate);
+          rotations.set_values(without_fixed(rotations.values(**rate, i),
+                                             after,
+                                             fixed),
+                               i,
+                               **rate);
     }
   } // namespace
 
@@ -113,10 +114,7 @@ namespace auxfem
           if (prescribed.is_whole())
             prescribe(*node_rotations, prescribed.rotation, course, step);
           else
-            hold(*node_rotations,
-                 prescribed.rotation,
-                 prescribed.fixed,
-                 step);
+            hold(*node_rotations, prescribed.rotation, prescribed.fixed, step);
       }
     node_rotations->follow(step);
   }
@@ -134,17 +132,16 @@ namespace auxfem
         for (const Support::PrescribedUnknown &prescribed : support.unknowns)
           if (dofs->is_owned(prescribed.unknown) &&
               !support.moves_as_rotation(prescribed))
-            right_side[prescribed.unknown] =
-              places[prescribed.component] -
+            right_side[prescribed.unknown] = places[prescribed.component] -
               state.displacement[prescribed.unknown];
         for (const Support::PrescribedRotation &prescribed : support.rotations)
           {
-            const unsigned int i = prescribed.rotation;
-            const SpaceVector  missing = prescribed.is_whole()
-               ? rotation_vector(exponential(rotation_of(support, state.time)) *
-                                 conjugate(state.rotations[i]))
-               : -node_rotations->spatial_turn(step, i);
-            const std::array<int, 3> &spins = dofs->spatial_rotations()[i];
+            const unsigned int        i       = prescribed.rotation;
+            const SpaceVector         missing = prescribed.is_whole()
+                      ? rotation_vector(exponential(rotation_of(support, state.time)) *
+                                conjugate(state.rotations[i]))
+                      : -node_rotations->spatial_turn(step, i);
+            const std::array<int, 3> &spins   = dofs->spatial_rotations()[i];
             for (unsigned int c = 0; c < 3; ++c)
               if (prescribed.fixed[c] && dofs->is_owned(spins[c]))
                 right_side[spins[c]] = missing[c];

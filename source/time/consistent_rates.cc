@@ -118,7 +118,7 @@ namespace auxfem
     const DofNumbering &numbering = system.numbering();
     for (unsigned int i = 0; i < numbering.n_owned(); ++i)
       solver.right_side()[i] = -rates[i];
-    solver.solve(increment);
+    solve();
     for (const int multiplier : numbering.multipliers())
       increment[multiplier] = 0;
     system.rotations().make_material(state, increment);
@@ -129,7 +129,7 @@ namespace auxfem
   {
     State &state = step.to;
     system.right_side(step, solver.right_side().Values());
-    solver.solve(increment);
+    solve();
     system.rotations().make_material(state, increment);
     state.acceleration->Update(1., increment, 1.);
     for (const int multiplier : system.numbering().multipliers())
@@ -137,6 +137,15 @@ namespace auxfem
         state.displacement[multiplier] += increment[multiplier];
         (*state.acceleration)[multiplier] = 0;
       }
+  }
+
+  void ConsistentRates::solve()
+  {
+    solver.solve(increment);
+    if (!solver.failure().empty())
+      throw ComputationError("The accelerations that balance the forces were "
+                             "not found: " +
+                             solver.failure());
   }
 
   bool ConsistentRates::has_empty_row() const

@@ -24,7 +24,7 @@ namespace auxfem
     : system(system)
     , parameters(parameters)
     , matrix(system.make_tangent())
-    , linear_solver(solver, *matrix, system.numbering())
+    , linear_solver(solver, *matrix, system)
     , increment(system.numbering().local_map())
   {}
 
@@ -81,7 +81,12 @@ namespace auxfem
               }
             ++result.factorizations;
           }
-        solve_increment(step);
+        result.linear_iterations += solve_increment(step);
+        if (!linear_solver.failure().empty())
+          {
+            result.reason = linear_solver.failure();
+            return result;
+          }
         if (!system.is_linear() &&
             system.largest_motion(increment).second > half_turn)
           {
@@ -138,11 +143,13 @@ namespace auxfem
     return factorized_dt >= 0;
   }
 
-  void Newton::solve_increment(const Step &step)
+  unsigned int Newton::solve_increment(const Step &step)
   {
-    const Stopwatch watch(phase_times.solve);
+    const Stopwatch     watch(phase_times.solve);
+    const unsigned long before = linear_solver.n_iterations();
     system.right_side(step, linear_solver.right_side().Values());
     linear_solver.solve(increment);
+    return linear_solver.n_iterations() - before;
   }
 
   bool Newton::meets_conditions(const ResidualNorm &norm,

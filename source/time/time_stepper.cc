@@ -36,7 +36,7 @@ namespace auxfem
   TimeStepper::RateSolver::RateSolver(System                 &system,
                                       const SolverParameters &parameters)
     : matrix(system.make_tangent())
-    , linear_solver(parameters, *matrix, system.numbering())
+    , linear_solver(parameters, *matrix, system)
     , rates(system, *matrix, linear_solver)
   {}
 
@@ -187,6 +187,7 @@ namespace auxfem
     const Newton::Result result = solve_trial(state, step);
     report.iterations += result.iterations;
     report.factorizations += result.factorizations;
+    report.linear_iterations += result.linear_iterations;
     report.relative_residual = result.relative_residual;
     if (!result.converged)
       {

@@ -182,8 +182,8 @@ TEST(DampingOfBeam3D, StrainRatesAreThoseOfTheStrainsWhereNodesTurnedAlike)
     Moving<Beam> moving(beam, 4);
     for (Beam3D::Node &node : moving.nodes)
       node.rotation = moving.nodes[0].rotation;
-    const double       step  = 1e-5;
-    const auto         after = [&](const double time) {
+    const double step  = 1e-5;
+    const auto   after = [&](const double time) {
       auto nodes = moving.nodes;
       for (int a = 0; a <= Beam::order; ++a)
         nodes[a] = {nodes[a].displacement + time * moving.velocities[a].linear,

@@ -162,6 +162,33 @@ TEST(Array, ArcsToBothSidesOfAChordAreTwoStruts)
   EXPECT_EQ(make_array(cell, {{2, 1, 1}}).struts.size(), 3u);
 }
 
+TEST(Array, ArcsInTwoPlanesOverAChordAreTwoStruts)
+{
+  const dealii::Tensor<1, 3> along_x = dealii::Point<3>(1, 0, 0);
+  UnitCell                   cell    = square();
+  // Outer posts carry one of the two, the inner one both.
+  cell.struts = {{0, 3, 0.1, {}, along_x}, {1, 2, 0.1}};
+  EXPECT_EQ(make_array(cell, {{2, 1, 1}}).struts.size(), 4u);
+  // The same arc seen from the other side of its plane is one strut.
+  cell.struts = {{0, 3, 0.1, {}, along_x}, {1, 2, -0.1, {}, -along_x}};
+  EXPECT_EQ(make_array(cell, {{2, 1, 1}}).struts.size(), 3u);
+}
+
+TEST(Array, StrutsAcrossLinkCellsThatHaveANextOne)
+{
+  UnitCell cell      = square();
+  cell.struts_across = {{"braces", {{0, 0, 2}}}, {"walls", {{0, 1, 3}}}};
+  const auto lattice = make_array(cell, {{3, 2, 1}});
+  // Two neighbours along x in each of two rows, one along y in three columns.
+  EXPECT_EQ(lattice.struts.size(), 17u + 4u + 3u);
+  EXPECT_EQ(lattice.strut_sets.at("braces").size(), 4u);
+  EXPECT_EQ(lattice.strut_sets.at("walls").size(), 3u);
+  const auto &brace = lattice.struts[lattice.strut_sets.at("braces")[3]];
+  EXPECT_EQ(brace.cell, 4u);
+  EXPECT_EQ(lattice.joints[brace.joints[0]], dealii::Point<3>(1, 1, 0));
+  EXPECT_EQ(lattice.joints[brace.joints[1]], dealii::Point<3>(3, 2, 0));
+}
+
 TEST(Array, JointsOfOneCellStayApart)
 {
   UnitCell cell;

@@ -17,7 +17,8 @@ namespace auxfem
   inline std::unique_ptr<Cell>
   cell_from_text(const std::string &name,
                  const std::string &text,
-                 const std::string &directory = ".")
+                 const std::string &directory = ".",
+                 const unsigned int dimension = 2)
   {
     for (const auto &entry : cell_registry())
       if (entry.name == name)
@@ -28,6 +29,7 @@ namespace auxfem
           SceneContext context;
           context.path      = "Lattice";
           context.directory = directory;
+          context.dimension = dimension;
           return entry.make(prm, context);
         }
     throw std::logic_error("no cell " + name);

@@ -2,23 +2,39 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "cell_from_text.h"
 
 using namespace auxfem;
 
 namespace
 {
-  Lattice frame(const std::string &joints, const std::string &struts)
+  Lattice frame(const std::string &joints,
+                const std::string &struts,
+                const unsigned int dimension = 2)
   {
     const auto cell =
       cell_from_text("frame",
-                     "set Joints = " + joints + "\nset Struts = " + struts);
+                     "set Joints = " + joints + "\nset Struts = " + struts,
+                     ".",
+                     dimension);
     return make_array(cell->build(), {{1, 1, 1}});
   }
 
-  std::string refusal(const std::string &joints, const std::string &struts)
+  std::string refusal(const std::string &joints,
+                      const std::string &struts,
+                      const unsigned int dimension = 2)
   {
-    return input_error_of([&]() { frame(joints, struts); });
+    return input_error_of([&]() { frame(joints, struts, dimension); });
+  }
+
+  dealii::Point<3> middle(const Lattice &lattice, const unsigned int strut)
+  {
+    dealii::Point<3>     place;
+    dealii::Tensor<1, 3> tangent;
+    lattice.axis(lattice.struts[strut], 0.5, place, tangent);
+    return place;
   }
 } // namespace
 
@@ -75,6 +91,69 @@ TEST(FrameCell, RefusesWhatItCannotRead)
   EXPECT_TRUE(contains(refusal("0 0; 1 0", "0 -1"), "\"-1\""));
   EXPECT_TRUE(contains(refusal("0 0; 1 0", "0"), "has 1 numbers"));
   EXPECT_TRUE(contains(refusal("0 0", "0 0"), "at least two joints"));
+}
+
+TEST(FrameCell, InSpace)
+{
+  // A table; one joint without its third coordinate.
+  const auto lattice =
+    frame("0 0 1; 0 0; 1 0 0; 1 0 1; 1 2 1", "1 0; 2 3; 0 3; 3 4; 0 4", 3);
+  ASSERT_EQ(lattice.joints.size(), 5u);
+  EXPECT_EQ(lattice.joints[0], dealii::Point<3>(0, 0, 1));
+  EXPECT_EQ(lattice.joints[1], dealii::Point<3>(0, 0, 0));
+  EXPECT_EQ(lattice.length(lattice.struts[0]), 1);
+  EXPECT_NEAR(lattice.length(lattice.struts[4]), std::sqrt(5.), 1e-15);
+  using Indices = std::vector<unsigned int>;
+  EXPECT_EQ(lattice.joint_sets.at("back"), (Indices{1, 2}));
+  EXPECT_EQ(lattice.joint_sets.at("front"), (Indices{0, 3, 4}));
+  EXPECT_EQ(lattice.joint_sets.at("top"), (Indices{4}));
+}
+
+TEST(FrameCell, ArcsInSpaceLieInThePlaneOfTheirNormal)
+{
+  const auto lattice =
+    frame("0 0 0; 2 0 0; 0 0 2", "0 1 0.5; 0 1 0.5 0 -3 0; 0 2 1 0 2 0", 3);
+  // Round-off of numbers of size one.
+  EXPECT_NEAR(middle(lattice, 0).distance({1, 0.5, 0}), 0, 1e-15);
+  EXPECT_NEAR(middle(lattice, 1).distance({1, 0, 0.5}), 0, 1e-15);
+  EXPECT_NEAR(middle(lattice, 2).distance({1, 0, 1}), 0, 1e-15);
+  EXPECT_EQ(lattice.struts[1].normal, dealii::Point<3>(0, -1, 0));
+}
+
+TEST(FrameCell, RefusesArcsInSpaceWithoutAPlane)
+{
+  const std::string joints = "0 0 0; 0 0 1; 1 0 0";
+  EXPECT_TRUE(
+    contains(refusal(joints, "0 1 0.2", 3), "chord is parallel to z"));
+  EXPECT_TRUE(contains(refusal(joints, "0 2 0.2 1 0 0", 3),
+                       "parallel to the normal of its plane"));
+  EXPECT_TRUE(contains(refusal(joints, "0 2 0.2 0 0 0", 3), "normal 0 0 0"));
+  EXPECT_TRUE(contains(refusal(joints, "0 2 0.2 0 1", 3), "the three numbers"));
+  EXPECT_TRUE(contains(refusal(joints, "0 2 0.2 0 one 0", 3), "component"));
+  // A straight strut needs none.
+  EXPECT_EQ(refusal(joints, "0 1", 3), "");
+}
+
+TEST(FrameCell, RefusesArcsThatRepeatOthersFromAnotherSide)
+{
+  const std::string joints = "0 0 0; 0 0 1";
+  EXPECT_TRUE(contains(refusal(joints, "0 1 0.2 1 3 0; 1 0 -0.2 2 6 0", 3),
+                       "repeats strut 0"));
+  EXPECT_TRUE(contains(refusal(joints, "0 1 0.2 1 3 0; 1 0 0.2 -2 -6 1", 3),
+                       "repeats strut 0"));
+  EXPECT_EQ(refusal(joints, "0 1 0.2 1 3 0; 1 0 0.2 2 6 0", 3), "");
+}
+
+TEST(FrameCell, InThePlaneTheThirdCoordinateIsZero)
+{
+  EXPECT_EQ(refusal("0 0 0; 1 0 0", "0 1"), "");
+  const auto message = refusal("0 0; 1 0 0.5", "0 1");
+  expect_parts(message,
+               {"Lattice/Joints: joint 1 (\"1 0 0.5\")",
+                "third coordinate 0.5",
+                "plane z = 0",
+                "Dimension = 3"});
+  EXPECT_TRUE(contains(refusal("0 0; 1 0", "0 1 1 0 0 1"), "has 6 numbers"));
 }
 
 TEST(FrameCell, CannotBeRepeated)

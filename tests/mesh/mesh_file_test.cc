@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <sstream>
 
 #include "cell_from_text.h"
 
@@ -17,12 +18,14 @@ namespace
 
   Lattice read(const std::string &file,
                const std::string &directory,
-               const std::string &further_lines = "")
+               const std::string &further_lines = "",
+               const unsigned int dimension     = 2)
   {
     const auto cell =
       cell_from_text("mesh file",
                      "set File = " + file + "\n" + further_lines,
-                     directory);
+                     directory,
+                     dimension);
     return make_array(cell->build(), {{1, 1, 1}});
   }
 
@@ -39,9 +42,14 @@ namespace
     return file;
   }
 
-  Lattice read_text(const std::string &text, const std::string &ending)
+  Lattice read_text(const std::string &text,
+                    const std::string &ending,
+                    const unsigned int dimension = 2)
   {
-    return read(write(text, ending), AUXFEM_TEST_OUTPUT_DIRECTORY);
+    return read(write(text, ending),
+                AUXFEM_TEST_OUTPUT_DIRECTORY,
+                "",
+                dimension);
   }
 
   std::string refusal(const std::string &text, const std::string &ending)
@@ -203,6 +211,68 @@ TEST(MeshFileCell, ArcsLeadThroughTheirMiddleNode)
               1e-14);
 }
 
+TEST(MeshFileCell, InSpaceArcsKeepTheirPlane)
+{
+  // A strut along z; quarters of unit circles in the planes x-z and at
+  // 45 deg to it; an arc in the plane z = 2.
+  const double h      = std::sqrt(0.5);
+  const auto   number = [](const double x) {
+    std::ostringstream text;
+    text.precision(17);
+    text << x;
+    return text.str();
+  };
+  const auto lattice =
+    read_text(mesh({"1 1 0 0",
+                    "2 0 0 1",
+                    "3 " + number(h) + " 0 " + number(h),
+                    "4 " + number(h) + ' ' + number(h) + " 0",
+                    "5 0.5 0.5 " + number(h),
+                    "6 0 0 2",
+                    "7 2 0 2",
+                    "8 1 1 2"},
+                   {"1 1 2 0 1 2 6",
+                    "2 8 2 0 2 1 2 3",
+                    "3 8 2 0 3 4 2 5",
+                    "4 8 2 0 4 6 7 8"}),
+              "msh",
+              3);
+  ASSERT_EQ(lattice.struts.size(), 4u);
+  EXPECT_EQ(lattice.struts[0].sagitta, 0);
+  EXPECT_NEAR(lattice.struts[3].sagitta, 1, 1e-15);
+  EXPECT_EQ(lattice.struts[3].normal, dealii::Point<3>(0, 0, 1));
+  // Middles of the quarters; round-off as for arcs in the plane.
+  const std::vector<dealii::Point<3>> middles = {{h, 0, h}, {0.5, 0.5, h}};
+  for (const unsigned int arc : {1, 2})
+    {
+      const Strut &strut = lattice.struts[arc];
+      EXPECT_NEAR(std::abs(strut.sagitta), 1 - h, 1e-15);
+      EXPECT_NEAR(strut.normal.norm(), 1, 1e-15);
+      EXPECT_NEAR(lattice.length(strut), dealii::numbers::PI_2, 1e-14);
+      dealii::Point<3>     place;
+      dealii::Tensor<1, 3> tangent;
+      lattice.axis(strut, 0.5, place, tangent);
+      EXPECT_NEAR(place.distance(middles[arc - 1]), 0, 1e-15);
+    }
+  EXPECT_EQ(lattice.joint_sets.at("back"), (Indices{0, 2}));
+  EXPECT_EQ(lattice.joint_sets.at("front"), (Indices{3, 4}));
+}
+
+TEST(MeshFileCell, APlanarMeshIsTheSameInSpace)
+{
+  const std::string lines   = "set Length unit = 1 mm";
+  const auto        planar  = read("portal.msh", portal_directory, lines);
+  const auto        spatial = read("portal.msh", portal_directory, lines, 3);
+  EXPECT_EQ(spatial.joints, planar.joints);
+  ASSERT_EQ(spatial.struts.size(), planar.struts.size());
+  for (unsigned int i = 0; i < planar.struts.size(); ++i)
+    {
+      EXPECT_EQ(spatial.struts[i].joints, planar.struts[i].joints);
+      EXPECT_EQ(spatial.struts[i].sagitta, planar.struts[i].sagitta);
+      EXPECT_EQ(spatial.struts[i].normal, planar.struts[i].normal);
+    }
+}
+
 TEST(MeshFileCell, RefusesFilesItCannotRead)
 {
   const auto missing =
@@ -265,6 +335,7 @@ TEST(MeshFileCell, RefusesNodesOutsideThePlane)
   const auto message =
     refusal(mesh({"1 0 0 0", "2 1 0 0.25"}, {"1 1 2 0 1 1 2"}), "msh");
   EXPECT_TRUE(contains(message, "node 2 lies at (1, 0, 0.25) m")) << message;
+  EXPECT_TRUE(contains(message, "Dimension = 3")) << message;
   EXPECT_TRUE(contains(refusal(mesh({"1 0 0 0", "2 1 0 0", "3 0.5 0 1"},
                                     {"1 8 2 0 1 1 2 3"}),
                                "msh"),

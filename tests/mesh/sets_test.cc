@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <sstream>
+
 #include "cell_from_text.h"
 
 using namespace auxfem;
@@ -45,6 +48,31 @@ namespace
     std::string joints_refusal(const std::string &text) const
     {
       return input_error_of([&]() { joints(text); });
+    }
+
+    Lattice      lattice;
+    SceneContext context;
+  };
+
+  /** Selections in space: an array of 2 x 1 x 3 stars. */
+  class SetsInSpace : public ::testing::Test
+  {
+  protected:
+    SetsInSpace()
+      : lattice(make_array(cell_from_text("space star",
+                                          "set Strut length = 1 m\n"
+                                          "set Opening angle = 90 deg",
+                                          ".",
+                                          3)
+                             ->build(),
+                           {{2, 1, 3}}))
+    {
+      context.dimension = 3;
+    }
+
+    Indices joints(const std::string &text) const
+    {
+      return select_joints(lattice, text, context, "Supports/base");
     }
 
     Lattice      lattice;
@@ -187,6 +215,54 @@ TEST_F(Sets, PairsThatCannotBe)
   EXPECT_TRUE(contains(refusal("neighbours"), "in their direction"));
 }
 
+TEST_F(SetsInSpace, ByConditionsInZ)
+{
+  EXPECT_EQ(joints("z < zmin + 1e-6"), lattice.joint_sets.at("back"));
+  EXPECT_EQ(joints("abs(z - zmax) < 1e-6 && x < 1"),
+            (Indices{lattice.joint_sets.at("front")[0]}));
+  const auto stubs = select_struts(lattice, "stubs", context, "Sections/stubs");
+  const auto low =
+    select_struts(lattice, "z < zmin + 0.75", context, "Sections/stubs");
+  // The two lowest stubs, middles half a strut above the lowest joints.
+  ASSERT_EQ(low.size(), 2u);
+  EXPECT_TRUE(
+    std::includes(stubs.begin(), stubs.end(), low.begin(), low.end()));
+}
+
+TEST_F(SetsInSpace, Nearest)
+{
+  for (const unsigned int joint : {3u, 17u, 40u})
+    {
+      const auto        &place = lattice.joints[joint];
+      std::ostringstream text;
+      text << "nearest: " << place[0] + 0.01 << " m, " << 1000 * place[1]
+           << " mm, " << place[2] - 0.02;
+      EXPECT_EQ(joints(text.str()), (Indices{joint})) << text.str();
+    }
+  // Without z the plane z = 0: the stub end at the left of the first layer.
+  const auto left = joints("nearest: -9, 0");
+  EXPECT_EQ(left, joints("nearest: -9, 0, 0"));
+  EXPECT_EQ(left[0], lattice.joint_sets.at("left")[0]);
+}
+
+TEST_F(SetsInSpace, MessagesShowAllCoordinates)
+{
+  const auto refusal = [&](const std::string &text) {
+    return input_error_of([&]() { joints(text); });
+  };
+  EXPECT_TRUE(contains(refusal("z > 100"), "(-1.70711, -1.70711, -1.70711) m"));
+  EXPECT_TRUE(contains(refusal("nearest: 1, 2, 3, 4"), "0.01, 0.02, 0.03"));
+  EXPECT_TRUE(contains(refusal("botom"), "\"nearest: x, y, z\""));
+  lattice.pair_sets["neighbours"] = {};
+  EXPECT_TRUE(contains(input_error_of([&]() {
+                         select_pairs(lattice,
+                                      "neighbours",
+                                      context,
+                                      "Connectors/damper");
+                       }),
+                       "'Cells z'"));
+}
+
 TEST(BuildLattice, LaterSetsMayUseEarlierOnes)
 {
   Scene scene        = ladder_scene();
@@ -196,6 +272,21 @@ TEST(BuildLattice, LaterSetsMayUseEarlierOnes)
   const auto lattice = build_lattice(scene);
   EXPECT_EQ(lattice.joint_sets.at("rim"), (Indices{0, 2, 3, 4, 5}));
   EXPECT_EQ(lattice.strut_sets.at("posts"), (Indices{4, 5, 6}));
+}
+
+TEST(BuildLattice, InSpaceAStrutWithoutSectionIsShownWithItsZ)
+{
+  Scene scene             = ladder_scene();
+  scene.dimension         = 3;
+  scene.context.dimension = 3;
+  scene.cell              = cell_from_text("frame",
+                              "set Joints = 0 0 0; 0 0 1\n"
+                                           "set Struts = 0 1",
+                              ".",
+                              3);
+  scene.sections.clear();
+  EXPECT_TRUE(contains(input_error_of([&]() { build_lattice(scene); }),
+                       "middle at (0, 0, 0.5) m"));
 }
 
 TEST(BuildLattice, RefusesNamesThatAreTakenOrCannotBe)

@@ -89,6 +89,29 @@ TEST(StrutMesh, PlacesTellWhereACellLiesAfterRefinement)
     EXPECT_EQ(of_strut.size(), n_parts);
 }
 
+TEST(StrutMesh, StrutsInSpace)
+{
+  // Struts along and against z, along a diagonal, and an arc along z.
+  const auto      cell    = cell_from_text("frame",
+                                   "set Joints = 0 0 0; 0 0 1; 1 2 -1\n"
+                                           "set Struts = 0 1; 1 0 0.2 0 1 0; 2 0; 1 2",
+                                   ".",
+                                   3);
+  const Lattice   lattice = make_array(cell->build(), {{1, 1, 1}});
+  const StrutMesh mesh(lattice, 2, MPI_COMM_WORLD);
+  ASSERT_EQ(mesh.n_cells(), 16u);
+  for (const auto &cell : mesh.triangulation().active_cell_iterators())
+    {
+      const StrutMesh::Place    &place = mesh.place(cell->active_cell_index());
+      const auto                &ends  = lattice.struts[place.strut].joints;
+      const auto                &start = lattice.joints[ends[0]];
+      const dealii::Tensor<1, 3> chord = lattice.joints[ends[1]] - start;
+      // Halves of halves of these whole numbers are exact.
+      EXPECT_EQ(cell->vertex(0), start + place.begin * chord);
+      EXPECT_EQ(cell->vertex(1), start + place.end * chord);
+    }
+}
+
 TEST(StrutMesh, AnUnrefinedStrutIsOneCell)
 {
   const Lattice   lattice = stars(1, 1);
@@ -122,6 +145,17 @@ TEST(StrutMesh, MetisDividesTheStrutsEvenlyAndInOnePieceEach)
       for (unsigned int rank = 0; rank < n_ranks; ++rank)
         EXPECT_EQ(n_pieces(lattice, ranks, rank), 1u);
     }
+}
+
+TEST(StrutMesh, ArraysInSpaceAreDividedEvenly)
+{
+  const Lattice lattice =
+    make_array(cell_from_text("space star", "", ".", 3)->build(), {{4, 4, 4}});
+  const std::vector<unsigned int> ranks = partition_struts(lattice, 4);
+  const double                    even  = double(lattice.struts.size()) / 4;
+  for (const unsigned int size : sizes(ranks, 4))
+    // METIS balances recursive bisections to a few per cent.
+    EXPECT_NEAR(size, even, 0.05 * even);
 }
 
 TEST(StrutMesh, ACutMeetsFewJoints)

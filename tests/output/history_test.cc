@@ -125,7 +125,7 @@ TEST(History, RowHoldsMeansOfProbesAndSumsOfSupportsAndConnectors)
   set_joints(to.displacement, system, 0, [](const unsigned int j) {
     return 0.25 * j;
   });
-  set_joints(to.displacement, system, 2, [](const unsigned int j) {
+  set_joints(to.displacement, system, rotation_z, [](const unsigned int j) {
     return 0.125 - 0.5 * j;
   });
   set_joints(*to.velocity, system, 1, [](const unsigned int j) {
@@ -135,10 +135,11 @@ TEST(History, RowHoldsMeansOfProbesAndSumsOfSupportsAndConnectors)
   system.begin_step(step);
   system.residual(step);
   // Known numbers in place of the true residual, free rows included.
-  for (unsigned int c = 0; c < 3; ++c)
-    set_joints(to.residual, system, c, [c](const unsigned int j) {
-      return 10. * (c + 1) + j;
-    });
+  for (unsigned int i = 0; i < 3; ++i)
+    set_joints(to.residual,
+               system,
+               system.numbering().components()[i],
+               [i](const unsigned int j) { return 10. * (i + 1) + j; });
   to.energies = {1, 2, 4, 8, 16};
   history.write(to);
 
@@ -169,6 +170,75 @@ TEST(History, RowHoldsMeansOfProbesAndSumsOfSupportsAndConnectors)
   EXPECT_EQ(dealii::Utilities::MPI::max(history.largest_rotation(),
                                         MPI_COMM_WORLD),
             1.375);
+  MPI_Barrier(MPI_COMM_WORLD);
+}
+
+TEST(History, RowInSpaceHasThreeOfEach)
+{
+  const Scene scene =
+    read_scene_from_text("set Dimension = 3\n" + lattice_text +
+                           "subsection Probes\n"
+                           "  set middle = 1, 2\n"
+                           "end\n"
+                           "subsection Output\n"
+                           "  set Effective strains = true\n"
+                           "end\n",
+                         "history_test");
+  const Lattice     lattice = build_lattice(scene);
+  System            system(scene, lattice, MPI_COMM_WORLD);
+  const std::string folder = fresh_folder("space");
+  History           history(scene, system, folder, MPI_COMM_WORLD);
+
+  const State from = system.initial_state();
+  State       to   = from;
+  for (const unsigned int c : {0, 2})
+    set_joints(to.displacement, system, c, [c](const unsigned int j) {
+      return 0.25 * (j + c);
+    });
+  // Joint j turns by 2 j + 3 about (0.6, 0, -0.8): 5 and 7 in the middle.
+  for (const auto &[c, along] : {std::pair(3u, 0.6), std::pair(5u, -0.8)})
+    set_joints(to.displacement, system, c, [&](const unsigned int j) {
+      return along * (2 * j + 3);
+    });
+  set_joints(*to.velocity, system, 2, [](const unsigned int j) {
+    return 1. * j;
+  });
+  const Step step{from, to, 0.25};
+  system.rotations().follow(step);
+  system.begin_step(step);
+  system.residual(step);
+  for (unsigned int c = 0; c < n_motion_components; ++c)
+    set_joints(to.residual, system, c, [c](const unsigned int j) {
+      return 10. * (c + 1) + j;
+    });
+  history.write(to);
+
+  std::map<std::string, double> row = last_row(folder);
+  EXPECT_EQ(row["middle.ux"], 0.375);
+  EXPECT_EQ(row["middle.uy"], 0);
+  EXPECT_EQ(row["middle.uz"], 0.875);
+  // A few roundings in the sines of half angles of a turn and more.
+  EXPECT_NEAR(row["middle.phi_x"], 6 * 0.6, 1e-13);
+  EXPECT_NEAR(row["middle.phi_y"], 0, 1e-13);
+  EXPECT_NEAR(row["middle.phi_z"], 6 * -0.8, 1e-13);
+  EXPECT_EQ(row["middle.vx"], 0);
+  EXPECT_EQ(row["middle.vy"], 0);
+  EXPECT_EQ(row["middle.vz"], 1.5);
+  EXPECT_EQ(row["wall.rx"], 10 + 13);
+  EXPECT_EQ(row["wall.ry"], 20 + 23);
+  EXPECT_EQ(row["wall.rz"], 30 + 33);
+  EXPECT_EQ(row["wall.mx"], 40 + 43);
+  EXPECT_EQ(row["wall.my"], 50 + 53);
+  EXPECT_EQ(row["wall.mz"], 60 + 63);
+  for (const char *name : {"middle.phi", "wall.m", "strain.y", "strain.z"})
+    EXPECT_EQ(row.count(name), 0u) << name;
+  // 0.75 m more at the right end of the row than at the left, 3 m away.
+  EXPECT_EQ(row["strain.x"], 0.25);
+  EXPECT_NEAR(dealii::Utilities::MPI::max(history.largest_rotation(),
+                                          MPI_COMM_WORLD),
+              9,
+              1e-13);
+  EXPECT_FALSE(history.largest_strain().along(0)) << "there is none along y";
   MPI_Barrier(MPI_COMM_WORLD);
 }
 

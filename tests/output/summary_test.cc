@@ -92,6 +92,29 @@ TEST(Summary, OverviewHasNoEmptyList)
   EXPECT_EQ(text.find("Left out"), std::string::npos);
 }
 
+TEST(Summary, TellsPoissonsRatiosOfAllLateralAxes)
+{
+  Summary      summary;
+  const double strains[] = {0.25, -0.5, 1};
+  EXPECT_EQ(closing_text(summary, "out").find("Poisson"), std::string::npos);
+  summary.strain.add(2, {0, 1, 2}, strains);
+  EXPECT_NE(closing_text(summary, "out")
+              .find("\nEffective Poisson's ratio -strain.x/strain.y = 0.5, "
+                    "-strain.z/strain.y = 2 at the largest |strain.y|, "
+                    "strain.y = -0.5\n"),
+            std::string::npos)
+    << closing_text(summary, "out");
+
+  std::istringstream          stream(summary_json(Scene(), summary));
+  boost::property_tree::ptree tree;
+  boost::property_tree::read_json(stream, tree);
+  const auto &strain = tree.get_child("largest_effective_strain");
+  EXPECT_EQ(strain.get<double>("time"), 2);
+  EXPECT_EQ(strain.get<double>("z"), 1);
+  EXPECT_EQ(strain.get<double>("poissons_ratio_x"), 0.5);
+  EXPECT_EQ(strain.get<double>("poissons_ratio_z"), 2);
+}
+
 TEST(Summary, ResourcesAreThoseOfTheProcess)
 {
   PhaseTimes wall;

@@ -132,7 +132,10 @@ subsection Newton
   set Factorization = every iteration
 end
 subsection Solver
-  set Type = klu
+  set Type = gmres
+  set Preconditioner = ilu
+  set Tolerance = 1e-6
+  set Maximum iterations = 70
 end
 subsection Output
   set Directory = somewhere
@@ -304,7 +307,10 @@ end
     expect_close(scene.newton.tolerance, 1e-9);
     EXPECT_EQ(scene.newton.maximum_iterations, 12u);
     EXPECT_FALSE(scene.newton.keep_factorization);
-    EXPECT_EQ(scene.solver.type, "klu");
+    EXPECT_EQ(scene.solver.type, "gmres");
+    EXPECT_EQ(scene.solver.preconditioner, "ilu");
+    expect_close(scene.solver.tolerance, 1e-6);
+    EXPECT_EQ(scene.solver.maximum_iterations, 70u);
     EXPECT_EQ(scene.output.directory, "somewhere");
     EXPECT_FALSE(scene.output.graphics);
     expect_close(scene.output.graphics_interval, 1e-3);
@@ -336,6 +342,9 @@ end
     expect_close(scene.newton.kept_reduction, plain.newton.kept_reduction);
     EXPECT_EQ(scene.discretization.order, plain.discretization.order);
     EXPECT_EQ(scene.solver.type, plain.solver.type);
+    EXPECT_EQ(scene.solver.preconditioner, plain.solver.preconditioner);
+    expect_close(scene.solver.tolerance, plain.solver.tolerance);
+    EXPECT_EQ(scene.solver.maximum_iterations, plain.solver.maximum_iterations);
     EXPECT_EQ(scene.output.directory, plain.output.directory);
     EXPECT_EQ(scene.output.graphics, plain.output.graphics);
     EXPECT_EQ(scene.output.history_interval, plain.output.history_interval);

@@ -14,14 +14,16 @@ namespace
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
 
-  /** What refuse_mechanism() has against a scene; empty if nothing. */
-  std::string refusal_of(const std::string              &text,
-                         const std::vector<std::string> &overrides = {},
-                         const double                    dt        = infinity)
+  std::string refusal_with(const std::string              &solver_type,
+                           const std::string              &text,
+                           const std::vector<std::string> &overrides,
+                           const double                    dt)
   {
-    SystemOnRanks of_scene(text, overrides, MPI_COMM_SELF);
+    std::vector<std::string> all = overrides;
+    all.push_back("Solver/Type=" + solver_type);
+    SystemOnRanks of_scene(text, all, MPI_COMM_SELF);
     const auto    matrix = of_scene.system.make_tangent();
-    LinearSolver  solver(of_scene.scene.solver, *matrix, of_scene.dofs());
+    LinearSolver  solver(of_scene.scene.solver, *matrix, of_scene.system);
     return input_error_of([&] {
       refuse_mechanism(of_scene.system,
                        of_scene.system.initial_state(),
@@ -29,6 +31,20 @@ namespace
                        *matrix,
                        solver);
     });
+  }
+
+  /**
+   * What refuse_mechanism() has against a scene; empty if nothing. An iterative
+   * solver must come to the same verdict, be it by another of several modes.
+   */
+  std::string refusal_of(const std::string              &text,
+                         const std::vector<std::string> &overrides = {},
+                         const double                    dt        = infinity)
+  {
+    const std::string refusal = refusal_with("auto", text, overrides, dt);
+    EXPECT_EQ(refusal_with("gmres", text, overrides, dt).empty(),
+              refusal.empty());
+    return refusal;
   }
 
   /** A square of four struts, joints 0..3 counterclockwise from the origin. */

@@ -17,7 +17,7 @@ namespace
   {
     SystemOnRanks of_scene(text, overrides, communicator);
     const auto    matrix = of_scene.system.make_tangent();
-    LinearSolver  solver(of_scene.scene.solver, *matrix, of_scene.dofs());
+    LinearSolver  solver(of_scene.scene.solver, *matrix, of_scene.system);
     return input_error_of([&] {
       refuse_overconstrained(of_scene.system,
                              of_scene.system.initial_state(),

@@ -13,7 +13,7 @@ namespace
   {
     const std::unique_ptr<TangentMatrix> matrix =
       of_scene.system.make_tangent();
-    LinearSolver solver(of_scene.scene.solver, *matrix, of_scene.dofs());
+    LinearSolver solver(of_scene.scene.solver, *matrix, of_scene.system);
     ConsistentRates(of_scene.system, *matrix, solver).start(state, 1e-3);
   }
 

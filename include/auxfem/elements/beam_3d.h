@@ -25,18 +25,16 @@ namespace auxfem
                                     const Stiffness  &stiffness)
     {
       using dealii::cross_product_3d;
-      const RotationCoefficients &c     = point.coefficients;
-      const SpaceVector           force = section_force(stiffness,
-                                              point.strains.gamma);
-      Gradient                    d;
+      const RotationCoefficients &c = point.coefficients;
+      const SpaceVector force = section_force(stiffness, point.strains.gamma);
+      Gradient          d;
       d.force        = point.axes * force;
       d.middle_force = point.middle_axes * force;
       d.middle_moment =
         point.middle_axes * section_moment(stiffness, point.strains.kappa);
       d.middle_slope = point.middle_axes * (point.slope * point.axes);
       d.tangent      = tangent_operator(c, point.psi);
-      d.by_psi =
-        cross_product_3d(d.middle_force, d.middle_slope) * d.tangent +
+      d.by_psi = cross_product_3d(d.middle_force, d.middle_slope) * d.tangent +
         d.middle_moment * tangent_derivative(c, point.psi, point.gradient);
       d.by_gradient = d.middle_moment * d.tangent;
       d.couple      = cross_product_3d(d.force, point.slope);
@@ -93,25 +91,23 @@ namespace auxfem
       {
         const double tau = MiddleCoefficients(chi).tau;
         for (int end = 0; end < 2; ++end)
-          middle_by_spin[end] =
-            plus_identity((end == 0 ? 0.5 : -0.5) * tau *
-                            cross_product_tensor(chi),
-                          0.5);
+          middle_by_spin[end] = plus_identity((end == 0 ? 0.5 : -0.5) * tau *
+                                                cross_product_tensor(chi),
+                                              0.5);
         for (int a = 0; a <= order; ++a)
-          psi_by_spin[a] = transpose(
-            inverse_tangent_operator(InverseRotationCoefficients(
-                                       relative.psi[a]),
-                                     relative.psi[a]));
+          psi_by_spin[a] =
+            transpose(inverse_tangent_operator(InverseRotationCoefficients(
+                                                 relative.psi[a]),
+                                               relative.psi[a]));
       }
 
       /** Derivative of V_end^T @p couple by chi. */
-      SpaceTensor end_derivative(const int          end,
-                                 const SpaceVector &couple) const
+      SpaceTensor end_derivative(const int end, const SpaceVector &couple) const
       {
         const MiddleCoefficients c(chi);
-        const SpaceTensor        of_second =
-          0.5 * (c.dtau * dyad(dealii::cross_product_3d(chi, couple), chi) -
-                 c.tau * cross_product_tensor(couple));
+        const SpaceTensor        of_second = 0.5 *
+          (c.dtau * dyad(dealii::cross_product_3d(chi, couple), chi) -
+           c.tau * cross_product_tensor(couple));
         return end == 1 ? of_second : -1. * of_second;
       }
     };
@@ -195,7 +191,8 @@ namespace auxfem
       return energy;
     }
 
-    /** Second derivatives of the energy per length, in the notation of Gradient. */
+    /** Second derivatives of the energy per length, in the notation of
+     * Gradient. */
     struct Hessian
     {
       SpaceTensor slope_slope, slope_psi, psi_psi, psi_gradient,
@@ -208,12 +205,13 @@ namespace auxfem
     {
       const RotationCoefficients &c = point.coefficients;
       const SpaceVector           ones({1., 1., 1.});
-      const SpaceTensor by_gamma = with_principal_values(
-                          point.middle_axes,
-                          section_force(stiffness, ones)),
-                        by_kappa = with_principal_values(
-                          point.middle_axes,
-                          section_moment(stiffness, ones));
+      const SpaceTensor           by_gamma =
+                          with_principal_values(point.middle_axes,
+                                                section_force(stiffness, ones)),
+                        by_kappa =
+                          with_principal_values(point.middle_axes,
+                                                section_moment(stiffness,
+                                                               ones));
       const SpaceTensor slope_cross = cross_product_tensor(d.middle_slope),
                         force_cross = cross_product_tensor(d.middle_force);
       const SpaceTensor &T          = d.tangent;
@@ -238,16 +236,15 @@ namespace auxfem
                                   point.psi,
                                   point.gradient,
                                   d.middle_moment);
-      h.psi_gradient =
-        transpose(kappa_by_psi) * by_kappa * T +
+      h.psi_gradient = transpose(kappa_by_psi) * by_kappa * T +
         transpose(left_tangent_derivative(c, point.psi, d.middle_moment));
       h.gradient_gradient = transpose(T) * by_kappa * T;
       return h;
     }
 
     /**
-     * Derivatives of forces, of moments that act on psi and of the couple on the
-     * middle rotation (rows) by displacements, by psi and by a turn of the
+     * Derivatives of forces, of moments that act on psi and of the couple on
+     * the middle rotation (rows) by displacements, by psi and by a turn of the
      * middle rotation (columns).
      */
     template <int order>
@@ -255,7 +252,7 @@ namespace auxfem
     {
       static constexpr int n = order + 1;
       SpaceTensor          force_force[n][n], force_psi[n][n], psi_psi[n][n];
-      SpaceTensor force_middle[n], psi_middle[n], middle_force[n],
+      SpaceTensor          force_middle[n], psi_middle[n], middle_force[n],
         middle_psi[n], middle_middle;
 
       /** Adds a Gauss point. */
@@ -266,13 +263,13 @@ namespace auxfem
                const Gradient         &d,
                const Hessian          &h)
       {
-        const SpaceTensor slope_cross = cross_product_tensor(point.slope),
+        const SpaceTensor slope_cross     = cross_product_tensor(point.slope),
                           couple_by_slope = cross_product_tensor(d.force) -
           slope_cross * h.slope_slope,
-                          couple_by_psi = -1. * slope_cross * h.slope_psi,
+                          couple_by_psi   = -1. * slope_cross * h.slope_psi,
                           slope_by_middle = h.slope_slope * slope_cross,
                           psi_by_middle = transpose(h.slope_psi) * slope_cross;
-        const double weight = shape.weight[g] * jacobian;
+        const double weight             = shape.weight[g] * jacobian;
         middle_middle += weight * couple_by_slope * slope_cross;
         for (int a = 0; a < n; ++a)
           {
@@ -411,7 +408,8 @@ namespace auxfem
       return rows;
     }
 
-    /** Adds V_end^T times what acts on the middle rotation to the moment of an end. */
+    /** Adds V_end^T times what acts on the middle rotation to the moment of an
+     * end. */
     template <int order>
     inline void add_to_end(const int                   end,
                            const NodeOperators<order> &nodes,

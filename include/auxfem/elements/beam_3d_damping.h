@@ -32,8 +32,8 @@ namespace auxfem
     /** Rates at a Gauss point, in the global frame. */
     struct Rates
     {
-      SpaceVector gamma, kappa;    ///< R Gamma., R K. = omega'
-      SpaceVector angular;         ///< omega
+      SpaceVector gamma, kappa; ///< R Gamma., R K. = omega'
+      SpaceVector angular;      ///< omega
     };
 
     template <int order>
@@ -55,7 +55,8 @@ namespace auxfem
       return r;
     }
 
-    /** Section force and moment of damping in the global frame, and by what rates make them. */
+    /** Section force and moment of damping in the global frame, and by what
+     * rates make them. */
     struct ViscousResultants
     {
       SpaceTensor by_gamma, by_kappa;
@@ -64,8 +65,8 @@ namespace auxfem
 
     inline ViscousResultants viscous_resultants(const Kinematics &point,
                                                 const Stiffness  &stiffness,
-                                                const double damping_time,
-                                                const Rates &r)
+                                                const double      damping_time,
+                                                const Rates      &r)
     {
       const SpaceVector ones({damping_time, damping_time, damping_time});
       ViscousResultants s;
@@ -184,7 +185,7 @@ namespace auxfem
             viscous_resultants(point, stiffness, damping_time, r);
           const SectionSpin<order> spin(shape, g, point, operators);
 
-          const SpaceTensor slope_cross = cross_product_tensor(point.slope);
+          const SpaceTensor slope_cross   = cross_product_tensor(point.slope);
           const SpaceTensor force_by_turn = stiffness_factor *
             (s.by_gamma * cross_product_tensor(r.gamma) -
              cross_product_tensor(s.force)),
@@ -201,8 +202,8 @@ namespace auxfem
           const double weight = shape.weight[g] * jacobian;
           for (int b = 0; b <= order; ++b)
             {
-              const double Nb = shape.value[g][b],
-                           Db = shape.derivative[g][b] / jacobian;
+              const double Nb          = shape.value[g][b],
+                           Db          = shape.derivative[g][b] / jacobian;
               const SpaceTensor &omega = angular_velocity_by_spin[b];
               const SpaceTensor  force = force_by_turn * spin.by_spin[b] +
                 Nb * force_by_omega * omega,

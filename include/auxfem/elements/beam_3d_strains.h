@@ -25,7 +25,8 @@ namespace auxfem
    * Society A 455, 1125-1147) do: relative to the middle rotation P_r of the
    * element's ends,
    *
-   *     P(s) = exp(psi(s)) P_r,   psi = sum N_a psi_a,   exp(psi_a) = P_a P_r^-1,
+   *     P(s) = exp(psi(s)) P_r,   psi = sum N_a psi_a,   exp(psi_a) = P_a
+   * P_r^-1,
    *
    * for any order objective and a function of the state alone, in a plane the
    * interpolation of the angle. P and not R is interpolated: R0 at the Gauss
@@ -131,11 +132,11 @@ namespace auxfem
     };
 
     template <int order>
-    inline Kinematics kinematics(const BeamShape<order>         &shape,
-                                 const int                       g,
-                                 const double                    inverse_jacobian,
-                                 const Frame                    &frame,
-                                 const Node                     *nodes,
+    inline Kinematics kinematics(const BeamShape<order> &shape,
+                                 const int               g,
+                                 const double            inverse_jacobian,
+                                 const Frame            &frame,
+                                 const Node             *nodes,
                                  const RelativeRotations<order> &relative)
     {
       SpaceVector stretch, psi, gradient;

@@ -49,10 +49,10 @@ namespace auxfem
   /** a, b and their derivatives. */
   struct RotationCoefficients
   {
-    double a, b;           ///< as in T
-    double da, db;         ///< a', b'
-    double dda, ddb;       ///< a'', b''
-    double square;         ///< t^2
+    double a, b;     ///< as in T
+    double da, db;   ///< a', b'
+    double dda, ddb; ///< a'', b''
+    double square;   ///< t^2
 
     explicit RotationCoefficients(const SpaceVector &p) : square(p * p)
     {
@@ -136,13 +136,12 @@ namespace auxfem
                                              const SpaceVector          &p,
                                              const SpaceVector          &v)
   {
-    return plus_identity(
-      -c.a * cross_product_tensor(v) +
-        dyad(c.da * dealii::cross_product_3d(p, v) +
-               c.db * across_twice(c, p, v),
-             p) +
-        c.b * (dyad(p, v) - 2. * dyad(v, p)),
-      c.b * (p * v));
+    return plus_identity(-c.a * cross_product_tensor(v) +
+                           dyad(c.da * dealii::cross_product_3d(p, v) +
+                                  c.db * across_twice(c, p, v),
+                                p) +
+                           c.b * (dyad(p, v) - 2. * dyad(v, p)),
+                         c.b * (p * v));
   }
 
   /** Derivative of T q by p. */
@@ -150,13 +149,12 @@ namespace auxfem
                                         const SpaceVector          &p,
                                         const SpaceVector          &q)
   {
-    return plus_identity(
-      c.a * cross_product_tensor(q) +
-        dyad(c.db * across_twice(c, p, q) -
-               c.da * dealii::cross_product_3d(p, q),
-             p) +
-        c.b * (dyad(p, q) - 2. * dyad(q, p)),
-      c.b * (p * q));
+    return plus_identity(c.a * cross_product_tensor(q) +
+                           dyad(c.db * across_twice(c, p, q) -
+                                  c.da * dealii::cross_product_3d(p, q),
+                                p) +
+                           c.b * (dyad(p, q) - 2. * dyad(q, p)),
+                         c.b * (p * q));
   }
 
   /** Second derivative of m . T q by p; symmetric. */
@@ -168,14 +166,12 @@ namespace auxfem
     const SpaceVector across  = dealii::cross_product_3d(q, m);
     const double      linear  = p * across;
     const double      squared = (p * m) * (p * q) - c.square * (m * q);
-    const SpaceVector slope =
-      (p * q) * m + (p * m) * q - 2 * (m * q) * p;
-    const SpaceVector with_p = c.db * slope - c.da * across;
+    const SpaceVector slope   = (p * q) * m + (p * m) * q - 2 * (m * q) * p;
+    const SpaceVector with_p  = c.db * slope - c.da * across;
     return plus_identity(dyad(with_p, p) + dyad(p, with_p) +
                            (c.ddb * squared - c.dda * linear) * dyad(p, p) +
                            c.b * (dyad(m, q) + dyad(q, m)),
-                         c.db * squared - c.da * linear -
-                           2 * c.b * (m * q));
+                         c.db * squared - c.da * linear - 2 * c.b * (m * q));
   }
 
   /** c and its derivative c'. */
@@ -206,7 +202,7 @@ namespace auxfem
         {
           const double t = std::sqrt(square), sine = std::sin(t / 2),
                        cotangent = std::cos(t / 2) / sine;
-          c  = (1 - t / 2 * cotangent) / square;
+          c                      = (1 - t / 2 * cotangent) / square;
           dc = (-2 / square + cotangent / (2 * t) + 1 / (4 * sine * sine)) /
             square;
         }
@@ -228,11 +224,10 @@ namespace auxfem
                              const SpaceVector                 &p,
                              const SpaceVector                 &g)
   {
-    return plus_identity(
-      -0.5 * cross_product_tensor(g) +
-        c.c * (dyad(p, g) - 2. * dyad(g, p)) +
-        dyad(c.dc * ((p * g) * p - c.square * g), p),
-      c.c * (p * g));
+    return plus_identity(-0.5 * cross_product_tensor(g) +
+                           c.c * (dyad(p, g) - 2. * dyad(g, p)) +
+                           dyad(c.dc * ((p * g) * p - c.square * g), p),
+                         c.c * (p * g));
   }
 } // namespace auxfem
 

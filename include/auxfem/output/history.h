@@ -2,7 +2,9 @@
 #define auxfem_output_history_h
 
 #include <auxfem/output/csv_table.h>
+#include <auxfem/output/effective_strains.h>
 #include <auxfem/output/rigid_part_probe.h>
+#include <auxfem/output/rotation_vectors.h>
 #include <auxfem/parameters/scene.h>
 #include <auxfem/system/system.h>
 
@@ -46,16 +48,22 @@ namespace auxfem
    * columns of RigidPartProbe; for a support S `S.rx`, `S.ry`,
    * `S.m`, force and moment of the support on the lattice summed over its
    * joints (forces have no part in `S.m`); for a group of connectors C
-   * `C.force`, `C.extension`, `C.dissipated`, sums over the group; `kinetic`,
-   * `strain`, `stored`, `dissipated`, `external`, and `balance`, which should
-   * be zero. Units and meaning are in `history.units.csv`.
+   * `C.force`, `C.extension`, `C.dissipated`, sums over the group; if wanted
+   * those of EffectiveStrains; `kinetic`, `strain`, `stored`, `dissipated`,
+   * `external`, and `balance`, which should be zero. Units and meaning are in
+   * `history.units.csv`.
+   *
+   * In space probes have also `P.uz` and `P.vz`, and for `P.phi` the mean
+   * rotation vector `P.phi_x`, `P.phi_y`, `P.phi_z`, which counts on past whole
+   * turns; supports have `S.rz`, and for `S.m` the moments `S.mx`, `S.my`,
+   * `S.mz`.
    */
   class History
   {
   public:
     /**
-     * Finds the probes and writes the headers. Throws InputError for a probe
-     * whose joints do not exist and for files that cannot be written.
+     * Finds the probes and writes the headers. Throws InputError as
+     * refuse_columns_of_nothing() and for files that cannot be written.
      * Collective.
      * @param system must outlive the history.
      */
@@ -81,10 +89,14 @@ namespace auxfem
      */
     double largest_rotation() const;
 
+    /** Effective strains in all rows so far; none unless they are wanted. */
+    const LargestStrain &largest_strain() const;
+
   private:
     enum class Quantity
     {
       displacement,
+      rotation_vector,
       velocity,
       residual
     };
@@ -99,6 +111,12 @@ namespace auxfem
 
     void define_probe(const ProbeDefinition &probe,
                       const SceneContext    &context);
+    /** A column for a mean over @p joints; @p column has its name in the probe. */
+    void define_mean(const ProbeDefinition           &probe,
+                     const std::vector<unsigned int> &joints,
+                     const Column                    &column,
+                     Quantity                         quantity,
+                     unsigned int                     component);
     void define_support(const Support &support);
     void define_connectors(const ConnectorForces &group);
 
@@ -106,6 +124,8 @@ namespace auxfem
     unsigned int add_unknown_sums(const State &state, unsigned int column);
     unsigned int add_rigid_part_values(const State &state, unsigned int column);
     unsigned int add_connector_sums(const State &state, unsigned int column);
+    unsigned int add_strains(const State &state, unsigned int column);
+    double value(Quantity quantity, const State &state, int unknown) const;
 
     const System               &system;
     MPI_Comm                    communicator;
@@ -113,16 +133,24 @@ namespace auxfem
     std::vector<UnknownSum>     sums;
     RigidPartRotations          part_rotations;
     std::vector<RigidPartProbe> rigid_part_probes;
-    std::vector<double>         row;
-    EnergyRecord                record;
-    std::vector<int> rotations; ///< local numbers, owned by this rank
+    RotationVectors             rotation_vectors;
+    /** If wanted. */
+    std::optional<EffectiveStrains> strains;
+    LargestStrain                   strain_so_far;
+    std::vector<double>             row;
+    EnergyRecord                    record;
+    /** Rotations in the plane: local numbers, owned by this rank. */
+    std::vector<int> rotations;
     double           rotation_so_far = 0;
     /** On rank 0. */
     std::optional<CsvTable> table;
   };
 
-  /** Throws InputError if a probe of @p scene names no joint of @p lattice. */
-  void refuse_probes_on_nothing(const Scene &scene, const Lattice &lattice);
+  /**
+   * Throws InputError if a probe of @p scene names no joint of @p lattice, or if
+   * effective strains are wanted of a lattice without sides.
+   */
+  void refuse_columns_of_nothing(const Scene &scene, const Lattice &lattice);
 } // namespace auxfem
 
 #endif

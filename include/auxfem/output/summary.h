@@ -13,6 +13,8 @@ namespace auxfem
   struct RunTotals
   {
     unsigned long steps = 0, iterations = 0, factorizations = 0, retries = 0;
+    /** Of the iterative linear solver; 0 with direct ones. */
+    unsigned long linear_iterations = 0;
     PhaseTimes    wall;
   };
 
@@ -59,12 +61,13 @@ namespace auxfem
   /** All that summary.json says about a run. */
   struct Summary
   {
-    Counts       counts;
-    RunTotals    totals;
-    Resources    resources;
-    EnergyRecord energies;
-    double       largest_rotation = 0; ///< rad
-    double       time             = 0; ///< reached (s)
+    Counts        counts;
+    RunTotals     totals;
+    Resources     resources;
+    EnergyRecord  energies;
+    LargestStrain strain;               ///< if effective strains are wanted
+    double        largest_rotation = 0; ///< rad
+    double        time             = 0; ///< reached (s)
     /** `completed` or the reason it was not. */
     std::string exit_state;
   };

@@ -20,11 +20,14 @@ namespace auxfem
    * (rad), axial_force, shear_force (N), bending_moment (N m),
    * strain_energy_density (J/m), radius (m), numbers of strut, cell, section
    * and mpi_rank, and `set_NAME`, 1 inside and 0 outside, for the user's strut
-   * sets. Fields of connectors: displacement (m), force (N), extension (m),
-   * dissipated_energy (J), numbers of group and cell. Fields of rigid parts:
-   * displacement (m), velocity (m/s, in dynamics), rotation (rad, within half a
-   * turn), force (N), which the joint there exerts on the part, zero between
-   * joints, numbers of part, definition and cell.
+   * sets. In space rotation is the rotation vector, d1, d2, d3 are the section
+   * axes now, and forces are axial_force, shear_force_2, shear_force_3 (N),
+   * torque, bending_moment_2, bending_moment_3 (N m), by these axes. Fields of
+   * connectors: displacement (m), force (N), extension (m), dissipated_energy
+   * (J), numbers of group and cell. Fields of rigid parts: displacement (m),
+   * velocity (m/s, in dynamics), rotation (rad, within half a turn), force (N),
+   * which the joint there exerts on the part, zero between joints, numbers of
+   * part, definition and cell.
    */
   class VtuWriter
   {
@@ -57,6 +60,9 @@ namespace auxfem
     using SetMembers = std::vector<bool>; ///< by strut
 
     std::vector<GraphicsField> strut_fields() const;
+    /** Appends those of strut_fields() that @p point knows. */
+    void                       append_point(const StrutPoint   &point,
+                                            std::vector<float> &values) const;
     std::vector<GraphicsField> rigid_part_fields() const;
     /** Lines of one part: its struts, else from its first joint to the others.
      */

@@ -259,7 +259,11 @@ namespace auxfem
   /** `Solver`: linear solver. */
   struct SolverParameters
   {
-    std::string type = "auto"; ///< `auto`, `klu`, `mumps`
+    std::string type           = "auto"; ///< `auto`, `klu`, `mumps`, `gmres`
+    std::string preconditioner = "amg";  ///< `amg`, `ilu`
+    /** Of an iterative solution, relative to the right-hand side. */
+    double       tolerance          = 1e-8;
+    unsigned int maximum_iterations = 1000;
   };
 
   /** `Discretization`. */
@@ -295,6 +299,8 @@ namespace auxfem
     bool         graphics         = true;
     unsigned int history_interval = 1; ///< steps between rows of history.csv
     unsigned int segments = 8; ///< straight pieces an element is drawn with
+    /** Whether history.csv has the strains between opposite sides. */
+    bool                         effective_strains = false;
     std::vector<ProbeDefinition> probes;
   };
 

@@ -5,7 +5,8 @@
 
 namespace auxfem
 {
-  /** Shape functions of an element of polynomial order p, p not fixed when compiled. */
+  /** Shape functions of an element of polynomial order p, p not fixed when
+   * compiled. */
   struct LineRule
   {
     explicit LineRule(unsigned int order);

@@ -61,9 +61,8 @@ namespace auxfem
     SpaceVector values(const Vector &vector, unsigned int i) const;
 
     /** Sets them. */
-    void set_values(const SpaceVector &values,
-                    unsigned int       i,
-                    Vector            &vector) const;
+    void
+    set_values(const SpaceVector &values, unsigned int i, Vector &vector) const;
 
   private:
     const DofNumbering &numbering;

@@ -57,8 +57,10 @@ namespace auxfem
     void   refuse_strain(const State &state, double rate, double dt) const;
     void   project_velocities(State &state, const std::vector<double> &rates);
     void   find_accelerations(const Step &step);
-    bool   has_empty_row() const;
-    void   refuse_empty_rows() const;
+    /** Solves for `increment`; throws ComputationError if that fails. */
+    void solve();
+    bool has_empty_row() const;
+    void refuse_empty_rows() const;
 
     System        &system;
     TangentMatrix &matrix;

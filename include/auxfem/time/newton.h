@@ -32,6 +32,8 @@ namespace auxfem
       bool         converged      = false;
       unsigned int iterations     = 0;
       unsigned int factorizations = 0;
+      /** Of the iterative linear solver; 0 with direct ones. */
+      unsigned int linear_iterations = 0;
       /** In units of the force scale. */
       double relative_residual = 0;
       /** Why it did not converge. */
@@ -51,7 +53,8 @@ namespace auxfem
   private:
     ResidualNorm timed_residual(const Step &step);
     bool         factorize(const TimeIntegrator &integrator, const Step &step);
-    void         solve_increment(const Step &step);
+    /** Returns the number of iterations of the linear solver. */
+    unsigned int solve_increment(const Step &step);
     bool   meets_conditions(const ResidualNorm &norm, const State &state) const;
     double in_force_units(const ResidualNorm &norm) const;
 

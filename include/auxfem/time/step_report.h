@@ -8,6 +8,8 @@ namespace auxfem
   {
     unsigned int iterations     = 0; ///< Newton iterations, retries included
     unsigned int factorizations = 0;
+    /** Of the iterative linear solver; 0 with direct ones. */
+    unsigned int linear_iterations = 0;
     /** Accepted parts the step was divided into. */
     unsigned int substeps = 1;
     unsigned int retries  = 0; ///< attempts that were undone

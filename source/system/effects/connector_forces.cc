@@ -100,8 +100,8 @@ namespace auxfem
     const double *v = state.velocity ? state.velocity->Values() : nullptr;
     for (unsigned int i = 0; i < connectors.size(); ++i)
       {
-        const Ends &ends      = connectors[i];
-        const auto difference = [&ends](const double *x) {
+        const Ends &ends       = connectors[i];
+        const auto  difference = [&ends](const double *x) {
           dealii::Tensor<1, 3> result;
           for (unsigned int c = 0; c < 3; ++c)
             result[c] =

@@ -88,7 +88,7 @@ namespace auxfem
   {
     for (unsigned int i = 0; i < loads.size(); ++i)
       {
-        const Quaternion  P = rotation(loads[i], step.to);
+        const Quaternion  P          = rotation(loads[i], step.to);
         const SpaceTensor by_spin[2] = {
           factors.stiffness *
             cross_product_tensor(rotated(P, loads[i].now.force)),
@@ -119,8 +119,7 @@ namespace auxfem
         for (unsigned int c = 0; c < n_motion_components; ++c)
           if (const int unknown = load.unknowns[c]; unknown >= 0)
             step.to.external_work += (c < 3 ? force : moment)[c % 3] *
-              (step.to.displacement[unknown] -
-               step.from.displacement[unknown]);
+              (step.to.displacement[unknown] - step.from.displacement[unknown]);
       }
   }
 } // namespace auxfem

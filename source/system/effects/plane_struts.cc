@@ -50,8 +50,13 @@ namespace auxfem
                                        double                 *force)
       {
         const Beam2D::EnergyRate energy =
-          Beam2D::internal_force<order, large_rotation, damped>(
-            shape, frames, jacobian, stiffness, motion.u, motion.v, force);
+          Beam2D::internal_force<order, large_rotation, damped>(shape,
+                                                                frames,
+                                                                jacobian,
+                                                                stiffness,
+                                                                motion.u,
+                                                                motion.v,
+                                                                force);
         return {energy.strain, energy.dissipation};
       }
 
@@ -157,9 +162,9 @@ namespace auxfem
            const std::optional<dealii::Tensor<1, 3>> & /*reference*/,
            const dealii::Tensor<1, 3> &rotation)
       {
-        const double turn = large_rotation ? rotation[2] : 0.;
-        const double c = std::cos(turn), s = std::sin(turn);
-        const double normal[2] = {-tangent[1], tangent[0]};
+        const double         turn = large_rotation ? rotation[2] : 0.;
+        const double         c = std::cos(turn), s = std::sin(turn);
+        const double         normal[2] = {-tangent[1], tangent[0]};
         dealii::Tensor<2, 3> axes;
         for (unsigned int d = 0; d < 2; ++d)
           {

@@ -60,15 +60,16 @@ namespace auxfem
       {
         for (unsigned int e = 0; e < elements.size(); ++e)
           {
-            const int *unknowns = numbering.element_unknowns(e);
-            const auto a        = gather(*step.to.acceleration, unknowns, 0);
-            const auto v        = gather(*step.to.velocity, unknowns, 0);
-            const double alpha  = damped ? elements[e].damping : 0.;
+            const int   *unknowns = numbering.element_unknowns(e);
+            const auto   a        = gather(*step.to.acceleration, unknowns, 0);
+            const auto   v        = gather(*step.to.velocity, unknowns, 0);
+            const double alpha    = damped ? elements[e].damping : 0.;
             for (int i = 0; i <= order; ++i)
               {
                 SpaceVector sum;
                 for (int j = 0; j <= order; ++j)
-                  sum += shape.mass[i][j] * (damped ? a[j] + alpha * v[j] : a[j]);
+                  sum +=
+                    shape.mass[i][j] * (damped ? a[j] + alpha * v[j] : a[j]);
                 scatter(elements[e].mass * sum,
                         unknowns + n_components * i,
                         residual);
@@ -145,9 +146,8 @@ namespace auxfem
           rate                = inertia.momenta(e, acceleration);
           if constexpr (large_rotation)
             for (int i = 0; i <= order; ++i)
-              rotation[i] =
-                state.rotations[inertia.numbering.spatial_rotation(
-                  unknowns[n_components * i + 3])];
+              rotation[i] = state.rotations[inertia.numbering.spatial_rotation(
+                unknowns[n_components * i + 3])];
         }
 
         /** On node @p i in the global frame (N m), with damping @p alpha. */
@@ -197,7 +197,8 @@ namespace auxfem
         const Strut                   &strut = lattice.struts[place.strut];
         const std::size_t              first = pair_inertias.size();
         pair_inertias.resize(first + n_pairs);
-        const std::array<double, 3> values = section.rotary_inertia_per_length();
+        const std::array<double, 3> values =
+          section.rotary_inertia_per_length();
         for (unsigned int q = 0; q < rule.size(); ++q)
           {
             dealii::Point<3> position;
@@ -244,14 +245,13 @@ namespace auxfem
                               const double          mass,
                               double               *block) const
       {
-        const auto add = [block](const int          i,
-                                 const int          j,
-                                 const SpaceTensor &values) {
-          for (int r = 0; r < 3; ++r)
-            for (int c = 0; c < 3; ++c)
-              block[(n_components * i + 3 + r) * n + n_components * j + 3 + c] +=
-                values[r][c];
-        };
+        const auto add =
+          [block](const int i, const int j, const SpaceTensor &values) {
+            for (int r = 0; r < 3; ++r)
+              for (int c = 0; c < 3; ++c)
+                block[(n_components * i + 3 + r) * n + n_components * j + 3 +
+                      c] += values[r][c];
+          };
         if constexpr (!large_rotation)
           {
             for (int i = 0; i <= order; ++i)
@@ -263,16 +263,17 @@ namespace auxfem
         const Rotating rotating(*this, e, step.to);
         SpaceTensor    by_spin[order + 1];
         for (int i = 0; i <= order; ++i)
-          by_spin[i] = node_rotations.turn_by_spin(
-            step,
-            numbering.spatial_rotation(unknowns[n_components * i + 3]));
+          by_spin[i] =
+            node_rotations.turn_by_spin(step,
+                                        numbering.spatial_rotation(
+                                          unknowns[n_components * i + 3]));
         for (int i = 0; i <= order; ++i)
           {
             const SpaceTensor turning =
               factors.damping * cross_product_tensor(rotating.velocity[i]);
             for (int j = 0; j <= order; ++j)
               {
-                const SpaceTensor &M = pair_inertia(e, i, j);
+                const SpaceTensor &M      = pair_inertia(e, i, j);
                 SpaceTensor        values = mass * M + turning * M;
                 if (i == j)
                   values -= factors.damping *
@@ -294,8 +295,8 @@ namespace auxfem
         for (unsigned int e = 0; e < elements.size(); ++e)
           if (elements[e].counted)
             {
-              const int *unknowns = numbering.element_unknowns(e);
-              const auto v        = gather(*state.velocity, unknowns, 0);
+              const int *unknowns   = numbering.element_unknowns(e);
+              const auto v          = gather(*state.velocity, unknowns, 0);
               double     of_element = 0;
               for (int i = 0; i <= order; ++i)
                 for (int j = 0; j <= order; ++j)
@@ -332,17 +333,23 @@ namespace auxfem
     const auto make = [&](auto order,
                           auto large_rotation,
                           auto damped) -> std::unique_ptr<Effect> {
-      return std::make_unique<
-        SpaceStrutInertia<order, large_rotation, damped>>(
-        lattice, numbering, sections, model.rotary_inertia);
+      return std::make_unique<SpaceStrutInertia<order, large_rotation, damped>>(
+        lattice,
+        numbering,
+        sections,
+        model.rotary_inertia);
     };
     const std::true_type  yes;
     const std::false_type no;
-    return dispatch_order<largest_space_order>(
-      numbering.order(), [&](auto order) {
-        if (model.large_rotation)
-          return model.damping ? make(order, yes, yes) : make(order, yes, no);
-        return model.damping ? make(order, no, yes) : make(order, no, no);
-      });
+    return dispatch_order<largest_space_order>(numbering.order(),
+                                               [&](auto order) {
+                                                 if (model.large_rotation)
+                                                   return model.damping
+                                                     ? make(order, yes, yes)
+                                                     : make(order, yes, no);
+                                                 return model.damping
+                                                   ? make(order, no, yes)
+                                                   : make(order, no, no);
+                                               });
   }
 } // namespace auxfem

@@ -17,8 +17,7 @@ namespace auxfem
                              const std::optional<SpaceVector> &reference)
     {
       return section_frame(tangent,
-                           reference ? *reference
-                                     : default_reference(tangent));
+                           reference ? *reference : default_reference(tangent));
     }
 
     /** Beam3D with large rotations for BeamForces. */
@@ -70,7 +69,7 @@ namespace auxfem
         if constexpr (large_rotation)
           for (int a = 0; a <= order; ++a)
             {
-              const int *node = unknowns + n_components * a;
+              const int        *node = unknowns + n_components * a;
               const Quaternion &rotation =
                 state.rotations[numbering.spatial_rotation(node[3])];
               motion.nodes[a] = {three(u, node), rotation};
@@ -243,29 +242,33 @@ namespace auxfem
             elastic = forces(stiffness, point.strains);
             if constexpr (damped)
               {
-                const Beam3D::Rates rates =
-                  Beam3D::rates(shape,
-                                g,
-                                1 / jacobian,
-                                point,
-                                motion.velocities);
-                viscous = forces(stiffness,
-                                 {stiffness.damping_time * rates.gamma *
-                                    point.axes,
-                                  stiffness.damping_time * rates.kappa *
-                                    point.axes});
+                const Beam3D::Rates rates = Beam3D::rates(shape,
+                                                          g,
+                                                          1 / jacobian,
+                                                          point,
+                                                          motion.velocities);
+                viscous =
+                  forces(stiffness,
+                         {stiffness.damping_time * rates.gamma * point.axes,
+                          stiffness.damping_time * rates.kappa * point.axes});
               }
           }
         else
           {
-            elastic =
-              forces(stiffness,
-                     Beam3D::small_displacement_strains(
-                       shape, g, frames, jacobian, motion.u));
+            elastic = forces(stiffness,
+                             Beam3D::small_displacement_strains(shape,
+                                                                g,
+                                                                frames,
+                                                                jacobian,
+                                                                motion.u));
             if constexpr (damped)
               {
-                Beam3D::Strains rates = Beam3D::small_displacement_strains(
-                  shape, g, frames, jacobian, motion.v);
+                Beam3D::Strains rates =
+                  Beam3D::small_displacement_strains(shape,
+                                                     g,
+                                                     frames,
+                                                     jacobian,
+                                                     motion.v);
                 rates.gamma *= stiffness.damping_time;
                 rates.kappa *= stiffness.damping_time;
                 viscous = forces(stiffness, rates);
@@ -288,8 +291,7 @@ namespace auxfem
         else
           for (int a = 0; a <= order; ++a)
             for (int c = 0; c < 3; ++c)
-              sum[c] +=
-                shape_values[a] * motion.u[n_components * a + 3 + c];
+              sum[c] += shape_values[a] * motion.u[n_components * a + 3 + c];
         return sum;
       }
 
@@ -306,14 +308,10 @@ namespace auxfem
       static double energy_density(const Stiffness     &stiffness,
                                    const SectionForces &forces)
       {
-        const Beam3D::Stiffness &s   = stiffness.elastic;
-        const double             k[] = {s.axial,
-                                        s.shear_2,
-                                        s.shear_3,
-                                        s.torsion,
-                                        s.bending_2,
-                                        s.bending_3};
-        double                   sum = 0;
+        const Beam3D::Stiffness &s = stiffness.elastic;
+        const double             k[] =
+          {s.axial, s.shear_2, s.shear_3, s.torsion, s.bending_2, s.bending_3};
+        double sum = 0;
         for (unsigned int i = 0; i < forces.size(); ++i)
           sum += forces[i] * forces[i] / k[i] / 2;
         return sum;
@@ -323,7 +321,7 @@ namespace auxfem
       static SectionForces forces(const Stiffness       &stiffness,
                                   const Beam3D::Strains &strains)
       {
-        const SpaceVector force = Beam3D::section_force(stiffness.elastic,
+        const SpaceVector force  = Beam3D::section_force(stiffness.elastic,
                                                         strains.gamma),
                           moment = Beam3D::section_moment(stiffness.elastic,
                                                           strains.kappa);
@@ -351,8 +349,8 @@ namespace auxfem
               numbering.spatial_rotation(unknowns[n_components * a + 3]);
             by_spin[a] = -factors.stiffness *
                 cross_product_tensor(motion.velocities[a].angular) +
-              factors.damping * rotated(step.to.rotations[i],
-                                        rotations.turn_by_spin(step, i));
+              factors.damping *
+                rotated(step.to.rotations[i], rotations.turn_by_spin(step, i));
           }
         Beam3D::add_damping_tangent(shape,
                                     frames,
@@ -375,11 +373,13 @@ namespace auxfem
                     const std::vector<Section> &sections,
                     const StrutModel           &model)
   {
-    return dispatch_order<largest_space_order>(numbering.order(), [&](auto order) {
-      return make_struts_of_order<SpaceBeam, order>(lattice,
-                                                    numbering,
-                                                    sections,
-                                                    model);
-    });
+    return dispatch_order<largest_space_order>(
+      numbering.order(),
+      [&](auto order) {
+        return make_struts_of_order<SpaceBeam, order>(lattice,
+                                                      numbering,
+                                                      sections,
+                                                      model);
+      });
   }
 } // namespace auxfem

@@ -6,17 +6,17 @@ namespace auxfem
   namespace
   {
     /**
-     * Consistent mass M of struts in the plane, translational rho A and rotary rho I,
-     * and with damping the force alpha M v. Constant.
+     * Consistent mass M of struts in the plane, translational rho A and rotary
+     * rho I, and with damping the force alpha M v. Constant.
      */
     template <int order, bool damped>
     class PlaneStrutInertia : public Effect
     {
     public:
       PlaneStrutInertia(const Lattice              &lattice,
-                   const DofNumbering         &numbering,
-                   const std::vector<Section> &sections,
-                   const bool                  rotary_inertia)
+                        const DofNumbering         &numbering,
+                        const std::vector<Section> &sections,
+                        const bool                  rotary_inertia)
         : numbering(numbering)
       {
         for (const DofNumbering::Element &element : numbering.elements())
@@ -150,10 +150,12 @@ namespace auxfem
   {
     if (lattice.dimension == 3)
       return make_space_strut_inertia(lattice, numbering, sections, model);
-    const auto make = [&](auto order,
-                          auto damped) -> std::unique_ptr<Effect> {
+    const auto make = [&](auto order, auto damped) -> std::unique_ptr<Effect> {
       return std::make_unique<PlaneStrutInertia<order, damped>>(
-        lattice, numbering, sections, model.rotary_inertia);
+        lattice,
+        numbering,
+        sections,
+        model.rotary_inertia);
     };
     return dispatch_order(numbering.order(), [&](auto order) {
       return model.damping ? make(order, std::true_type())

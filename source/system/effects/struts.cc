@@ -8,7 +8,8 @@ namespace auxfem
                     const std::vector<Section> &sections,
                     const StrutModel           &model)
   {
-    return (lattice.dimension == 2 ? make_plane_struts : make_space_struts)(
-      lattice, numbering, sections, model);
+    return (lattice.dimension == 2
+              ? make_plane_struts
+              : make_space_struts)(lattice, numbering, sections, model);
   }
 } // namespace auxfem

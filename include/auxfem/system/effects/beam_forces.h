@@ -49,8 +49,8 @@ namespace auxfem
             length * (element.place.end - element.place.begin) / 2;
           data.stiffness =
             Beam::stiffness(section, shear_flexibility ? 0. : length);
-          data.section = strut.section;
-          data.counted = numbering.is_owned(element);
+          data.section          = strut.section;
+          data.counted          = numbering.is_owned(element);
           const double stiffest = Beam::largest_stiffness(data.stiffness);
           largest_stiffness     = std::max(largest_stiffness, stiffest);
           largest_stiffness_per_length =
@@ -122,7 +122,8 @@ namespace auxfem
       step.to.strut_damping_power += energy.dissipation;
     }
 
-    void add_energies(const State & /*state*/, Energies &energies) const override
+    void add_energies(const State & /*state*/,
+                      Energies &energies) const override
     {
       energies.strain += energy.strain;
     }
@@ -139,10 +140,10 @@ namespace auxfem
                                    const unsigned int n_points) const override
     {
       const DofNumbering::Element &element = numbering.elements()[e];
-      const Strut   &strut    = lattice.struts[element.place.strut];
-      const int     *unknowns = numbering.element_unknowns(e);
-      const Element &data     = elements[e];
-      const typename Beam::Motion motion =
+      const Strut                 &strut = lattice.struts[element.place.strut];
+      const int                   *unknowns = numbering.element_unknowns(e);
+      const Element               &data     = elements[e];
+      const typename Beam::Motion  motion =
         Beam::motion(numbering, unknowns, state);
       SectionForces elastic[order], viscous[order];
       for (int g = 0; g < order; ++g)
@@ -227,10 +228,7 @@ namespace auxfem
       dealii::Point<3>     nodes[order + 1], position;
       dealii::Tensor<1, 3> tangent;
       for (int a = 0; a <= order; ++a)
-        lattice.axis(strut,
-                     fraction(place, shape.node[a]),
-                     nodes[a],
-                     tangent);
+        lattice.axis(strut, fraction(place, shape.node[a]), nodes[a], tangent);
       for (int g = 0; g < order; ++g)
         {
           lattice.axis(strut,
@@ -244,15 +242,15 @@ namespace auxfem
         }
     }
 
-    const Lattice                   &lattice;
-    const DofNumbering              &numbering;
-    const BeamShape<order>           shape;
-    std::vector<Element>             elements;
+    const Lattice                    &lattice;
+    const DofNumbering               &numbering;
+    const BeamShape<order>            shape;
+    std::vector<Element>              elements;
     std::vector<typename Beam::Frame> frames;
     /** By section. */
     std::vector<std::optional<dealii::Tensor<1, 3>>> references;
-    double     largest_stiffness            = 0;
-    double     largest_stiffness_per_length = 0;
+    double                                           largest_stiffness = 0;
+    double     largest_stiffness_per_length                            = 0;
     BeamEnergy energy;
   };
 
@@ -289,7 +287,10 @@ namespace auxfem
     const auto make = [&](auto large_rotation,
                           auto damped) -> std::unique_ptr<StrutForces> {
       return std::make_unique<BeamForces<Beam<order, large_rotation, damped>>>(
-        lattice, numbering, sections, model.shear_flexibility);
+        lattice,
+        numbering,
+        sections,
+        model.shear_flexibility);
     };
     const std::true_type  yes;
     const std::false_type no;

@@ -85,9 +85,9 @@ namespace auxfem
     unsigned int                        first_history, first_dissipated;
     std::size_t                         first_block = 0;
 
-    std::vector<ConnectorMotion>       motion;
-    std::vector<ConnectorResponse>     response;
-    std::vector<double>                stored;
+    std::vector<ConnectorMotion>      motion;
+    std::vector<ConnectorResponse>    response;
+    std::vector<double>               stored;
     std::vector<dealii::Tensor<1, 3>> direction;
     std::vector<dealii::Tensor<1, 3>> velocity_difference;
     std::vector<double>               current_length;

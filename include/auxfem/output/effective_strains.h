@@ -1,0 +1,85 @@
+#ifndef auxfem_output_effective_strains_h
+#define auxfem_output_effective_strains_h
+
+#include <auxfem/output/csv_table.h>
+#include <auxfem/system/system.h>
+
+#include <optional>
+#include <string>
+
+namespace auxfem
+{
+  /**
+   * Strains of the lattice as a whole: along x the mean displacement of the
+   * joint set `right` minus that of `left`, over the mean distance of these
+   * joints along x at rest; so for `bottom` and `top` along y, `back` and
+   * `front` along z. Axes are left out along which one of the sets does not
+   * exist or the two are not apart.
+   */
+  class EffectiveStrains
+  {
+  public:
+    /**
+     * Throws InputError if no axis is left.
+     * @param system must outlive the object.
+     */
+    explicit EffectiveStrains(const System &system);
+
+    /** Throws InputError as the constructor. */
+    static void check(const Lattice &lattice);
+
+    /** Axes with a strain: 0, 1, 2 for x, y, z. */
+    const std::vector<unsigned int> &axes() const;
+
+    /** `strain.x` and so on, for each of the axes. */
+    std::vector<Column> columns() const;
+
+    /** This rank's share of each strain, to be summed over the ranks. */
+    std::vector<double> values(const State &state) const;
+
+  private:
+    /** A strain is the sum of displacements times factors (1/m). */
+    struct Term
+    {
+      int    unknown; ///< local number, owned by this rank
+      double factor;
+    };
+
+    std::vector<unsigned int>      with_strain;
+    std::vector<std::vector<Term>> terms; ///< for each of them
+  };
+
+  /** Effective strains at the largest shortening or lengthening along y. */
+  class LargestStrain
+  {
+  public:
+    /**
+     * Takes note of the strains @p values along @p axes at @p time (s).
+     */
+    void add(double                           time,
+             const std::vector<unsigned int> &axes,
+             const double                    *values);
+
+    /** When it was (s). */
+    double time() const;
+
+    /** Strain along an axis then; nothing if that has none. */
+    std::optional<double> along(unsigned int axis) const;
+
+    /**
+     * Effective Poisson's ratio of a lateral axis, 0 or 2: minus the strain
+     * along it over that along y. Nothing if either has none, or as long as
+     * there is no strain along y.
+     */
+    std::optional<double> poissons_ratio(unsigned int axis) const;
+
+  private:
+    double                               time_then = 0;
+    std::array<std::optional<double>, 3> strains;
+  };
+
+  /** The letter of an axis: `x`, `y`, `z`. */
+  std::string axis_name(unsigned int axis);
+} // namespace auxfem
+
+#endif

@@ -1,0 +1,44 @@
+#ifndef auxfem_output_rotation_vectors_h
+#define auxfem_output_rotation_vectors_h
+
+#include <auxfem/system/system.h>
+
+namespace auxfem
+{
+  /**
+   * Rotations of the nodes of this rank in space as rotation vectors since rest
+   * (rad), counted on past whole turns from state to state. None in the plane,
+   * where rotations are numbers.
+   */
+  class RotationVectors
+  {
+  public:
+    /** @param system must outlive the object. */
+    explicit RotationVectors(const System &system);
+
+    /**
+     * Goes on to @p state. The sum of turns in between tells apart vectors
+     * that mean the same rotation, so it may be large about a fixed axis; about
+     * axes that change it must stay below half a turn.
+     */
+    void follow(const State &state);
+
+    /** The entry that belongs to local unknown @p unknown, a spin (rad). */
+    double operator[](int unknown) const;
+
+    /** Largest angle (rad), ghosts included. */
+    double largest() const;
+
+  private:
+    struct Rotation
+    {
+      SpaceVector vector;
+      SpaceVector entries; ///< of State::displacement
+    };
+
+    const System         &system;
+    std::vector<Rotation> rotations;
+  };
+} // namespace auxfem
+
+#endif

@@ -1,0 +1,159 @@
+#include <auxfem/output/effective_strains.h>
+#include <auxfem/parameters/errors.h>
+
+#include <cmath>
+
+namespace auxfem
+{
+  namespace
+  {
+    using Joints = std::vector<unsigned int>;
+
+    /** The sets at the lower and upper end of each axis. */
+    const char *const sides[3][2] = {{"left", "right"},
+                                     {"bottom", "top"},
+                                     {"back", "front"}};
+
+    struct Span
+    {
+      unsigned int  axis;
+      const Joints *low, *high;
+      double        length; ///< between their means at rest (m)
+    };
+
+    double mean_place(const Lattice     &lattice,
+                      const Joints      &joints,
+                      const unsigned int axis)
+    {
+      double sum = 0;
+      for (const unsigned int joint : joints)
+        sum += lattice.joints[joint][axis];
+      return sum / joints.size();
+    }
+
+    std::optional<Span> span_along(const unsigned int axis,
+                                   const Lattice     &lattice)
+    {
+      const auto low  = lattice.joint_sets.find(sides[axis][0]),
+                 high = lattice.joint_sets.find(sides[axis][1]);
+      if (low == lattice.joint_sets.end() || high == lattice.joint_sets.end() ||
+          low->second.empty() || high->second.empty())
+        return {};
+      const double begin  = mean_place(lattice, low->second, axis),
+                   length = mean_place(lattice, high->second, axis) - begin;
+      // Means of equal places differ by round-off only.
+      if (length <= 1e-10 * (std::abs(begin) + std::abs(begin + length)))
+        return {};
+      return Span{axis, &low->second, &high->second, length};
+    }
+
+    std::vector<Span> spans_of(const Lattice &lattice)
+    {
+      std::vector<Span> spans;
+      for (unsigned int axis = 0; axis < lattice.dimension; ++axis)
+        if (const std::optional<Span> span = span_along(axis, lattice))
+          spans.push_back(*span);
+      if (spans.empty())
+        throw InputError(
+          "Output/Effective strains = true: the lattice has no two opposite "
+          "sides. Allowed: lattices with the joint sets left and right, bottom "
+          "and top, or in space back and front, which are apart. Make them in "
+          "Sets, or set Effective strains = false.");
+      return spans;
+    }
+  } // namespace
+
+  EffectiveStrains::EffectiveStrains(const System &system)
+  {
+    const DofNumbering &numbering = system.numbering();
+    for (const Span &span : spans_of(system.lattice()))
+      {
+        std::vector<Term> of_axis;
+        const auto        add = [&](const Joints &joints, const double sign) {
+          for (const unsigned int joint : joints)
+            {
+              const int unknown = numbering.joint_unknown(joint, span.axis);
+              if (numbering.is_owned(unknown))
+                of_axis.push_back(
+                  {unknown, sign / (joints.size() * span.length)});
+            }
+        };
+        add(*span.low, -1);
+        add(*span.high, 1);
+        with_strain.push_back(span.axis);
+        terms.push_back(std::move(of_axis));
+      }
+  }
+
+  void EffectiveStrains::check(const Lattice &lattice)
+  {
+    spans_of(lattice);
+  }
+
+  const std::vector<unsigned int> &EffectiveStrains::axes() const
+  {
+    return with_strain;
+  }
+
+  std::vector<Column> EffectiveStrains::columns() const
+  {
+    std::vector<Column> result;
+    for (const unsigned int axis : with_strain)
+      result.push_back(
+        {"strain." + axis_name(axis),
+         "1",
+         std::string("effective strain: mean displacement of the set ") +
+           sides[axis][1] + " minus that of " + sides[axis][0] +
+           " over their mean distance at rest"});
+    return result;
+  }
+
+  std::vector<double> EffectiveStrains::values(const State &state) const
+  {
+    std::vector<double> result;
+    for (const std::vector<Term> &of_axis : terms)
+      {
+        double strain = 0;
+        for (const Term &term : of_axis)
+          strain += term.factor * state.displacement[term.unknown];
+        result.push_back(strain);
+      }
+    return result;
+  }
+
+  void LargestStrain::add(const double                     time,
+                          const std::vector<unsigned int> &axes,
+                          const double                    *values)
+  {
+    std::array<std::optional<double>, 3> now;
+    for (unsigned int i = 0; i < axes.size(); ++i)
+      now[axes[i]] = values[i];
+    if (!now[1] || std::abs(*now[1]) <= std::abs(strains[1].value_or(0)))
+      return;
+    strains   = now;
+    time_then = time;
+  }
+
+  double LargestStrain::time() const
+  {
+    return time_then;
+  }
+
+  std::optional<double> LargestStrain::along(const unsigned int axis) const
+  {
+    return strains[axis];
+  }
+
+  std::optional<double>
+  LargestStrain::poissons_ratio(const unsigned int axis) const
+  {
+    if (!strains[1] || !strains[axis])
+      return {};
+    return -*strains[axis] / *strains[1];
+  }
+
+  std::string axis_name(const unsigned int axis)
+  {
+    return {"xyz"[axis]};
+  }
+} // namespace auxfem

@@ -1,0 +1,47 @@
+#include <auxfem/output/rotation_vectors.h>
+
+#include <algorithm>
+
+namespace auxfem
+{
+  RotationVectors::RotationVectors(const System &system)
+    : system(system)
+    , rotations(system.numbering().spatial_rotations().size())
+  {}
+
+  void RotationVectors::follow(const State &state)
+  {
+    for (unsigned int i = 0; i < rotations.size(); ++i)
+      {
+        const SpaceVector entries =
+          system.rotations().values(state.displacement, i);
+        SpaceVector &vector = rotations[i].vector;
+        if (state.rotations.empty())
+          vector = entries;
+        else
+          vector =
+            rotation_vector_near(state.rotations[i],
+                                 vector +
+                                   rotated(state.rotations[i],
+                                           entries - rotations[i].entries));
+        rotations[i].entries = entries;
+      }
+  }
+
+  double RotationVectors::operator[](const int unknown) const
+  {
+    const DofNumbering &numbering = system.numbering();
+    const int           i         = numbering.spatial_rotation(unknown);
+    const auto         &spins     = numbering.spatial_rotations()[i];
+    return rotations[i]
+      .vector[std::find(spins.begin(), spins.end(), unknown) - spins.begin()];
+  }
+
+  double RotationVectors::largest() const
+  {
+    double angle = 0;
+    for (const Rotation &rotation : rotations)
+      angle = std::max(angle, rotation.vector.norm());
+    return angle;
+  }
+} // namespace auxfem

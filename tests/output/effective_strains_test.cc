@@ -1,0 +1,136 @@
+#include <auxfem/mesh/sets.h>
+#include <auxfem/output/effective_strains.h>
+
+#include <gtest/gtest.h>
+
+#include <support/messages.h>
+
+using namespace auxfem;
+
+namespace
+{
+  /** A frame of four joints; places of the third dimension come by hand. */
+  Scene scene_in(const unsigned int dimension)
+  {
+    return read_scene_from_text("set Dimension = " + std::to_string(dimension) +
+                                  R"(
+subsection Lattice
+  set Cell   = frame
+  set Joints = 0 0; 4 0; 4 2; 0 2
+  set Struts = 0 1; 1 2; 2 3; 3 0
+end
+subsection Sections
+  subsection band
+    set Shape           = circle
+    set Radius          = 5 mm
+    set Young's modulus = 70 GPa
+    set Density         = 2700 kg/m3
+  end
+end
+)",
+                                "test.prm");
+  }
+
+  void displace(State             &state,
+                const System      &system,
+                const unsigned int joint,
+                const unsigned int component,
+                const double       value)
+  {
+    state.displacement[system.numbering().joint_unknown(joint, component)] =
+      value;
+  }
+
+  using Words = std::vector<std::string>;
+
+  Words names_of(const EffectiveStrains &strains)
+  {
+    Words names;
+    for (const Column &column : strains.columns())
+      names.push_back(column.name);
+    return names;
+  }
+} // namespace
+
+TEST(EffectiveStrains, AreDifferencesOfMeansOverTheDistance)
+{
+  const Scene            scene   = scene_in(2);
+  const Lattice          lattice = build_lattice(scene);
+  const System           system(scene, lattice, MPI_COMM_WORLD);
+  const EffectiveStrains strains(system);
+  EXPECT_EQ(names_of(strains), (Words{"strain.x", "strain.y"}));
+
+  // Numbers of few binary digits: all is exact.
+  State state = system.initial_state();
+  displace(state, system, 1, 0, 0.25);
+  displace(state, system, 2, 0, 0.75);
+  displace(state, system, 0, 0, -0.5);
+  displace(state, system, 2, 1, -0.25);
+  displace(state, system, 3, 1, -0.5);
+  EXPECT_EQ(strains.values(state),
+            (std::vector<double>{(0.5 - -0.25) / 4, -0.375 / 2}));
+}
+
+TEST(EffectiveStrains, MeasureUnevenFacesByTheirMeanPlaces)
+{
+  const Scene scene   = scene_in(3);
+  Lattice     lattice = build_lattice(scene);
+  // The front is tilted: joints 2 and 3 at z = 1 and 3, two from the back.
+  lattice.joints[2][2]        = 1;
+  lattice.joints[3][2]        = 3;
+  lattice.joint_sets["back"]  = {0, 1};
+  lattice.joint_sets["front"] = {2, 3};
+  const System           system(scene, lattice, MPI_COMM_WORLD);
+  const EffectiveStrains strains(system);
+  EXPECT_EQ(strains.axes(), (std::vector<unsigned int>{0, 1, 2}));
+  State state = system.initial_state();
+  displace(state, system, 3, 2, 1);
+  EXPECT_EQ(strains.values(state), (std::vector<double>{0, 0, 0.25}));
+}
+
+TEST(EffectiveStrains, LeaveOutAxesWithoutTwoSidesApart)
+{
+  const Scene scene         = scene_in(3);
+  Lattice     lattice       = build_lattice(scene);
+  lattice.joint_sets["top"] = lattice.joint_sets["bottom"];
+  const System           system(scene, lattice, MPI_COMM_WORLD);
+  const EffectiveStrains strains(system);
+  EXPECT_EQ(names_of(strains), (Words{"strain.x"}))
+    << "there is neither back nor front, and top is where bottom is";
+
+  lattice.joint_sets.erase("left");
+  expect_parts(input_error_of([&]() { EffectiveStrains::check(lattice); }),
+               {"Output/Effective strains = true",
+                "left and right, bottom and top",
+                "back and front",
+                "set Effective strains = false"});
+}
+
+TEST(LargestStrain, IsThatOfTheLargestStrainAlongY)
+{
+  LargestStrain                   largest;
+  const std::vector<unsigned int> axes = {0, 1, 2};
+  const double strains[][3]            = {{0, 0, 0}, {1, -4, 2}, {9, 3, 9}};
+  largest.add(0, axes, strains[0]);
+  EXPECT_FALSE(largest.poissons_ratio(0)) << "nothing has moved";
+  for (unsigned int i = 1; i < 3; ++i)
+    largest.add(i, axes, strains[i]);
+  EXPECT_EQ(largest.time(), 1);
+  EXPECT_EQ(*largest.along(1), -4);
+  EXPECT_EQ(*largest.poissons_ratio(0), 0.25);
+  EXPECT_EQ(*largest.poissons_ratio(2), 0.5);
+}
+
+TEST(LargestStrain, HasNoRatioOfAnAxisWithoutStrain)
+{
+  LargestStrain largest;
+  const double  strains[] = {1, 2};
+  largest.add(1, {1, 2}, strains);
+  EXPECT_FALSE(largest.poissons_ratio(0));
+  EXPECT_EQ(*largest.poissons_ratio(2), -2);
+
+  LargestStrain without_y;
+  without_y.add(1, {0, 2}, strains);
+  EXPECT_FALSE(without_y.poissons_ratio(0));
+  EXPECT_FALSE(without_y.poissons_ratio(2));
+}

@@ -1,0 +1,136 @@
+#include <auxfem/mesh/sets.h>
+#include <auxfem/output/rotation_vectors.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace auxfem;
+
+namespace
+{
+  const std::string strut_text = R"(
+subsection Lattice
+  set Cell   = frame
+  set Joints = 0 0; 1 0
+  set Struts = 0 1
+end
+subsection Sections
+  subsection band
+    set Shape           = circle
+    set Radius          = 5 mm
+    set Young's modulus = 70 GPa
+    set Density         = 2700 kg/m3
+  end
+end
+)";
+
+  /** A strut in free space whose nodes are turned by hand. */
+  class RotationVectorsTest : public testing::Test
+  {
+  protected:
+    explicit RotationVectorsTest(
+      const std::string &head = "set Dimension = 3\n",
+      const std::string &tail = "")
+      : scene(read_scene_from_text(head + strut_text + tail, "test.prm"))
+      , lattice(build_lattice(scene))
+      , system(scene, lattice, MPI_COMM_WORLD)
+      , state(system.initial_state())
+      , vectors(system)
+    {}
+
+    /** Turns all nodes from where they are to @p rotation. */
+    void turn_to(const Quaternion &rotation)
+    {
+      turn_by(rotation_vector(conjugate(state.rotations[0]) * rotation));
+    }
+
+    /** Turns all nodes by a material rotation vector (rad). */
+    void turn_by(const SpaceVector &turn)
+    {
+      const State before = state;
+      const Step  step{before, state, 1};
+      for (unsigned int i = 0; i < state.rotations.size(); ++i)
+        system.rotations().set_material_turn(step, i, turn);
+      system.rotations().follow(step);
+      vectors.follow(state);
+    }
+
+    /** The rotation vector of joint @p joint. */
+    SpaceVector vector_of(const unsigned int joint) const
+    {
+      SpaceVector vector;
+      for (unsigned int c = 0; c < 3; ++c)
+        vector[c] =
+          vectors[system.numbering().joint_unknown(joint, first_rotation + c)];
+      return vector;
+    }
+
+    const Scene     scene;
+    const Lattice   lattice;
+    System          system;
+    State           state;
+    RotationVectors vectors;
+  };
+
+  class SmallRotationVectorsTest : public RotationVectorsTest
+  {
+  protected:
+    SmallRotationVectorsTest()
+      : RotationVectorsTest("set Dimension = 3\n",
+                            "subsection Effects\n"
+                            "  set Large rotation = off\n"
+                            "end\n")
+    {}
+  };
+
+  class PlanarRotationVectorsTest : public RotationVectorsTest
+  {
+  protected:
+    PlanarRotationVectorsTest() : RotationVectorsTest("")
+    {}
+  };
+} // namespace
+
+TEST_F(RotationVectorsTest, CountOnAboutAFixedAxisEvenInLongSteps)
+{
+  const SpaceVector axis({2. / 3, -1. / 3, 2. / 3});
+  for (unsigned int i = 0; i < 5; ++i)
+    turn_by(4. * axis);
+  for (unsigned int joint = 0; joint < 2; ++joint)
+    EXPECT_NEAR((vector_of(joint) - 20. * axis).norm(), 0, 1e-13);
+  EXPECT_NEAR(vectors.largest(), 20, 1e-13);
+}
+
+TEST_F(RotationVectorsTest, StaySmallWhereTheAxisGoesRoundAndRound)
+{
+  // In each round the sum of turns gains 2 pi (1 - cos 0.5) = 0.77 about z.
+  const unsigned int n_rounds = 20, n_steps = 64;
+  const auto         vector = [](const double phase) {
+    return SpaceVector({0.5 * std::cos(phase), 0.5 * std::sin(phase), 0});
+  };
+  for (unsigned int i = 0; i <= n_rounds * n_steps; ++i)
+    turn_to(exponential(vector(2 * M_PI * i / n_steps)));
+  EXPECT_GT(system.rotations().values(state.displacement, 0).norm(), 2 * M_PI)
+    << "the sum of turns alone would do";
+  // Round-off of the quaternion adds up over 1280 steps.
+  EXPECT_NEAR((vector_of(1) - vector(0)).norm(), 0, 1e-12);
+}
+
+TEST_F(SmallRotationVectorsTest, AreTheEntriesOfTheDisplacement)
+{
+  ASSERT_TRUE(state.rotations.empty());
+  const SpaceVector entries({7, -8, 9});
+  for (unsigned int i = 0; i < system.numbering().spatial_rotations().size();
+       ++i)
+    system.rotations().set_values(entries, i, state.displacement);
+  vectors.follow(state);
+  EXPECT_EQ(vector_of(0), entries);
+  EXPECT_EQ(vectors.largest(), entries.norm());
+}
+
+TEST_F(PlanarRotationVectorsTest, AreNone)
+{
+  vectors.follow(state);
+  EXPECT_EQ(vectors.largest(), 0);
+}
