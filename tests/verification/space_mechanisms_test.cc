@@ -192,7 +192,7 @@ namespace
                       hinge = vector(0.2, 1, 0.4) / std::sqrt(1.2),
                       crank = vector(0.3, 0, 0),
                       // Across the hinge.
-      rocker = 0.8 / std::sqrt(1.04) * vector(1, -0.2, 0);
+      rocker = 0.8 / std::sqrt(1.16) * vector(0, -0.4, 1);
 
     SpaceVector end_of_crank(const double angle) const
     {
@@ -247,12 +247,12 @@ TEST(SpaceMechanisms, ASpatialFourBarLinkageFollowsItsClosedForm)
   run.run([&] {
     rocker = linkage.rocker_angle(4 * (1 - std::cos(run.state.time)), rocker);
     travel = std::max(travel, std::abs(rocker));
-    const SpaceVector turn = run.system.rigid_parts()->rotation(1, run.state);
+    // Parts are in the order of their names.
+    const SpaceVector turn = run.system.rigid_parts()->rotation(2, run.state);
     error = std::max(error, (turn - rocker * linkage.hinge).norm());
   });
-  ComparisonTable table(
-    "Crank, coupler and rocker in space, a turn of the crank "
-    "by 8 rad");
+  ComparisonTable table("Crank, coupler and rocker in space, the crank turns "
+                        "by 8 rad");
   // The conditions hold to round-off at every step.
   table.row("angle of the rocker (rad)", error, 0, 1e-11);
   EXPECT_GT(travel, 0.2);
