@@ -1,3 +1,4 @@
+#include <auxfem/elements/beam_shape.h>
 #include <auxfem/parameters/scene_sections.h>
 
 #include <limits>
@@ -15,8 +16,9 @@ namespace auxfem
     const Integer order       = {"Order",
                                  3,
                                  1,
-                                 6,
-                                 "Polynomial order of the struts' elements."};
+                                 largest_plane_order,
+                                 "Polynomial order of the struts' elements; "
+                                 "with Dimension = 3 at most 4."};
     const Integer refinements = {"Global refinements",
                                  0,
                                  0,

@@ -179,9 +179,13 @@ TEST(LateralBuckling, PathBeyondTheCriticalForce)
       {
         std::cout << "| " << point.force << " | " << point.lateral << " |\n";
         if (point.force < 1.05)
-          EXPECT_LT(point.lateral, 1.5) << "at " << point.force;
-        if (point.force > 1.095)
-          EXPECT_GT(point.lateral, 15) << "at " << point.force;
+          {
+            EXPECT_LT(point.lateral, 1.5) << "at " << point.force;
+          }
+        else if (point.force > 1.095)
+          {
+            EXPECT_GT(point.lateral, 15) << "at " << point.force;
+          }
       }
   std::cout << std::endl;
 }
