@@ -30,7 +30,7 @@ namespace auxfem
                      : rotation_vector_near(conjugate(step.from.rotations[i]) *
                                               rotation,
                                             before + material) -
-                         before,
+                       before,
                    i,
                    increment);
       }

@@ -17,7 +17,8 @@ namespace auxfem
       return "set Dimension = 3\n" + frame(joints, struts);
     }
 
-    /** A rigid part of struts with a rotation of its own, whatever its shape. */
+    /** A rigid part of struts with a rotation of its own, whatever its shape.
+     */
     inline std::string body(const std::string &struts,
                             const double       mass,
                             const SpaceVector &inertia)

@@ -23,7 +23,7 @@ namespace auxfem
               const DofNumbering &numbering,
               const RigidBodies  &bodies,
               bool                large_rotation,
-              double length);
+              double              length);
 } // namespace auxfem
 
 #endif

@@ -6,7 +6,7 @@ namespace auxfem
 {
   RotaryMasses::RotaryMasses(const DofNumbering &numbering,
                              const bool          large_rotation,
-                             const double length)
+                             const double        length)
     : numbering(numbering)
     , rotations(numbering)
     , large_rotation(large_rotation)
@@ -48,18 +48,17 @@ namespace auxfem
     largest_torque = 0;
     for (const Mass &mass : masses)
       {
-        const RotaryInertia::Motion now = motion(mass, step.to);
-        const SpaceVector inertial      = mass.inertia * now.acceleration;
-        const SpaceVector torque        = large_rotation
-                 ? RotaryInertia::torque(mass.inertia,
+        const RotaryInertia::Motion now      = motion(mass, step.to);
+        const SpaceVector           inertial = mass.inertia * now.acceleration;
+        const SpaceVector           torque   = large_rotation
+                      ? RotaryInertia::torque(mass.inertia,
                                   step.to.rotations[mass.rotation],
                                   now)
-                 : inertial;
-        largest_torque =
-          std::max(largest_torque,
-                   inertial.norm() +
-                     now.velocity.norm() *
-                       (mass.inertia * now.velocity).norm());
+                      : inertial;
+        largest_torque                       = std::max(largest_torque,
+                                  inertial.norm() +
+                                    now.velocity.norm() *
+                                      (mass.inertia * now.velocity).norm());
         const std::array<int, 3> &spins =
           numbering.spatial_rotations()[mass.rotation];
         for (unsigned int c = 0; c < 3; ++c)
@@ -94,9 +93,8 @@ namespace auxfem
       }
   }
 
-  double
-  RotaryMasses::round_off_scale(const double /*largest_displacement*/,
-                                const double /*largest_rotation*/) const
+  double RotaryMasses::round_off_scale(const double /*largest_displacement*/,
+                                       const double /*largest_rotation*/) const
   {
     // A body that spins freely has torques that cancel, and no others.
     return largest_torque / length;

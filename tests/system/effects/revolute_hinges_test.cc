@@ -1,9 +1,9 @@
 #include <auxfem/parameters/errors.h>
 #include <auxfem/system/effects/revolute_hinges.h>
 
+#include <mesh/cell_from_text.h>
 #include <support/scene_run.h>
 #include <system/effects/space_effect.h>
-#include <mesh/cell_from_text.h>
 
 using namespace auxfem;
 using namespace auxfem::testing_support;
@@ -26,9 +26,10 @@ namespace
   }
 
   /** Three struts at joint 1, two of them on one hinge against the third. */
-  const std::string forked = space_frame("0 0 0; 1 0 0; 1.5 0.9 0.2; 1.8 -0.3 0.8",
-                                       "0 1; 1 2; 1 3",
-                                       revolute("1", "1, 2", "1 2 -0.5"));
+  const std::string forked =
+    space_frame("0 0 0; 1 0 0; 1.5 0.9 0.2; 1.8 -0.3 0.8",
+                "0 1; 1 2; 1 3",
+                revolute("1", "1, 2", "1 2 -0.5"));
 
   /** The hinge conditions of the forked alone. */
   struct ForkHinges : SpaceEffect
@@ -105,7 +106,7 @@ TEST(RevoluteHinges, AStrutTurnsAboutTheAxisAlone)
     "    set Force z = 1e-6\n    set Force y = 5\n  end\nend\n"
     "subsection Time\n  set Scheme = static\n  set End time = 1\n"
     "  set Time step = 1\nend\n";
-  SceneRun  run(space_frame("0 0 0; 1 0 0; 2 0 0", "0 1; 1 2", further),
+  SceneRun run(space_frame("0 0 0; 1 0 0; 2 0 0", "0 1; 1 2", further),
                {"Discretization/Order=3"});
   run.run();
   const auto &dofs = run.system.numbering();

@@ -41,9 +41,9 @@ end
     {
       explicit SpaceEffect(const std::string &text, const bool large_rotation)
         : of_scene(text,
-                   large_rotation ? std::vector<std::string>()
-                                  : std::vector<std::string>{
-                                      "Effects/Large rotation=off"},
+                   large_rotation
+                     ? std::vector<std::string>()
+                     : std::vector<std::string>{"Effects/Large rotation=off"},
                    MPI_COMM_SELF)
         , rotations(of_scene.dofs())
         , from(of_scene.system.initial_state())
@@ -123,9 +123,8 @@ end
         std::copy(direction.begin(), direction.end(), x.Values());
         matrix.matrix().Multiply(false, x, y);
 
-        const double h = 1e-5;
-        const auto   forward =
-                     residual(effect, moved(direction, h, factors), 1.),
+        const double h     = 1e-5;
+        const auto forward = residual(effect, moved(direction, h, factors), 1.),
                    backward =
                      residual(effect, moved(direction, -h, factors), 1.);
         double size = 0;
@@ -148,8 +147,8 @@ end
             if (is_multiplier(i))
               continue;
             std::vector<double> direction(n, 0.);
-            direction[i] = 1;
-            const auto forward  = residual(conditions, moved(direction, h), 1.),
+            direction[i]       = 1;
+            const auto forward = residual(conditions, moved(direction, h), 1.),
                        backward =
                          residual(conditions, moved(direction, -h), 1.);
             double work = 0;
@@ -161,7 +160,8 @@ end
           }
       }
 
-      /** Expects first and second derivatives in time to be those of differences. */
+      /** Expects first and second derivatives in time to be those of
+       * differences. */
       void expect_time_derivatives(Conditions &conditions)
       {
         const double        small = 1e-5, long_step = 1e-3;

@@ -23,7 +23,8 @@ namespace
       , spring(of_scene.dofs(), layout)
     {
       const auto &dofs = of_scene.dofs();
-      first  = to_ground ? -1 : dofs.spatial_rotation(dofs.end_rotation(0, 1, 3));
+      first =
+        to_ground ? -1 : dofs.spatial_rotation(dofs.end_rotation(0, 1, 3));
       second = dofs.spatial_rotation(dofs.end_rotation(1, 0, 3));
       spring.add(first, second, 1.7, layout);
     }
@@ -72,7 +73,7 @@ TEST(SpaceSprings, MomentsAreDerivativesOfTheEnergy)
 TEST(SpaceSprings, TurnsAreCountedWhileBothTumble)
 {
   KneeSpring knee(false);
-  State before = knee.from;
+  State      before = knee.from;
   // The base tumbles, the strut turns against it about (1, 2, 2) / 3: three
   // whole turns and a bit.
   const unsigned int n_steps = 100;
@@ -80,20 +81,17 @@ TEST(SpaceSprings, TurnsAreCountedWhileBothTumble)
   for (unsigned int step = 1; step <= n_steps; ++step)
     {
       const double     part = double(step) / n_steps;
-      const Quaternion base =
-        exponential(SpaceVector({0, 0, 30 * part})) *
+      const Quaternion base = exponential(SpaceVector({0, 0, 30 * part})) *
         exponential(SpaceVector({std::sin(17 * part), 25 * part, 0}));
-      State now                  = before;
-      now.rotations[knee.first]  = base;
+      State now                 = before;
+      now.rotations[knee.first] = base;
       now.rotations[knee.second] =
         base * exponential(angle * part / 3 * SpaceVector({1, 2, 2}));
       std::vector<double> rows(knee.n, 0.);
       knee.spring.add_residual({before, now, 1.}, rows.data());
       Energies energies;
       knee.spring.add_energies(now, energies);
-      EXPECT_NEAR(energies.strain,
-                  1.7 / 2 * std::pow(angle * part, 2),
-                  1e-10);
+      EXPECT_NEAR(energies.strain, 1.7 / 2 * std::pow(angle * part, 2), 1e-10);
       before = now;
     }
 }

@@ -21,12 +21,12 @@ namespace auxfem
     /** Adds @p inertia (kg m2, global frame at rest) to one of DofNumbering::spatial_rotations(). */
     void add(unsigned int rotation, const SpaceTensor &inertia);
 
-    bool is_linear() const override;
-    void register_blocks(TangentMatrix &matrix) override;
-    void add_residual(const Step &step, double *residual) override;
-    void add_tangent(const Step           &step,
-                     const TangentFactors &factors,
-                     TangentMatrix        &matrix) const override;
+    bool   is_linear() const override;
+    void   register_blocks(TangentMatrix &matrix) override;
+    void   add_residual(const Step &step, double *residual) override;
+    void   add_tangent(const Step           &step,
+                       const TangentFactors &factors,
+                       TangentMatrix        &matrix) const override;
     void   add_energies(const State &state, Energies &energies) const override;
     double round_off_scale(double largest_displacement,
                            double largest_rotation) const override;
