@@ -270,8 +270,8 @@ namespace auxfem
       "Type",
       "auto",
       {"auto", "klu", "mumps", "gmres"},
-      "Direct solvers klu and mumps, or gmres, iterative, for lattices without "
-      "rigid parts that are too large for these; auto: klu, and mumps on "
+      "Direct solvers klu and mumps, or gmres, iterative, for lattices that are "
+      "too large for these, without rigid parts and revolute hinges; auto: klu, and mumps on "
       "several processes where the lattice is large."};
     const Choice preconditioner = {
       "Preconditioner",

@@ -70,7 +70,7 @@ TEST(DofNumbering, FourByFourStarsHave1080UnknownsAtOrderTwo)
 
   // Four stub ends at the bottom are clamped.
   for (const unsigned int joint : stars_4x4.lattice.joint_sets.at("bottom"))
-    for (unsigned int c = 0; c < 3; ++c)
+    for (const unsigned int c : stars_4x4.dofs.components())
       if (const int unknown = stars_4x4.dofs.joint_unknown(joint, c);
           unknown >= 0)
         stars_4x4.dofs.prescribe(unknown);
@@ -102,11 +102,12 @@ TEST(DofNumbering, StrutsShareTheUnknownsOfTheirJoint)
       for (unsigned int end = 0; end < 2; ++end)
         for (unsigned int c = 0; c < 3; ++c)
           EXPECT_EQ(unknowns[3 * end + c],
-                    tripods.dofs.joint_unknown(strut.joints[end], c));
+                    tripods.dofs.joint_unknown(strut.joints[end],
+                                               tripods.dofs.components()[c]));
     }
   for (unsigned int s = 0; s < 3; ++s)
     EXPECT_EQ(tripods.dofs.end_rotation(s, 0),
-              tripods.dofs.joint_unknown(0, 2));
+              tripods.dofs.joint_unknown(0, rotation_z));
 }
 
 TEST(DofNumbering, ElementsOfAStrutShareTheNodeBetweenThem)
@@ -136,9 +137,11 @@ TEST(DofNumbering, AReleasedEndHasARotationOfItsOwn)
   ties.released = {{{true, false}}, {{false, false}}, {{false, false}}};
   const Numbered tripods(tripod(), 2, 0, ties, MPI_COMM_SELF);
   EXPECT_EQ(tripods.dofs.n_unknowns(), 3u * (4 + 3) + 1);
-  EXPECT_TRUE(tripods.dofs.joint_has(0, 2));
-  EXPECT_NE(tripods.dofs.end_rotation(0, 0), tripods.dofs.joint_unknown(0, 2));
-  EXPECT_EQ(tripods.dofs.end_rotation(1, 0), tripods.dofs.joint_unknown(0, 2));
+  EXPECT_TRUE(tripods.dofs.joint_has(0, rotation_z));
+  EXPECT_NE(tripods.dofs.end_rotation(0, 0),
+            tripods.dofs.joint_unknown(0, rotation_z));
+  EXPECT_EQ(tripods.dofs.end_rotation(1, 0),
+            tripods.dofs.joint_unknown(0, rotation_z));
   EXPECT_TRUE(tripods.dofs.is_rotation(tripods.dofs.end_rotation(0, 0)));
 }
 
@@ -148,8 +151,8 @@ TEST(DofNumbering, AJointWithAllStrutsReleasedHasNoRotation)
   ties.released = {{{true, false}}, {{true, false}}, {{true, false}}};
   const Numbered tripods(tripod(), 2, 0, ties, MPI_COMM_SELF);
   EXPECT_EQ(tripods.dofs.n_unknowns(), 3u * (4 + 3) + 2);
-  EXPECT_FALSE(tripods.dofs.joint_has(0, 2));
-  EXPECT_EQ(tripods.dofs.joint_unknown(0, 2), -1);
+  EXPECT_FALSE(tripods.dofs.joint_has(0, rotation_z));
+  EXPECT_EQ(tripods.dofs.joint_unknown(0, rotation_z), -1);
   EXPECT_TRUE(tripods.dofs.joint_has(0, 0));
   std::set<int> rotations;
   for (unsigned int s = 0; s < 3; ++s)
@@ -166,7 +169,7 @@ TEST(DofNumbering, AJointWithoutStrutsHasDisplacementsOnly)
   const Numbered numbered(lattice, 1, 0, ties);
   EXPECT_EQ(numbered.dofs.n_unknowns(), 3u * 4 + 2);
   EXPECT_TRUE(numbered.dofs.joint_has(4, 1));
-  EXPECT_FALSE(numbered.dofs.joint_has(4, 2));
+  EXPECT_FALSE(numbered.dofs.joint_has(4, rotation_z));
 }
 
 TEST(DofNumbering, WordsNameJointOrStrutAndComponent)
@@ -177,7 +180,7 @@ TEST(DofNumbering, WordsNameJointOrStrutAndComponent)
             "horizontal displacement of joint 3 at (-1, 0)");
   EXPECT_EQ(dofs.describe(dofs.joint_unknown(2, 1)),
             "vertical displacement of joint 2 at (0, 1)");
-  EXPECT_EQ(dofs.describe(dofs.joint_unknown(0, 2)),
+  EXPECT_EQ(dofs.describe(dofs.joint_unknown(0, rotation_z)),
             "rotation of joint 0 at (0, 0)");
   for (unsigned int e = 0; e < 3; ++e)
     if (dofs.elements()[e].place.strut == 1)
@@ -200,7 +203,7 @@ TEST(DofNumbering, KindsTellRotationsAndPrescribedUnknownsApart)
 {
   Numbered  tripods(tripod(), 2, 0, {}, MPI_COMM_SELF);
   const int x = tripods.dofs.joint_unknown(1, 0),
-            r = tripods.dofs.joint_unknown(1, 2);
+            r = tripods.dofs.joint_unknown(1, rotation_z);
   EXPECT_EQ(tripods.dofs.kind(x), UnknownKind::translation);
   EXPECT_EQ(tripods.dofs.kind(r), UnknownKind::rotation);
   EXPECT_FALSE(tripods.dofs.is_rotation(x));
@@ -304,7 +307,7 @@ TEST(DofNumbering, AllElementsAtAnOwnedUnknownAreKept)
     for (unsigned int i = 0; i < 6; ++i)
       ++n_elements[dofs.element_unknowns(e)[i]];
   for (unsigned int joint = 0; joint < n_struts.size(); ++joint)
-    for (unsigned int c = 0; c < 3; ++c)
+    for (const unsigned int c : dofs.components())
       if (dofs.is_owned(dofs.joint_unknown(joint, c)))
         {
           EXPECT_EQ(n_elements[dofs.joint_unknown(joint, c)], n_struts[joint]);
@@ -370,7 +373,7 @@ TEST(DofNumbering, WordsForAGhostAreThoseOfItsOwner)
   const Numbered numbered(stars(3, 3), 1);
   const Numbered self(stars(3, 3), 1, 0, {}, MPI_COMM_SELF);
   for (unsigned int joint = 0; joint < numbered.lattice.joints.size(); ++joint)
-    for (unsigned int c = 0; c < 3; ++c)
+    for (const unsigned int c : numbered.dofs.components())
       if (const int unknown = numbered.dofs.joint_unknown(joint, c);
           unknown >= 0)
         {
@@ -411,11 +414,11 @@ TEST(DofNumbering, JointsOfRigidPartsAloneHaveNoRotation)
   for (const unsigned int joint : {1u, 2u})
     {
       EXPECT_TRUE(dofs.joint_has(joint, 1));
-      EXPECT_FALSE(dofs.joint_has(joint, 2));
+      EXPECT_FALSE(dofs.joint_has(joint, rotation_z));
     }
-  EXPECT_TRUE(dofs.joint_has(0, 2));
+  EXPECT_TRUE(dofs.joint_has(0, rotation_z));
   EXPECT_EQ(dofs.end_rotation(0, 0), -1);
-  EXPECT_EQ(dofs.end_rotation(2, 0), dofs.joint_unknown(0, 2));
+  EXPECT_EQ(dofs.end_rotation(2, 0), dofs.joint_unknown(0, rotation_z));
   EXPECT_EQ(dofs.elements().size(), 1u);
   // Multipliers are unknowns of the matrix, but no freedoms.
   EXPECT_EQ(dofs.n_free(), dofs.n_unknowns() - 3);
@@ -470,7 +473,7 @@ TEST(DofNumbering, ARigidPartIsKeptWholeWhereItHasARow)
         for (unsigned int c = 0; c < 2; ++c)
           unknowns.push_back(dofs.joint_unknown(joint, c));
       for (const unsigned int joint : dofs.clamped_joints(p))
-        unknowns.push_back(dofs.joint_unknown(joint, 2));
+        unknowns.push_back(dofs.joint_unknown(joint, rotation_z));
       n_owned_first += dofs.is_owned(unknowns[0]);
       const bool has_row =
         std::any_of(unknowns.begin(), unknowns.end(), [&](const int unknown) {

@@ -75,7 +75,8 @@ TEST(RigidPartElement, BasePointsHaveThePlacesOfABase)
 TEST(RigidPartElement, PlacesCountToTheLeftOfTheBase)
 {
   // From (0, 0) to (2, 0): half a base on, a quarter to the left.
-  const NaturalPlace place = natural_place<2>({0, 0, 0}, {2, 0, 0}, {1, 0.5, 0});
+  const NaturalPlace place =
+    natural_place<2>({0, 0, 0}, {2, 0, 0}, {1, 0.5, 0});
   EXPECT_NEAR(place.a, 0.5, round_off);
   EXPECT_NEAR(place.b, 0.25, round_off);
 }
@@ -136,8 +137,10 @@ TEST(RigidPartElement, EnergyIsThatOfTranslationAndOfRotationAboutAnyPoint)
                                          dealii::Point<3>(2, 3, 0),
                                          dealii::Point<3>(0, -4, 0)})
     {
-      const auto M =
-        rigid_mass_matrix<2>(mass, inertia, length, natural_place<2>(r0, r1, centre));
+      const auto        M = rigid_mass_matrix<2>(mass,
+                                          inertia,
+                                          length,
+                                          natural_place<2>(r0, r1, centre));
       const PlaneVector v = vector(0.8, -1.7);
       EXPECT_NEAR(kinetic_energy(M, v, v),
                   mass * v.norm_square() / 2,
@@ -180,9 +183,9 @@ TEST(RigidPartElement, DistanceIsExactForTinyMotions)
 TEST(RigidPartElement, DerivativesOfDistanceAreItsDifferences)
 {
   const DistanceCondition<2> distance = {rest, length};
-  const PlaneVector       stretch  = vector(-0.4, 0.9);
-  const PlaneVector       gradient = distance.gradient(stretch);
-  const double            h        = 1e-4;
+  const PlaneVector          stretch  = vector(-0.4, 0.9);
+  const PlaneVector          gradient = distance.gradient(stretch);
+  const double               h        = 1e-4;
   for (unsigned int c = 0; c < 2; ++c)
     {
       PlaneVector step;

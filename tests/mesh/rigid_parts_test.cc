@@ -141,7 +141,9 @@ TEST(RigidParts, AHalfCircleHasItsClosedFormMassProperties)
                part("bow", "set Struts = 0\nset Mass = 3"));
   const RigidPart &bow = lattice.rigid_parts.at(0);
   EXPECT_NEAR(bow.centre_of_mass.distance({2, 4 / pi, 0}), 0, round_off);
-  EXPECT_NEAR(bow.rotary_inertia[2][2], 12 * (1 - 4 / (pi * pi)), 10 * round_off);
+  EXPECT_NEAR(bow.rotary_inertia[2][2],
+              12 * (1 - 4 / (pi * pi)),
+              10 * round_off);
 }
 
 TEST(RigidParts, AGivenRotaryInertiaCounts)

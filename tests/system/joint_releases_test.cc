@@ -15,13 +15,13 @@ namespace
                          const std::string &struts,
                          const std::string &type)
   {
-    return "subsection Joints\n  subsection " + name + "\n    set Joints = " +
-      joint + "\n    set Struts = " + struts + "\n    set Type = " + type +
-      "\n  end\nend\n";
+    return "subsection Joints\n  subsection " + name +
+      "\n    set Joints = " + joint + "\n    set Struts = " + struts +
+      "\n    set Type = " + type + "\n  end\nend\n";
   }
 
   const std::string revolute = "revolute\n    set Axis = 0 0 1",
-                    spring = "rotational spring\n    set Stiffness = 2";
+                    spring   = "rotational spring\n    set Stiffness = 2";
 
   std::string rigid(const std::string &name, const std::string &struts)
   {
@@ -43,7 +43,7 @@ namespace
   /** Base and end of each pair, in words. */
   std::vector<std::string> pairs(const std::string &further)
   {
-    const Scene   scene = read_scene_from_text(tripod(further), "test.prm");
+    const Scene   scene   = read_scene_from_text(tripod(further), "test.prm");
     const Lattice lattice = build_lattice(scene);
     std::vector<JointRelease> releases = joint_releases(scene, lattice);
     Ties                      ties;
@@ -98,10 +98,9 @@ TEST(JointReleases, EndsTurnAgainstTheJoint)
 
 TEST(JointReleases, AllEndsTurnAgainstTheFirst)
 {
-  EXPECT_EQ(pairs(definition("spring", "0", "all", spring)),
-            (Words{"strut 0 - strut 1",
-                   "strut 0 - strut 2",
-                   "strut 0 - strut 5"}));
+  EXPECT_EQ(
+    pairs(definition("spring", "0", "all", spring)),
+    (Words{"strut 0 - strut 1", "strut 0 - strut 2", "strut 0 - strut 5"}));
 }
 
 TEST(JointReleases, ALoneEndTurnsAgainstTheGround)
@@ -120,8 +119,9 @@ TEST(JointReleases, ABodyTurnsAgainstTheGroundABodyOrTheStrutsThere)
   EXPECT_EQ(pairs(one + definition("hinge", "0", "1", revolute)),
             (Words{"joint 0 - part 0"}));
   // All elastic ones are released, and the joint turns with the only body.
-  EXPECT_EQ(pairs(one + definition("hinge", "0", "0, 2, 5", revolute)),
-            (Words{"part 0 - strut 0", "part 0 - strut 2", "part 0 - strut 5"}));
+  EXPECT_EQ(
+    pairs(one + definition("hinge", "0", "0, 2, 5", revolute)),
+    (Words{"part 0 - strut 0", "part 0 - strut 2", "part 0 - strut 5"}));
   // Two bodies.
   EXPECT_EQ(pairs(one + other + definition("hinge", "0", "1, 2", revolute)),
             (Words{"joint 0 - part 0", "joint 0 - part 1"}));
@@ -132,9 +132,8 @@ TEST(JointReleases, ABodyTurnsAgainstTheGroundABodyOrTheStrutsThere)
 
 TEST(JointReleases, ASpringThatOnlyABarCouldHoldIsRefused)
 {
-  const std::string message = input_error_of([] {
-    pairs(rigid("bar", "3") + definition("spring", "2", "1", spring));
-  });
+  const std::string message = input_error_of(
+    [] { pairs(rigid("bar", "3") + definition("spring", "2", "1", spring)); });
   EXPECT_TRUE(contains(message, "Joints/spring/Joints")) << message;
   EXPECT_TRUE(contains(message, "lies on one line")) << message;
 }

@@ -62,15 +62,15 @@ namespace auxfem
         {
           const StrutMesh::Place &place = dofs.elements()[e].place;
           for (unsigned int a = 0; a <= dofs.order(); ++a)
-            for (unsigned int c = 0; c < 3; ++c)
+            for (unsigned int i = 0; i < dofs.n_components(); ++i)
               {
                 const double s = place.begin +
                   (place.end - place.begin) *
                     fe.get_unit_support_points()[a][0];
                 dealii::Tensor<1, 3> tangent;
                 NamedUnknown        &unknown =
-                  names[dofs.element_unknowns(e)[3 * a + c]];
-                unknown.name = {false, place.strut, s, c};
+                  names[dofs.element_unknowns(e)[dofs.n_components() * a + i]];
+                unknown.name = {false, place.strut, s, dofs.components()[i]};
                 lattice.axis(lattice.struts[place.strut],
                              s,
                              unknown.position,
@@ -79,19 +79,23 @@ namespace auxfem
         }
       for (unsigned int s = 0; s < lattice.struts.size(); ++s)
         for (unsigned int end = 0; end < 2; ++end)
-          if (dofs.end_rotation(s, end) >= 0)
-            names[dofs.end_rotation(s, end)] = {
-              {false, s, double(end), 2},
-              lattice.joints[lattice.struts[s].joints[end]]};
+          for (const unsigned int c : dofs.components())
+            if (c >= first_rotation && dofs.end_rotation(s, end, c) >= 0)
+              names[dofs.end_rotation(s, end, c)] = {
+                {false, s, double(end), c},
+                lattice.joints[lattice.struts[s].joints[end]]};
       for (unsigned int joint = 0; joint < lattice.joints.size(); ++joint)
-        for (unsigned int c = 0; c < 3; ++c)
+        for (const unsigned int c : dofs.components())
           if (dofs.joint_unknown(joint, c) >= 0)
             names[dofs.joint_unknown(joint, c)] = {{true, joint, 0., c},
                                                    lattice.joints[joint]};
       for (const unsigned int part : dofs.rigid_parts())
         for (unsigned int i = 0; i < dofs.n_multipliers(part); ++i)
           names[dofs.multiplier(part, i)] = {
-            {true, lattice.joints.size() + part, double(i), 3},
+            {true,
+             lattice.joints.size() + part,
+             double(i),
+             n_motion_components},
             lattice.rigid_parts[part].centre_of_mass};
       return names;
     }

@@ -248,8 +248,8 @@ TEST(RigidPartConditions, AFiniteRigidMotionMeetsThem)
       };
       set(0, std::cos(angle) * x[0] - std::sin(angle) * x[1] - x[0] + 5);
       set(1, std::sin(angle) * x[0] + std::cos(angle) * x[1] - x[1] - 4);
-      if (plate.of_scene.dofs().joint_has(joint, 2))
-        set(2, angle);
+      if (plate.of_scene.dofs().joint_has(joint, rotation_z))
+        set(rotation_z, angle);
     }
   for (const double row : plate.residual(1.))
     EXPECT_NEAR(row, 0, 1e-14);
@@ -257,7 +257,8 @@ TEST(RigidPartConditions, AFiniteRigidMotionMeetsThem)
 
   // Whole turns of the sections are no other motion.
   for (const unsigned int joint : {2u, 3u})
-    plate.to.displacement[plate.of_scene.dofs().joint_unknown(joint, 2)] +=
+    plate.to
+      .displacement[plate.of_scene.dofs().joint_unknown(joint, rotation_z)] +=
       2 * std::acos(-1.);
   for (const double row : plate.residual(1.))
     EXPECT_NEAR(row, 0, 1e-14);
