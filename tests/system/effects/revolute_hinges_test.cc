@@ -113,7 +113,7 @@ TEST(RevoluteHinges, AStrutTurnsAboutTheAxisAlone)
   // The strut without hinge: F L^3 / (3 EI) + F L / (kGA).
   const double pi = std::acos(-1.), EI = 1000 * pi * 1e-4 / 4,
                kGA = 0.9 * pi * 1e-2 * 1000 / 2.6;
-  EXPECT_NEAR(run.state.displacement[dofs.joint_unknown(2, rotation_z)],
+  EXPECT_NEAR(run.state.displacement[dofs.joint_unknown(2, 2)],
               1e-6 * 8 / (3 * EI) + 1e-6 * 2 / kGA,
               // The deflection of 3e-5 m, squared, of itself.
               1e-12);

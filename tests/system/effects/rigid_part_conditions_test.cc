@@ -249,7 +249,7 @@ TEST(RigidPartConditions, AFiniteRigidMotionMeetsThem)
       set(0, std::cos(angle) * x[0] - std::sin(angle) * x[1] - x[0] + 5);
       set(1, std::sin(angle) * x[0] + std::cos(angle) * x[1] - x[1] - 4);
       if (plate.of_scene.dofs().joint_has(joint, rotation_z))
-        set(2, angle);
+        set(rotation_z, angle);
     }
   for (const double row : plate.residual(1.))
     EXPECT_NEAR(row, 0, 1e-14);

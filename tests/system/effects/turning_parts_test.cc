@@ -166,29 +166,38 @@ TEST(TurningParts, AHangingBodyIsHeldByItsWeight)
     }
 }
 
-TEST(TurningParts, ALineLoadOnRigidStrutsActsAtItsPlace)
+TEST(TurningParts, LoadsOnRigidStrutsAndMomentsActAtTheirPlace)
 {
-  // An L in the x-y plane, only its leg along y loaded; free in space.
-  SceneRun    run("set Dimension = 3\nsubsection Lattice\n  set Cell = frame\n"
-                  "  set Joints = 0 0 0; 2 0 0; 2 1 0\n"
-                  "  set Struts = 0 1; 1 2\nend\n" +
-               rigid("all", 6, "    set Rotary inertia = 2 3 4\n") +
-               "subsection Loads\n  subsection line\n    set Type = line\n"
-                  "    set Struts = 1\n    set Force per length z = 12\n"
-                  "  end\nend\n"
-                  "subsection Time\n  set End time = 1\n"
-                  "  set Time step = 0.1\nend\n");
-  const auto &dofs = run.system.numbering();
-  const auto &part = run.lattice.rigid_parts[0];
-  // The resultant of 12 N acts at (2, 0.5).
-  const double x = 2 - part.centre_of_mass[0], y = 0.5 - part.centre_of_mass[1];
-  const auto   acceleration = [&](const unsigned int c) {
-    return (*run.state.acceleration)[dofs.rigid_part_unknown(0, c)];
-  };
-  EXPECT_NEAR(acceleration(2), 12. / 6, 1e-13);
-  EXPECT_NEAR(acceleration(3), 12 * y / 2, 1e-13);
-  EXPECT_NEAR(acceleration(4), -12 * x / 3, 1e-13);
-  EXPECT_NEAR(acceleration(5), 0, 1e-13);
+  // An L in the x-y plane, only its leg along y loaded, and a moment about z;
+  // free in space.
+  for (const char *large_rotation : {"on", "off"})
+    {
+      SceneRun    run("set Dimension = 3\nsubsection Lattice\n"
+                      "  set Cell = frame\n"
+                      "  set Joints = 0 0 0; 2 0 0; 2 1 0\n"
+                      "  set Struts = 0 1; 1 2\nend\n" +
+                     rigid("all", 6, "    set Rotary inertia = 2 3 4\n") +
+                     "subsection Loads\n  subsection line\n"
+                        "    set Type = line\n    set Struts = 1\n"
+                        "    set Force per length z = 12\n  end\n"
+                        "  subsection turn\n    set Joints = 0\n"
+                        "    set Moment z = 8\n  end\nend\n"
+                        "subsection Time\n  set End time = 1\n"
+                        "  set Time step = 0.1\nend\n",
+                   {std::string("Effects/Large rotation=") + large_rotation});
+      const auto &dofs = run.system.numbering();
+      const auto &part = run.lattice.rigid_parts[0];
+      // The resultant of 12 N acts at (2, 0.5).
+      const double x          = 2 - part.centre_of_mass[0],
+                   y          = 0.5 - part.centre_of_mass[1];
+      const auto acceleration = [&](const unsigned int c) {
+        return (*run.state.acceleration)[dofs.rigid_part_unknown(0, c)];
+      };
+      EXPECT_NEAR(acceleration(2), 12. / 6, 1e-13);
+      EXPECT_NEAR(acceleration(3), 12 * y / 2, 1e-13);
+      EXPECT_NEAR(acceleration(4), -12 * x / 3, 1e-13);
+      EXPECT_NEAR(acceleration(5), 8. / 4, 1e-13);
+    }
 }
 
 TEST(TurningParts, TwoClampingBodiesAtAJointAreRefused)
