@@ -18,7 +18,7 @@ namespace auxfem
                                  1,
                                  largest_plane_order,
                                  "Polynomial order of the struts' elements; "
-                                 "with Dimension = 3 at most 4."};
+                                       "with Dimension = 3 at most 4."};
     const Integer refinements = {"Global refinements",
                                  0,
                                  0,

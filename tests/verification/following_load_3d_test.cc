@@ -58,16 +58,16 @@ TEST(FollowingLoad3d, MomentAboutASkewAxisDeadAndFollowing)
       // Four points integrate the arc of 0.15 rad of an element to round-off;
       // the rest is what Newton's tolerance of 1e-11 leaves.
       for (unsigned int c = 0; c < 3; ++c)
-        table.row(name + ": " + "xyz"[c], run.place(1)[c], place[c], 1e-9);
+        table.row(name + ": " + "xyz"[c], run.place(1)[c], place[c], 1e-11);
       table.row(name + ": rotation from the closed form",
                 rotation_vector(conjugate(rotation) * run.rotation(1)).norm(),
                 0,
-                1e-9);
+                1e-11);
       for (unsigned int c = 0; c < 3; ++c)
         table.row(name + ": moment of the clamp about " + "xyz"[c],
                   run.moment("clamp")[c],
                   -m[c],
-                  1e-9);
+                  1e-11);
     }
 }
 

@@ -93,9 +93,9 @@ TEST(Newton3d, ConvergesQuadraticallyAtLargeRotations)
         std::cout << " |\n";
         if (i > 0 && found[i - 1].error < near)
           {
-          EXPECT_LT(found[i].error,
-                    round_off + constant * std::pow(found[i - 1].error, 2))
-            << "load " << run.state.time << ", iteration " << i + 1;
+            EXPECT_LT(found[i].error,
+                      round_off + constant * std::pow(found[i - 1].error, 2))
+              << "load " << run.state.time << ", iteration " << i + 1;
           }
       }
     before = run.state;
