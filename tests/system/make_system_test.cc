@@ -172,7 +172,7 @@ TEST(MakeSystem, ASpringActsBetweenTheReleasedStrutAndTheJoint)
           const unsigned int c = std::get<3>(names[i].name);
           if (c == 1)
             to.displacement[i] = angle * std::max(0., names[i].position[0] - 1);
-          if (c == 2 && names[i].position[0] > 1)
+          if (c == rotation_z && names[i].position[0] > 1)
             to.displacement[i] = angle;
         }
       to.displacement[of_scene.dofs().end_rotation(1, 0)] = angle;

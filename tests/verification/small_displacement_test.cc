@@ -57,10 +57,10 @@ namespace
           EXPECT_NEAR(u.across,
                       P * L * L * L / (3 * strut.bending) + P * L / strut.shear,
                       round_off);
-          EXPECT_NEAR(run.motion(1, rotation_z),
+          EXPECT_NEAR(run.motion(1, auxfem::rotation_z),
                       P * L * L / (2 * strut.bending),
                       round_off);
-          EXPECT_NEAR(run.reaction("clamp", rotation_z),
+          EXPECT_NEAR(run.reaction("clamp", auxfem::rotation_z),
                       -P * L,
                       100 * round_off);
         }
@@ -137,10 +137,10 @@ namespace
                         across * std::pow(L, 4) / (8 * strut.bending) +
                           across * L * L / (2 * strut.shear),
                         round_off);
-            EXPECT_NEAR(run.motion(1, rotation_z),
+            EXPECT_NEAR(run.motion(1, auxfem::rotation_z),
                         across * std::pow(L, 3) / (6 * strut.bending),
                         round_off);
-            EXPECT_NEAR(run.reaction("clamp", rotation_z),
+            EXPECT_NEAR(run.reaction("clamp", auxfem::rotation_z),
                         -across * L * L / 2,
                         100 * round_off);
           }
@@ -240,10 +240,11 @@ namespace
                 P * L * L * L / (3 * strut.bending) + P * L / strut.shear +
                   P * b * b / spring,
                 round_off);
-    EXPECT_NEAR(run.motion(2, rotation_z) - P * L * L / (2 * strut.bending),
+    EXPECT_NEAR(run.motion(2, auxfem::rotation_z) -
+                  P * L * L / (2 * strut.bending),
                 P * b / spring,
                 round_off);
-    EXPECT_NEAR(run.motion(1, rotation_z),
+    EXPECT_NEAR(run.motion(1, auxfem::rotation_z),
                 P * (L * L - b * b) / (2 * strut.bending),
                 round_off);
   }
@@ -271,7 +272,7 @@ namespace
     // The link itself bends by P / EI = 7e-7.
     EXPECT_NEAR(run.motion(2, 0), std::cos(angle) - 1, 2e-6);
     EXPECT_NEAR(run.motion(2, 1), std::sin(angle), 2e-6);
-    EXPECT_NEAR(run.motion(2, rotation_z), angle, 2e-6);
+    EXPECT_NEAR(run.motion(2, auxfem::rotation_z), angle, 2e-6);
     EXPECT_NEAR(run.state.energies.strain, spring / 2 * angle * angle, 1e-5);
   }
 } // namespace
