@@ -386,10 +386,10 @@ namespace
     for (const RigidPart &part : run.lattice.rigid_parts)
       {
         const NaturalPlace centre =
-          natural_place(run.lattice.joints[part.joints[0]],
-                        run.lattice.joints[part.joints[1]],
-                        part.centre_of_mass);
-        const std::array<double, 4> shares = shape(centre, 1);
+          natural_place<2>(run.lattice.joints[part.joints[0]],
+                           run.lattice.joints[part.joints[1]],
+                           part.centre_of_mass);
+        const std::array<double, 4> shares = shape<2>(centre, 1);
         for (unsigned int i = 0; i < 4; ++i)
           sum += part.mass * shares[i] *
             (*run.state.acceleration)
