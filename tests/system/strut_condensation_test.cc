@@ -195,7 +195,7 @@ TEST(JointBlocks, EveryUnknownAtAJointHasItsOwnRow)
         continue;
       const int row = blocks.map().LID(blocks.row(i));
       ASSERT_GE(row, 0);
-      EXPECT_EQ(row % blocks.size(), component);
+      EXPECT_EQ(dofs.components()[row % blocks.size()], component);
       EXPECT_EQ(blocks.unknown(row), int(i));
       ++used[row];
     }

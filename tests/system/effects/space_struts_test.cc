@@ -90,7 +90,7 @@ TEST(SpaceStruts, TangentOfForcesIsThatOfDifferences)
 {
   for_all([](Struts &struts, const bool large_rotation, const bool damping) {
     const auto forces = struts.forces(large_rotation, damping);
-    struts.expect_tangent(*forces, {1.3, 0.7, 0.});
+    struts.expect_tangent(*forces, {1., 0.7, 0.});
   });
 }
 
@@ -142,5 +142,5 @@ TEST(RotaryMasses, TangentIsThatOfDifferences)
   inertia[2][2] = 1.7;
   inertia[0][1] = inertia[1][0] = 0.3;
   masses.add(1, inertia);
-  mass.expect_tangent(masses, {1.1, 0.7, 1.9});
+  mass.expect_tangent(masses, {1., 0.7, 1.9});
 }
