@@ -1,5 +1,5 @@
-#include <auxfem/elements/beam_shape.h>
 #include <auxfem/parameters/scene_sections.h>
+#include <auxfem/parameters/strut_order.h>
 
 #include <limits>
 #include <string>

@@ -176,7 +176,10 @@ namespace
     const double foot = H * h / 2 * (3 * k + 1) / (6 * k + 1);
     for (const std::string side : {"left foot", "right foot"})
       {
-        table.relative(side + ": moment", run.reaction(side, auxfem::rotation_z), foot, allowed);
+        table.relative(side + ": moment",
+                       run.reaction(side, auxfem::rotation_z),
+                       foot,
+                       allowed);
         table.relative(side + ": thrust",
                        run.reaction(side, 0),
                        -H / 2,
