@@ -1,0 +1,57 @@
+#ifndef auxfem_tests_verification_round_beam_h
+#define auxfem_tests_verification_round_beam_h
+
+#include <verification/space_text.h>
+
+#include <algorithm>
+#include <limits>
+#include <string>
+
+namespace auxfem
+{
+  namespace testing_support
+  {
+    /**
+     * A scene in space with the section of Simo & Vu-Quoc's beams (1988): EA =
+     * GA = @p axial (N), EI = GJ = @p bending (N m2), 1 kg/m, rotary inertia 20
+     * kg m about the axis and 10 kg m across. Lacks joints and struts.
+     */
+    inline StaticScene round_beam(const double axial, const double bending)
+    {
+      StaticScene scene;
+      scene.set("Dimension", "3");
+      scene.set("Lattice/Cell", "frame");
+      const std::string section = "Sections/beam/";
+      scene.set(section + "Shape", "given");
+      scene.set(section + "Young's modulus", axial);
+      scene.set(section + "Poisson's ratio", "-0.5");
+      scene.set(section + "Density", "1");
+      scene.set(section + "Area", "1");
+      scene.set(section + "Shear area", "1");
+      scene.set(section + "Second moment of area", bending / axial);
+      scene.set(section + "Torsion constant", bending / axial);
+      return scene.set(section + "Rotary inertia", "20 10 10");
+    }
+
+    /** What remains of second-order values with halved steps. */
+    inline double extrapolated(const double coarse, const double fine)
+    {
+      return fine + (fine - coarse) / 3;
+    }
+
+    /** Least and largest of what should be constant. */
+    struct Range
+    {
+      double least   = std::numeric_limits<double>::infinity();
+      double largest = -least;
+
+      void add(const double value)
+      {
+        least   = std::min(least, value);
+        largest = std::max(largest, value);
+      }
+    };
+  } // namespace testing_support
+} // namespace auxfem
+
+#endif

@@ -1,0 +1,91 @@
+#ifndef auxfem_tests_verification_space_momenta_h
+#define auxfem_tests_verification_space_momenta_h
+
+#include <deal.II/fe/fe_q.h>
+
+#include <verification/space_text.h>
+
+#include <map>
+#include <memory>
+
+namespace auxfem
+{
+  namespace testing_support
+  {
+    /** Linear momentum (N s) and moment of momentum about the origin (N m s).
+     */
+    struct SpaceMomenta
+    {
+      SpaceVector linear, angular;
+    };
+
+    /**
+     * Momenta of struts and masses in space, for lattices without supports.
+     * The mass matrix at rest takes velocities to the momentum of each node and
+     * material angular velocities to its material moment of momentum.
+     */
+    class SpaceMomentumMeter
+    {
+    public:
+      explicit SpaceMomentumMeter(SceneRun &run)
+        : run(run)
+        , mass(run.system.make_tangent())
+        , momentum(run.system.numbering().owned_map())
+      {
+        const State at_rest = run.state;
+        run.system.tangent({at_rest, run.state, 0}, {0, 0, 1}, *mass);
+        const DofNumbering &dofs = run.system.numbering();
+        const auto          points =
+          dealii::FE_Q<1>(dofs.order()).get_unit_support_points();
+        for (unsigned int e = 0; e < dofs.elements().size(); ++e)
+          for (unsigned int a = 0; a < points.size(); ++a)
+            {
+              const StrutMesh::Place &place = dofs.elements()[e].place;
+              dealii::Point<3>        position;
+              SpaceVector             tangent;
+              run.lattice.axis(run.lattice.struts[place.strut],
+                               place.begin +
+                                 (place.end - place.begin) * points[a][0],
+                               position,
+                               tangent);
+              nodes[dofs.element_unknowns(e)[6 * a]] = position;
+            }
+      }
+
+      SpaceMomenta operator()()
+      {
+        mass->matrix().Multiply(false, *run.state.velocity, momentum);
+        const DofNumbering &dofs = run.system.numbering();
+        SpaceMomenta        sum;
+        for (const auto &[first, position] : nodes)
+          {
+            const SpaceVector p = values(momentum, first);
+            sum.linear += p;
+            sum.angular +=
+              dealii::cross_product_3d(position +
+                                         values(run.state.displacement, first),
+                                       p);
+            sum.angular +=
+              rotated(run.state.rotations[dofs.spatial_rotation(first + 3)],
+                      values(momentum, first + 3));
+          }
+        return sum;
+      }
+
+    private:
+      static SpaceVector values(const Epetra_Vector &vector, const int first)
+      {
+        return SpaceVector(
+          {vector[first], vector[first + 1], vector[first + 2]});
+      }
+
+      SceneRun                      &run;
+      std::unique_ptr<TangentMatrix> mass;
+      Epetra_Vector                  momentum;
+      /** Position at rest by the first unknown of the node. */
+      std::map<int, SpaceVector> nodes;
+    };
+  } // namespace testing_support
+} // namespace auxfem
+
+#endif
