@@ -4,7 +4,7 @@
 #include <auxfem/elements/beam_3d.h>
 
 #include <support/scene_run.h>
-#include <verification/frame_text.h>
+#include <verification/space_text.h>
 
 #include <array>
 #include <string>
@@ -15,12 +15,6 @@ namespace auxfem
   {
     /** Expressions in t for x, y, z. */
     using SpaceTexts = std::array<std::string, 3>;
-
-    /** The components of @p vector as the parameter file takes them. */
-    inline std::string text(const SpaceVector &vector)
-    {
-      return text(vector[0]) + " " + text(vector[1]) + " " + text(vector[2]);
-    }
 
     /** @p vector times the expression @p factor. */
     inline SpaceTexts times(const SpaceVector &vector,
