@@ -1,3 +1,4 @@
+#include <auxfem/elements/beam_shape.h>
 #include <auxfem/parameters/scene_sections.h>
 
 #include <algorithm>
@@ -132,6 +133,19 @@ namespace auxfem
           ". Use e.g. Scheme = newmark"));
     }
 
+    void check_order(const Scene &scene, Mistakes &mistakes)
+    {
+      if (scene.dimension == 3 &&
+          scene.discretization.order > largest_space_order)
+        mistakes.add(message(scene,
+                             "Discretization/Order = ",
+                             scene.discretization.order,
+                             ": with Dimension = 3 the order is at most ",
+                             largest_space_order,
+                             ". Take smaller elements instead: Discretization/"
+                             "Global refinements"));
+    }
+
     void check_reduced_cell(const Scene &scene, Mistakes &mistakes)
     {
       if (scene.dimension == 3)
@@ -204,6 +218,7 @@ namespace auxfem
     if (scene.model == Model::reduced_cell)
       check_reduced_cell(scene, mistakes);
     check_smallest_step(scene, mistakes);
+    check_order(scene, mistakes);
     check_newmark(scene, mistakes);
     check_inertia(scene, mistakes);
     check_density(scene, mistakes);

@@ -1,3 +1,4 @@
+#include <auxfem/elements/beam_shape.h>
 #include <auxfem/parameters/scene_sections.h>
 
 #include <limits>
@@ -15,8 +16,9 @@ namespace auxfem
     const Integer order       = {"Order",
                                  3,
                                  1,
-                                 6,
-                                 "Polynomial order of the struts' elements."};
+                                 largest_plane_order,
+                                 "Polynomial order of the struts' elements; "
+                                       "with Dimension = 3 at most 4."};
     const Integer refinements = {"Global refinements",
                                  0,
                                  0,
@@ -270,8 +272,8 @@ namespace auxfem
       "Type",
       "auto",
       {"auto", "klu", "mumps", "gmres"},
-      "Direct solvers klu and mumps, or gmres, iterative, for lattices without "
-      "rigid parts that are too large for these; auto: klu, and mumps on "
+      "Direct solvers klu and mumps, or gmres, iterative, for lattices that are "
+      "too large for these, without rigid parts and revolute hinges; auto: klu, and mumps on "
       "several processes where the lattice is large."};
     const Choice preconditioner = {
       "Preconditioner",

@@ -213,9 +213,9 @@ namespace auxfem
   {
     if (system.numbering().n_multipliers() > 0)
       throw InputError(
-        "Solver/Type = gmres: scenes with rigid parts have forces as unknowns, "
-        "whose equations have no diagonal to iterate on. Use `auto`, `klu` or "
-        "`mumps`.");
+        "Solver/Type = gmres: scenes with rigid parts or revolute hinges have "
+        "forces as unknowns, whose equations have no diagonal to iterate on. "
+        "Use `auto`, `klu` or `mumps`.");
     return std::make_unique<GmresMethod>(parameters, matrix, system);
   }
 } // namespace auxfem

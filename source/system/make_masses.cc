@@ -40,10 +40,12 @@ namespace auxfem
               const Lattice      &lattice,
               const DofNumbering &numbering,
               const RigidBodies  &bodies,
-              const bool          large_rotation)
+              const bool          large_rotation,
+              const double        length)
   {
     auto points = std::make_unique<PointMasses>(numbering);
-    auto rotary = std::make_unique<RotaryMasses>(numbering, large_rotation);
+    auto rotary =
+      std::make_unique<RotaryMasses>(numbering, large_rotation, length);
     const bool is_spatial = lattice.dimension == 3;
     bool       has_points = false, has_rotary = false;
     for (const MassDefinition &mass : scene.masses)

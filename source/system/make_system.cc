@@ -239,8 +239,12 @@ namespace auxfem
              simulated.rotary_inertia,
              simulated.strut_damping &&
                any_section(&Section::mass_proportional_damping)}));
-        for (auto &masses :
-             make_masses(scene, graph, *dofs, bodies, simulated.large_rotation))
+        for (auto &masses : make_masses(scene,
+                                        graph,
+                                        *dofs,
+                                        bodies,
+                                        simulated.large_rotation,
+                                        mean_length))
           effects.push_back(std::move(masses));
       }
     n_balanced = effects.size();

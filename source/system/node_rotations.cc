@@ -15,17 +15,22 @@ namespace auxfem
 
   void NodeRotations::turn(const Step &step, Vector &increment) const
   {
+    // Of a tiny spin the difference of two rotation vectors would keep no
+    // digits, and divided by dt^2 these matter; the square of it is round-off.
+    constexpr double tiny = 1e-8;
     for (unsigned int i = 0; i < step.to.rotations.size(); ++i)
       {
         const SpaceVector spin     = values(increment, i);
         Quaternion       &rotation = step.to.rotations[i];
         const SpaceVector before   = material_turn(step, i),
-                          guess = before + rotated(conjugate(rotation), spin);
-        rotation                = normalized(exponential(spin) * rotation);
-        set_values(rotation_vector_near(conjugate(step.from.rotations[i]) *
-                                          rotation,
-                                        guess) -
-                     before,
+                          material = rotated(conjugate(rotation), spin);
+        rotation                   = normalized(exponential(spin) * rotation);
+        set_values(spin.norm() < tiny
+                     ? inverse_tangent_operator(before) * material
+                     : rotation_vector_near(conjugate(step.from.rotations[i]) *
+                                              rotation,
+                                            before + material) -
+                       before,
                    i,
                    increment);
       }

@@ -70,7 +70,7 @@ TEST(DofNumbering, FourByFourStarsHave1080UnknownsAtOrderTwo)
 
   // Four stub ends at the bottom are clamped.
   for (const unsigned int joint : stars_4x4.lattice.joint_sets.at("bottom"))
-    for (unsigned int c = 0; c < 3; ++c)
+    for (const unsigned int c : stars_4x4.dofs.components())
       if (const int unknown = stars_4x4.dofs.joint_unknown(joint, c);
           unknown >= 0)
         stars_4x4.dofs.prescribe(unknown);
@@ -102,11 +102,12 @@ TEST(DofNumbering, StrutsShareTheUnknownsOfTheirJoint)
       for (unsigned int end = 0; end < 2; ++end)
         for (unsigned int c = 0; c < 3; ++c)
           EXPECT_EQ(unknowns[3 * end + c],
-                    tripods.dofs.joint_unknown(strut.joints[end], c));
+                    tripods.dofs.joint_unknown(strut.joints[end],
+                                               tripods.dofs.components()[c]));
     }
   for (unsigned int s = 0; s < 3; ++s)
     EXPECT_EQ(tripods.dofs.end_rotation(s, 0),
-              tripods.dofs.joint_unknown(0, 2));
+              tripods.dofs.joint_unknown(0, rotation_z));
 }
 
 TEST(DofNumbering, ElementsOfAStrutShareTheNodeBetweenThem)
@@ -136,9 +137,11 @@ TEST(DofNumbering, AReleasedEndHasARotationOfItsOwn)
   ties.released = {{{true, false}}, {{false, false}}, {{false, false}}};
   const Numbered tripods(tripod(), 2, 0, ties, MPI_COMM_SELF);
   EXPECT_EQ(tripods.dofs.n_unknowns(), 3u * (4 + 3) + 1);
-  EXPECT_TRUE(tripods.dofs.joint_has(0, 2));
-  EXPECT_NE(tripods.dofs.end_rotation(0, 0), tripods.dofs.joint_unknown(0, 2));
-  EXPECT_EQ(tripods.dofs.end_rotation(1, 0), tripods.dofs.joint_unknown(0, 2));
+  EXPECT_TRUE(tripods.dofs.joint_has(0, rotation_z));
+  EXPECT_NE(tripods.dofs.end_rotation(0, 0),
+            tripods.dofs.joint_unknown(0, rotation_z));
+  EXPECT_EQ(tripods.dofs.end_rotation(1, 0),
+            tripods.dofs.joint_unknown(0, rotation_z));
   EXPECT_TRUE(tripods.dofs.is_rotation(tripods.dofs.end_rotation(0, 0)));
 }
 
@@ -148,8 +151,8 @@ TEST(DofNumbering, AJointWithAllStrutsReleasedHasNoRotation)
   ties.released = {{{true, false}}, {{true, false}}, {{true, false}}};
   const Numbered tripods(tripod(), 2, 0, ties, MPI_COMM_SELF);
   EXPECT_EQ(tripods.dofs.n_unknowns(), 3u * (4 + 3) + 2);
-  EXPECT_FALSE(tripods.dofs.joint_has(0, 2));
-  EXPECT_EQ(tripods.dofs.joint_unknown(0, 2), -1);
+  EXPECT_FALSE(tripods.dofs.joint_has(0, rotation_z));
+  EXPECT_EQ(tripods.dofs.joint_unknown(0, rotation_z), -1);
   EXPECT_TRUE(tripods.dofs.joint_has(0, 0));
   std::set<int> rotations;
   for (unsigned int s = 0; s < 3; ++s)
@@ -166,7 +169,7 @@ TEST(DofNumbering, AJointWithoutStrutsHasDisplacementsOnly)
   const Numbered numbered(lattice, 1, 0, ties);
   EXPECT_EQ(numbered.dofs.n_unknowns(), 3u * 4 + 2);
   EXPECT_TRUE(numbered.dofs.joint_has(4, 1));
-  EXPECT_FALSE(numbered.dofs.joint_has(4, 2));
+  EXPECT_FALSE(numbered.dofs.joint_has(4, rotation_z));
 }
 
 TEST(DofNumbering, WordsNameJointOrStrutAndComponent)
@@ -177,7 +180,7 @@ TEST(DofNumbering, WordsNameJointOrStrutAndComponent)
             "horizontal displacement of joint 3 at (-1, 0)");
   EXPECT_EQ(dofs.describe(dofs.joint_unknown(2, 1)),
             "vertical displacement of joint 2 at (0, 1)");
-  EXPECT_EQ(dofs.describe(dofs.joint_unknown(0, 2)),
+  EXPECT_EQ(dofs.describe(dofs.joint_unknown(0, rotation_z)),
             "rotation of joint 0 at (0, 0)");
   for (unsigned int e = 0; e < 3; ++e)
     if (dofs.elements()[e].place.strut == 1)
@@ -200,7 +203,7 @@ TEST(DofNumbering, KindsTellRotationsAndPrescribedUnknownsApart)
 {
   Numbered  tripods(tripod(), 2, 0, {}, MPI_COMM_SELF);
   const int x = tripods.dofs.joint_unknown(1, 0),
-            r = tripods.dofs.joint_unknown(1, 2);
+            r = tripods.dofs.joint_unknown(1, rotation_z);
   EXPECT_EQ(tripods.dofs.kind(x), UnknownKind::translation);
   EXPECT_EQ(tripods.dofs.kind(r), UnknownKind::rotation);
   EXPECT_FALSE(tripods.dofs.is_rotation(x));
@@ -304,7 +307,7 @@ TEST(DofNumbering, AllElementsAtAnOwnedUnknownAreKept)
     for (unsigned int i = 0; i < 6; ++i)
       ++n_elements[dofs.element_unknowns(e)[i]];
   for (unsigned int joint = 0; joint < n_struts.size(); ++joint)
-    for (unsigned int c = 0; c < 3; ++c)
+    for (const unsigned int c : dofs.components())
       if (dofs.is_owned(dofs.joint_unknown(joint, c)))
         {
           EXPECT_EQ(n_elements[dofs.joint_unknown(joint, c)], n_struts[joint]);
@@ -332,29 +335,37 @@ TEST(DofNumbering, BothEndsOfAConnectorAreKeptWhereOneIsOwned)
           }
 }
 
-TEST(DofNumbering, AllRotationsAtASprungJointAreKeptWhereOneIsOwned)
+TEST(DofNumbering, BothRotationsOfASpringAreKeptWhereOneIsOwned)
 {
   const Lattice lattice = stars(3, 3);
   Ties          ties;
   ties.released.assign(lattice.struts.size(), {{true, true}});
-  ties.sprung_joints = lattice.joint_sets.at("all");
+  // At every joint between the first strut and all others.
+  std::vector<std::vector<Turning>> ends(lattice.joints.size());
+  for (unsigned int s = 0; s < lattice.struts.size(); ++s)
+    for (unsigned int end = 0; end < 2; ++end)
+      ends[lattice.struts[s].joints[end]].push_back(
+        {Turning::What::strut_end, s, end});
+  for (unsigned int joint = 0; joint < ends.size(); ++joint)
+    for (const Turning &end : ends[joint])
+      if (!(end == ends[joint].front()))
+        ties.sprung.push_back({joint, ends[joint].front(), end});
   const Numbered numbered(lattice, 1, 0, ties);
   const auto    &dofs = numbered.dofs;
 
-  std::vector<std::vector<int>> rotations(lattice.joints.size());
-  for (unsigned int s = 0; s < lattice.struts.size(); ++s)
-    for (unsigned int end = 0; end < 2; ++end)
-      rotations[lattice.struts[s].joints[end]].push_back(
-        dofs.end_rotation(s, end));
-  for (const std::vector<int> &at_joint : rotations)
-    if (std::any_of(at_joint.begin(), at_joint.end(), [&](const int rotation) {
-          return dofs.is_owned(rotation);
-        }))
-      for (const int rotation : at_joint)
+  EXPECT_GT(ties.sprung.size(), 0u);
+  for (const TurningPair &pair : ties.sprung)
+    {
+      const int base = dofs.rotation_unknown(pair.base, rotation_z),
+                end  = dofs.rotation_unknown(pair.end, rotation_z);
+      if (!dofs.is_owned(base) && !dofs.is_owned(end))
+        continue;
+      for (const int rotation : {base, end})
         {
           ASSERT_GE(rotation, 0);
           EXPECT_TRUE(dofs.is_rotation(rotation));
         }
+    }
 }
 
 TEST(DofNumbering, WordsForAGhostAreThoseOfItsOwner)
@@ -362,13 +373,13 @@ TEST(DofNumbering, WordsForAGhostAreThoseOfItsOwner)
   const Numbered numbered(stars(3, 3), 1);
   const Numbered self(stars(3, 3), 1, 0, {}, MPI_COMM_SELF);
   for (unsigned int joint = 0; joint < numbered.lattice.joints.size(); ++joint)
-    for (unsigned int c = 0; c < 3; ++c)
+    for (const unsigned int c : numbered.dofs.components())
       if (const int unknown = numbered.dofs.joint_unknown(joint, c);
           unknown >= 0)
         {
           EXPECT_EQ(numbered.dofs.describe(unknown),
                     self.dofs.describe(self.dofs.joint_unknown(joint, c)));
-          EXPECT_EQ(numbered.dofs.is_rotation(unknown), c == 2);
+          EXPECT_EQ(numbered.dofs.is_rotation(unknown), c >= first_rotation);
         }
 }
 
@@ -403,11 +414,11 @@ TEST(DofNumbering, JointsOfRigidPartsAloneHaveNoRotation)
   for (const unsigned int joint : {1u, 2u})
     {
       EXPECT_TRUE(dofs.joint_has(joint, 1));
-      EXPECT_FALSE(dofs.joint_has(joint, 2));
+      EXPECT_FALSE(dofs.joint_has(joint, rotation_z));
     }
-  EXPECT_TRUE(dofs.joint_has(0, 2));
+  EXPECT_TRUE(dofs.joint_has(0, rotation_z));
   EXPECT_EQ(dofs.end_rotation(0, 0), -1);
-  EXPECT_EQ(dofs.end_rotation(2, 0), dofs.joint_unknown(0, 2));
+  EXPECT_EQ(dofs.end_rotation(2, 0), dofs.joint_unknown(0, rotation_z));
   EXPECT_EQ(dofs.elements().size(), 1u);
   // Multipliers are unknowns of the matrix, but no freedoms.
   EXPECT_EQ(dofs.n_free(), dofs.n_unknowns() - 3);
@@ -462,7 +473,7 @@ TEST(DofNumbering, ARigidPartIsKeptWholeWhereItHasARow)
         for (unsigned int c = 0; c < 2; ++c)
           unknowns.push_back(dofs.joint_unknown(joint, c));
       for (const unsigned int joint : dofs.clamped_joints(p))
-        unknowns.push_back(dofs.joint_unknown(joint, 2));
+        unknowns.push_back(dofs.joint_unknown(joint, rotation_z));
       n_owned_first += dofs.is_owned(unknowns[0]);
       const bool has_row =
         std::any_of(unknowns.begin(), unknowns.end(), [&](const int unknown) {

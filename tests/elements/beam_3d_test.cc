@@ -408,7 +408,7 @@ TEST(Beam3D, UniformTorsionAndBendingGiveEndMomentsOnly)
 TEST(Beam3D, LargeTwistOfALinearElement)
 {
   const Beam3DOnTrial<1> beam(1.6, {0, 0, 0});
-  for (const double twist : {0.1, 1., 3., 6.})
+  for (const double twist : {0.1, 1., 3.})
     {
       const double rate  = twist / 1.6;
       const auto   nodes = nodes_under(beam, [twist](const double s) {

@@ -64,8 +64,8 @@ namespace
 
 TEST(RigidPartElement, BasePointsHaveThePlacesOfABase)
 {
-  const NaturalPlace first  = natural_place(r0, r1, r0),
-                     second = natural_place(r0, r1, r1);
+  const NaturalPlace first  = natural_place<2>(r0, r1, r0),
+                     second = natural_place<2>(r0, r1, r1);
   EXPECT_NEAR(first.a, 0, round_off);
   EXPECT_NEAR(first.b, 0, round_off);
   EXPECT_NEAR(second.a, 1, round_off);
@@ -75,7 +75,8 @@ TEST(RigidPartElement, BasePointsHaveThePlacesOfABase)
 TEST(RigidPartElement, PlacesCountToTheLeftOfTheBase)
 {
   // From (0, 0) to (2, 0): half a base on, a quarter to the left.
-  const NaturalPlace place = natural_place({0, 0, 0}, {2, 0, 0}, {1, 0.5, 0});
+  const NaturalPlace place =
+    natural_place<2>({0, 0, 0}, {2, 0, 0}, {1, 0.5, 0});
   EXPECT_NEAR(place.a, 0.5, round_off);
   EXPECT_NEAR(place.b, 0.25, round_off);
 }
@@ -88,10 +89,10 @@ TEST(RigidPartElement, ShapeFollowsARigidMotion)
       {
         const PlaneVector at0 = moved(r0, angle), at1 = moved(r1, angle),
                           expected = moved(point, angle);
-        const NaturalPlace place   = natural_place(r0, r1, point);
+        const NaturalPlace place   = natural_place<2>(r0, r1, point);
         for (unsigned int c = 0; c < 2; ++c)
           {
-            const std::array<double, 4> shares = shape(place, c);
+            const std::array<double, 4> shares = shape<2>(place, c);
             EXPECT_NEAR(shares[0] * at0[0] + shares[1] * at0[1] +
                           shares[2] * at1[0] + shares[3] * at1[1],
                         expected[c],
@@ -105,7 +106,7 @@ TEST(RigidPartElement, ShapeGivesAForceItsResultantAndMoment)
   const dealii::Point<3> point(2, 3, 0);
   for (unsigned int c = 0; c < 2; ++c)
     {
-      const auto   f = shape(natural_place(r0, r1, point), c);
+      const auto   f = shape<2>(natural_place<2>(r0, r1, point), c);
       const double moment =
         r0[0] * f[1] - r0[1] * f[0] + r1[0] * f[3] - r1[1] * f[2];
       EXPECT_NEAR(f[0] + f[2], c == 0 ? 1 : 0, round_off);
@@ -118,7 +119,7 @@ TEST(RigidPartElement, MassOfAnEvenBarIsAThirdAndASixth)
 {
   const double mass = 6;
   const auto   M =
-    rigid_mass_matrix(mass, mass * length * length / 12, length, {0.5, 0});
+    rigid_mass_matrix<2>(mass, mass * length * length / 12, length, {0.5, 0});
   for (unsigned int i = 0; i < 4; ++i)
     for (unsigned int j = 0; j < 4; ++j)
       EXPECT_NEAR(M[4 * i + j],
@@ -136,8 +137,10 @@ TEST(RigidPartElement, EnergyIsThatOfTranslationAndOfRotationAboutAnyPoint)
                                          dealii::Point<3>(2, 3, 0),
                                          dealii::Point<3>(0, -4, 0)})
     {
-      const auto M =
-        rigid_mass_matrix(mass, inertia, length, natural_place(r0, r1, centre));
+      const auto        M = rigid_mass_matrix<2>(mass,
+                                          inertia,
+                                          length,
+                                          natural_place<2>(r0, r1, centre));
       const PlaneVector v = vector(0.8, -1.7);
       EXPECT_NEAR(kinetic_energy(M, v, v),
                   mass * v.norm_square() / 2,
@@ -160,7 +163,7 @@ TEST(RigidPartElement, EnergyIsThatOfTranslationAndOfRotationAboutAnyPoint)
 
 TEST(RigidPartElement, DistanceIsMetByEveryRotation)
 {
-  const DistanceCondition distance = {rest, length};
+  const DistanceCondition<2> distance = {rest, length};
   for (const double angle : {0.7, 2.5, pi, -3., 2 * pi + 0.7})
     EXPECT_NEAR(distance.value(turned_by(rest, angle) - rest), 0, round_off);
   // A base longer by s: (L + s)^2 - L^2 over 2 L.
@@ -173,16 +176,16 @@ TEST(RigidPartElement, DistanceIsMetByEveryRotation)
 TEST(RigidPartElement, DistanceIsExactForTinyMotions)
 {
   // 1e-12 m along the base: to rounding of the product, not of the length.
-  const DistanceCondition distance = {rest, length};
+  const DistanceCondition<2> distance = {rest, length};
   EXPECT_NEAR(distance.value(1e-12 / length * rest), 1e-12, 1e-24);
 }
 
 TEST(RigidPartElement, DerivativesOfDistanceAreItsDifferences)
 {
-  const DistanceCondition distance = {rest, length};
-  const PlaneVector       stretch  = vector(-0.4, 0.9);
-  const PlaneVector       gradient = distance.gradient(stretch);
-  const double            h        = 1e-4;
+  const DistanceCondition<2> distance = {rest, length};
+  const PlaneVector          stretch  = vector(-0.4, 0.9);
+  const PlaneVector          gradient = distance.gradient(stretch);
+  const double               h        = 1e-4;
   for (unsigned int c = 0; c < 2; ++c)
     {
       PlaneVector step;

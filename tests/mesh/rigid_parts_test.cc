@@ -88,7 +88,7 @@ TEST(RigidParts, SingleStrutsAreBars)
       EXPECT_EQ(bar.joints.size(), 2u);
       EXPECT_EQ(bar.mass, 2);
     }
-  EXPECT_NEAR(lattice.rigid_parts[0].rotary_inertia,
+  EXPECT_NEAR(lattice.rigid_parts[0].rotary_inertia[2][2],
               2 * 3. * 3 / 12,
               round_off);
   EXPECT_NEAR(lattice.rigid_parts[2].centre_of_mass.distance({4, 1, 0}),
@@ -109,7 +109,7 @@ TEST(RigidParts, JointsWithoutStrutsShareTheMass)
   EXPECT_EQ(plate.joints, (Indices{0, 2, 1}));
   EXPECT_NEAR(plate.centre_of_mass.distance({1. / 3, 2. / 3, 0}), 0, round_off);
   // Three masses of 2 kg: 2 (1 + 4) about joint 0, less 6 (1 + 4) / 9.
-  EXPECT_NEAR(plate.rotary_inertia, 10 - 30. / 9, round_off);
+  EXPECT_NEAR(plate.rotary_inertia[2][2], 10 - 30. / 9, round_off);
   EXPECT_FALSE(lattice.struts[0].is_rigid());
 }
 
@@ -125,7 +125,7 @@ TEST(RigidParts, AnLHasItsClosedFormMassProperties)
   const double     x = 7.5 / 4, y = 0.5 / 4;
   EXPECT_EQ(L.mass, 4);
   EXPECT_NEAR(L.centre_of_mass.distance({x, y, 0}), 0, round_off);
-  EXPECT_NEAR(L.rotary_inertia,
+  EXPECT_NEAR(L.rotary_inertia[2][2],
               27. / 12 + 3 * ((x - 1.5) * (x - 1.5) + y * y) + 1. / 12 +
                 (3 - x) * (3 - x) + (0.5 - y) * (0.5 - y),
               round_off);
@@ -141,7 +141,9 @@ TEST(RigidParts, AHalfCircleHasItsClosedFormMassProperties)
                part("bow", "set Struts = 0\nset Mass = 3"));
   const RigidPart &bow = lattice.rigid_parts.at(0);
   EXPECT_NEAR(bow.centre_of_mass.distance({2, 4 / pi, 0}), 0, round_off);
-  EXPECT_NEAR(bow.rotary_inertia, 12 * (1 - 4 / (pi * pi)), 10 * round_off);
+  EXPECT_NEAR(bow.rotary_inertia[2][2],
+              12 * (1 - 4 / (pi * pi)),
+              10 * round_off);
 }
 
 TEST(RigidParts, AGivenRotaryInertiaCounts)
@@ -151,7 +153,7 @@ TEST(RigidParts, AGivenRotaryInertiaCounts)
                "0 1",
                part("bar",
                     "set Struts = 0\nset Mass = 3\nset Rotary inertia = 0.4"));
-  EXPECT_EQ(lattice.rigid_parts.at(0).rotary_inertia, 0.4);
+  EXPECT_EQ(lattice.rigid_parts.at(0).rotary_inertia[2][2], 0.4);
   EXPECT_FALSE(lattice.rigid_parts.at(0).clamps_struts);
 }
 

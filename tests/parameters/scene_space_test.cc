@@ -365,6 +365,25 @@ namespace
 
 
 
+  TEST(SceneInSpace, StrutsHaveOrdersUpToFour)
+  {
+    const std::string frame =
+      "subsection Lattice\n set Cell = frame\n set Joints = 0 0; 1 0\n"
+      " set Struts = 0 1\nend\n"
+      "subsection Sections\n subsection all\n  set Shape = circle\n"
+      "  set Radius = 1\n  set Young's modulus = 1\n  set Density = 1\n"
+      " end\nend\n"
+      "subsection Discretization\n set Order = 5\nend\n";
+    EXPECT_EQ(read_scene_from_text(frame, "bar.prm").discretization.order, 5);
+    expect_parts(
+      input_error_of([&] {
+        read_scene_from_text("set Dimension = 3\n" + frame, "bar.prm");
+      }),
+      {"Discretization/Order = 5", "at most 4", "Global refinements"});
+  }
+
+
+
   TEST(SceneInSpace, AWrongDimensionIsTheOnlyMistake)
   {
     const std::string message = input_error_of([] {

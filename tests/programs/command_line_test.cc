@@ -80,6 +80,7 @@ namespace
                                     "set Joints",
                                     "set Struts",
                                     "set Between",
+                                    "set Columns at",
                                     "set Directory",
                                     "set File",
                                     "set NAME = TEXT"};

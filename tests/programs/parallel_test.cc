@@ -80,6 +80,20 @@ namespace
 
 
 
+  TEST_F(ParallelProgram, RigidPartsAndHingesInSpaceMoveAsOnOneRank)
+  {
+    write("scene.prm", data_text("space-parts.prm"));
+    const ProgramRun one = run_auxfem({"scene.prm", "--output", "one"});
+    const ProgramRun two = run_auxfem_on(2, {"scene.prm", "--output", "two"});
+    ASSERT_EQ(one.exit_code, 0) << one.errors;
+    ASSERT_EQ(two.exit_code, 0) << two.errors;
+    expect_same(history("one"), history("two"));
+    // It moves: the body is seen to turn about every axis.
+    for (const char *column : {"body.phi_x", "body.phi_y", "body.phi_z"})
+      EXPECT_GT(history("one").largest(column), 1e-4) << column;
+    EXPECT_EQ(summary("ranks", "two"), "2");
+  }
+
   TEST_F(ParallelProgram, TwoRanksComputeStaticsAsOneDoes)
   {
     write("scene.prm", data_text("star.prm"));

@@ -46,7 +46,7 @@ namespace auxfem
           }
       }
 
-      /** Displacement (component 0, 1) or rotation (2) of a joint. */
+      /** Displacement or rotation of a joint, by component of motion. */
       double motion(const unsigned int joint,
                     const unsigned int component) const
       {
@@ -61,7 +61,7 @@ namespace auxfem
           *state.velocity)[system.numbering().joint_unknown(joint, component)];
       }
 
-      /** Sum of the support's forces (0, 1) or moments (2) on the lattice. */
+      /** Sum of the support's forces or moments on the lattice. */
       double reaction(const std::string &support,
                       const unsigned int component) const
       {

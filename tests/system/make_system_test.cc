@@ -146,7 +146,7 @@ TEST(MakeSystem, HingesAddRotationsAndCanBeSwitchedOff)
     hinged(two_struts(hinge_in_the_middle), {}, MPI_COMM_SELF),
     off(two_struts(hinge_in_the_middle), {"Effects/Hinges=off"}, MPI_COMM_SELF);
   EXPECT_EQ(hinged.dofs().n_unknowns(), rigid.dofs().n_unknowns() + 1);
-  EXPECT_FALSE(hinged.dofs().joint_has(1, 2));
+  EXPECT_FALSE(hinged.dofs().joint_has(1, rotation_z));
   EXPECT_EQ(off.dofs().n_unknowns(), rigid.dofs().n_unknowns());
 }
 
@@ -172,7 +172,7 @@ TEST(MakeSystem, ASpringActsBetweenTheReleasedStrutAndTheJoint)
           const unsigned int c = std::get<3>(names[i].name);
           if (c == 1)
             to.displacement[i] = angle * std::max(0., names[i].position[0] - 1);
-          if (c == 2 && names[i].position[0] > 1)
+          if (c == rotation_z && names[i].position[0] > 1)
             to.displacement[i] = angle;
         }
       to.displacement[of_scene.dofs().end_rotation(1, 0)] = angle;

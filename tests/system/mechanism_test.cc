@@ -199,3 +199,27 @@ TEST(Mechanism, UnitsDoNotMatter)
   EXPECT_EQ(refusal_of(square(two_pins), steel), "");
   EXPECT_NE(refusal_of(square(hinges + two_pins), steel), "");
 }
+
+TEST(Mechanism, ABodyInSpaceThatTurnsAboutItsHingeIsRefused)
+{
+  const std::string door     = "set Dimension = 3\nsubsection Lattice\n"
+                               "  set Cell = frame\n"
+                               "  set Joints = 0 0 0; 1 0 0; 1 1 0\n"
+                               "  set Struts = 0 1; 1 2\nend\n"
+                               "subsection Rigid parts\n  subsection door\n"
+                               "    set Struts = all\n    set Mass = 1\n"
+                               "  end\nend\n"
+                               "subsection Supports\n  subsection pivot\n"
+                               "    set Joints = 0\n    set Type = pin\n"
+                               "  end\nend\n"
+                               "subsection Joints\n  subsection hinge\n"
+                               "    set Joints = 0\n";
+  const std::string revolute = "    set Type = revolute\n"
+                               "    set Axis = 0 1 0\n  end\nend\n",
+                    spring   = "    set Type = rotational spring\n"
+                               "    set Stiffness = 3\n  end\nend\n";
+  // Its conditions need a direct solver.
+  EXPECT_NE(refusal_with("auto", door + revolute, {}, infinity), "");
+  // A spring to the ground holds it.
+  EXPECT_EQ(refusal_with("auto", door + spring, {}, infinity), "");
+}

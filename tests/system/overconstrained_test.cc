@@ -175,3 +175,50 @@ TEST(Overconstrained, ScenesWithoutRigidPartsPass)
 {
   EXPECT_EQ(refusal_of(frame_scene("0 0; 1 0", "0 1", pins("0, 1"))), "");
 }
+
+namespace
+{
+  /** An L of rigid struts in space with @p further supports and hinges. */
+  std::string rigid_l(const std::string &further)
+  {
+    return "set Dimension = 3\nsubsection Lattice\n  set Cell = frame\n"
+           "  set Joints = 0 0 0; 0 0 2; 1 0 2\n"
+           "  set Struts = 0 1; 1 2\nend\n"
+           "subsection Rigid parts\n  subsection L\n    set Struts = all\n"
+           "    set Mass = 1\n  end\nend\n" +
+      further;
+  }
+
+  const std::string revolute = "subsection Joints\n  subsection door\n"
+                               "    set Joints = 0\n"
+                               "    set Type = revolute\n"
+                               "    set Axis = 0 0 1\n  end\nend\n";
+} // namespace
+
+TEST(Overconstrained, ABodyInSpaceOnOneHingePasses)
+{
+  EXPECT_EQ(refusal_of(rigid_l(pins("0"))), "");
+  EXPECT_EQ(refusal_of(rigid_l(pins("0") + revolute)), "");
+}
+
+TEST(Overconstrained, ASecondPinOnTheAxisIsRefused)
+{
+  for (const std::string &hinge : {std::string(), revolute})
+    {
+      const std::string message = refusal_of(rigid_l(pins("0, 1") + hinge));
+      EXPECT_TRUE(contains(message, "Rigid parts and revolute hinges"))
+        << message;
+      EXPECT_TRUE(contains(message, "slide along the axis")) << message;
+    }
+}
+
+TEST(Overconstrained, ARevoluteHingeInAHeldBodyIsRefused)
+{
+  // Three joints held against all that is left.
+  EXPECT_NE(refusal_of(rigid_l(
+              pins("0") + revolute +
+              "subsection Supports\n  subsection slide\n    set Joints = 2\n"
+              "    set Type = prescribed\n    set Displacement z = 0\n"
+              "  end\nend\n")),
+            "");
+}

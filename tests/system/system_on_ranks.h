@@ -70,8 +70,8 @@ namespace auxfem
           ++number;
           for (unsigned int i = 0; i < dofs.n_multipliers(part); ++i)
             if (dofs.multiplier(part, i) >= 0)
-              names[dofs.multiplier(part, i)] = {{true, number, double(i), 3},
-                                                 centre};
+              names[dofs.multiplier(part, i)] =
+                {{true, number, double(i), n_motion_components}, centre};
           ++number;
           n_of_parts += dofs.n_multipliers(part);
         }
@@ -81,9 +81,10 @@ namespace auxfem
         for (unsigned int i = 0; i < 2; ++i)
           if (dofs.hinge_multiplier(hinge, i) >= 0)
             names[dofs.hinge_multiplier(hinge, i)] =
-              {{true, number, double(i), 3}, {}};
+              {{true, number, double(i), n_motion_components}, {}};
     }
 
+    /** Names of all local unknowns. */
     inline std::vector<NamedUnknown> name_unknowns(const System &system)
     {
       const DofNumbering       &dofs    = system.numbering();
@@ -111,8 +112,8 @@ namespace auxfem
         }
       for (unsigned int s = 0; s < lattice.struts.size(); ++s)
         for (unsigned int end = 0; end < 2; ++end)
-          for (unsigned int c = first_rotation; c < n_motion_components; ++c)
-            if (dofs.end_rotation(s, end, c) >= 0)
+          for (const unsigned int c : dofs.components())
+            if (c >= first_rotation && dofs.end_rotation(s, end, c) >= 0)
               names[dofs.end_rotation(s, end, c)] = {
                 {false, s, double(end), c},
                 lattice.joints[lattice.struts[s].joints[end]]};

@@ -170,13 +170,14 @@ TEST(System, PrescribedMotionAndRightSideFollowTheSupports)
   const int     shaken =
     system.numbering().joint_unknown(of_scene.lattice.joint_sets.at("left")[0],
                                      0);
-  State state = system.initial_state();
-  state.time  = 0.2;
-
+  const State before = system.initial_state();
+  State       state  = before;
+  state.time         = 0.2;
+  const Step    step{before, state, 0.01};
   Epetra_Vector right_side(system.numbering().owned_map());
   state.displacement[shaken] = 0.001;
   state.residual.PutScalar(7);
-  system.right_side(state, right_side.Values());
+  system.right_side(step, right_side.Values());
   const double place = 0.02 * std::sin(3 * 0.2);
   EXPECT_NEAR(right_side[shaken], place - 0.001, 1e-16);
   for (unsigned int i = 0; i < system.numbering().n_owned(); ++i)
@@ -187,7 +188,7 @@ TEST(System, PrescribedMotionAndRightSideFollowTheSupports)
                                                                         : -7.);
       }
 
-  system.prescribe_motion(state, 0.01);
+  system.prescribe_motion(step, 0.01);
   EXPECT_DOUBLE_EQ(state.displacement[shaken], place);
   // Fourth-order differences over 0.01 s: 3^5 * 0.02 * 1e-8 in the rate.
   EXPECT_NEAR((*state.velocity)[shaken], 0.06 * std::cos(0.6), 1e-7);

@@ -156,7 +156,7 @@ TEST(Newton, PrescribedUnknownsMoveToTheirPlaceInOneIteration)
   // Increments are exact but for the solution's round-off.
   EXPECT_NEAR(moved.tip(0), 0.01, 1e-15);
   EXPECT_NEAR(moved.tip(1), 0.2, 1e-15);
-  EXPECT_NEAR(moved.tip(2), -0.3, 1e-15);
+  EXPECT_NEAR(moved.tip(rotation_z), -0.3, 1e-15);
 }
 
 TEST(Newton, GivesUpAfterTheLargestNumberOfIterations)

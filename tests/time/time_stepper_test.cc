@@ -136,7 +136,7 @@ TEST(TimeStepper, AStepThatFailsIsUndoneAndDoneInParts)
   // The same equilibrium as in a hundred steps.
   SceneRun fine(cantilever("2 * t", time), {"Time/Time step=0.01"});
   fine.run();
-  for (const unsigned int c : {0u, 1u, 2u})
+  for (const unsigned int c : {0u, 1u, rotation_z})
     // Residuals of 1e-8 of the force, at flexibilities of about one.
     EXPECT_NEAR(coarse.motion(1, c), fine.motion(1, c), 1e-7);
 }
@@ -208,7 +208,7 @@ TEST(TimeStepper, AfterAFailureTheStateIsTheLastAcceptedOne)
   SceneRun until_there(text,
                        {"Newton/Maximum iterations=5", "Time/End time=0.15"});
   until_there.run();
-  for (const unsigned int c : {0u, 1u, 2u})
+  for (const unsigned int c : {0u, 1u, rotation_z})
     EXPECT_NEAR(run.motion(1, c), until_there.motion(1, c), 1e-12);
   EXPECT_NEAR(run.state.energies.strain,
               until_there.state.energies.strain,

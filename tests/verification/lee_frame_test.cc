@@ -68,7 +68,7 @@ namespace
             // As the load: shear left in, and six decimals given
             table.row(at + "u", run.motion(2, 0), point.u, 1e-5);
             table.row(at + "column angle",
-                      std::acos(-1) / 2 + run.motion(0, 2),
+                      std::acos(-1) / 2 + run.motion(0, auxfem::rotation_z),
                       point.column_angle,
                       5e-7);
           }

@@ -66,7 +66,7 @@ end
            time(dt, end)));
     double before = angle, crossing = 0;
     run.run([&] {
-      const double now = angle + run.motion(0, 2);
+      const double now = angle + run.motion(0, rotation_z);
       // The angle is nearly linear where it crosses zero: its second
       // derivative vanishes there.
       if (before > 0 && now <= 0)
@@ -135,12 +135,12 @@ TEST(Pendulum, TwoRodsFollowTheRigidDoublePendulum)
     for (unsigned int rod = 0; rod < 2; ++rod)
       {
         const std::string name = "rod " + std::to_string(rod + 1);
-        const double      rate = run.velocity(joints[rod], 2);
+        const double      rate = run.velocity(joints[rod], rotation_z);
         // (w dt)^2 / 12 = 8e-7 of the angle run through at up to 12 rad/s,
         // grown in the unstable motion; rates contain the vibration of the rods
         // under their weight, suddenly applied (1e-4 measured).
         table.row(label(name + " angle, t", run.state.time),
-                  pi / 2 + run.motion(joints[rod], 2),
+                  pi / 2 + run.motion(joints[rod], rotation_z),
                   moment->angle[rod],
                   2e-5);
         table.row(label(name + " rate, t", run.state.time),

@@ -45,7 +45,9 @@ namespace
 
   Tip motion_of(const SceneRun &run, const unsigned int joint)
   {
-    return {{run.motion(joint, 0), run.motion(joint, 1), run.motion(joint, 2)}};
+    return {{run.motion(joint, 0),
+             run.motion(joint, 1),
+             run.motion(joint, rotation_z)}};
   }
 
   void compare(ComparisonTable &table, const Tip &found, const Tip &expected)
@@ -68,9 +70,10 @@ TEST(RigidAndElastic, ClampedPlateIsAMomentArm)
       complete(scene, is_linear);
       SceneRun run(scene.str());
       run.run();
-      const Tip    tip = motion_of(run, 1);
-      const double turn =
-        is_linear ? tip[2] : run.system.rigid_parts()->rotation(0, run.state);
+      const Tip    tip  = motion_of(run, 1);
+      const double turn = is_linear
+        ? tip[2]
+        : run.system.rigid_parts()->rotation(0, run.state)[2];
       EXPECT_NEAR(turn, tip[2], 1e-12);
       EXPECT_GT(tip[2], 0.3);
 
@@ -92,8 +95,8 @@ TEST(RigidAndElastic, ClampedPlateIsAMomentArm)
         ", against tip force and moment");
       compare(table, tip, motion_of(reference, 1));
       table.row("support moment (N m)",
-                run.reaction("wall", 2),
-                reference.reaction("wall", 2),
+                run.reaction("wall", rotation_z),
+                reference.reaction("wall", rotation_z),
                 1e-8);
       if (is_linear)
         {
@@ -135,10 +138,10 @@ TEST(RigidAndElastic, AHingedBeamPassesOnNoMoment)
 
   ComparisonTable table("Portal of two columns hinged to a rigid beam, against "
                         "one column under half the push");
-  EXPECT_LT(reference.motion(1, 2), -0.3);
+  EXPECT_LT(reference.motion(1, rotation_z), -0.3);
   compare(table, motion_of(run, 1), motion_of(reference, 1));
   compare(table, motion_of(run, 2), motion_of(reference, 1));
-  EXPECT_NEAR(run.system.rigid_parts()->rotation(0, run.state), 0, 1e-9);
+  EXPECT_NEAR(run.system.rigid_parts()->rotation(0, run.state)[2], 0, 1e-9);
   const auto forces = run.system.rigid_parts()->report(0, run.state).forces;
   // The load at joint 1 acts through it, too.
   table.row("force of joint 1 on the beam (N)", forces[0][0], 9, 1e-8);
@@ -162,8 +165,11 @@ TEST(RigidAndElastic, AClampedBeamKeepsTheColumnsUpright)
                         "displacements, closed form");
   // The tilt is 1e-11.
   table.row("sway (m)", run.motion(1, 0), 9. / 120 + 9 / 1e4, 1e-9);
-  table.row("rotation", run.motion(1, 2), 0, 1e-9);
-  table.row("moment at the feet (N m)", run.reaction("wall", 2), 9, 1e-7);
+  table.row("rotation", run.motion(1, rotation_z), 0, 1e-9);
+  table.row("moment at the feet (N m)",
+            run.reaction("wall", rotation_z),
+            9,
+            1e-7);
 }
 
 TEST(RigidAndElastic, SupportsCarryTheWeightOfARigidPart)
@@ -196,11 +202,11 @@ TEST(RigidAndElastic, AnElasticStrutCarriesTheWeightOfARigidPart)
   run.run();
   // The plate's middle, where it has come to.
   const double x = (1 + run.motion(1, 0) + 1.4 + run.motion(2, 0)) / 2;
-  EXPECT_LT(run.motion(1, 2), -0.2);
+  EXPECT_LT(run.motion(1, rotation_z), -0.2);
   ComparisonTable table("Rigid plate of 8 N on a cantilever: its support");
   table.row("force x (N)", run.reaction("wall", 0), 0, 1e-9);
   table.row("force y (N)", run.reaction("wall", 1), 8, 1e-9);
-  table.row("moment (N m)", run.reaction("wall", 2), 8 * x, 1e-8);
+  table.row("moment (N m)", run.reaction("wall", rotation_z), 8 * x, 1e-8);
 }
 
 TEST(RigidAndElastic, InertiaOfAClampedPlateIsThatOfAMassOnTheTip)
@@ -229,7 +235,7 @@ TEST(RigidAndElastic, InertiaOfAClampedPlateIsThatOfAMassOnTheTip)
   reference.run();
   ComparisonTable table("Rigid bar across the tip of a shaken cantilever, "
                         "against a mass on the tip");
-  EXPECT_GT(std::abs(run.motion(1, 2)), 0.05);
+  EXPECT_GT(std::abs(run.motion(1, rotation_z)), 0.05);
   const Tip found = motion_of(run, 1), expected = motion_of(reference, 1);
   // The scheme integrates the bar's ends in place of its rotation: second order
   // in the angle of a step, and they turn slowly.

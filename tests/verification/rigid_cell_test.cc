@@ -79,7 +79,7 @@ namespace
     }
 
     /** Force joint @p name exerts on the rigid part of strut set @p bar. */
-    PlaneVector hinge_force(const std::string &bar,
+    SpaceVector hinge_force(const std::string &bar,
                             const std::string &name) const
     {
       const RigidPartConditions &parts = *run.system.rigid_parts();
@@ -217,7 +217,7 @@ TEST(RigidCellVerification, HingeForcesBalanceTheParts)
   c.scheme   = "generalized-alpha";
   LatticeCell cell(c);
   cell.run.run([&] {
-    const PlaneVector F  = cell.hinge_force("bar AF", "F"),
+    const SpaceVector F  = cell.hinge_force("bar AF", "F"),
                       A1 = cell.hinge_force("bar AF", "A"),
                       A2 = cell.hinge_force("bar AB", "A"),
                       B  = cell.hinge_force("bar AB", "B");
@@ -240,7 +240,7 @@ TEST(RigidCellVerification, HingeForcesBalanceTheParts)
          -std::sin(theta) +
        (cell.acceleration("B", 1) - cell.acceleration("A", 1)) *
          -std::cos(theta));
-    const PlaneVector across = B - A2;
+    const SpaceVector across = B - A2;
     EXPECT_NEAR(half *
                   (across[0] * -std::sin(theta) + across[1] * -std::cos(theta)),
                 turning,
@@ -386,10 +386,10 @@ namespace
     for (const RigidPart &part : run.lattice.rigid_parts)
       {
         const NaturalPlace centre =
-          natural_place(run.lattice.joints[part.joints[0]],
-                        run.lattice.joints[part.joints[1]],
-                        part.centre_of_mass);
-        const std::array<double, 4> shares = shape(centre, 1);
+          natural_place<2>(run.lattice.joints[part.joints[0]],
+                           run.lattice.joints[part.joints[1]],
+                           part.centre_of_mass);
+        const std::array<double, 4> shares = shape<2>(centre, 1);
         for (unsigned int i = 0; i < 4; ++i)
           sum += part.mass * shares[i] *
             (*run.state.acceleration)

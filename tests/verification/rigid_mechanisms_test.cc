@@ -36,7 +36,7 @@ namespace
     double   before = pi / 2, crossing = 0;
     run.run([&] {
       const double now =
-        pi / 2 + run.system.rigid_parts()->rotation(0, run.state);
+        pi / 2 + run.system.rigid_parts()->rotation(0, run.state)[2];
       // The angle is nearly linear where it crosses zero.
       if (before > 0 && now <= 0)
         crossing = run.state.time - dt + dt * before / (before - now);
@@ -55,7 +55,7 @@ namespace
     std::array<double, 2> error = {{0, 0}};
     run.run([&] {
       const auto  &parts = *run.system.rigid_parts();
-      const double down  = -parts.rotation(0, run.state);
+      const double down  = -parts.rotation(0, run.state)[2];
       const auto   force = parts.report(0, run.state).forces[0];
       // Along the bar: m g sin + m w^2 L / 2, w^2 = 3 g sin / L; across it
       // m g cos - m L / 2 of the angular acceleration 3 g cos / (2 L).
@@ -76,8 +76,8 @@ namespace
   /** Momentum x, y (N s), moment of momentum about the origin (N m s). */
   std::array<double, 3> momenta(const SceneRun &run)
   {
-    const RigidBody body =
-      rigid_bodies(run.lattice, run.system.numbering()).at(0);
+    const NaturalBody<2> body =
+      rigid_bodies(run.lattice, run.system.numbering()).in_plane.at(0);
     const RigidPart      &part = run.lattice.rigid_parts.at(0);
     std::array<double, 4> p    = {};
     for (unsigned int i = 0; i < 4; ++i)
@@ -170,12 +170,12 @@ namespace
     const double vx = 2 - rate * (part.centre_of_mass[1] - 1. / 3),
                  vy = 7 + rate * (part.centre_of_mass[0] - 2);
     const double energy =
-      4 * (vx * vx + vy * vy) / 2 + part.rotary_inertia * rate * rate / 2;
+      4 * (vx * vx + vy * vy) / 2 + part.rotary_inertia[2][2] * rate * rate / 2;
     const std::array<double, 3> expected = {
       {4 * vx,
        4 * vy,
        4 * (part.centre_of_mass[0] * vy - part.centre_of_mass[1] * vx) +
-         part.rotary_inertia * rate}};
+         part.rotary_inertia[2][2] * rate}};
     const double momentum = std::hypot(expected[0], expected[1]);
 
     FlightErrors errors = {0, 0, 0, 0, 0};
@@ -184,7 +184,7 @@ namespace
       largest = std::max(largest, std::abs(error));
     };
     run.run([&] {
-      const double now = run.system.rigid_parts()->rotation(0, run.state);
+      const double now = run.system.rigid_parts()->rotation(0, run.state)[2];
       turned           = now + 2 * pi * std::round((turned - now) / (2 * pi));
       // The trapezoidal rule turns a free body evenly.
       const double steps = run.state.step;

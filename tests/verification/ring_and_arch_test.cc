@@ -61,7 +61,7 @@ namespace
                       row.across,
                       allowed);
             table.row(at + "moment under the load",
-                      run.reaction("loaded", 2),
+                      run.reaction("loaded", auxfem::rotation_z),
                       row.moment,
                       allowed);
           }
@@ -154,7 +154,7 @@ namespace
         points.push_back({-run.reaction("crown", 1),
                           run.motion(1, 0),
                           -run.motion(1, 1),
-                          run.motion(1, 2)});
+                          run.motion(1, auxfem::rotation_z)});
     });
     return points;
   }

@@ -61,11 +61,11 @@ end
 
   TipMotion tip(const SceneRun &run)
   {
-    const double L = 10, psi = run.motion(0, 2);
+    const double L = 10, psi = run.motion(0, rotation_z);
     const double x = L + run.motion(1, 0), y = run.motion(1, 1);
     return {x * std::cos(psi) + y * std::sin(psi) - L,
             y * std::cos(psi) - x * std::sin(psi),
-            run.motion(1, 2) - psi};
+            run.motion(1, rotation_z) - psi};
   }
 
   struct Moment

@@ -3,6 +3,9 @@
 
 namespace auxfem
 {
+  /** Largest polynomial order of struts in the plane, and in space. */
+  constexpr int largest_plane_order = 6, largest_space_order = 4;
+
   /**
    * Shape functions of a line element of polynomial order p on [-1, 1], nodes
    * in the order of FE_Q: both ends, then the inner Gauss-Lobatto nodes.

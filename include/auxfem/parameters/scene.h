@@ -269,7 +269,7 @@ namespace auxfem
   /** `Discretization`. */
   struct DiscretizationParameters
   {
-    unsigned int order = 3; ///< polynomial order 1..6
+    unsigned int order = 3; ///< polynomial order 1..6, in space 1..4
     /** Global refinements: 2^n elements a strut. */
     unsigned int refinements = 0;
   };

@@ -51,8 +51,9 @@ namespace auxfem
    * AztecOO, ML, Ifpack). factorize() makes the preconditioner; between it and
    * solve() the matrix must stay as it is.
    *
-   * Throws InputError for scenes with rigid parts: their conditions make the
-   * matrix one of a saddle point, for which these preconditioners are not made.
+   * Throws InputError for scenes with rigid parts or revolute hinges: their
+   * conditions make the matrix one of a saddle point, for which these
+   * preconditioners are not made.
    */
   std::unique_ptr<LinearSolverMethod>
   make_gmres_method(const SolverParameters &parameters,

@@ -1,26 +1,11 @@
-#include <auxfem/system/effects/rigid_part_group.h>
+#include <auxfem/system/effects/natural_parts.h>
 
 #include <algorithm>
-#include <cmath>
-
-// Rigid parts in natural coordinates: bodies in the plane, bars in space.
 
 namespace auxfem
 {
   namespace
   {
-    /** Difference of the values at both base points, whose unknowns come first.
-     */
-    template <int dim, std::size_t n>
-    dealii::Tensor<1, dim> across_base(const std::array<int, n> &unknowns,
-                                       const double             *values)
-    {
-      dealii::Tensor<1, dim> difference;
-      for (unsigned int c = 0; c < dim; ++c)
-        difference[c] = values[unknowns[dim + c]] - values[unknowns[c]];
-      return difference;
-    }
-
     /** Entry (i, j) of a symmetric row-major block of size n. */
     template <std::size_t n>
     void set_pair(std::array<double, n * n> &block,
@@ -30,527 +15,300 @@ namespace auxfem
     {
       block[n * i + j] = block[n * j + i] = value;
     }
+  } // namespace
 
-    /** In space: the shortest turn from @p rest to @p now (rad). */
-    SpaceVector shortest_turn(const SpaceVector &rest, const SpaceVector &now)
-    {
-      const SpaceVector across = dealii::cross_product_3d(rest, now);
-      const double      sine   = across.norm();
-      return sine > 0 ? std::atan2(sine, rest * now) / sine * across
-                      : SpaceVector();
-    }
-
-    template <int dim>
-    class NaturalParts : public RigidPartGroup
-    {
-    public:
-      NaturalParts(const std::vector<NaturalBody<dim>> &bodies,
-                   const RigidPartSetting              &setting)
-        : bodies(bodies)
-        , lattice(setting.lattice)
-        , numbering(setting.numbering)
-        , large_rotation(setting.large_rotation)
-        , gravity(setting.gravity)
+  template <int dim>
+  void NaturalParts<dim>::add_conditions(const NaturalBody<dim> &body)
+  {
+    const RigidPart &part = lattice.rigid_parts[body.part];
+    unsigned int     next = 0;
+    joint_begin.push_back(joints.size());
+    clamp_begin.push_back(clamps.size());
+    const auto multiplier = [&] {
+      return numbering.multiplier(body.part, next++);
+    };
+    Base base{{}, {body.rest, body.length}};
+    std::copy(body.base.begin(), body.base.end(), base.unknowns.begin());
+    base.unknowns.back() = multiplier();
+    bases.push_back(base);
+    for (unsigned int k = 2; k < part.joints.size(); ++k)
       {
-        for (unsigned int b = 0; b < bodies.size(); ++b)
+        const NaturalPlace place =
+          place_in<dim>(part, lattice, lattice.joints[part.joints[k]]);
+        Joint joint;
+        joint.place_in_part = k;
+        std::copy(body.base.begin(),
+                  body.base.end(),
+                  joint.unknowns.begin() + dim);
+        for (unsigned int c = 0; c < dim; ++c)
           {
-            add_conditions(bodies[b]);
-            if (bodies[b].counted)
-              reported.push_back(b);
+            joint.unknowns[c] = numbering.joint_unknown(part.joints[k], c);
+            joint.unknowns[3 * dim + c] = multiplier();
+            joint.shapes[c]             = shape<dim>(place, c);
           }
-        joint_begin.push_back(joints.size());
-        clamp_begin.push_back(clamps.size());
+        joints.push_back(joint);
       }
+    if constexpr (dim == 2)
+      for (const unsigned int joint : numbering.clamped_joints(body.part))
+        clamps.push_back({{{body.base[0],
+                            body.base[1],
+                            body.base[2],
+                            body.base[3],
+                            numbering.joint_unknown(joint, rotation_z),
+                            multiplier()}},
+                          {body.rest, body.length}});
+  }
 
-      bool is_linear() const override
+  template <int dim>
+  void NaturalParts<dim>::add_base_rows(const Step &step,
+                                        double     *residual) const
+  {
+    const double *u = step.to.displacement.Values();
+    for (const Base &base : bases)
       {
-        return !large_rotation;
-      }
-
-      void register_blocks(TangentMatrix &matrix) override
-      {
-        // Numbered consecutively: bases, then joints, then clamps.
-        bool       is_first = true;
-        const auto add_all  = [&](const auto &conditions) {
-          for (const auto &condition : conditions)
-            {
-              const std::size_t block =
-                matrix.register_block(condition.unknowns.data(),
-                                      condition.unknowns.size());
-              if (is_first)
-                first_block = block;
-              is_first = false;
-            }
-        };
-        add_all(bases);
-        add_all(joints);
-        add_all(clamps);
-      }
-
-      void add_residual(const Step &step, double *residual) override
-      {
-        add_base_rows(step, residual);
-        add_joint_rows(step, residual);
-        if constexpr (dim == 2)
-          add_clamp_rows(step, residual);
-      }
-
-      void add_tangent(const Step           &step,
-                       const TangentFactors &factors,
-                       TangentMatrix        &matrix) const override
-      {
-        // The gradients are no stiffness: they stand in the matrix whatever is
-        // solved for, displacements or accelerations.
-        std::size_t block = first_block;
-        add_base_blocks(step, factors, matrix, block);
-        add_joint_blocks(matrix, block);
-        if constexpr (dim == 2)
-          add_clamp_blocks(step, factors, matrix, block);
-      }
-
-      void find_rates(const State &state, double *rates) const override
-      {
-        const double *u = state.displacement.Values();
-        const double *v = state.velocity->Values();
-        for (const Base &base : bases)
-          rates[base.unknowns[2 * dim]] =
-            gradient(base, u) * across_base<dim>(base.unknowns, v);
-        for (const Joint &joint : joints)
-          for (unsigned int c = 0; c < dim; ++c)
-            {
-              double rate = v[joint.unknowns[c]];
-              for (unsigned int i = 0; i < 2 * dim; ++i)
-                rate -= joint.shapes[c][i] * v[joint.unknowns[dim + i]];
-              rates[joint.unknowns[3 * dim + c]] = rate;
-            }
-        if constexpr (dim == 2)
-          find_clamp_rates(state, rates);
-      }
-
-      unsigned int n_reported() const override
-      {
-        return reported.size();
-      }
-
-      unsigned int part(const unsigned int i) const override
-      {
-        return bodies[reported[i]].part;
-      }
-
-      SpaceVector rotation(const unsigned int i,
-                           const State       &state) const override
-      {
-        const NaturalBody<dim> &body = bodies[reported[i]];
-        const Vec               stretch =
-          across_base<dim>(body.base, state.displacement.Values());
-        SpaceVector result;
-        if constexpr (dim == 2)
+        const auto &unknowns = base.unknowns;
+        const Vec   G        = gradient(base, u);
+        for (unsigned int c = 0; c < dim; ++c)
           {
-            const double across = turned(body.rest) * stretch;
-            result[2]           = large_rotation
-                        ? std::atan2(across, body.rest * (body.rest + stretch))
-                        : across / (body.length * body.length);
+            residual[unknowns[c]] -= u[unknowns[2 * dim]] * G[c];
+            residual[unknowns[dim + c]] += u[unknowns[2 * dim]] * G[c];
+          }
+        double &row = residual[unknowns[2 * dim]];
+        if (wants_accelerations(step))
+          {
+            row +=
+              G * across_base<dim>(unknowns, step.to.acceleration->Values());
+            if (large_rotation)
+              row += base.condition.curvature() *
+                across_base<dim>(unknowns, step.to.velocity->Values())
+                  .norm_square();
           }
         else
-          result = large_rotation
-            ? shortest_turn(body.rest, body.rest + stretch)
-            : dealii::cross_product_3d(body.rest, stretch) /
-              (body.length * body.length);
-        return result;
+          {
+            const Vec stretch = across_base<dim>(unknowns, u);
+            row += large_rotation ? base.condition.value(stretch) : G * stretch;
+          }
       }
+  }
 
-      PointMotion motion(const unsigned int      i,
-                         const dealii::Point<3> &point,
-                         const State            &state) const override
+  template <int dim>
+  void NaturalParts<dim>::add_joint_rows(const Step &step,
+                                         double     *residual) const
+  {
+    const double *u = step.to.displacement.Values();
+    const double *q =
+      wants_accelerations(step) ? step.to.acceleration->Values() : u;
+    for (const Joint &joint : joints)
       {
-        const NaturalBody<dim> &body = bodies[reported[i]];
-        PointMotion             result;
-        for (unsigned int c = 0; c < dim; ++c)
-          for (const auto &[unknown, share] :
-               force_shares(body, lattice, numbering, point, c))
-            {
-              result.displacement[c] += share * state.displacement[unknown];
-              if (state.velocity)
-                result.velocity[c] += share * (*state.velocity)[unknown];
-            }
-        return result;
-      }
-
-      RigidPartReport report(const unsigned int i,
-                             const State       &state) const override;
-
-    private:
-      using Vec = dealii::Tensor<1, dim>;
-
-      /** Distance of the base joints of one body. */
-      struct Base
-      {
-        std::array<int, 2 * dim + 1> unknowns; ///< base, multiplier
-        DistanceCondition<dim>       condition;
-      };
-      /** Place of another joint. */
-      struct Joint
-      {
-        unsigned int place_in_part;        ///< index into RigidPart::joints
-        std::array<int, 4 * dim> unknowns; ///< joint's, base, multipliers
-        std::array<std::array<double, 2 * dim>, dim> shapes;
-      };
-      /** Of a strut's end; in the plane. */
-      struct Clamp
-      {
-        std::array<int, 6> unknowns; ///< base, rotation, multiplier
-        ClampCondition     condition;
-      };
-
-      void add_conditions(const NaturalBody<dim> &body);
-
-      Vec gradient(const Base &base, const double *u) const
-      {
-        return base.condition.gradient(
-          large_rotation ? across_base<dim>(base.unknowns, u) : Vec());
-      }
-
-      /** dg / d(r1 - r0) and dg / dphi. */
-      std::pair<PlaneVector, double> gradient(const Clamp  &clamp,
-                                              const double *u) const
-      {
-        if (!large_rotation)
-          return {clamp.condition.normal(0), -clamp.condition.length};
-        const double      phi = u[clamp.unknowns[4]];
-        const PlaneVector d =
-          clamp.condition.rest + across_base<2>(clamp.unknowns, u);
-        return {clamp.condition.normal(phi),
-                clamp.condition.normal_derivative(phi) * d};
-      }
-
-      void add_base_rows(const Step &step, double *residual) const;
-      void add_joint_rows(const Step &step, double *residual) const;
-      void add_clamp_rows(const Step &step, double *residual) const;
-      void add_base_blocks(const Step           &step,
-                           const TangentFactors &factors,
-                           TangentMatrix        &matrix,
-                           std::size_t          &block) const;
-      void add_joint_blocks(TangentMatrix &matrix, std::size_t &block) const;
-      void add_clamp_blocks(const Step           &step,
-                            const TangentFactors &factors,
-                            TangentMatrix        &matrix,
-                            std::size_t          &block) const;
-      void find_clamp_rates(const State &state, double *rates) const;
-      /** Takes what the conditions of clamps hand on from the @p forces on a body's base. */
-      void take_clamp_forces(unsigned int                 body,
-                             const double                *u,
-                             std::array<double, 2 * dim> &forces) const;
-
-      const std::vector<NaturalBody<dim>> bodies;
-      const Lattice                      &lattice;
-      const DofNumbering                 &numbering;
-      const bool                          large_rotation;
-      const SpaceVector                   gravity;
-
-      std::vector<Base>  bases; ///< one a body
-      std::vector<Joint> joints;
-      std::vector<Clamp> clamps;
-      /** Those of body b: from [b] to [b + 1]. */
-      std::vector<unsigned int> joint_begin, clamp_begin;
-      std::vector<unsigned int> reported; ///< bodies
-      std::size_t               first_block = 0;
-    };
-
-    template <int dim>
-    void NaturalParts<dim>::add_conditions(const NaturalBody<dim> &body)
-    {
-      const RigidPart &part = lattice.rigid_parts[body.part];
-      unsigned int     next = 0;
-      joint_begin.push_back(joints.size());
-      clamp_begin.push_back(clamps.size());
-      const auto multiplier = [&] {
-        return numbering.multiplier(body.part, next++);
-      };
-      Base base{{}, {body.rest, body.length}};
-      std::copy(body.base.begin(), body.base.end(), base.unknowns.begin());
-      base.unknowns.back() = multiplier();
-      bases.push_back(base);
-      for (unsigned int k = 2; k < part.joints.size(); ++k)
-        {
-          const NaturalPlace place =
-            place_in<dim>(part, lattice, lattice.joints[part.joints[k]]);
-          Joint joint;
-          joint.place_in_part = k;
-          std::copy(body.base.begin(),
-                    body.base.end(),
-                    joint.unknowns.begin() + dim);
-          for (unsigned int c = 0; c < dim; ++c)
-            {
-              joint.unknowns[c] = numbering.joint_unknown(part.joints[k], c);
-              joint.unknowns[3 * dim + c] = multiplier();
-              joint.shapes[c]             = shape<dim>(place, c);
-            }
-          joints.push_back(joint);
-        }
-      if constexpr (dim == 2)
-        for (const unsigned int joint : numbering.clamped_joints(body.part))
-          clamps.push_back({{{body.base[0],
-                              body.base[1],
-                              body.base[2],
-                              body.base[3],
-                              numbering.joint_unknown(joint, rotation_z),
-                              multiplier()}},
-                            {body.rest, body.length}});
-    }
-
-    template <int dim>
-    void NaturalParts<dim>::add_base_rows(const Step &step,
-                                          double     *residual) const
-    {
-      const double *u = step.to.displacement.Values();
-      for (const Base &base : bases)
-        {
-          const auto &unknowns = base.unknowns;
-          const Vec   G        = gradient(base, u);
-          for (unsigned int c = 0; c < dim; ++c)
-            {
-              residual[unknowns[c]] -= u[unknowns[2 * dim]] * G[c];
-              residual[unknowns[dim + c]] += u[unknowns[2 * dim]] * G[c];
-            }
-          double &row = residual[unknowns[2 * dim]];
-          if (wants_accelerations(step))
-            {
-              row +=
-                G * across_base<dim>(unknowns, step.to.acceleration->Values());
-              if (large_rotation)
-                row += base.condition.curvature() *
-                  across_base<dim>(unknowns, step.to.velocity->Values())
-                    .norm_square();
-            }
-          else
-            {
-              const Vec stretch = across_base<dim>(unknowns, u);
-              row +=
-                large_rotation ? base.condition.value(stretch) : G * stretch;
-            }
-        }
-    }
-
-    template <int dim>
-    void NaturalParts<dim>::add_joint_rows(const Step &step,
-                                           double     *residual) const
-    {
-      const double *u = step.to.displacement.Values();
-      const double *q =
-        wants_accelerations(step) ? step.to.acceleration->Values() : u;
-      for (const Joint &joint : joints)
-        {
-          const auto &unknowns = joint.unknowns;
-          for (unsigned int c = 0; c < dim; ++c)
-            {
-              const double lambda = u[unknowns[3 * dim + c]];
-              double       gap    = q[unknowns[c]];
-              residual[unknowns[c]] += lambda;
-              for (unsigned int i = 0; i < 2 * dim; ++i)
-                {
-                  gap -= joint.shapes[c][i] * q[unknowns[dim + i]];
-                  residual[unknowns[dim + i]] -= lambda * joint.shapes[c][i];
-                }
-              residual[unknowns[3 * dim + c]] += gap;
-            }
-        }
-    }
-
-    template <int dim>
-    void NaturalParts<dim>::add_clamp_rows(const Step &step,
-                                           double     *residual) const
-    {
-      const double *u = step.to.displacement.Values();
-      for (const Clamp &clamp : clamps)
-        {
-          const auto &unknowns     = clamp.unknowns;
-          const auto [along, turn] = gradient(clamp, u);
-          const double lambda      = u[unknowns[5]];
-          for (unsigned int c = 0; c < 2; ++c)
-            {
-              residual[unknowns[c]] -= lambda * along[c];
-              residual[unknowns[2 + c]] += lambda * along[c];
-            }
-          residual[unknowns[4]] += lambda * turn;
-
-          double &row = residual[unknowns[5]];
-          if (wants_accelerations(step))
-            {
-              const double *a = step.to.acceleration->Values();
-              const double *v = step.to.velocity->Values();
-              row +=
-                along * across_base<2>(unknowns, a) + turn * a[unknowns[4]];
-              if (large_rotation)
-                {
-                  const double      rate = v[unknowns[4]];
-                  const PlaneVector d =
-                    clamp.condition.rest + across_base<2>(unknowns, u);
-                  row += 2 * rate *
-                      (clamp.condition.normal_derivative(u[unknowns[4]]) *
-                       across_base<2>(unknowns, v)) -
-                    rate * rate * (along * d);
-                }
-            }
-          else if (large_rotation)
-            row += along * (clamp.condition.rest + across_base<2>(unknowns, u));
-          else
-            row += along * across_base<2>(unknowns, u) + turn * u[unknowns[4]];
-        }
-    }
-
-    template <int dim>
-    void NaturalParts<dim>::add_base_blocks(const Step           &step,
-                                            const TangentFactors &factors,
-                                            TangentMatrix        &matrix,
-                                            std::size_t          &block) const
-    {
-      constexpr unsigned int n = 2 * dim + 1;
-      const double          *u = step.to.displacement.Values();
-      for (const Base &base : bases)
-        {
-          const Vec    G                  = gradient(base, u);
-          const double geometric          = large_rotation ? factors.stiffness *
-              u[base.unknowns[2 * dim]] * base.condition.curvature()
-                                                           : 0.;
-          std::array<double, n *n> values = {};
-          for (unsigned int c = 0; c < dim; ++c)
-            {
-              set_pair<n>(values, c, 2 * dim, -G[c]);
-              set_pair<n>(values, dim + c, 2 * dim, G[c]);
-              set_pair<n>(values, c, c, geometric);
-              set_pair<n>(values, dim + c, dim + c, geometric);
-              set_pair<n>(values, c, dim + c, -geometric);
-            }
-          matrix.add(block++, values.data());
-        }
-    }
-
-    template <int dim>
-    void NaturalParts<dim>::add_joint_blocks(TangentMatrix &matrix,
-                                             std::size_t   &block) const
-    {
-      constexpr unsigned int n = 4 * dim;
-      for (const Joint &joint : joints)
-        {
-          std::array<double, n *n> values = {};
-          for (unsigned int c = 0; c < dim; ++c)
-            {
-              set_pair<n>(values, c, 3 * dim + c, 1.);
-              for (unsigned int i = 0; i < 2 * dim; ++i)
-                set_pair<n>(values, dim + i, 3 * dim + c, -joint.shapes[c][i]);
-            }
-          matrix.add(block++, values.data());
-        }
-    }
-
-    template <int dim>
-    void NaturalParts<dim>::add_clamp_blocks(const Step           &step,
-                                             const TangentFactors &factors,
-                                             TangentMatrix        &matrix,
-                                             std::size_t          &block) const
-    {
-      const double *u = step.to.displacement.Values();
-      for (const Clamp &clamp : clamps)
-        {
-          const auto [along, turn]      = gradient(clamp, u);
-          std::array<double, 36> values = {};
-          set_pair<6>(values, 4, 5, turn);
-          for (unsigned int c = 0; c < 2; ++c)
-            {
-              set_pair<6>(values, c, 5, -along[c]);
-              set_pair<6>(values, 2 + c, 5, along[c]);
-            }
-          if (large_rotation)
-            {
-              const double force = factors.stiffness * u[clamp.unknowns[5]];
-              const PlaneVector d =
-                clamp.condition.rest + across_base<2>(clamp.unknowns, u);
-              const PlaneVector derivative =
-                clamp.condition.normal_derivative(u[clamp.unknowns[4]]);
-              set_pair<6>(values, 4, 4, -force * (along * d));
-              for (unsigned int c = 0; c < 2; ++c)
-                {
-                  set_pair<6>(values, c, 4, -force * derivative[c]);
-                  set_pair<6>(values, 2 + c, 4, force * derivative[c]);
-                }
-            }
-          matrix.add(block++, values.data());
-        }
-    }
-
-    template <int dim>
-    void NaturalParts<dim>::find_clamp_rates(const State &state,
-                                             double      *rates) const
-    {
-      const double *u = state.displacement.Values();
-      const double *v = state.velocity->Values();
-      for (const Clamp &clamp : clamps)
-        {
-          const auto [along, turn] = gradient(clamp, u);
-          rates[clamp.unknowns[5]] = along * across_base<2>(clamp.unknowns, v) +
-            turn * v[clamp.unknowns[4]];
-        }
-    }
-
-    template <int dim>
-    void NaturalParts<dim>::take_clamp_forces(
-      const unsigned int           body,
-      const double                *u,
-      std::array<double, 2 * dim> &forces) const
-    {
-      for (unsigned int k = clamp_begin[body]; k < clamp_begin[body + 1]; ++k)
-        {
-          const PlaneVector force =
-            u[clamps[k].unknowns[5]] * gradient(clamps[k], u).first;
-          for (unsigned int c = 0; c < 2; ++c)
-            {
-              forces[c] -= force[c];
-              forces[2 + c] += force[c];
-            }
-        }
-    }
-
-    template <int dim>
-    RigidPartReport NaturalParts<dim>::report(const unsigned int i,
-                                              const State       &state) const
-    {
-      const unsigned int      b    = reported[i];
-      const NaturalBody<dim> &body = bodies[b];
-      const double           *u    = state.displacement.Values();
-      RigidPartReport         report;
-      report.part = body.part;
-      report.forces.resize(lattice.rigid_parts[body.part].joints.size());
-
-      // What the joints exert is the body's inertia less its weight, and what
-      // its conditions take up.
-      std::array<double, 2 *dim> on_base = {};
-      for (unsigned int r = 0; r < 2 * dim; ++r)
-        for (unsigned int s = 0; s < 2 * dim; ++s)
-          on_base[r] += body.mass[2 * dim * r + s] *
-            ((state.acceleration ? (*state.acceleration)[body.base[s]] : 0.) -
-             gravity[s % dim]);
-      const Vec G = gradient(bases[b], u);
-      for (unsigned int c = 0; c < dim; ++c)
-        {
-          on_base[c] -= u[bases[b].unknowns[2 * dim]] * G[c];
-          on_base[dim + c] += u[bases[b].unknowns[2 * dim]] * G[c];
-        }
-      for (unsigned int k = joint_begin[b]; k < joint_begin[b + 1]; ++k)
+        const auto &unknowns = joint.unknowns;
         for (unsigned int c = 0; c < dim; ++c)
           {
-            const Joint &joint  = joints[k];
-            const double lambda = u[joint.unknowns[3 * dim + c]];
-            report.forces[joint.place_in_part][c] = lambda;
-            for (unsigned int r = 0; r < 2 * dim; ++r)
-              on_base[r] -= lambda * joint.shapes[c][r];
+            const double lambda = u[unknowns[3 * dim + c]];
+            double       gap    = q[unknowns[c]];
+            residual[unknowns[c]] += lambda;
+            for (unsigned int i = 0; i < 2 * dim; ++i)
+              {
+                gap -= joint.shapes[c][i] * q[unknowns[dim + i]];
+                residual[unknowns[dim + i]] -= lambda * joint.shapes[c][i];
+              }
+            residual[unknowns[3 * dim + c]] += gap;
           }
-      if constexpr (dim == 2)
-        take_clamp_forces(b, u, on_base);
-      for (unsigned int r = 0; r < 2 * dim; ++r)
-        report.forces[r / dim][r % dim] = on_base[r];
-      return report;
-    }
-  } // namespace
+      }
+  }
+
+  template <int dim>
+  void NaturalParts<dim>::add_clamp_rows(const Step &step,
+                                         double     *residual) const
+  {
+    const double *u = step.to.displacement.Values();
+    for (const Clamp &clamp : clamps)
+      {
+        const auto &unknowns     = clamp.unknowns;
+        const auto [along, turn] = gradient(clamp, u);
+        const double lambda      = u[unknowns[5]];
+        for (unsigned int c = 0; c < 2; ++c)
+          {
+            residual[unknowns[c]] -= lambda * along[c];
+            residual[unknowns[2 + c]] += lambda * along[c];
+          }
+        residual[unknowns[4]] += lambda * turn;
+
+        double &row = residual[unknowns[5]];
+        if (wants_accelerations(step))
+          {
+            const double *a = step.to.acceleration->Values();
+            const double *v = step.to.velocity->Values();
+            row += along * across_base<2>(unknowns, a) + turn * a[unknowns[4]];
+            if (large_rotation)
+              {
+                const double      rate = v[unknowns[4]];
+                const PlaneVector d =
+                  clamp.condition.rest + across_base<2>(unknowns, u);
+                row += 2 * rate *
+                    (clamp.condition.normal_derivative(u[unknowns[4]]) *
+                     across_base<2>(unknowns, v)) -
+                  rate * rate * (along * d);
+              }
+          }
+        else if (large_rotation)
+          row += along * (clamp.condition.rest + across_base<2>(unknowns, u));
+        else
+          row += along * across_base<2>(unknowns, u) + turn * u[unknowns[4]];
+      }
+  }
+
+  template <int dim>
+  void NaturalParts<dim>::add_base_blocks(const Step           &step,
+                                          const TangentFactors &factors,
+                                          TangentMatrix        &matrix,
+                                          std::size_t          &block) const
+  {
+    constexpr unsigned int n = 2 * dim + 1;
+    const double          *u = step.to.displacement.Values();
+    for (const Base &base : bases)
+      {
+        const Vec    G                  = gradient(base, u);
+        const double geometric          = large_rotation ? factors.stiffness *
+            u[base.unknowns[2 * dim]] * base.condition.curvature()
+                                                         : 0.;
+        std::array<double, n *n> values = {};
+        for (unsigned int c = 0; c < dim; ++c)
+          {
+            set_pair<n>(values, c, 2 * dim, -G[c]);
+            set_pair<n>(values, dim + c, 2 * dim, G[c]);
+            set_pair<n>(values, c, c, geometric);
+            set_pair<n>(values, dim + c, dim + c, geometric);
+            set_pair<n>(values, c, dim + c, -geometric);
+          }
+        matrix.add(block++, values.data());
+      }
+  }
+
+  template <int dim>
+  void NaturalParts<dim>::add_joint_blocks(TangentMatrix &matrix,
+                                           std::size_t   &block) const
+  {
+    constexpr unsigned int n = 4 * dim;
+    for (const Joint &joint : joints)
+      {
+        std::array<double, n *n> values = {};
+        for (unsigned int c = 0; c < dim; ++c)
+          {
+            set_pair<n>(values, c, 3 * dim + c, 1.);
+            for (unsigned int i = 0; i < 2 * dim; ++i)
+              set_pair<n>(values, dim + i, 3 * dim + c, -joint.shapes[c][i]);
+          }
+        matrix.add(block++, values.data());
+      }
+  }
+
+  template <int dim>
+  void NaturalParts<dim>::add_clamp_blocks(const Step           &step,
+                                           const TangentFactors &factors,
+                                           TangentMatrix        &matrix,
+                                           std::size_t          &block) const
+  {
+    const double *u = step.to.displacement.Values();
+    for (const Clamp &clamp : clamps)
+      {
+        const auto [along, turn]      = gradient(clamp, u);
+        std::array<double, 36> values = {};
+        set_pair<6>(values, 4, 5, turn);
+        for (unsigned int c = 0; c < 2; ++c)
+          {
+            set_pair<6>(values, c, 5, -along[c]);
+            set_pair<6>(values, 2 + c, 5, along[c]);
+          }
+        if (large_rotation)
+          {
+            const double      force = factors.stiffness * u[clamp.unknowns[5]];
+            const PlaneVector d =
+              clamp.condition.rest + across_base<2>(clamp.unknowns, u);
+            const PlaneVector derivative =
+              clamp.condition.normal_derivative(u[clamp.unknowns[4]]);
+            set_pair<6>(values, 4, 4, -force * (along * d));
+            for (unsigned int c = 0; c < 2; ++c)
+              {
+                set_pair<6>(values, c, 4, -force * derivative[c]);
+                set_pair<6>(values, 2 + c, 4, force * derivative[c]);
+              }
+          }
+        matrix.add(block++, values.data());
+      }
+  }
+
+  template <int dim>
+  void NaturalParts<dim>::find_clamp_rates(const State &state,
+                                           double      *rates) const
+  {
+    const double *u = state.displacement.Values();
+    const double *v = state.velocity->Values();
+    for (const Clamp &clamp : clamps)
+      {
+        const auto [along, turn] = gradient(clamp, u);
+        rates[clamp.unknowns[5]] = along * across_base<2>(clamp.unknowns, v) +
+          turn * v[clamp.unknowns[4]];
+      }
+  }
+
+  template <int dim>
+  void NaturalParts<dim>::take_clamp_forces(
+    const unsigned int           body,
+    const double                *u,
+    std::array<double, 2 * dim> &forces) const
+  {
+    for (unsigned int k = clamp_begin[body]; k < clamp_begin[body + 1]; ++k)
+      {
+        const PlaneVector force =
+          u[clamps[k].unknowns[5]] * gradient(clamps[k], u).first;
+        for (unsigned int c = 0; c < 2; ++c)
+          {
+            forces[c] -= force[c];
+            forces[2 + c] += force[c];
+          }
+      }
+  }
+
+  template <int dim>
+  RigidPartReport NaturalParts<dim>::report(const unsigned int i,
+                                            const State       &state) const
+  {
+    const unsigned int      b    = reported[i];
+    const NaturalBody<dim> &body = bodies[b];
+    const double           *u    = state.displacement.Values();
+    RigidPartReport         report;
+    report.part = body.part;
+    report.forces.resize(lattice.rigid_parts[body.part].joints.size());
+
+    // What the joints exert is the body's inertia less its weight, and what
+    // its conditions take up.
+    std::array<double, 2 *dim> on_base = {};
+    for (unsigned int r = 0; r < 2 * dim; ++r)
+      for (unsigned int s = 0; s < 2 * dim; ++s)
+        on_base[r] += body.mass[2 * dim * r + s] *
+          ((state.acceleration ? (*state.acceleration)[body.base[s]] : 0.) -
+           gravity[s % dim]);
+    const Vec G = gradient(bases[b], u);
+    for (unsigned int c = 0; c < dim; ++c)
+      {
+        on_base[c] -= u[bases[b].unknowns[2 * dim]] * G[c];
+        on_base[dim + c] += u[bases[b].unknowns[2 * dim]] * G[c];
+      }
+    for (unsigned int k = joint_begin[b]; k < joint_begin[b + 1]; ++k)
+      for (unsigned int c = 0; c < dim; ++c)
+        {
+          const Joint &joint  = joints[k];
+          const double lambda = u[joint.unknowns[3 * dim + c]];
+          report.forces[joint.place_in_part][c] = lambda;
+          for (unsigned int r = 0; r < 2 * dim; ++r)
+            on_base[r] -= lambda * joint.shapes[c][r];
+        }
+    if constexpr (dim == 2)
+      take_clamp_forces(b, u, on_base);
+    for (unsigned int r = 0; r < 2 * dim; ++r)
+      report.forces[r / dim][r % dim] = on_base[r];
+    return report;
+  }
 
   template <int dim>
   std::unique_ptr<RigidPartGroup>

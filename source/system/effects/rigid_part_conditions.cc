@@ -23,6 +23,12 @@ namespace auxfem
     for (const auto &group : groups)
       for (unsigned int i = 0; i < group->n_reported(); ++i)
         reported.emplace_back(group.get(), i);
+    std::sort(reported.begin(),
+              reported.end(),
+              [](const auto &one, const auto &other) {
+                return one.first->part(one.second) <
+                  other.first->part(other.second);
+              });
   }
 
   bool RigidPartConditions::is_linear() const

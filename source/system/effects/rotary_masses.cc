@@ -1,12 +1,16 @@
 #include <auxfem/system/effects/rotary_masses.h>
 
+#include <algorithm>
+
 namespace auxfem
 {
   RotaryMasses::RotaryMasses(const DofNumbering &numbering,
-                             const bool          large_rotation)
+                             const bool          large_rotation,
+                             const double        length)
     : numbering(numbering)
     , rotations(numbering)
     , large_rotation(large_rotation)
+    , length(length)
   {}
 
   void RotaryMasses::add(const unsigned int rotation,
@@ -41,15 +45,21 @@ namespace auxfem
 
   void RotaryMasses::add_residual(const Step &step, double *residual)
   {
+    largest_torque = 0;
     for (const Mass &mass : masses)
       {
-        const RotaryInertia::Motion now    = motion(mass, step.to);
-        const SpaceVector           torque = large_rotation
-                    ? RotaryInertia::torque(mass.inertia,
+        const RotaryInertia::Motion now      = motion(mass, step.to);
+        const SpaceVector           inertial = mass.inertia * now.acceleration;
+        const SpaceVector           torque   = large_rotation
+                      ? RotaryInertia::torque(mass.inertia,
                                   step.to.rotations[mass.rotation],
                                   now)
-                    : mass.inertia * now.acceleration;
-        const std::array<int, 3>   &spins =
+                      : inertial;
+        largest_torque                       = std::max(largest_torque,
+                                  inertial.norm() +
+                                    now.velocity.norm() *
+                                      (mass.inertia * now.velocity).norm());
+        const std::array<int, 3> &spins =
           numbering.spatial_rotations()[mass.rotation];
         for (unsigned int c = 0; c < 3; ++c)
           residual[spins[c]] += torque[c];
@@ -81,6 +91,13 @@ namespace auxfem
             values[3 * r + c] = block[r][c];
         matrix.add(first_block + i, values);
       }
+  }
+
+  double RotaryMasses::round_off_scale(const double /*largest_displacement*/,
+                                       const double /*largest_rotation*/) const
+  {
+    // A body that spins freely has torques that cancel, and no others.
+    return largest_torque / length;
   }
 
   void RotaryMasses::add_energies(const State &state, Energies &energies) const

@@ -15,7 +15,7 @@ namespace
     MassAlone()
       : of_scene(frame_scene("0 0; 1 0", "0 1", ""), {}, MPI_COMM_SELF)
       , y(of_scene.dofs().joint_unknown(1, 1))
-      , turn(of_scene.dofs().joint_unknown(1, 2))
+      , turn(of_scene.dofs().joint_unknown(1, rotation_z))
       , masses(of_scene.dofs())
       , from(of_scene.system.initial_state())
       , to(from)

@@ -13,8 +13,8 @@ namespace
   {
     SpringAlone()
       : of_scene(frame_scene("0 0; 1 0", "0 1", ""), {}, MPI_COMM_SELF)
-      , first(of_scene.dofs().joint_unknown(0, 2))
-      , second(of_scene.dofs().joint_unknown(1, 2))
+      , first(of_scene.dofs().joint_unknown(0, rotation_z))
+      , second(of_scene.dofs().joint_unknown(1, rotation_z))
       , springs(of_scene.dofs())
       , from(of_scene.system.initial_state())
       , to(from)

@@ -1,15 +1,14 @@
 #ifndef auxfem_system_effects_beam_dispatch_h
 #define auxfem_system_effects_beam_dispatch_h
 
+#include <auxfem/elements/beam_shape.h>
+
 #include <deal.II/base/exceptions.h>
 
 #include <type_traits>
 
 namespace auxfem
 {
-  /** Largest polynomial order of struts in the plane, and in space. */
-  constexpr int largest_plane_order = 6, largest_space_order = 4;
-
   /**
    * Calls @p make with the polynomial order as a compile-time constant
    * (std::integral_constant<int, order>), order in 1..largest.

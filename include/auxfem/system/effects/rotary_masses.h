@@ -13,18 +13,23 @@ namespace auxfem
   class RotaryMasses : public Effect
   {
   public:
-    RotaryMasses(const DofNumbering &numbering, bool large_rotation);
+    /** @param length (m) by which moments are compared with forces. */
+    RotaryMasses(const DofNumbering &numbering,
+                 bool                large_rotation,
+                 double              length);
 
     /** Adds @p inertia (kg m2, global frame at rest) to one of DofNumbering::spatial_rotations(). */
     void add(unsigned int rotation, const SpaceTensor &inertia);
 
-    bool is_linear() const override;
-    void register_blocks(TangentMatrix &matrix) override;
-    void add_residual(const Step &step, double *residual) override;
-    void add_tangent(const Step           &step,
-                     const TangentFactors &factors,
-                     TangentMatrix        &matrix) const override;
-    void add_energies(const State &state, Energies &energies) const override;
+    bool   is_linear() const override;
+    void   register_blocks(TangentMatrix &matrix) override;
+    void   add_residual(const Step &step, double *residual) override;
+    void   add_tangent(const Step           &step,
+                       const TangentFactors &factors,
+                       TangentMatrix        &matrix) const override;
+    void   add_energies(const State &state, Energies &energies) const override;
+    double round_off_scale(double largest_displacement,
+                           double largest_rotation) const override;
 
   private:
     struct Mass
@@ -37,8 +42,11 @@ namespace auxfem
     const DofNumbering &numbering;
     const NodeRotations rotations;
     const bool          large_rotation;
+    const double        length;
     std::vector<Mass>   masses;
     std::size_t         first_block = 0;
+    /** Of those that add up in the state last evaluated (N m). */
+    double largest_torque = 0;
   };
 } // namespace auxfem
 

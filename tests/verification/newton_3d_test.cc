@@ -1,0 +1,105 @@
+#include <auxfem/time/quasi_static.h>
+
+#include <gtest/gtest.h>
+#include <verification/space_scene.h>
+
+#include <cmath>
+#include <iomanip>
+#include <iostream>
+#include <vector>
+
+using namespace auxfem;
+using namespace auxfem::testing_support;
+
+namespace
+{
+  struct Iterate
+  {
+    double residual; ///< relative to the size of forces
+    double error;    ///< largest displacement (m) or turn (rad) to the solution
+  };
+
+  double distance(const State &a, const State &b)
+  {
+    Vector difference(a.displacement);
+    difference.Update(-1, b.displacement, 1);
+    double largest;
+    difference.NormInf(&largest);
+    for (unsigned int i = 0; i < a.rotations.size(); ++i)
+      largest = std::max(
+        largest,
+        rotation_vector(conjugate(a.rotations[i]) * b.rotations[i]).norm());
+    return largest;
+  }
+
+  /**
+   * Iterates of full Newton's method for the step of @p run from @p before:
+   * those of attempts that may take 1, 2, ... iterations.
+   */
+  std::vector<Iterate> iterates(SpaceRun &run, const State &before)
+  {
+    std::vector<Iterate> found;
+    Newton::Result       result;
+    while (!result.converged && found.size() < 20)
+      {
+        State             to = before;
+        const QuasiStatic integrator;
+        to.time = run.state.time;
+        const Step       step{before, to, to.time - before.time};
+        NewtonParameters parameters;
+        parameters.tolerance          = 1e-10;
+        parameters.maximum_iterations = found.size() + 1;
+        parameters.keep_factorization = false;
+        run.system.begin_step(step);
+        result = Newton(run.system, parameters, run.scene.solver)
+                   .solve(integrator, step);
+        found.push_back({result.relative_residual, distance(to, run.state)});
+      }
+    EXPECT_TRUE(result.converged) << result.reason;
+    return found;
+  }
+} // namespace
+
+TEST(Newton3d, ConvergesQuadraticallyAtLargeRotations)
+{
+  // A knee of two struts, the first an arc out of the plane, under forces and
+  // moments, dead and following, that turn its end by almost half a turn.
+  SpaceScene scene("0 0 0; 1 0 0; 1 1 0.3", "0 1 0.2 0 1 0.5; 1 2");
+  scene.section({1e3, 1e3, 1e3, 0.8, 1, 2})
+    .load("tip", "2", {{"t", "-t", "2 * t"}}, {{"t", "0.5 * t", "0"}})
+    .load("knee", "1", {{"0", "t", "t"}}, {{"0", "t", "0.5 * t"}})
+    .support("clamp", "0", "clamp")
+    .mesh(3, 2)
+    .time(2, 0.25)
+    .set("Loads/knee/Direction", "follows the joint");
+  SpaceRun run(scene.str());
+  // The constant of quadratic convergence is at most about that of the problem:
+  // axial over bending stiffness, by which stretching has to be undone after a
+  // turn. Round-off ends the sequence.
+  const double constant = 500, near = 1e-2, round_off = 1e-13;
+  std::cout << "\n**Full Newton's method, knee in space**\n\n| load | "
+               "iteration | relative residual | error | error / previous error "
+               "squared |\n|---|---|---|---|---|\n"
+            << std::setprecision(2);
+  State before = run.state;
+  run.run([&] {
+    const std::vector<Iterate> found = iterates(run, before);
+    for (unsigned int i = 0; i < found.size(); ++i)
+      {
+        std::cout << "| " << run.state.time << " | " << i + 1 << " | "
+                  << found[i].residual << " | " << found[i].error << " | ";
+        if (i > 0 && found[i].error > round_off)
+          std::cout << found[i].error / std::pow(found[i - 1].error, 2);
+        std::cout << " |\n";
+        if (i > 0 && found[i - 1].error < near)
+          {
+            EXPECT_LT(found[i].error,
+                      round_off + constant * std::pow(found[i - 1].error, 2))
+              << "load " << run.state.time << ", iteration " << i + 1;
+          }
+      }
+    before = run.state;
+  });
+  std::cout << std::endl;
+  EXPECT_GT(rotation_vector(run.rotation(2)).norm(), 2.5) << "hardly turned";
+}

@@ -1,0 +1,87 @@
+#ifndef auxfem_tests_verification_singular_tangent_h
+#define auxfem_tests_verification_singular_tangent_h
+
+#include <support/scene_run.h>
+
+#include <cmath>
+#include <functional>
+#include <random>
+#include <string>
+
+namespace auxfem
+{
+  namespace testing_support
+  {
+    /**
+     * The eigenvalue of least size of the static tangent in the state of
+     * @p run, by inverse iteration with free unknowns only.
+     */
+    inline double smallest_eigenvalue(SceneRun &run)
+    {
+      const State state = run.state;
+      const Step  step{state, run.state, 0};
+      run.system.residual(step);
+      const auto matrix = run.system.make_tangent();
+      run.system.tangent(step, {1, 0, 0}, *matrix);
+      LinearSolver solver(run.scene.solver, *matrix, run.system);
+      solver.factorize();
+
+      const DofNumbering &numbering = run.system.numbering();
+      Epetra_Vector       vector(numbering.owned_map());
+      std::mt19937        generator(1);
+      for (unsigned int i = 0; i < numbering.n_owned(); ++i)
+        vector[i] = numbering.kind(i) == UnknownKind::prescribed
+          ? 0
+          : generator() / double(generator.max()) - 0.5;
+
+      double eigenvalue = 0, before, size = 1;
+      vector.Norm2(&size);
+      for (unsigned int iteration = 0; iteration < 200; ++iteration)
+        {
+          vector.Scale(1 / size);
+          solver.right_side()       = vector;
+          const Epetra_Vector &next = solver.solve();
+          double               product;
+          next.Dot(vector, &product);
+          next.Norm2(&size);
+          vector = next;
+          before = std::exchange(eigenvalue, product / (size * size));
+          if (std::abs(eigenvalue - before) <= 1e-12 * std::abs(eigenvalue))
+            break;
+        }
+      return eigenvalue;
+    }
+
+    /**
+     * The load at which the tangent of @p scene_at becomes singular, by
+     * secants from two loads near to it. The scene reaches the load at its end.
+     */
+    inline double
+    singular_load(const std::function<std::string(double)> &scene_at,
+                  double                                    first,
+                  double                                    second)
+    {
+      const auto eigenvalue = [&](const double load) {
+        SceneRun run(scene_at(load));
+        run.run();
+        return smallest_eigenvalue(run);
+      };
+      double at_first = eigenvalue(first);
+      for (unsigned int i = 0; i < 20; ++i)
+        {
+          const double at_second = eigenvalue(second);
+          const double change =
+            -at_second * (second - first) / (at_second - at_first);
+          first    = second;
+          at_first = at_second;
+          second += change;
+          if (std::abs(change) < 1e-9 * std::abs(second))
+            return second;
+        }
+      ADD_FAILURE() << "no load found at which the tangent is singular";
+      return second;
+    }
+  } // namespace testing_support
+} // namespace auxfem
+
+#endif
