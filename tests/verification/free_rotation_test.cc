@@ -193,8 +193,8 @@ TEST(FreeRotation, AStrutPrecessesAsInTheClosedForm)
   const double      across  = 10 * (10 + 100. / 12);
   // The body turns about its axis, which turns about the moment of momentum.
   const SpaceVector precession = angular / across, spin = omega - precession;
-  ComparisonTable   table("Free spin of a straight strut, precession by " +
-                        text(precession.norm() * end) + " rad");
+  ComparisonTable table(label("Free spin of a straight strut, precession (rad)",
+                              precession.norm() * end));
   compare(table,
           strut,
           omega,
