@@ -31,6 +31,7 @@ namespace
       fill_by_place(system, 0.7, *to.velocity);
       fill_by_place(system, 1.1, *to.acceleration);
       const Step step{from, to, 0.3};
+      system.rotations().follow(step);
       system.begin_step(step);
       norm = system.residual(step);
       system.tangent(step, {1., 3., 5.}, *matrix);
@@ -68,34 +69,46 @@ namespace
   }
 } // namespace
 
+namespace
+{
+  void compare_evaluated(const std::string &text)
+  {
+    const Evaluated all(text, MPI_COMM_WORLD), alone(text, MPI_COMM_SELF);
+    ASSERT_EQ(all.on_ranks.dofs().n_unknowns(),
+              alone.on_ranks.dofs().n_unknowns());
+    // Rows are summed in another order: some roundings.
+    const double tolerance = 1e-13;
+    expect_equal(all.on_ranks.system,
+                 all.to.residual,
+                 alone.on_ranks.system,
+                 alone.to.residual,
+                 tolerance);
+    expect_equal(all.on_ranks.system,
+                 all.product,
+                 alone.on_ranks.system,
+                 alone.product,
+                 tolerance);
+    EXPECT_NEAR(all.norm.force, alone.norm.force, tolerance * alone.norm.force);
+    EXPECT_NEAR(all.norm.moment,
+                alone.norm.moment,
+                tolerance * alone.norm.moment);
+    EXPECT_NEAR(all.on_ranks.system.force_scale(),
+                alone.on_ranks.system.force_scale(),
+                tolerance * alone.on_ranks.system.force_scale());
+    EXPECT_EQ(all.on_ranks.dofs().n_free(), alone.on_ranks.dofs().n_free());
+    EXPECT_EQ(all.on_ranks.system.worst_unknown(all.to),
+              alone.on_ranks.system.worst_unknown(alone.to));
+  }
+} // namespace
+
 TEST(Ranks, ResidualAndTangentAreThoseOfOneRank)
 {
-  const std::string text = star_with_everything(3, 3);
-  const Evaluated   all(text, MPI_COMM_WORLD), alone(text, MPI_COMM_SELF);
-  ASSERT_EQ(all.on_ranks.dofs().n_unknowns(),
-            alone.on_ranks.dofs().n_unknowns());
-  // Rows are summed in another order: some roundings.
-  const double tolerance = 1e-13;
-  expect_equal(all.on_ranks.system,
-               all.to.residual,
-               alone.on_ranks.system,
-               alone.to.residual,
-               tolerance);
-  expect_equal(all.on_ranks.system,
-               all.product,
-               alone.on_ranks.system,
-               alone.product,
-               tolerance);
-  EXPECT_NEAR(all.norm.force, alone.norm.force, tolerance * alone.norm.force);
-  EXPECT_NEAR(all.norm.moment,
-              alone.norm.moment,
-              tolerance * alone.norm.moment);
-  EXPECT_NEAR(all.on_ranks.system.force_scale(),
-              alone.on_ranks.system.force_scale(),
-              tolerance * alone.on_ranks.system.force_scale());
-  EXPECT_EQ(all.on_ranks.dofs().n_free(), alone.on_ranks.dofs().n_free());
-  EXPECT_EQ(all.on_ranks.system.worst_unknown(all.to),
-            alone.on_ranks.system.worst_unknown(alone.to));
+  compare_evaluated(star_with_everything(3, 3));
+}
+
+TEST(Ranks, ResidualAndTangentInSpaceAreThoseOfOneRank)
+{
+  compare_evaluated(space_star_with_everything());
 }
 
 namespace
@@ -241,6 +254,14 @@ TEST(Ranks, DynamicRunIsThatOfOneRankWithKlu)
 TEST(Ranks, DynamicRunIsThatOfOneRankWithMumps)
 {
   compare_runs({"Solver/Type=mumps", "Time/Scheme=generalized-alpha"});
+}
+
+TEST(Ranks, ImpactInSpaceIsThatOfOneRank)
+{
+  compare_runs({"Solver/Type=klu", "Time/Scheme=generalized-alpha"},
+               space_star_with_everything());
+  compare_runs({"Solver/Type=mumps", "Time/Scheme=newmark"},
+               space_star_with_everything());
 }
 
 TEST(Ranks, StaticRunIsThatOfOneRank)

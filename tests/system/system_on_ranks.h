@@ -40,8 +40,7 @@ namespace auxfem
     /**
      * What an unknown is, independent of its number: joint or strut, fraction
      * of the strut's length, component. Released ends count as points of the
-     * strut, multipliers of a rigid part as component 3 of joints past the
-     * last.
+     * strut, rigid parts and conditions as joints past the last.
      */
     using UnknownName = std::tuple<bool, unsigned int, double, unsigned int>;
 
@@ -52,6 +51,40 @@ namespace auxfem
       dealii::Point<3> position;
     };
 
+    /** Unknowns of the rigid parts themselves and all multipliers. */
+    inline void name_conditions(const System              &system,
+                                std::vector<NamedUnknown> &names)
+    {
+      const DofNumbering &dofs       = system.numbering();
+      const Lattice      &lattice    = system.lattice();
+      unsigned int        number     = lattice.joints.size();
+      unsigned int        n_of_parts = 0;
+      for (unsigned int part = 0; part < lattice.rigid_parts.size(); ++part)
+        {
+          const dealii::Point<3> &centre =
+            lattice.rigid_parts[part].centre_of_mass;
+          for (unsigned int c = 0; c < n_motion_components; ++c)
+            if (dofs.rigid_part_unknown(part, c) >= 0)
+              names[dofs.rigid_part_unknown(part, c)] = {{true, number, 0., c},
+                                                         centre};
+          ++number;
+          for (unsigned int i = 0; i < dofs.n_multipliers(part); ++i)
+            if (dofs.multiplier(part, i) >= 0)
+              names[dofs.multiplier(part, i)] =
+                {{true, number, double(i), n_motion_components}, centre};
+          ++number;
+          n_of_parts += dofs.n_multipliers(part);
+        }
+      // A hinge has two.
+      const unsigned int n_hinges = (dofs.n_multipliers() - n_of_parts) / 2;
+      for (unsigned int hinge = 0; hinge < n_hinges; ++hinge, ++number)
+        for (unsigned int i = 0; i < 2; ++i)
+          if (dofs.hinge_multiplier(hinge, i) >= 0)
+            names[dofs.hinge_multiplier(hinge, i)] =
+              {{true, number, double(i), n_motion_components}, {}};
+    }
+
+    /** Names of all local unknowns. */
     inline std::vector<NamedUnknown> name_unknowns(const System &system)
     {
       const DofNumbering       &dofs    = system.numbering();
@@ -62,15 +95,15 @@ namespace auxfem
         {
           const StrutMesh::Place &place = dofs.elements()[e].place;
           for (unsigned int a = 0; a <= dofs.order(); ++a)
-            for (unsigned int i = 0; i < dofs.n_components(); ++i)
+            for (unsigned int c = 0; c < dofs.n_components(); ++c)
               {
                 const double s = place.begin +
                   (place.end - place.begin) *
                     fe.get_unit_support_points()[a][0];
                 dealii::Tensor<1, 3> tangent;
                 NamedUnknown        &unknown =
-                  names[dofs.element_unknowns(e)[dofs.n_components() * a + i]];
-                unknown.name = {false, place.strut, s, dofs.components()[i]};
+                  names[dofs.element_unknowns(e)[dofs.n_components() * a + c]];
+                unknown.name = {false, place.strut, s, dofs.components()[c]};
                 lattice.axis(lattice.struts[place.strut],
                              s,
                              unknown.position,
@@ -89,14 +122,7 @@ namespace auxfem
           if (dofs.joint_unknown(joint, c) >= 0)
             names[dofs.joint_unknown(joint, c)] = {{true, joint, 0., c},
                                                    lattice.joints[joint]};
-      for (const unsigned int part : dofs.rigid_parts())
-        for (unsigned int i = 0; i < dofs.n_multipliers(part); ++i)
-          names[dofs.multiplier(part, i)] = {
-            {true,
-             lattice.joints.size() + part,
-             double(i),
-             n_motion_components},
-            lattice.rigid_parts[part].centre_of_mass};
+      name_conditions(system, names);
       return names;
     }
 
@@ -114,7 +140,7 @@ namespace auxfem
           const double phase = 2. * component + (at_joint ? 0. : 0.7 * index);
           vector[i]          = size *
             std::sin(1.3 * names[i].position[0] + 2.1 * names[i].position[1] +
-                     phase);
+                     0.9 * names[i].position[2] + phase);
         }
     }
 
@@ -289,6 +315,47 @@ end
 subsection Time
   set End time = 0.5
   set Time step = 0.05
+end
+)";
+    }
+
+    /**
+     * 2 x 2 x 2 stars in space with all that star_with_everything() has, a
+     * revolute hinge and loads in all directions: hit so hard that struts turn
+     * far.
+     */
+    inline std::string space_star_with_everything()
+    {
+      std::string text    = star_with_everything(2, 2);
+      const auto  replace = [&text](const std::string &from,
+                                   const std::string &to) {
+        text.replace(text.find(from), from.size(), to);
+      };
+      replace("set Cell = star\n",
+              "set Cell = space star\n  set Cells z = 2\n");
+      replace("60 deg", "70 deg");
+      replace("set Direction = 1 2", "set Direction = 1 2 -1");
+      replace("set Ground offset = 0.3 1.5", "set Ground offset = 0.3 1.5 0.4");
+      replace("set Rotary inertia = 0.2", "set Rotary inertia = 0.2 0.1 0.3");
+      replace("set Force y = -0.2 * t", "set Force y = -3 * t");
+      return "set Dimension = 3\n" + text + R"(
+subsection Joints
+  subsection axles
+    set Joints = 8
+    set Struts = 0
+    set Type = revolute
+    set Axis = 1 2 3
+  end
+end
+subsection Loads
+  subsection turn
+    set Joints = notches
+    set Direction = follows the joint
+    set Force z = 0.3 * t
+    set Moment x = 0.4 * t
+    set Moment y = -0.2
+    set Moment z = 0.3 * t^2
+  end
 end
 )";
     }

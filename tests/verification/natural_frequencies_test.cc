@@ -1,9 +1,9 @@
-#include <deal.II/lac/lapack_full_matrix.h>
-
 #include <support/scene_run.h>
 #include <verification/comparison_table.h>
 #include <verification/frame_text.h>
+#include <verification/lowest_frequencies.h>
 
+#include <algorithm>
 #include <array>
 
 using namespace auxfem;
@@ -73,65 +73,16 @@ subsection Discretization
     return unknowns;
   }
 
-  /** The tangent with @p factors at rest, in the rows and columns @p unknowns. */
-  dealii::LAPACKFullMatrix<double>
-  matrix_at_rest(SceneRun               &run,
-                 const TangentFactors   &factors,
-                 const std::vector<int> &unknowns)
-  {
-    const State before = run.state;
-    const Step  step{before, run.state, 1};
-    run.system.begin_step(step);
-    run.system.residual(step);
-    const auto tangent = run.system.make_tangent();
-    run.system.tangent(step, factors, *tangent);
-
-    std::vector<int> place(run.system.numbering().n_owned(), -1);
-    for (unsigned int i = 0; i < unknowns.size(); ++i)
-      place[unknowns[i]] = i;
-    dealii::LAPACKFullMatrix<double> matrix(unknowns.size(), unknowns.size());
-    for (unsigned int i = 0; i < unknowns.size(); ++i)
-      {
-        int     n;
-        double *values;
-        int    *columns;
-        tangent->matrix().ExtractMyRowView(unknowns[i], n, values, columns);
-        for (int k = 0; k < n; ++k)
-          if (const int column = place[run.system.numbering().local_map().LID(
-                tangent->matrix().GCID(columns[k]))];
-              column >= 0)
-            matrix(i, column) += values[k];
-      }
-    return matrix;
-  }
-
   /** The lowest frequencies (Hz) above zero. */
   Frequencies frequencies(const std::string &supports,
                           const std::string &effects,
                           const unsigned int refinements)
   {
-    SceneRun               run(bar(supports, effects, refinements));
-    const std::vector<int> unknowns = bending_unknowns(run.system);
-    // M x = mu (K + s M) x: positive definite on the right even if the bar is
-    // free or has no rotary inertia; the lowest frequencies have the largest
-    // mu, which come out best.
-    const double shift   = std::pow(2 * std::acos(-1.) * 500, 2);
-    auto         mass    = matrix_at_rest(run, {0, 0, 1}, unknowns);
-    auto         shifted = matrix_at_rest(run, {1, 0, shift}, unknowns);
-    std::vector<dealii::Vector<double>> modes(0);
-    mass.compute_generalized_eigenvalues_symmetric(shifted, modes);
-
-    Frequencies        result{};
-    unsigned int       found     = 0;
-    const unsigned int n         = unknowns.size();
-    const double       threshold = std::pow(2 * std::acos(-1.), 2);
-    for (unsigned int i = 0; i < n && found < n_modes; ++i)
-      {
-        const double mu      = mass.eigenvalue(n - 1 - i).real();
-        const double squared = 1 / mu - shift;
-        if (squared > threshold)
-          result[found++] = std::sqrt(squared) / (2 * std::acos(-1.));
-      }
+    SceneRun                  run(bar(supports, effects, refinements));
+    Frequencies               result{};
+    const std::vector<double> lowest =
+      lowest_frequencies(run, bending_unknowns(run.system), n_modes);
+    std::copy(lowest.begin(), lowest.end(), result.begin());
     return result;
   }
 
