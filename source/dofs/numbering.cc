@@ -237,6 +237,14 @@ namespace auxfem
     return rotation_of_unknown.empty() ? -1 : rotation_of_unknown[local_number];
   }
 
+  unsigned int DofNumbering::spin_axis(const unsigned int local_number) const
+  {
+    const std::array<int, 3> &spins =
+      rotations_in_space[rotation_of_unknown[local_number]];
+    return std::find(spins.begin(), spins.end(), int(local_number)) -
+      spins.begin();
+  }
+
   unsigned int DofNumbering::n_unknowns() const
   {
     return first_owned.back();

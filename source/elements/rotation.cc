@@ -104,4 +104,11 @@ namespace auxfem
         result[i][axis] = axes[axis][i];
     return result;
   }
+
+  SpaceTensor section_frame(const SpaceVector                &tangent,
+                            const std::optional<SpaceVector> &reference)
+  {
+    return section_frame(tangent,
+                         reference ? *reference : default_reference(tangent));
+  }
 } // namespace auxfem

@@ -31,10 +31,8 @@ namespace auxfem
   double RotationVectors::operator[](const int unknown) const
   {
     const DofNumbering &numbering = system.numbering();
-    const int           i         = numbering.spatial_rotation(unknown);
-    const auto         &spins     = numbering.spatial_rotations()[i];
-    return rotations[i]
-      .vector[std::find(spins.begin(), spins.end(), unknown) - spins.begin()];
+    return rotations[numbering.spatial_rotation(unknown)]
+      .vector[numbering.spin_axis(unknown)];
   }
 
   double RotationVectors::largest() const

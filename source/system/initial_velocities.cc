@@ -94,12 +94,7 @@ namespace auxfem
               {
                 dealii::Point<3>     position;
                 dealii::Tensor<1, 3> tangent;
-                lattice.axis(strut,
-                             place.begin +
-                               (place.end - place.begin) * (1 + rule.nodes[a]) /
-                                 2,
-                             position,
-                             tangent);
+                lattice.axis(strut, place.at(rule.nodes[a]), position, tangent);
                 const Velocity velocity =
                   velocity_at(position, centre, definition.velocity);
                 for (unsigned int i = 0; i < n; ++i)

@@ -232,34 +232,24 @@ namespace auxfem
              const RigidBodies          &bodies,
              const SimulatedEffects     &simulated)
   {
-    std::vector<std::unique_ptr<Effect>> effects;
-    if (scene.joint_loads.empty() && scene.line_loads.empty() &&
-        !simulated.gravity)
-      return effects;
     const bool raised_from_zero =
       scene.time.scheme == "static" && !scene.time.static_start;
     auto dead = std::make_unique<AppliedLoads>(numbering, raised_from_zero);
     auto following =
       std::make_unique<FollowingLoads>(lattice, numbering, raised_from_zero);
-    bool any_follows = false;
     for (const JointLoadDefinition &load : scene.joint_loads)
       // Without large rotations nothing turns.
       if (load.follows_joint && simulated.large_rotation)
-        {
-          add_following_load(load,
-                             lattice,
-                             numbering,
-                             scene.context,
-                             *following);
-          any_follows = true;
-        }
+        add_following_load(load, lattice, numbering, scene.context, *following);
       else
         add_dead_load(load, lattice, numbering, scene.context, *dead);
     add_line_loads(scene, lattice, numbering, bodies, *dead);
     if (simulated.gravity)
       add_gravity(scene, lattice, numbering, sections, bodies, *dead);
-    effects.push_back(std::move(dead));
-    if (any_follows)
+    std::vector<std::unique_ptr<Effect>> effects;
+    if (!dead->empty())
+      effects.push_back(std::move(dead));
+    if (!following->empty())
       effects.push_back(std::move(following));
     return effects;
   }

@@ -47,7 +47,6 @@ namespace auxfem
     auto rotary =
       std::make_unique<RotaryMasses>(numbering, large_rotation, length);
     const bool is_spatial = lattice.dimension == 3;
-    bool       has_points = false, has_rotary = false;
     for (const MassDefinition &mass : scene.masses)
       for (const unsigned int joint : select_joints(lattice,
                                                     mass.joints,
@@ -62,15 +61,11 @@ namespace auxfem
                   (is_spatial && c >= first_rotation))
                 continue;
               points->add(unknown, share(mass, c));
-              has_points = true;
             }
           const int spin = numbering.joint_unknown(joint, rotation_z);
           if (is_spatial && spin >= 0 && mass.rotary_inertia.norm() > 0)
-            {
-              rotary->add(numbering.spatial_rotation(spin),
-                          along_global_axes(mass.rotary_inertia));
-              has_rotary = true;
-            }
+            rotary->add(numbering.spatial_rotation(spin),
+                        along_global_axes(mass.rotary_inertia));
         }
     for (const TurningBody &body : bodies.turning)
       {
@@ -81,12 +76,11 @@ namespace auxfem
           points->add(unknown, part.mass);
         rotary->add(numbering.spatial_rotation(body.rotation[0]),
                     part.rotary_inertia);
-        has_points = has_rotary = true;
       }
     std::vector<std::unique_ptr<Effect>> effects;
-    if (has_points)
+    if (!points->empty())
       effects.push_back(std::move(points));
-    if (has_rotary)
+    if (!rotary->empty())
       effects.push_back(std::move(rotary));
     return effects;
   }

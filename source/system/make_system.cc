@@ -22,6 +22,49 @@ namespace auxfem
         sum += lattice.length(strut);
       return lattice.struts.empty() ? 1. : sum / lattice.struts.size();
     }
+
+    /** Whether a strut comes close to the direction of @p reference anywhere. */
+    bool leads_along(const Lattice              &lattice,
+                     const Strut                &strut,
+                     const dealii::Tensor<1, 3> &reference)
+    {
+      // Of a full circle every 5.6 degrees, where 10 are too close.
+      const unsigned int n = strut.sagitta == 0 ? 1 : 64;
+      for (unsigned int i = 0; i <= n; ++i)
+        {
+          dealii::Point<3>     place;
+          dealii::Tensor<1, 3> tangent;
+          lattice.axis(strut, double(i) / n, place, tangent);
+          if (nearly_parallel(tangent, reference))
+            return true;
+        }
+      return false;
+    }
+
+    /** A section cannot be oriented by the direction of its strut. */
+    void refuse_references_along_struts(const Scene   &scene,
+                                        const Lattice &lattice)
+    {
+      if (lattice.dimension == 2)
+        return;
+      for (unsigned int s = 0; s < lattice.struts.size(); ++s)
+        {
+          const Strut &strut = lattice.struts[s];
+          if (strut.is_rigid())
+            continue;
+          const SectionDefinition &definition = scene.sections[strut.section];
+          const auto              &reference  = definition.section.reference;
+          if (reference && leads_along(lattice, strut, *reference))
+            throw InputError(
+              definition.path + "/Reference vector: strut " +
+              std::to_string(s) + " (joints " +
+              std::to_string(strut.joints[0]) + " - " +
+              std::to_string(strut.joints[1]) +
+              ") lies along it, or within 5 degrees, so it does not orient its "
+              "section. Give another vector, or struts of this direction a "
+              "section of their own; auto suits all directions.");
+        }
+    }
   } // namespace
 
   System::System(const Scene   &scene,
@@ -33,6 +76,7 @@ namespace auxfem
   {
     for (const SectionDefinition &definition : scene.sections)
       section_list.push_back(definition.section);
+    refuse_references_along_struts(scene, graph);
     state_layout.velocity = state_layout.acceleration = simulated.inertia;
 
     std::vector<JointRelease> releases = simulated.hinges

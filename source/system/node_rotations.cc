@@ -77,8 +77,7 @@ namespace auxfem
   SpaceVector NodeRotations::values(const Vector      &vector,
                                     const unsigned int i) const
   {
-    const std::array<int, 3> &spins = numbering.spatial_rotations()[i];
-    return SpaceVector({vector[spins[0]], vector[spins[1]], vector[spins[2]]});
+    return vector_at(vector.Values(), numbering.spatial_rotations()[i].data());
   }
 
   void NodeRotations::set_values(const SpaceVector &values,

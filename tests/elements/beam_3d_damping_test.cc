@@ -50,11 +50,10 @@ namespace
     {
       result.fill(0);
       return Beam3D::add_damping_force(beam.shape,
-                                       beam.frames.data(),
+                                       beam.kinematics(nodes),
                                        beam.jacobian,
                                        beam.section,
                                        damping_time,
-                                       nodes.data(),
                                        velocities.data(),
                                        result.data());
     }
@@ -74,11 +73,10 @@ TEST(DampingOfBeam3D, TangentIsTheDerivativeOfTheForce)
       scaled_identity[i][i] = damping;
     const std::vector<SpaceTensor> by_spin(Beam::n / 6, scaled_identity);
     Beam3D::add_damping_tangent(beam.shape,
-                                beam.frames.data(),
+                                beam.kinematics(moving.nodes),
                                 beam.jacobian,
                                 beam.section,
                                 damping_time,
-                                moving.nodes.data(),
                                 moving.velocities.data(),
                                 stiffness,
                                 damping,
@@ -191,22 +189,17 @@ TEST(DampingOfBeam3D, StrainRatesAreThoseOfTheStrainsWhereNodesTurnedAlike)
                       nodes[a].rotation};
       return nodes;
     };
-    const Beam3D::RelativeRotations<Beam::order> relative(moving.nodes.data());
+    const auto kinematics = beam.kinematics(moving.nodes);
     for (int g = 0; g < Beam::order; ++g)
       {
-        const auto point = Beam3D::kinematics(beam.shape,
-                                              g,
-                                              1 / beam.jacobian,
-                                              beam.frames[g],
-                                              moving.nodes.data(),
-                                              relative);
-        const auto rates = Beam3D::rates(beam.shape,
+        const auto &point = kinematics.points[g];
+        const auto  rates = Beam3D::rates(beam.shape,
                                          g,
                                          1 / beam.jacobian,
                                          point,
                                          moving.velocities.data());
-        const auto right = beam.strains(after(step), g),
-                   left  = beam.strains(after(-step), g);
+        const auto  right = beam.strains(after(step), g),
+                   left   = beam.strains(after(-step), g);
         // step^2 (1e-10) times third derivatives of up to 1000
         EXPECT_LT((rates.gamma * point.axes -
                    (right.gamma - left.gamma) / (2 * step))

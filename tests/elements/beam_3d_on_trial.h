@@ -1,7 +1,7 @@
 #ifndef auxfem_tests_elements_beam_3d_on_trial_h
 #define auxfem_tests_elements_beam_3d_on_trial_h
 
-#include <auxfem/elements/beam_3d.h>
+#include <auxfem/elements/beam_3d_tangent.h>
 #include <auxfem/system/effects/beam_dispatch.h>
 
 #include <elements/beam_on_trial.h>
@@ -75,13 +75,17 @@ namespace auxfem
           }
       }
 
+      Beam3D::ElementKinematics<p> kinematics(const Nodes &nodes) const
+      {
+        return {shape, frames.data(), jacobian, nodes.data()};
+      }
+
       double force(const Nodes &nodes, Vector &result) const
       {
         return Beam3D::internal_force(shape,
-                                      frames.data(),
+                                      kinematics(nodes),
                                       jacobian,
                                       section,
-                                      nodes.data(),
                                       result.data());
       }
 
@@ -89,10 +93,9 @@ namespace auxfem
       {
         Matrix matrix;
         Beam3D::tangent(shape,
-                        frames.data(),
+                        kinematics(nodes),
                         jacobian,
                         section,
-                        nodes.data(),
                         factor,
                         matrix.data());
         return matrix;
@@ -100,7 +103,7 @@ namespace auxfem
 
       Beam3D::Strains strains(const Nodes &nodes, const int g) const
       {
-        return Beam3D::strains(shape, g, frames.data(), jacobian, nodes.data());
+        return kinematics(nodes).points[g].strains;
       }
 
       /** Displacements and rotation vectors @p u as motion of the nodes. */

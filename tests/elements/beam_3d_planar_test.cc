@@ -48,7 +48,7 @@ namespace
       typename BeamOnTrial<p>::Vector   planar_force;
       for (int i = 0; i < n; ++i)
         in_space_u[in_space(i)] = u[i];
-      const auto              nodes   = space.nodes_of(in_space_u);
+      const auto element = space.kinematics(space.nodes_of(in_space_u));
       const Beam3D::Stiffness section = {planar.section.axial,
                                          planar.section.shear,
                                          5,
@@ -56,17 +56,15 @@ namespace
                                          7,
                                          planar.section.bending};
       const double            energy  = Beam3D::internal_force(space.shape,
-                                                   space.frames.data(),
+                                                   element,
                                                    space.jacobian,
                                                    section,
-                                                   nodes.data(),
                                                    force.data());
       typename Beam3DOnTrial<p>::Matrix matrix;
       Beam3D::tangent(space.shape,
-                      space.frames.data(),
+                      element,
                       space.jacobian,
                       section,
-                      nodes.data(),
                       1.,
                       matrix.data());
       const auto planar_energy =

@@ -1,4 +1,5 @@
 #include <auxfem/elements/rotary_inertia.h>
+#include <auxfem/elements/section.h>
 
 #include <gtest/gtest.h>
 
@@ -134,8 +135,15 @@ TEST(RotaryInertia, TangentIsTheDerivativeOfTheTorque)
 
 TEST(RotaryInertia, OfASectionIsPolarAboutTheStrut)
 {
-  const SpaceTensor inertia = RotaryInertia::section_inertia(some_axes, 2., 3.);
-  const double      expected[] = {5, 2, 3};
+  Section section;
+  section.density          = 1;
+  section.second_moment_2  = 2;
+  section.second_moment_3  = 3;
+  const auto        values = section.rotary_inertia_per_length();
+  const SpaceTensor inertia =
+    with_principal_values(some_axes,
+                          SpaceVector({values[0], values[1], values[2]}));
+  const double expected[] = {5, 2, 3};
   for (int j = 0; j < 3; ++j)
     {
       const SpaceVector axis(

@@ -192,3 +192,26 @@ TEST(MakeSystem, ASpringActsBetweenTheReleasedStrutAndTheJoint)
                   1e-6 * angle * angle);
     }
 }
+
+TEST(MakeSystem, AReferenceVectorAlongAStrutIsRefused)
+{
+  const auto scene = [](const std::string &reference) {
+    return "set Dimension = 3\n" +
+      frame_scene("0 0 0; 1 0 0; 1 2 0",
+                  "0 1; 1 2 0.5",
+                  "subsection Sections\n  subsection blade\n"
+                  "    set Struts = 1\n"
+                  "    set Shape = circle\n    set Radius = 0.1\n"
+                  "    set Young's modulus = 1\n    set Density = 1\n"
+                  "    set Reference vector = " +
+                    reference + "\n  end\nend\n");
+  };
+  // The arc 1 leads along y in its middle.
+  expect_parts(input_error_of(
+                 [&] { SystemOnRanks(scene("0 1 0.05"), {}, MPI_COMM_SELF); }),
+               {"Sections/blade/Reference vector",
+                "strut 1",
+                "joints 1 - 2",
+                "5 degrees"});
+  EXPECT_NO_THROW(SystemOnRanks(scene("0 0.3 1"), {}, MPI_COMM_SELF));
+}

@@ -209,6 +209,10 @@ namespace auxfem
      * -1: none. */
     int spatial_rotation(unsigned int local) const;
 
+    /** Axis, 0 to 2, about which a local unknown with a spatial_rotation() is
+     * the spin. */
+    unsigned int spin_axis(unsigned int local) const;
+
     /** Local number of a component of a rotation; -1: ground, or not on this
      * rank. */
     int rotation_unknown(const Turning &turning, unsigned int component) const;

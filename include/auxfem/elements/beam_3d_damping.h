@@ -1,7 +1,7 @@
 #ifndef auxfem_elements_beam_3d_damping_h
 #define auxfem_elements_beam_3d_damping_h
 
-#include <auxfem/elements/beam_3d.h>
+#include <auxfem/elements/beam_3d_tangent.h>
 
 namespace auxfem
 {
@@ -86,21 +86,18 @@ namespace auxfem
      * @return power lost (W)
      */
     template <int order>
-    inline double add_damping_force(const BeamShape<order> &shape,
-                                    const Frame            *frames,
-                                    const double            jacobian,
-                                    const Stiffness        &stiffness,
-                                    const double            damping_time,
-                                    const Node             *nodes,
-                                    const NodeVelocity     *velocities,
-                                    double                 *force)
+    inline double add_damping_force(const BeamShape<order>         &shape,
+                                    const ElementKinematics<order> &element,
+                                    const double                    jacobian,
+                                    const Stiffness                &stiffness,
+                                    const double        damping_time,
+                                    const NodeVelocity *velocities,
+                                    double             *force)
     {
-      double                         power = 0;
-      const RelativeRotations<order> relative(nodes);
+      double power = 0;
       for (int g = 0; g < order; ++g)
         {
-          const Kinematics point =
-            kinematics(shape, g, 1 / jacobian, frames[g], nodes, relative);
+          const Kinematics &point = element.points[g];
           const Rates r = rates(shape, g, 1 / jacobian, point, velocities);
           const ViscousResultants s =
             viscous_resultants(point, stiffness, damping_time, r);
@@ -161,25 +158,22 @@ namespace auxfem
      * @p angular_velocity_by_spin (order + 1 nodes).
      */
     template <int order>
-    inline void add_damping_tangent(const BeamShape<order> &shape,
-                                    const Frame            *frames,
-                                    const double            jacobian,
-                                    const Stiffness        &stiffness,
-                                    const double            damping_time,
-                                    const Node             *nodes,
-                                    const NodeVelocity     *velocities,
-                                    const double            stiffness_factor,
-                                    const double            damping_factor,
+    inline void add_damping_tangent(const BeamShape<order>         &shape,
+                                    const ElementKinematics<order> &element,
+                                    const double                    jacobian,
+                                    const Stiffness                &stiffness,
+                                    const double        damping_time,
+                                    const NodeVelocity *velocities,
+                                    const double        stiffness_factor,
+                                    const double        damping_factor,
                                     const SpaceTensor *angular_velocity_by_spin,
                                     double            *matrix)
     {
-      constexpr int                  n = n_components * (order + 1);
-      const RelativeRotations<order> relative(nodes);
-      const NodeOperators<order>     operators(relative);
+      constexpr int              n = n_components * (order + 1);
+      const NodeOperators<order> operators(element.relative);
       for (int g = 0; g < order; ++g)
         {
-          const Kinematics point =
-            kinematics(shape, g, 1 / jacobian, frames[g], nodes, relative);
+          const Kinematics &point = element.points[g];
           const Rates r = rates(shape, g, 1 / jacobian, point, velocities);
           const ViscousResultants s =
             viscous_resultants(point, stiffness, damping_time, r);

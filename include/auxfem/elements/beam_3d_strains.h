@@ -4,6 +4,8 @@
 #include <auxfem/elements/beam_shape.h>
 #include <auxfem/elements/rotation_operators.h>
 
+#include <array>
+
 namespace auxfem
 {
   /**
@@ -166,25 +168,29 @@ namespace auxfem
       return point;
     }
 
-    /**
-     * Strains of an element at its Gauss point @p g.
-     * @param jacobian half the element's length (m)
-     */
+    /** Kinematics of an element: what its forces and tangents start from. */
     template <int order>
-    inline Strains strains(const BeamShape<order> &shape,
-                           const int               g,
-                           const Frame            *frames,
-                           const double            jacobian,
-                           const Node             *nodes)
+    struct ElementKinematics
     {
-      return kinematics(shape,
-                        g,
-                        1 / jacobian,
-                        frames[g],
-                        nodes,
-                        RelativeRotations<order>(nodes))
-        .strains;
-    }
+      RelativeRotations<order>      relative;
+      std::array<Kinematics, order> points; ///< Gauss points
+
+      /**
+       * @param frames order Gauss points
+       * @param jacobian half the element's length (m)
+       * @param nodes order + 1 nodes
+       */
+      ElementKinematics(const BeamShape<order> &shape,
+                        const Frame            *frames,
+                        const double            jacobian,
+                        const Node             *nodes)
+        : relative(nodes)
+      {
+        for (int g = 0; g < order; ++g)
+          points[g] =
+            kinematics(shape, g, 1 / jacobian, frames[g], nodes, relative);
+      }
+    };
 
     /** Force N, Q_2, Q_3 (N) or moment T, M_2, M_3 (N m) from its strain. */
     inline SpaceVector section_force(const Stiffness   &stiffness,

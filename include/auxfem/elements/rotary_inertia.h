@@ -12,20 +12,7 @@ namespace auxfem
    */
   namespace RotaryInertia
   {
-    /**
-     * Rotary inertia per length (kg m) of a section with the given axes at rest
-     * (1 along the strut): rho (I_2 + I_3), rho I_2, rho I_3.
-     * @param inertia_2, inertia_3 rho I about axes 2 and 3 (kg m)
-     */
-    inline SpaceTensor section_inertia(const SpaceTensor &axes,
-                                       const double       inertia_2,
-                                       const double       inertia_3)
-    {
-      return with_principal_values(
-        axes,
-        SpaceVector({inertia_2 + inertia_3, inertia_2, inertia_3}));
-    }
-
+    /** Of a node. */
     using Motion = AngularMotion;
 
     /** Kinetic energy W . J W / 2 (J). */

@@ -3,6 +3,8 @@
 
 #include <deal.II/base/tensor.h>
 
+#include <optional>
+
 /**
  * @file
  * Rotations in space as unit quaternions. The algebra needed is short, and the
@@ -118,6 +120,10 @@ namespace auxfem
    */
   SpaceTensor section_frame(const SpaceVector &tangent,
                             const SpaceVector &reference);
+
+  /** The same; without a @p reference with default_reference(). */
+  SpaceTensor section_frame(const SpaceVector                &tangent,
+                            const std::optional<SpaceVector> &reference);
 } // namespace auxfem
 
 #endif

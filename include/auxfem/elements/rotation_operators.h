@@ -54,6 +54,9 @@ namespace auxfem
     double dda, ddb; ///< a'', b''
     double square;   ///< t^2
 
+    /** Values are not set. */
+    RotationCoefficients() = default;
+
     explicit RotationCoefficients(const SpaceVector &p) : square(p * p)
     {
       // Below, quotients would cancel.

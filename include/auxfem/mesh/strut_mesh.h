@@ -28,6 +28,12 @@ namespace auxfem
       unsigned int strut;
       double       begin;
       double       end;
+
+      /** Fraction of the strut's length at @p xi in [-1, 1] of the cell. */
+      double at(const double xi) const
+      {
+        return begin + (end - begin) * (1 + xi) / 2;
+      }
     };
 
     /**

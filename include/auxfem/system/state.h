@@ -16,6 +16,13 @@ namespace auxfem
    */
   using Vector = Epetra_Vector;
 
+  /** Three of @p values, of a displacement or a rotation, say. */
+  inline SpaceVector vector_at(const double *values, const int *unknowns)
+  {
+    return SpaceVector(
+      {values[unknowns[0]], values[unknowns[1]], values[unknowns[2]]});
+  }
+
   /** Which parts of the state a scene needs. */
   struct StateLayout
   {

@@ -1,7 +1,5 @@
 #include <auxfem/system/effects/applied_loads.h>
 
-#include <algorithm>
-
 namespace auxfem
 {
   AppliedLoads::AppliedLoads(const DofNumbering &numbering,
@@ -22,6 +20,11 @@ namespace auxfem
                                 const double       weight)
   {
     loads[load].weights.push_back({unknown, weight});
+  }
+
+  bool AppliedLoads::empty() const
+  {
+    return loads.empty();
   }
 
   bool AppliedLoads::is_linear() const
@@ -67,12 +70,7 @@ namespace auxfem
   {
     if (const int i = numbering.spatial_rotation(unknown);
         i >= 0 && !step.to.rotations.empty())
-      {
-        const std::array<int, 3> &spins = numbering.spatial_rotations()[i];
-        const SpaceVector         turn  = rotations.spatial_turn(step, i);
-        return turn[std::find(spins.begin(), spins.end(), unknown) -
-                    spins.begin()];
-      }
+      return rotations.spatial_turn(step, i)[numbering.spin_axis(unknown)];
     return step.to.displacement[unknown] - step.from.displacement[unknown];
   }
 } // namespace auxfem

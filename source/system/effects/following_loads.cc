@@ -22,6 +22,11 @@ namespace auxfem
     loads.push_back(load);
   }
 
+  bool FollowingLoads::empty() const
+  {
+    return loads.empty();
+  }
+
   bool FollowingLoads::is_linear() const
   {
     return false;

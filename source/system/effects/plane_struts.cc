@@ -114,37 +114,38 @@ namespace auxfem
       }
 
       static void section_forces(const BeamShape<order> &shape,
-                                 const int               g,
                                  const Frame            *frames,
                                  const double            jacobian,
                                  const Stiffness        &stiffness,
                                  const Motion           &motion,
-                                 SectionForces          &elastic,
-                                 SectionForces          &viscous)
+                                 SectionForces          *elastic,
+                                 SectionForces          *viscous)
       {
-        const Beam2D::Kinematics k = Beam2D::kinematics<large_rotation>(
-          frames[g],
-          Beam2D::interpolate(shape, g, 1 / jacobian, motion.u));
-        elastic = {{stiffness.axial * k.epsilon,
-                    stiffness.shear * k.gamma,
-                    0,
-                    0,
-                    0,
-                    stiffness.bending * k.kappa}};
-        viscous = {};
-        if constexpr (damped)
+        for (int g = 0; g < order; ++g)
           {
-            const Beam2D::Gradient rate =
-              Beam2D::interpolate(shape, g, 1 / jacobian, motion.v);
-            double epsilon_rate, gamma_rate;
-            Beam2D::strain_rates(k, rate, epsilon_rate, gamma_rate);
-            const double beta = stiffness.damping_time;
-            viscous           = {{beta * stiffness.axial * epsilon_rate,
-                                  beta * stiffness.shear * gamma_rate,
-                                  0,
-                                  0,
-                                  0,
-                                  beta * stiffness.bending * rate.kappa}};
+            const Beam2D::Kinematics k = Beam2D::kinematics<large_rotation>(
+              frames[g],
+              Beam2D::interpolate(shape, g, 1 / jacobian, motion.u));
+            elastic[g] = {{stiffness.axial * k.epsilon,
+                           stiffness.shear * k.gamma,
+                           0,
+                           0,
+                           0,
+                           stiffness.bending * k.kappa}};
+            if constexpr (damped)
+              {
+                const Beam2D::Gradient rate =
+                  Beam2D::interpolate(shape, g, 1 / jacobian, motion.v);
+                double epsilon_rate, gamma_rate;
+                Beam2D::strain_rates(k, rate, epsilon_rate, gamma_rate);
+                const double beta = stiffness.damping_time;
+                viscous[g]        = {{beta * stiffness.axial * epsilon_rate,
+                                      beta * stiffness.shear * gamma_rate,
+                                      0,
+                                      0,
+                                      0,
+                                      beta * stiffness.bending * rate.kappa}};
+              }
           }
       }
 

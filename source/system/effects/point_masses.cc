@@ -10,6 +10,11 @@ namespace auxfem
     masses.push_back({static_cast<int>(unknown), mass});
   }
 
+  bool PointMasses::empty() const
+  {
+    return masses.empty();
+  }
+
   bool PointMasses::is_linear() const
   {
     return true;

@@ -9,10 +9,8 @@ namespace auxfem
   {
     SpaceVector values_at(const Vector &vector, const int *unknowns)
     {
-      return unknowns[0] < 0
-        ? SpaceVector()
-        : SpaceVector(
-            {vector[unknowns[0]], vector[unknowns[1]], vector[unknowns[2]]});
+      return unknowns[0] < 0 ? SpaceVector()
+                             : vector_at(vector.Values(), unknowns);
     }
   } // namespace
 
@@ -38,7 +36,7 @@ namespace auxfem
                                 end[2],
                                 multipliers[0],
                                 multipliers[1]}};
-    const SpaceTensor frame = section_frame(axis, default_reference(axis));
+    const SpaceTensor frame = section_frame(axis, std::nullopt);
     for (unsigned int c = 0; c < 3; ++c)
       {
         hinge.axis[c]      = frame[c][0];

@@ -19,6 +19,11 @@ namespace auxfem
     masses.push_back({rotation, inertia});
   }
 
+  bool RotaryMasses::empty() const
+  {
+    return masses.empty();
+  }
+
   bool RotaryMasses::is_linear() const
   {
     return !large_rotation;

@@ -203,18 +203,14 @@ namespace auxfem
           {
             dealii::Point<3> position;
             SpaceVector      tangent;
-            const double     fraction = rule.point(q)[0];
-            lattice.axis(strut,
-                         place.begin + (place.end - place.begin) * fraction,
-                         position,
-                         tangent);
-            const SpaceTensor inertia = with_principal_values(
-              section_frame(tangent,
-                            section.reference ? *section.reference
-                                              : default_reference(tangent)),
-              SpaceVector({values[0], values[1], values[2]}));
+            const double     xi = 2 * rule.point(q)[0] - 1;
+            lattice.axis(strut, place.at(xi), position, tangent);
+            const SpaceTensor inertia =
+              with_principal_values(section_frame(tangent, section.reference),
+                                    SpaceVector(
+                                      {values[0], values[1], values[2]}));
             double N[order + 1];
-            shape.values_at(2 * fraction - 1, N);
+            shape.values_at(xi, N);
             for (int a = 0; a <= order; ++a)
               for (int b = 0; b <= order; ++b)
                 pair_inertias[first + a * (order + 1) + b] +=

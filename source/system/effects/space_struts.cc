@@ -7,19 +7,6 @@ namespace auxfem
 {
   namespace
   {
-    SpaceVector three(const double *values, const int *unknowns)
-    {
-      return SpaceVector(
-        {values[unknowns[0]], values[unknowns[1]], values[unknowns[2]]});
-    }
-
-    SpaceTensor section_axes(const SpaceVector                &tangent,
-                             const std::optional<SpaceVector> &reference)
-    {
-      return section_frame(tangent,
-                           reference ? *reference : default_reference(tangent));
-    }
-
     /** Beam3D with large rotations for BeamForces. */
     template <int p, bool damped>
     struct TurningMotion
@@ -72,11 +59,12 @@ namespace auxfem
               const int        *node = unknowns + n_components * a;
               const Quaternion &rotation =
                 state.rotations[numbering.spatial_rotation(node[3])];
-              motion.nodes[a] = {three(u, node), rotation};
-              motion.turns[a] = three(u, node + 3);
+              motion.nodes[a] = {vector_at(u, node), rotation};
+              motion.turns[a] = vector_at(u, node + 3);
               if constexpr (damped)
-                motion.velocities[a] = {three(v, node),
-                                        rotated(rotation, three(v, node + 3))};
+                motion.velocities[a] = {vector_at(v, node),
+                                        rotated(rotation,
+                                                vector_at(v, node + 3))};
             }
         else
           for (int i = 0; i < n; ++i)
@@ -98,20 +86,22 @@ namespace auxfem
         BeamEnergy energy;
         if constexpr (large_rotation)
           {
+            const Beam3D::ElementKinematics<order> element(shape,
+                                                           frames,
+                                                           jacobian,
+                                                           motion.nodes);
             energy.strain = Beam3D::internal_force(shape,
-                                                   frames,
+                                                   element,
                                                    jacobian,
                                                    stiffness.elastic,
-                                                   motion.nodes,
                                                    force);
             if constexpr (damped)
               energy.dissipation =
                 Beam3D::add_damping_force(shape,
-                                          frames,
+                                          element,
                                           jacobian,
                                           stiffness.elastic,
                                           stiffness.damping_time,
-                                          motion.nodes,
                                           motion.velocities,
                                           force);
           }
@@ -154,24 +144,32 @@ namespace auxfem
         if constexpr (large_rotation)
           {
             const Motion of_nodes = motion(numbering, unknowns, step.to);
+            const Beam3D::ElementKinematics<order> element(shape,
+                                                           frames,
+                                                           jacobian,
+                                                           of_nodes.nodes);
             Beam3D::tangent(shape,
-                            frames,
+                            element,
                             jacobian,
                             stiffness.elastic,
-                            of_nodes.nodes,
                             factors.stiffness,
                             block);
             if constexpr (damped)
-              add_damping(shape,
-                          frames,
-                          jacobian,
-                          stiffness,
-                          numbering,
-                          unknowns,
-                          step,
-                          of_nodes,
-                          factors,
-                          block);
+              Beam3D::add_damping_tangent(shape,
+                                          element,
+                                          jacobian,
+                                          stiffness.elastic,
+                                          stiffness.damping_time,
+                                          of_nodes.velocities,
+                                          factors.stiffness,
+                                          factors.damping,
+                                          angular_velocity_by_spin(numbering,
+                                                                   unknowns,
+                                                                   step,
+                                                                   of_nodes,
+                                                                   factors)
+                                            .data(),
+                                          block);
           }
         else
           Beam3D::small_displacement_tangent(
@@ -216,64 +214,65 @@ namespace auxfem
                          const SpaceVector                &slope,
                          const std::optional<SpaceVector> &reference)
       {
-        return {section_axes(tangent, reference), slope};
+        return {section_frame(tangent, reference), slope};
       }
 
       static void section_forces(const BeamShape<order> &shape,
-                                 const int               g,
                                  const Frame            *frames,
                                  const double            jacobian,
                                  const Stiffness        &stiffness,
                                  const Motion           &motion,
-                                 SectionForces          &elastic,
-                                 SectionForces          &viscous)
+                                 SectionForces          *elastic,
+                                 SectionForces          *viscous)
       {
-        viscous = {};
         if constexpr (large_rotation)
           {
-            const Beam3D::Kinematics point =
-              Beam3D::kinematics(shape,
-                                 g,
-                                 1 / jacobian,
-                                 frames[g],
-                                 motion.nodes,
-                                 Beam3D::RelativeRotations<order>(
-                                   motion.nodes));
-            elastic = forces(stiffness, point.strains);
-            if constexpr (damped)
+            const Beam3D::ElementKinematics<order> element(shape,
+                                                           frames,
+                                                           jacobian,
+                                                           motion.nodes);
+            for (int g = 0; g < order; ++g)
               {
-                const Beam3D::Rates rates = Beam3D::rates(shape,
-                                                          g,
-                                                          1 / jacobian,
-                                                          point,
-                                                          motion.velocities);
-                viscous =
-                  forces(stiffness,
-                         {stiffness.damping_time * rates.gamma * point.axes,
-                          stiffness.damping_time * rates.kappa * point.axes});
+                const Beam3D::Kinematics &point = element.points[g];
+                elastic[g] = forces(stiffness, point.strains);
+                if constexpr (damped)
+                  {
+                    const Beam3D::Rates rates =
+                      Beam3D::rates(shape,
+                                    g,
+                                    1 / jacobian,
+                                    point,
+                                    motion.velocities);
+                    viscous[g] =
+                      forces(stiffness,
+                             {stiffness.damping_time * rates.gamma * point.axes,
+                              stiffness.damping_time * rates.kappa *
+                                point.axes});
+                  }
               }
           }
         else
-          {
-            elastic = forces(stiffness,
-                             Beam3D::small_displacement_strains(shape,
-                                                                g,
-                                                                frames,
-                                                                jacobian,
-                                                                motion.u));
-            if constexpr (damped)
-              {
-                Beam3D::Strains rates =
-                  Beam3D::small_displacement_strains(shape,
-                                                     g,
-                                                     frames,
-                                                     jacobian,
-                                                     motion.v);
-                rates.gamma *= stiffness.damping_time;
-                rates.kappa *= stiffness.damping_time;
-                viscous = forces(stiffness, rates);
-              }
-          }
+          for (int g = 0; g < order; ++g)
+            {
+              elastic[g] = forces(stiffness,
+                                  Beam3D::small_displacement_strains(shape,
+                                                                     g,
+                                                                     frames,
+                                                                     jacobian,
+                                                                     motion.u));
+              if constexpr (damped)
+                {
+                  Beam3D::Strains rates =
+                    Beam3D::small_displacement_strains(shape,
+                                                       g,
+                                                       frames,
+                                                       jacobian,
+                                                       motion.v);
+                  rates.gamma *= stiffness.damping_time;
+                  rates.kappa *= stiffness.damping_time;
+                  viscous[g] = forces(stiffness, rates);
+                }
+            }
       }
 
       static SpaceVector rotation(const double *shape_values,
@@ -299,7 +298,7 @@ namespace auxfem
                               const std::optional<SpaceVector> &reference,
                               const SpaceVector                &rotation)
       {
-        const SpaceTensor at_rest = section_axes(tangent, reference);
+        const SpaceTensor at_rest = section_frame(tangent, reference);
         return large_rotation ? rotated(exponential(rotation), at_rest)
                               : at_rest;
       }
@@ -329,22 +328,18 @@ namespace auxfem
           {force[0], force[1], force[2], moment[0], moment[1], moment[2]}};
       }
 
-      static void add_damping(const BeamShape<order> &shape,
-                              const Frame            *frames,
-                              const double            jacobian,
-                              const Stiffness        &stiffness,
-                              const DofNumbering     &numbering,
-                              const int              *unknowns,
-                              const Step             &step,
-                              const Motion           &motion,
-                              const TangentFactors   &factors,
-                              double                 *block)
+      /** omega = P W: it turns with the section, and W follows the step. */
+      static std::array<SpaceTensor, order + 1>
+      angular_velocity_by_spin(const DofNumbering   &numbering,
+                               const int            *unknowns,
+                               const Step           &step,
+                               const Motion         &motion,
+                               const TangentFactors &factors)
       {
-        const NodeRotations rotations(numbering);
-        SpaceTensor         by_spin[order + 1];
+        const NodeRotations                rotations(numbering);
+        std::array<SpaceTensor, order + 1> by_spin;
         for (int a = 0; a <= order; ++a)
           {
-            // omega = P W: it turns with the section, and W follows the step.
             const int i =
               numbering.spatial_rotation(unknowns[n_components * a + 3]);
             by_spin[a] = -factors.stiffness *
@@ -352,17 +347,7 @@ namespace auxfem
               factors.damping *
                 rotated(step.to.rotations[i], rotations.turn_by_spin(step, i));
           }
-        Beam3D::add_damping_tangent(shape,
-                                    frames,
-                                    jacobian,
-                                    stiffness.elastic,
-                                    stiffness.damping_time,
-                                    motion.nodes,
-                                    motion.velocities,
-                                    factors.stiffness,
-                                    factors.damping,
-                                    by_spin,
-                                    block);
+        return by_spin;
       }
     };
   } // namespace

@@ -155,9 +155,7 @@ namespace auxfem
         const std::array<int, 3> &spins = bodies[reported[i]].rotation;
         return large_rotation
           ? rotation_vector(quaternion(bodies[reported[i]], state))
-          : SpaceVector({state.displacement[spins[0]],
-                         state.displacement[spins[1]],
-                         state.displacement[spins[2]]});
+          : vector_at(state.displacement.Values(), spins.data());
       }
 
       PointMotion motion(const unsigned int      i,
@@ -201,9 +199,7 @@ namespace auxfem
       static SpaceVector
       values(const Vector &vector, const Joint &joint, const unsigned int first)
       {
-        return SpaceVector({vector[joint.unknowns[first]],
-                            vector[joint.unknowns[first + 1]],
-                            vector[joint.unknowns[first + 2]]});
+        return vector_at(vector.Values(), &joint.unknowns[first]);
       }
 
       /** Of the joint less of the centre. */

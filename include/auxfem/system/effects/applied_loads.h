@@ -26,6 +26,9 @@ namespace auxfem
     /** Lets load @p load act on a local unknown with @p weight. */
     void add_weight(unsigned int load, int unknown, double weight);
 
+    /** Whether no load was added. */
+    bool empty() const;
+
     bool is_linear() const override;
     void begin_step(const Step &step) override;
     void add_residual(const Step &step, double *residual) override;

@@ -20,8 +20,10 @@ namespace auxfem
    * Internal forces of struts as beams of one kind. What depends on the
    * dimension and on the theory is in @p Beam, a class of static functions:
    * `order`, `n_components`, `is_linear`; types `Frame` (a Gauss point at
-   * rest), `Stiffness` and `Motion` (of an element's nodes); and functions
-   * `motion`, `internal_force`, `tangent`, `section_forces`, `orientation`.
+   * rest), `Stiffness` and `Motion` (of an element's nodes); functions `frame`,
+   * `stiffness`, `largest_stiffness` for the element at rest, `motion`,
+   * `internal_force`, `tangent` for its forces, and `section_forces`,
+   * `rotation`, `axes`, `energy_density` for output.
    */
   template <class Beam>
   class BeamForces : public StrutForces
@@ -33,6 +35,7 @@ namespace auxfem
                const bool                  shear_flexibility)
       : lattice(lattice)
       , numbering(numbering)
+      , sections(sections)
     {
       const unsigned int n_elements = numbering.elements().size();
       frames.resize(std::size_t(n_elements) * order);
@@ -49,7 +52,6 @@ namespace auxfem
             length * (element.place.end - element.place.begin) / 2;
           data.stiffness =
             Beam::stiffness(section, shear_flexibility ? 0. : length);
-          data.section          = strut.section;
           data.counted          = numbering.is_owned(element);
           const double stiffest = Beam::largest_stiffness(data.stiffness);
           largest_stiffness     = std::max(largest_stiffness, stiffest);
@@ -62,8 +64,6 @@ namespace auxfem
                      data.jacobian,
                      &frames[std::size_t(e) * order]);
         }
-      for (const Section &section : sections)
-        references.push_back(section.reference);
     }
 
     bool is_linear() const override
@@ -145,16 +145,14 @@ namespace auxfem
       const Element               &data     = elements[e];
       const typename Beam::Motion  motion =
         Beam::motion(numbering, unknowns, state);
-      SectionForces elastic[order], viscous[order];
-      for (int g = 0; g < order; ++g)
-        Beam::section_forces(shape,
-                             g,
-                             &frames[std::size_t(e) * order],
-                             data.jacobian,
-                             data.stiffness,
-                             motion,
-                             elastic[g],
-                             viscous[g]);
+      SectionForces elastic[order], viscous[order] = {};
+      Beam::section_forces(shape,
+                           &frames[std::size_t(e) * order],
+                           data.jacobian,
+                           data.stiffness,
+                           motion,
+                           elastic,
+                           viscous);
 
       std::vector<StrutPoint> points(n_points);
       for (unsigned int i = 0; i < n_points; ++i)
@@ -165,10 +163,7 @@ namespace auxfem
           shape.gauss_interpolation_at(xi, H);
           StrutPoint          &point = points[i];
           dealii::Tensor<1, 3> tangent;
-          lattice.axis(strut,
-                       fraction(element.place, xi),
-                       point.position,
-                       tangent);
+          lattice.axis(strut, element.place.at(xi), point.position, tangent);
           for (int a = 0; a <= order; ++a)
             for (unsigned int d = 0; d < lattice.dimension; ++d)
               {
@@ -177,9 +172,10 @@ namespace auxfem
                 if (state.velocity)
                   point.velocity[d] += N[a] * (*state.velocity)[unknown];
               }
-          point.rotation = Beam::rotation(N, motion);
-          point.axes =
-            Beam::axes(tangent, references[data.section], point.rotation);
+          point.rotation  = Beam::rotation(N, motion);
+          point.axes      = Beam::axes(tangent,
+                                  sections[strut.section].reference,
+                                  point.rotation);
           SectionForces E = {}, V = {};
           for (int g = 0; g < order; ++g)
             for (unsigned int k = 0; k < 6; ++k)
@@ -206,14 +202,8 @@ namespace auxfem
     {
       double                   jacobian;
       typename Beam::Stiffness stiffness;
-      unsigned int             section;
       bool                     counted;
     };
-
-    static double fraction(const StrutMesh::Place &place, const double xi)
-    {
-      return place.begin + (place.end - place.begin) * (1 + xi) / 2;
-    }
 
     /**
      * Frames of the true axis; r0' is that of the interpolated axis, so the
@@ -228,13 +218,10 @@ namespace auxfem
       dealii::Point<3>     nodes[order + 1], position;
       dealii::Tensor<1, 3> tangent;
       for (int a = 0; a <= order; ++a)
-        lattice.axis(strut, fraction(place, shape.node[a]), nodes[a], tangent);
+        lattice.axis(strut, place.at(shape.node[a]), nodes[a], tangent);
       for (int g = 0; g < order; ++g)
         {
-          lattice.axis(strut,
-                       fraction(place, shape.point[g]),
-                       position,
-                       tangent);
+          lattice.axis(strut, place.at(shape.point[g]), position, tangent);
           dealii::Tensor<1, 3> slope;
           for (int a = 0; a <= order; ++a)
             slope += shape.derivative[g][a] / jacobian * nodes[a];
@@ -244,14 +231,13 @@ namespace auxfem
 
     const Lattice                    &lattice;
     const DofNumbering               &numbering;
+    const std::vector<Section>       &sections;
     const BeamShape<order>            shape;
     std::vector<Element>              elements;
     std::vector<typename Beam::Frame> frames;
-    /** By section. */
-    std::vector<std::optional<dealii::Tensor<1, 3>>> references;
-    double                                           largest_stiffness = 0;
-    double     largest_stiffness_per_length                            = 0;
-    BeamEnergy energy;
+    double                            largest_stiffness            = 0;
+    double                            largest_stiffness_per_length = 0;
+    BeamEnergy                        energy;
   };
 
   /**

@@ -23,6 +23,9 @@ namespace auxfem
     void add(const std::array<TimeFunction, n_motion_components> &components,
              unsigned int                                         joint);
 
+    /** Whether no load was added. */
+    bool empty() const;
+
     bool is_linear() const override;
     void register_blocks(TangentMatrix &matrix) override;
     void begin_step(const Step &step) override;

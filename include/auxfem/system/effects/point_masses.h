@@ -14,6 +14,9 @@ namespace auxfem
     /** Adds @p mass (kg, or kg m2 on a rotation) to a local unknown. */
     void add(unsigned int unknown, double mass);
 
+    /** Whether no mass was added. */
+    bool empty() const;
+
     bool is_linear() const override;
     void register_blocks(TangentMatrix &matrix) override;
     void add_residual(const Step &step, double *residual) override;

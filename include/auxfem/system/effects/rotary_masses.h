@@ -21,6 +21,9 @@ namespace auxfem
     /** Adds @p inertia (kg m2, global frame at rest) to one of DofNumbering::spatial_rotations(). */
     void add(unsigned int rotation, const SpaceTensor &inertia);
 
+    /** Whether no mass was added. */
+    bool empty() const;
+
     bool   is_linear() const override;
     void   register_blocks(TangentMatrix &matrix) override;
     void   add_residual(const Step &step, double *residual) override;
