@@ -16,6 +16,11 @@ namespace auxfem
         , damping(damping)
       {}
 
+      bool is_linear() const override
+      {
+        return true;
+      }
+
       bool is_viscous() const override
       {
         return damping > 0;

@@ -56,6 +56,11 @@ namespace auxfem
         return elements.size();
       }
 
+      bool is_linear() const override
+      {
+        return true;
+      }
+
       bool is_viscous() const override
       {
         return true;

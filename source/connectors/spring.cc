@@ -12,6 +12,11 @@ namespace auxfem
       explicit Spring(const double stiffness) : stiffness(stiffness)
       {}
 
+      bool is_linear() const override
+      {
+        return true;
+      }
+
       bool is_viscous() const override
       {
         return false;

@@ -208,6 +208,7 @@ namespace auxfem
     cell_numbers.shrink_to_fit();
     mark_rotations();
     index_multipliers();
+    mark_prescribed(ties.prescribed);
     if (lattice.dimension == 3)
       index_rotations();
   }
@@ -346,11 +347,6 @@ namespace auxfem
   UnknownKind DofNumbering::kind(const unsigned int local_number) const
   {
     return kinds[local_number];
-  }
-
-  void DofNumbering::prescribe(const unsigned int local_number)
-  {
-    kinds[local_number] = UnknownKind::prescribed;
   }
 
   OwnedRows DofNumbering::owned_rows() const

@@ -119,6 +119,13 @@ namespace auxfem
       mark_all(part.motion);
   }
 
+  void DofNumbering::mark_prescribed(const std::vector<JointMotion> &motions)
+  {
+    for (const JointMotion &motion : motions)
+      if (const int l = joint_unknown(motion.joint, motion.component); l >= 0)
+        kinds[l] = UnknownKind::prescribed;
+  }
+
   void DofNumbering::index_rotations()
   {
     rotation_of_unknown.assign(n_local(), -1);

@@ -26,9 +26,9 @@ namespace auxfem
     }
   } // namespace
 
-  JointBlocks::JointBlocks(const System &system)
-    : numbering(system.numbering())
-    , lattice(system.lattice())
+  JointBlocks::JointBlocks(const LatticeModel &model)
+    : numbering(model.numbering)
+    , lattice(model.lattice)
     , inside(numbering.n_local(), invalid_index)
     , rows(numbering.n_local(), -1)
   {

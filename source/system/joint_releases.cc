@@ -1,7 +1,5 @@
 #include <auxfem/mesh/sets.h>
 #include <auxfem/parameters/errors.h>
-#include <auxfem/system/effects/rotational_springs.h>
-#include <auxfem/system/effects/space_springs.h>
 #include <auxfem/system/joint_releases.h>
 
 #include <algorithm>
@@ -113,184 +111,119 @@ namespace auxfem
         refuse_bar(definition, at.joint);
       return {};
     }
+
+    /** The releases of all `Joints/NAME`, without pairs. */
+    std::vector<JointRelease> chosen_ends(const Scene   &scene,
+                                          const Lattice &lattice)
+    {
+      const std::vector<std::vector<StrutEnd>> ends_at =
+                                                 ends_by_joint(lattice, false),
+                                               rigid_ends_at =
+                                                 ends_by_joint(lattice, true);
+
+      std::vector<JointRelease> releases;
+      for (const JointDefinition &definition : scene.joints)
+        {
+          std::vector<bool> chosen(lattice.struts.size(), false);
+          for (const unsigned int s :
+               select_struts(lattice,
+                             definition.struts,
+                             scene.context,
+                             definition.path + "/Struts"))
+            chosen[s] = true;
+          JointRelease release{&definition, {}, {}};
+          for (const unsigned int joint :
+               select_joints(lattice,
+                             definition.joints,
+                             scene.context,
+                             definition.path + "/Joints"))
+            {
+              JointRelease::AtJoint at{joint, {}, {}};
+              for (const StrutEnd &end : ends_at[joint])
+                if (chosen[end.strut])
+                  at.ends.push_back(end);
+              if (lattice.dimension == 3 && definition.type != Type::hinge)
+                at.rigid_parts = chosen_rigid_parts(definition,
+                                                    lattice,
+                                                    rigid_ends_at[joint],
+                                                    chosen,
+                                                    joint);
+              // Elsewhere it acts between elastic struts.
+              if (lattice.dimension == 2 &&
+                  definition.type == Type::rotational_spring &&
+                  ends_at[joint].size() < 2)
+                refuse_spring_to_rigid_part(definition, lattice, joint);
+              if (at.ends.empty() && at.rigid_parts.empty())
+                throw InputError(definition.path + ": no elastic strut of '" +
+                                 definition.struts + "' ends at joint " +
+                                 std::to_string(joint) +
+                                 ". Name struts that end at all these joints.");
+              release.joints.push_back(at);
+            }
+          releases.push_back(release);
+        }
+      return releases;
+    }
+
+
+    std::vector<std::array<bool, 2>>
+    released_ends(const std::vector<JointRelease> &releases,
+                  const Lattice                   &lattice)
+    {
+      std::vector<std::array<bool, 2>> released(lattice.struts.size(),
+                                                {{false, false}});
+      for (const JointRelease &release : releases)
+        for (const JointRelease::AtJoint &at : release.joints)
+          for (const StrutEnd &end : at.ends)
+            released[end.strut][end.end] = true;
+      return released;
+    }
+
+    /** What springs and revolute hinges couple. */
+    void find_pairs(std::vector<JointRelease> &releases, const Lattice &lattice)
+    {
+      const std::vector<Turning> of_joint =
+        joint_rotations(lattice, released_ends(releases, lattice));
+      for (JointRelease &release : releases)
+        {
+          const JointDefinition &definition = *release.definition;
+          if (definition.type == Type::hinge)
+            continue;
+          for (const JointRelease::AtJoint &at : release.joints)
+            {
+              const std::vector<Turning> ends = turning_ends(at);
+              const Turning              base =
+                base_of(at, ends, of_joint[at.joint], definition, lattice);
+              for (const Turning &end : ends)
+                if (!(end == base))
+                  release.pairs.push_back({at.joint, base, end});
+            }
+        }
+    }
   } // namespace
 
   std::vector<JointRelease> joint_releases(const Scene   &scene,
                                            const Lattice &lattice)
   {
-    const std::vector<std::vector<StrutEnd>> ends_at =
-                                               ends_by_joint(lattice, false),
-                                             rigid_ends_at =
-                                               ends_by_joint(lattice, true);
-
-    std::vector<JointRelease> releases;
-    for (const JointDefinition &definition : scene.joints)
-      {
-        std::vector<bool> chosen(lattice.struts.size(), false);
-        for (const unsigned int s : select_struts(lattice,
-                                                  definition.struts,
-                                                  scene.context,
-                                                  definition.path + "/Struts"))
-          chosen[s] = true;
-        JointRelease release{&definition, {}, {}};
-        for (const unsigned int joint :
-             select_joints(lattice,
-                           definition.joints,
-                           scene.context,
-                           definition.path + "/Joints"))
-          {
-            JointRelease::AtJoint at{joint, {}, {}};
-            for (const StrutEnd &end : ends_at[joint])
-              if (chosen[end.strut])
-                at.ends.push_back(end);
-            if (lattice.dimension == 3 && definition.type != Type::hinge)
-              at.rigid_parts = chosen_rigid_parts(definition,
-                                                  lattice,
-                                                  rigid_ends_at[joint],
-                                                  chosen,
-                                                  joint);
-            // Elsewhere it acts between elastic struts.
-            if (lattice.dimension == 2 &&
-                definition.type == Type::rotational_spring &&
-                ends_at[joint].size() < 2)
-              refuse_spring_to_rigid_part(definition, lattice, joint);
-            if (at.ends.empty() && at.rigid_parts.empty())
-              throw InputError(definition.path + ": no elastic strut of '" +
-                               definition.struts + "' ends at joint " +
-                               std::to_string(joint) +
-                               ". Name struts that end at all these joints.");
-            release.joints.push_back(at);
-          }
-        releases.push_back(release);
-      }
+    std::vector<JointRelease> releases = chosen_ends(scene, lattice);
+    find_pairs(releases, lattice);
     return releases;
   }
 
-  void couple(std::vector<JointRelease> &releases,
-              const Lattice             &lattice,
-              Ties                      &ties)
+  Ties ties_of(const std::vector<JointRelease> &releases,
+               const Lattice                   &lattice)
   {
+    Ties ties;
+    ties.released = released_ends(releases, lattice);
     for (const JointRelease &release : releases)
-      for (const JointRelease::AtJoint &at : release.joints)
-        for (const StrutEnd &end : at.ends)
-          ties.released[end.strut][end.end] = true;
-
-    const std::vector<Turning> of_joint =
-      joint_rotations(lattice, ties.released);
-    for (JointRelease &release : releases)
       {
-        const JointDefinition &definition = *release.definition;
-        if (definition.type == Type::hinge)
-          continue;
-        for (const JointRelease::AtJoint &at : release.joints)
-          {
-            const std::vector<Turning> ends = turning_ends(at);
-            const Turning              base =
-              base_of(at, ends, of_joint[at.joint], definition, lattice);
-            for (const Turning &end : ends)
-              if (!(end == base))
-                release.pairs.push_back({at.joint, base, end});
-          }
-        auto &coupled =
-          definition.type == Type::revolute ? ties.hinged : ties.sprung;
+        auto &coupled = release.definition->type == Type::revolute
+          ? ties.hinged
+          : ties.sprung;
         coupled.insert(coupled.end(),
                        release.pairs.begin(),
                        release.pairs.end());
       }
-  }
-
-  namespace
-  {
-    /** Local numbers of the rotation about x, y, z; -1: not there. */
-    std::array<int, 3> spins(const DofNumbering &numbering,
-                             const Turning      &turning)
-    {
-      std::array<int, 3> unknowns;
-      for (unsigned int c = 0; c < 3; ++c)
-        unknowns[c] = numbering.rotation_unknown(turning, first_rotation + c);
-      return unknowns;
-    }
-
-    /** Calls @p add(stiffness, base, end) for springs kept on this rank. */
-    template <class Add>
-    void for_each_spring(const std::vector<JointRelease> &releases,
-                         const DofNumbering              &numbering,
-                         const Add                       &add)
-    {
-      for (const JointRelease &release : releases)
-        if (release.definition->type == Type::rotational_spring)
-          for (const TurningPair &pair : release.pairs)
-            {
-              const std::array<int, 3> base = spins(numbering, pair.base),
-                                       end  = spins(numbering, pair.end);
-              if (end[2] >= 0 &&
-                  (base[2] >= 0 || pair.base.what == What::ground))
-                add(release.definition->stiffness, base, end);
-            }
-    }
-  } // namespace
-
-  std::unique_ptr<Effect>
-  make_rotational_springs(const std::vector<JointRelease> &releases,
-                          const DofNumbering              &numbering,
-                          StateLayout                     &layout)
-  {
-    bool is_used = false;
-    if (layout.n_rotations > 0)
-      {
-        auto springs = std::make_unique<SpaceSprings>(numbering, layout);
-        for_each_spring(
-          releases,
-          numbering,
-          [&](const double stiffness, const auto &base, const auto &end) {
-            springs->add(base[0] < 0 ? -1 : numbering.spatial_rotation(base[0]),
-                         numbering.spatial_rotation(end[0]),
-                         stiffness,
-                         layout);
-            is_used = true;
-          });
-        return is_used ? std::move(springs) : nullptr;
-      }
-    auto springs = std::make_unique<RotationalSprings>(numbering);
-    for_each_spring(releases,
-                    numbering,
-                    [&](const double stiffness,
-                        const auto  &base,
-                        const auto  &end) {
-                      for (unsigned int c = 0; c < 3; ++c)
-                        if (end[c] >= 0)
-                          springs->add(base[c], end[c], stiffness);
-                      is_used = true;
-                    });
-    return is_used ? std::move(springs) : nullptr;
-  }
-
-  std::unique_ptr<RevoluteHinges>
-  make_revolute_hinges(const std::vector<JointRelease> &releases,
-                       const DofNumbering              &numbering,
-                       const bool                       large_rotation,
-                       const double                     length)
-  {
-    std::unique_ptr<RevoluteHinges> hinges;
-    unsigned int                    number = 0;
-    for (const JointRelease &release : releases)
-      if (release.definition->type == Type::revolute)
-        for (const TurningPair &pair : release.pairs)
-          {
-            if (!hinges)
-              hinges = std::make_unique<RevoluteHinges>(numbering,
-                                                        large_rotation,
-                                                        length);
-            const std::array<int, 2> multipliers = {
-              {numbering.hinge_multiplier(number, 0),
-               numbering.hinge_multiplier(number, 1)}};
-            ++number;
-            if (multipliers[0] >= 0)
-              hinges->add(spins(numbering, pair.base),
-                          spins(numbering, pair.end),
-                          multipliers,
-                          release.definition->axis);
-          }
-    return hinges;
+    return ties;
   }
 } // namespace auxfem

@@ -7,12 +7,12 @@ namespace auxfem
 {
   LinearSolver::LinearSolver(const SolverParameters &parameters,
                              TangentMatrix          &matrix,
-                             const System           &system)
-    : numbering(system.numbering())
+                             const LatticeModel     &model)
+    : numbering(model.numbering)
     , rhs(numbering.owned_map())
     , solution(numbering.owned_map())
     , method(parameters.type == "gmres"
-               ? make_gmres_method(parameters, matrix, system)
+               ? make_gmres_method(parameters, matrix, model)
                : make_direct_method(parameters, matrix, numbering))
   {}
 

@@ -37,23 +37,16 @@ namespace auxfem
     {
     public:
       DirectMethod(const std::string &type, TangentMatrix &matrix)
-        : problem(&matrix.matrix(), nullptr, nullptr)
-        , solver(Amesos().Create(type, problem))
-      {
-        Teuchos::ParameterList list;
-        // KLU then keeps its pivot order while that is numerically sound.
-        list.set("Refactorize", true);
-        list.set("OutputLevel", 0);
-        list.set("PrintTiming", false);
-        list.set("PrintStatus", false);
-        solver->SetParameters(list);
-      }
+        : type(type)
+        , matrix(matrix)
+      {}
 
       bool factorize() override
       {
-        if (!has_symbolic && solver->SymbolicFactorization() != 0)
-          return false;
-        has_symbolic = true;
+        // The pattern may have changed.
+        if (!solver || analysed_version != matrix.version())
+          if (!analyse())
+            return false;
         return solver->NumericFactorization() == 0;
       }
 
@@ -74,9 +67,32 @@ namespace auxfem
       }
 
     private:
+      /** The symbolic work; false if it fails. */
+      bool analyse()
+      {
+        problem.SetOperator(&matrix.matrix());
+        solver.reset(Amesos().Create(type, problem));
+        Teuchos::ParameterList list;
+        // KLU then keeps its pivot order while that is numerically sound.
+        list.set("Refactorize", true);
+        list.set("OutputLevel", 0);
+        list.set("PrintTiming", false);
+        list.set("PrintStatus", false);
+        solver->SetParameters(list);
+        if (solver->SymbolicFactorization() != 0)
+          {
+            solver.reset();
+            return false;
+          }
+        analysed_version = matrix.version();
+        return true;
+      }
+
+      const std::string                  type;
+      TangentMatrix                     &matrix;
       Epetra_LinearProblem               problem;
       std::unique_ptr<Amesos_BaseSolver> solver;
-      bool                               has_symbolic = false;
+      unsigned long                      analysed_version = 0;
     };
   } // namespace
 

@@ -98,14 +98,11 @@ namespace auxfem
     public:
       GmresMethod(const SolverParameters &parameters,
                   TangentMatrix          &matrix,
-                  const System           &system)
+                  const LatticeModel     &model)
         : parameters(parameters)
-        , blocks(system)
-        , modes(blocks.rigid_body_modes(system.length_scale()))
-        , condensation(system.numbering(),
-                       blocks,
-                       matrix,
-                       system.length_scale())
+        , blocks(model)
+        , modes(blocks.rigid_body_modes(model.mean_strut_length))
+        , condensation(model.numbering, blocks, matrix, model.mean_strut_length)
         , at_joints(blocks.map())
       {}
 
@@ -209,13 +206,13 @@ namespace auxfem
   std::unique_ptr<LinearSolverMethod>
   make_gmres_method(const SolverParameters &parameters,
                     TangentMatrix          &matrix,
-                    const System           &system)
+                    const LatticeModel     &model)
   {
-    if (system.numbering().n_multipliers() > 0)
+    if (model.numbering.n_multipliers() > 0)
       throw InputError(
         "Solver/Type = gmres: scenes with rigid parts or revolute hinges have "
         "forces as unknowns, whose equations have no diagonal to iterate on. "
         "Use `auto`, `klu` or `mumps`.");
-    return std::make_unique<GmresMethod>(parameters, matrix, system);
+    return std::make_unique<GmresMethod>(parameters, matrix, model);
   }
 } // namespace auxfem

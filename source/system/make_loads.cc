@@ -19,6 +19,14 @@ namespace auxfem
       return TimeFunction(text, "constant", context);
     }
 
+    /** Entry of the energy ledger for the work of the load @p name. */
+    EnergyEntry work_of(const std::string &name)
+    {
+      return {EnergyKind::work,
+              name + ".load_work",
+              "work of the load since the start"};
+    }
+
     void add_dead_load(const JointLoadDefinition &definition,
                        const Lattice             &lattice,
                        const DofNumbering        &numbering,
@@ -34,7 +42,8 @@ namespace auxfem
         {
           if (definition.components[c].is_zero())
             continue;
-          const unsigned int load = loads.add_load(definition.components[c]);
+          const unsigned int load =
+            loads.add_load(definition.components[c], work_of(definition.name));
           for (const unsigned int joint : joints)
             {
               if (!numbering.joint_has(joint, c))
@@ -54,6 +63,8 @@ namespace auxfem
                             const SceneContext        &context,
                             FollowingLoads            &loads)
     {
+      const unsigned int load =
+        loads.add_load(definition.components, work_of(definition.name));
       for (const unsigned int joint :
            select_joints(lattice,
                          definition.joints,
@@ -65,7 +76,7 @@ namespace auxfem
                              "/Direction = follows the joint: " +
                              numbering.why_no_rotation(joint));
           if (numbering.joint_unknown(joint, rotation_z) >= 0)
-            loads.add(definition.components, joint);
+            loads.add_joint(load, joint);
         }
     }
 
@@ -158,7 +169,8 @@ namespace auxfem
               if (definition.components[c].is_zero())
                 continue;
               const unsigned int load =
-                loads.add_load(definition.components[c]);
+                loads.add_load(definition.components[c],
+                               work_of(definition.name));
               add_along_struts(
                 load,
                 c,
@@ -191,7 +203,10 @@ namespace auxfem
           if (scene.gravity[c] == 0)
             continue;
           const unsigned int load =
-            loads.add_load(constant(scene.gravity[c], scene.context));
+            loads.add_load(constant(scene.gravity[c], scene.context),
+                           {EnergyKind::work,
+                            "gravity_work",
+                            "work of the weight since the start"});
           add_along_struts(
             load,
             c,

@@ -6,30 +6,32 @@ namespace auxfem
     : numbering(numbering)
   {}
 
-  void NodeRotations::follow(const Step &step) const
+  void NodeRotations::follow(const Evaluation &evaluation) const
   {
-    for (unsigned int i = 0; i < step.to.rotations.size(); ++i)
-      step.to.rotations[i] = normalized(step.from.rotations[i] *
-                                        exponential(material_turn(step, i)));
+    for (unsigned int i = 0; i < evaluation.to.rotations.size(); ++i)
+      evaluation.to.rotations[i] =
+        normalized(evaluation.from.rotations[i] *
+                   exponential(material_turn(evaluation, i)));
   }
 
-  void NodeRotations::turn(const Step &step, Vector &increment) const
+  void NodeRotations::turn(const Evaluation &evaluation,
+                           Vector           &increment) const
   {
     // Of a tiny spin the difference of two rotation vectors would keep no
     // digits, and divided by dt^2 these matter; the square of it is round-off.
     constexpr double tiny = 1e-8;
-    for (unsigned int i = 0; i < step.to.rotations.size(); ++i)
+    for (unsigned int i = 0; i < evaluation.to.rotations.size(); ++i)
       {
         const SpaceVector spin     = values(increment, i);
-        Quaternion       &rotation = step.to.rotations[i];
-        const SpaceVector before   = material_turn(step, i),
+        Quaternion       &rotation = evaluation.to.rotations[i];
+        const SpaceVector before   = material_turn(evaluation, i),
                           material = rotated(conjugate(rotation), spin);
         rotation                   = normalized(exponential(spin) * rotation);
         set_values(spin.norm() < tiny
                      ? inverse_tangent_operator(before) * material
-                     : rotation_vector_near(conjugate(step.from.rotations[i]) *
-                                              rotation,
-                                            before + material) -
+                     : rotation_vector_near(
+                         conjugate(evaluation.from.rotations[i]) * rotation,
+                         before + material) -
                        before,
                    i,
                    increment);
@@ -44,34 +46,35 @@ namespace auxfem
                  vector);
   }
 
-  SpaceVector NodeRotations::spatial_turn(const Step        &step,
+  SpaceVector NodeRotations::spatial_turn(const Evaluation  &evaluation,
                                           const unsigned int i) const
   {
-    return rotated(step.from.rotations[i], material_turn(step, i));
+    return rotated(evaluation.from.rotations[i], material_turn(evaluation, i));
   }
 
-  SpaceVector NodeRotations::material_turn(const Step        &step,
+  SpaceVector NodeRotations::material_turn(const Evaluation  &evaluation,
                                            const unsigned int i) const
   {
-    return values(step.to.displacement, i) - values(step.from.displacement, i);
+    return values(evaluation.to.displacement, i) -
+      values(evaluation.from.displacement, i);
   }
 
-  void NodeRotations::set_material_turn(const Step        &step,
+  void NodeRotations::set_material_turn(const Evaluation  &evaluation,
                                         const unsigned int i,
                                         const SpaceVector &turn) const
   {
-    set_values(values(step.from.displacement, i) + turn,
+    set_values(values(evaluation.from.displacement, i) + turn,
                i,
-               step.to.displacement);
+               evaluation.to.displacement);
   }
 
-  SpaceTensor NodeRotations::turn_by_spin(const Step        &step,
+  SpaceTensor NodeRotations::turn_by_spin(const Evaluation  &evaluation,
                                           const unsigned int i) const
   {
     // T^-1 P^T is the transpose of P T^-T.
-    return transpose(
-      rotated(step.to.rotations[i],
-              transpose(inverse_tangent_operator(material_turn(step, i)))));
+    return transpose(rotated(evaluation.to.rotations[i],
+                             transpose(inverse_tangent_operator(
+                               material_turn(evaluation, i)))));
   }
 
   SpaceVector NodeRotations::values(const Vector      &vector,

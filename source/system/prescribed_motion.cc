@@ -1,4 +1,6 @@
-#include <auxfem/system/system.h>
+#include <auxfem/system/prescribed_motion.h>
+
+#include <algorithm>
 
 namespace auxfem
 {
@@ -50,40 +52,42 @@ namespace auxfem
     void prescribe(const NodeRotations &rotations,
                    const unsigned int   i,
                    const Course        &course,
-                   const Step          &step)
+                   const Evaluation    &evaluation)
     {
       const Quaternion  rotation = exponential(course.rotation(0));
       const SpaceVector turned =
-        rotated(conjugate(step.from.rotations[i]),
+        rotated(conjugate(evaluation.from.rotations[i]),
                 course.rotation(0) -
-                  rotations.values(step.from.displacement, i));
+                  rotations.values(evaluation.from.displacement, i));
       rotations.set_material_turn(
-        step,
+        evaluation,
         i,
-        rotation_vector_near(conjugate(step.from.rotations[i]) * rotation,
+        rotation_vector_near(conjugate(evaluation.from.rotations[i]) * rotation,
                              turned));
       const AngularMotion motion = angular_motion(course.rotation(0),
                                                   course.rotation(1),
                                                   course.rotation(2));
-      if (step.to.velocity)
-        rotations.set_values(motion.velocity, i, *step.to.velocity);
-      if (step.to.acceleration)
-        rotations.set_values(motion.acceleration, i, *step.to.acceleration);
+      if (evaluation.to.velocity)
+        rotations.set_values(motion.velocity, i, *evaluation.to.velocity);
+      if (evaluation.to.acceleration)
+        rotations.set_values(motion.acceleration,
+                             i,
+                             *evaluation.to.acceleration);
     }
 
     /** Holds a rotation about some axes. */
     void hold(const NodeRotations       &rotations,
               const unsigned int         i,
               const std::array<bool, 3> &fixed,
-              const Step                &step)
+              const Evaluation          &evaluation)
     {
-      const Quaternion &before = step.from.rotations[i];
+      const Quaternion &before = evaluation.from.rotations[i];
       const SpaceVector turn =
-        without_fixed(rotations.material_turn(step, i), before, fixed);
-      rotations.set_material_turn(step, i, turn);
+        without_fixed(rotations.material_turn(evaluation, i), before, fixed);
+      rotations.set_material_turn(evaluation, i, turn);
       const Quaternion after = before * exponential(turn);
       for (std::optional<Vector> *rate :
-           {&step.to.velocity, &step.to.acceleration})
+           {&evaluation.to.velocity, &evaluation.to.acceleration})
         if (*rate)
           rotations.set_values(without_fixed(rotations.values(**rate, i),
                                              after,
@@ -93,10 +97,12 @@ namespace auxfem
     }
   } // namespace
 
-  void System::prescribe_motion(const Step &step, const double dt) const
+  void prescribe_motion(const LatticeModel &model,
+                        const Evaluation   &evaluation,
+                        const double        dt)
   {
-    State &state = step.to;
-    for (const Support &support : support_list)
+    State &state = evaluation.to;
+    for (const Support &support : model.supports)
       {
         const Course course(support, state.time, dt);
         for (const Support::PrescribedUnknown &prescribed : support.unknowns)
@@ -112,27 +118,33 @@ namespace auxfem
           }
         for (const Support::PrescribedRotation &prescribed : support.rotations)
           if (prescribed.is_whole())
-            prescribe(*node_rotations, prescribed.rotation, course, step);
+            prescribe(model.rotations, prescribed.rotation, course, evaluation);
           else
-            hold(*node_rotations, prescribed.rotation, prescribed.fixed, step);
+            hold(model.rotations,
+                 prescribed.rotation,
+                 prescribed.fixed,
+                 evaluation);
       }
-    node_rotations->follow(step);
+    model.rotations.follow(evaluation);
   }
 
-  void System::right_side(const Step &step, double *right_side) const
+  void find_right_side(const LatticeModel &model,
+                       const Evaluation   &evaluation,
+                       double             *right_side)
   {
-    const State &state = step.to;
-    for (unsigned int i = 0; i < dofs->n_owned(); ++i)
+    const State        &state     = evaluation.to;
+    const DofNumbering &numbering = model.numbering;
+    for (unsigned int i = 0; i < numbering.n_owned(); ++i)
       right_side[i] = -state.residual[i];
-    for (const Support &support : support_list)
+    for (const Support &support : model.supports)
       {
-        std::array<double, n_motion_components> places;
+        std::array<double, n_motion_components> positions;
         for (unsigned int c = 0; c < n_motion_components; ++c)
-          places[c] = support.motion[c].value(state.time);
+          positions[c] = support.motion[c].value(state.time);
         for (const Support::PrescribedUnknown &prescribed : support.unknowns)
-          if (dofs->is_owned(prescribed.unknown) &&
+          if (numbering.is_owned(prescribed.unknown) &&
               !support.moves_as_rotation(prescribed))
-            right_side[prescribed.unknown] = places[prescribed.component] -
+            right_side[prescribed.unknown] = positions[prescribed.component] -
               state.displacement[prescribed.unknown];
         for (const Support::PrescribedRotation &prescribed : support.rotations)
           {
@@ -140,40 +152,94 @@ namespace auxfem
             const SpaceVector         missing = prescribed.is_whole()
                       ? rotation_vector(exponential(rotation_of(support, state.time)) *
                                 conjugate(state.rotations[i]))
-                      : -node_rotations->spatial_turn(step, i);
-            const std::array<int, 3> &spins   = dofs->spatial_rotations()[i];
+                      : -model.rotations.spatial_turn(evaluation, i);
+            const std::array<int, 3> &spins = numbering.spatial_rotations()[i];
             for (unsigned int c = 0; c < 3; ++c)
-              if (prescribed.fixed[c] && dofs->is_owned(spins[c]))
+              if (prescribed.fixed[c] && numbering.is_owned(spins[c]))
                 right_side[spins[c]] = missing[c];
           }
       }
   }
 
-  double System::support_work(const Step &step) const
+  namespace
   {
-    // By the mean of the support forces over the step.
-    const auto mean_force = [&](const int unknown) {
-      return (step.from.residual[unknown] + step.to.residual[unknown]) / 2;
-    };
-    double work = 0;
-    for (const Support &support : support_list)
+    class SupportWork : public Effect
+    {
+    public:
+      explicit SupportWork(const LatticeModel &model)
+        : model(model)
+        , entries(model.supports.size(), 0)
+      {}
+
+      bool is_linear() const override
       {
+        return true;
+      }
+
+      void register_in(StateLayout &layout) override
+      {
+        for (unsigned int s = 0; s < entries.size(); ++s)
+          if (!model.supports[s].is_at_rest())
+            entries[s] = layout.energies.enter(
+              {EnergyKind::work,
+               model.supports[s].name + ".support_work",
+               "work of the support's prescribed motion since the start"});
+      }
+
+      void add_residual(const Evaluation & /*evaluation*/,
+                        double * /*residual*/,
+                        EffectResults * /*results*/) const override
+      {}
+
+      void account(const Evaluation &step,
+                   const EffectResults * /*results*/,
+                   EnergyAccount &account) const override
+      {
+        for (unsigned int s = 0; s < entries.size(); ++s)
+          if (!model.supports[s].is_at_rest())
+            account.add_in_step(entries[s], work(model.supports[s], step));
+      }
+
+    private:
+      /** By the mean of the support's forces over the step. */
+      double work(const Support &support, const Evaluation &step) const
+      {
+        const DofNumbering &numbering  = model.numbering;
+        const auto          mean_force = [&](const int unknown) {
+          return (step.from.residual[unknown] + step.to.residual[unknown]) / 2;
+        };
+        double sum = 0;
         for (const Support::PrescribedUnknown &prescribed : support.unknowns)
           if (const int i = prescribed.unknown;
-              dofs->is_owned(i) && !support.moves_as_rotation(prescribed))
-            work += mean_force(i) *
+              numbering.is_owned(i) && !support.moves_as_rotation(prescribed))
+            sum += mean_force(i) *
               (step.to.displacement[i] - step.from.displacement[i]);
         for (const Support::PrescribedRotation &prescribed : support.rotations)
           {
             const std::array<int, 3> &spins =
-              dofs->spatial_rotations()[prescribed.rotation];
+              numbering.spatial_rotations()[prescribed.rotation];
             const SpaceVector turn =
-              node_rotations->spatial_turn(step, prescribed.rotation);
+              model.rotations.spatial_turn(step, prescribed.rotation);
             for (unsigned int c = 0; c < 3; ++c)
-              if (prescribed.fixed[c] && dofs->is_owned(spins[c]))
-                work += mean_force(spins[c]) * turn[c];
+              if (prescribed.fixed[c] && numbering.is_owned(spins[c]))
+                sum += mean_force(spins[c]) * turn[c];
           }
+        return sum;
       }
-    return work;
+
+      const LatticeModel       &model;
+      std::vector<unsigned int> entries; ///< by support
+    };
+  } // namespace
+
+  std::unique_ptr<Effect> make_support_work(const LatticeModel &model)
+  {
+    if (std::all_of(model.supports.begin(),
+                    model.supports.end(),
+                    [](const Support &support) {
+                      return support.is_at_rest();
+                    }))
+      return nullptr;
+    return std::make_unique<SupportWork>(model);
   }
 } // namespace auxfem

@@ -10,45 +10,83 @@
 
 namespace auxfem
 {
-  TangentMatrix::TangentMatrix(const DofNumbering &numbering)
-    : numbering(numbering)
-    , unknowns_begin(1, 0)
-    , block_begin(1, 0)
+  TangentPattern::TangentPattern(const DofNumbering &numbering)
+    : dofs(numbering)
   {
-    const unsigned int n = (numbering.order() + 1) * numbering.n_components();
-    for (unsigned int e = 0; e < numbering.elements().size(); ++e)
-      register_block(numbering.element_unknowns(e), n);
+    clear();
   }
 
-  std::size_t TangentMatrix::register_block(const int         *unknowns,
-                                            const unsigned int n)
+  void TangentPattern::clear()
   {
-    Assert(!crs, dealii::ExcMessage("The pattern is already made."));
-    block_unknowns.insert(block_unknowns.end(), unknowns, unknowns + n);
-    unknowns_begin.push_back(block_unknowns.size());
-    block_begin.push_back(block_begin.back() + std::size_t(n) * n);
-    return block_begin.size() - 2;
+    unknowns.clear();
+    first.assign(1, 0);
+    const unsigned int n = (dofs.order() + 1) * dofs.n_components();
+    for (unsigned int e = 0; e < dofs.elements().size(); ++e)
+      register_block(dofs.element_unknowns(e), n);
+    ++changes;
   }
 
-  void TangentMatrix::finalize()
+  std::size_t TangentPattern::register_block(const int         *of_block,
+                                             const unsigned int n)
   {
-    const int n_owned = numbering.n_owned();
+    unknowns.insert(unknowns.end(), of_block, of_block + n);
+    first.push_back(unknowns.size());
+    ++changes;
+    return n_blocks() - 1;
+  }
+
+  unsigned long TangentPattern::version() const
+  {
+    return changes;
+  }
+
+  const DofNumbering &TangentPattern::numbering() const
+  {
+    return dofs;
+  }
+
+  std::size_t TangentPattern::n_blocks() const
+  {
+    return first.size() - 1;
+  }
+
+  const int *TangentPattern::begin(const std::size_t block) const
+  {
+    return unknowns.data() + first[block];
+  }
+
+  const int *TangentPattern::end(const std::size_t block) const
+  {
+    return unknowns.data() + first[block + 1];
+  }
+
+  TangentMatrix::TangentMatrix(const TangentPattern &pattern) : pattern(pattern)
+  {
+    rebuild();
+  }
+
+  void TangentMatrix::rebuild()
+  {
+    build_matrix();
+    find_positions();
+    built_version = pattern.version();
+  }
+
+  void TangentMatrix::build_matrix()
+  {
+    const DofNumbering &numbering = pattern.numbering();
+    const int           n_owned   = numbering.n_owned();
 
     std::vector<std::vector<int>> columns(n_owned);
     for (int row = 0; row < n_owned; ++row)
       columns[row].push_back(row);
-    const auto for_each_block = [this](const auto &action) {
-      for (std::size_t b = 0; b + 1 < unknowns_begin.size(); ++b)
-        action(block_unknowns.data() + unknowns_begin[b],
-               block_unknowns.data() + unknowns_begin[b + 1]);
-    };
-    for_each_block([&](const int *begin, const int *end) {
-      for (const int *row = begin; row != end; ++row)
+    for (std::size_t b = 0; b < pattern.n_blocks(); ++b)
+      for (const int *row = pattern.begin(b); row != pattern.end(b); ++row)
         if (*row >= 0 && *row < n_owned)
-          for (const int *column = begin; column != end; ++column)
+          for (const int *column = pattern.begin(b); column != pattern.end(b);
+               ++column)
             if (*column >= 0)
               columns[*row].push_back(*column);
-    });
     std::vector<int> row_lengths(n_owned);
     for (int row = 0; row < n_owned; ++row)
       {
@@ -70,6 +108,12 @@ namespace auxfem
     crs = std::make_unique<Epetra_CrsMatrix>(Copy, graph);
     crs->FillComplete(numbering.owned_map(), numbering.owned_map());
     crs->OptimizeStorage();
+  }
+
+  void TangentMatrix::find_positions()
+  {
+    const DofNumbering &numbering = pattern.numbering();
+    const int           n_owned   = numbering.n_owned();
 
     int      *offsets = nullptr, *indices = nullptr;
     const int error = crs->ExtractCrsDataPointers(offsets, indices, entries);
@@ -85,12 +129,17 @@ namespace auxfem
                               column) -
         indices;
     };
-    positions.reserve(block_begin.back());
-    for_each_block([&](const int *begin, const int *end) {
-      for (const int *row = begin; row != end; ++row)
-        for (const int *column = begin; column != end; ++column)
-          positions.push_back(position(*row, *column));
-    });
+    positions.clear();
+    block_begin.assign(1, 0);
+    for (std::size_t b = 0; b < pattern.n_blocks(); ++b)
+      {
+        for (const int *row = pattern.begin(b); row != pattern.end(b); ++row)
+          for (const int *column = pattern.begin(b); column != pattern.end(b);
+               ++column)
+            positions.push_back(position(*row, *column));
+        block_begin.push_back(positions.size());
+      }
+    identity_positions.clear();
     for (int row = 0; row < n_owned; ++row)
       if (numbering.kind(row) == UnknownKind::prescribed)
         identity_positions.push_back(
@@ -98,12 +147,12 @@ namespace auxfem
                            indices + offsets[row + 1],
                            row) -
           indices);
-    block_unknowns = {};
-    unknowns_begin = {};
   }
 
   void TangentMatrix::reset()
   {
+    if (built_version != pattern.version())
+      rebuild();
     std::fill(entries, entries + n_entries, 0.);
     for (const int position : identity_positions)
       entries[position] = 1.;
@@ -117,6 +166,11 @@ namespace auxfem
   Epetra_CrsMatrix &TangentMatrix::matrix()
   {
     return *crs;
+  }
+
+  unsigned long TangentMatrix::version() const
+  {
+    return built_version;
   }
 
   std::vector<double> TangentMatrix::row_sizes() const

@@ -75,6 +75,12 @@ namespace auxfem
     virtual bool is_viscous() const = 0;
 
     /**
+     * Whether the force is linear in extension, rate and internal variables, so
+     * that its tangents are the same everywhere.
+     */
+    virtual bool is_linear() const = 0;
+
+    /**
      * Force and tangents for @p n connectors at once (one virtual call a group).
      * @p committed holds n * n_history() internal variables from the start of
      * the step; @p trial receives those of its end.

@@ -45,7 +45,13 @@ namespace auxfem
     Turning      base, end;
   };
 
-  /** What is released and tied beyond the rigid joints. */
+  /** A component of the motion of a joint. */
+  struct JointMotion
+  {
+    unsigned int joint, component;
+  };
+
+  /** What is released, tied and prescribed beyond the rigid joints. */
   struct Ties
   {
     /**
@@ -62,6 +68,9 @@ namespace auxfem
 
     /** Rotations coupled by revolute hinges, with two conditions each. */
     std::vector<TurningPair> hinged;
+
+    /** Motions that supports prescribe; joints need not have them all. */
+    std::vector<JointMotion> prescribed;
   };
 
   /**
@@ -262,15 +271,10 @@ namespace auxfem
     /** Number of all multipliers, over all ranks. */
     unsigned int n_multipliers() const;
 
-    /** Kind of a local unknown; prescribed once prescribe() was called for it.
-     */
+    /** Kind of a local unknown. */
     UnknownKind kind(unsigned int local) const;
 
-    /** Marks a local unknown as prescribed. */
-    void prescribe(unsigned int local);
-
-    /** The owned rows by kind; to be asked for once all unknowns are
-     * prescribed. */
+    /** The owned rows by kind. */
     OwnedRows owned_rows() const;
 
     /**
@@ -309,6 +313,7 @@ namespace auxfem
     std::vector<std::vector<int>> coupled_numbers(const Ties &ties) const;
     void                          index_multipliers();
     void                          mark_rotations();
+    void mark_prescribed(const std::vector<JointMotion> &motions);
     /** Groups the local spins into rotations. */
     void index_rotations();
     /** Words for an unknown of a rigid part or a hinge; empty for others. */

@@ -8,8 +8,8 @@ namespace auxfem
   /**
    * Conditions g = 0 (m) on the motion, with their Lagrange multipliers lambda
    * (N): forces G^T lambda, and the conditions themselves in the rows of the
-   * multipliers. In an evaluation at rest in time (dt = 0) of a dynamic scene
-   * these rows hold d2g/dt2, which determines consistent accelerations.
+   * multipliers. In an evaluation of rates with inertia these rows hold
+   * d2g/dt2, which determines consistent accelerations.
    */
   class Conditions : public Effect
   {
@@ -25,13 +25,6 @@ namespace auxfem
     virtual double length() const
     {
       return 0;
-    }
-
-  protected:
-    /** Whether multiplier rows are to hold second derivatives. */
-    static bool wants_accelerations(const Step &step)
-    {
-      return step.dt == 0 && step.to.acceleration;
     }
   };
 } // namespace auxfem

@@ -1,7 +1,7 @@
 #ifndef auxfem_system_effect_h
 #define auxfem_system_effect_h
 
-#include <auxfem/system/state.h>
+#include <auxfem/system/evaluation.h>
 #include <auxfem/system/tangent_matrix.h>
 
 namespace auxfem
@@ -17,22 +17,13 @@ namespace auxfem
     double mass      = 0; ///< 1/s2
   };
 
-  /** A step in work: from the accepted state to the trial state. */
-  struct Step
-  {
-    const State &from;
-    State       &to;
-    /**
-     * S; infinity in a search for static equilibrium, 0 for forces at rest in
-     * time.
-     */
-    double dt;
-  };
-
   /**
    * One kind of physics: struts, inertia, a group of connectors, a load. The
    * scene makes a list of these; what is not in the list costs nothing. Called
    * once per evaluation for all elements of the kind.
+   *
+   * An effect keeps nothing of an evaluation: what it produces goes into the
+   * state and the results that the caller owns.
    */
   class Effect
   {
@@ -43,47 +34,80 @@ namespace auxfem
     virtual bool is_linear() const = 0;
 
     /**
-     * Registers the blocks, besides those of elements, in which this effect
-     * couples unknowns.
+     * Asks for what the effect needs of the state and enters its energies.
+     * Called once, when the equations are made.
      */
-    virtual void register_blocks(TangentMatrix & /*matrix*/)
+    virtual void register_in(StateLayout & /*layout*/)
     {}
 
     /**
-     * Called once when a step to time step.to.time is begun, before any
-     * evaluation.
+     * Registers the blocks, besides those of elements, in which this effect
+     * couples unknowns. Called again when the pattern changes.
      */
-    virtual void begin_step(const Step & /*step*/)
+    virtual void register_blocks(TangentPattern & /*pattern*/)
     {}
 
-    /** Adds internal or inertia force, or minus the applied force, at step.to to @p residual (n_local entries). */
-    virtual void add_residual(const Step &step, double *residual) = 0;
+    /**
+     * Brings what couples unknowns up to date with an accepted state, between
+     * steps. Returns whether blocks must be registered anew.
+     */
+    virtual bool update_couplings(const State & /*accepted*/)
+    {
+      return false;
+    }
 
-    /** Adds the derivative of the residual to @p matrix. */
-    virtual void add_tangent(const Step & /*step*/,
+    /** Room for the results of an evaluation; nullptr: there are none. */
+    virtual std::unique_ptr<EffectResults> make_results() const
+    {
+      return nullptr;
+    }
+
+    /**
+     * Adds internal or inertia force, or minus the applied force, at
+     * evaluation.to to @p residual (n_local entries).
+     * @param results as made by make_results(), to be overwritten
+     */
+    virtual void add_residual(const Evaluation &evaluation,
+                              double           *residual,
+                              EffectResults    *results) const = 0;
+
+    /**
+     * Adds the derivative of the residual to @p matrix.
+     * @param results of add_residual() in the same evaluation
+     */
+    virtual void add_tangent(const Evaluation & /*evaluation*/,
+                             const EffectResults * /*results*/,
                              const TangentFactors & /*factors*/,
                              TangentMatrix & /*matrix*/) const
     {}
 
-    /**
-     * Called when the step is solved: writes history, dissipated energy and
-     * work of step.to from those of step.from. The step may still be undone, so
-     * nothing of it may be kept in the effect itself.
-     */
-    virtual void accept(const Step & /*step*/)
-    {}
-
-    /** Adds this rank's energies of @p state, the state last given to add_residual(). */
-    virtual void add_energies(const State & /*state*/,
-                              Energies & /*energies*/) const
+    /** Adds the derivative of the residual by the load factor (n_local
+     * entries). */
+    virtual void add_load_derivative(const Evaluation & /*evaluation*/,
+                                     double * /*derivative*/) const
     {}
 
     /**
-     * Size of the forces (N) whose last digit is uncertain in the residual when
-     * displacements (m) and rotations (rad) are this large, so that machine
-     * precision times this is the residual's round-off floor in one row.
+     * Takes down energies, dissipation and work of a solved step, and writes
+     * the internal variables that follow from them. The step may still be
+     * undone.
+     * @param results of add_residual() in the same evaluation
      */
-    virtual double round_off_scale(const double /*largest_displacement*/,
+    virtual void account(const Evaluation & /*step*/,
+                         const EffectResults * /*results*/,
+                         EnergyAccount & /*account*/) const
+    {}
+
+    /**
+     * Size of the forces (N) whose last digit is uncertain in the residual at
+     * @p state, whose displacements (m) and rotations (rad) are at most this
+     * large: machine precision times this is the residual's round-off floor in
+     * one row.
+     * @param results of the evaluation of @p state
+     */
+    virtual double round_off_scale(const State & /*state*/,
+                                   const EffectResults * /*results*/,
+                                   const double /*largest_displacement*/,
                                    const double /*largest_rotation*/) const
     {
       return 0;

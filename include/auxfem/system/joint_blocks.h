@@ -1,7 +1,7 @@
 #ifndef auxfem_system_joint_blocks_h
 #define auxfem_system_joint_blocks_h
 
-#include <auxfem/system/system.h>
+#include <auxfem/model/lattice_model.h>
 
 #include <Epetra_Map.h>
 
@@ -20,7 +20,7 @@ namespace auxfem
   class JointBlocks
   {
   public:
-    explicit JointBlocks(const System &system);
+    explicit JointBlocks(const LatticeModel &model);
 
     /** Rows a block: unknowns a node. */
     unsigned int size() const;

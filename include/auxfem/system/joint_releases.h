@@ -3,7 +3,6 @@
 
 #include <auxfem/dofs/numbering.h>
 #include <auxfem/parameters/scene.h>
-#include <auxfem/system/effects/revolute_hinges.h>
 
 namespace auxfem
 {
@@ -26,47 +25,25 @@ namespace auxfem
     /** Of the scene; must outlive this. */
     const JointDefinition *definition;
     std::vector<AtJoint>   joints;
-    /** What springs or revolute hinges couple; see couple(). */
+    /** What springs or revolute hinges couple. */
     std::vector<TurningPair> pairs;
   };
 
   /**
-   * The releases of all `Joints/NAME`, without pairs. Throws InputError if none
-   * of the named struts ends at one of the named joints, or if what ends there
-   * cannot turn as asked for.
+   * The releases of all `Joints/NAME`. Released ends are coupled with what they
+   * turn against: the rotation of the joint if it has one, else that of the
+   * first of several ends, else, for a single end, the ground.
+   *
+   * Throws InputError if none of the named struts ends at one of the named
+   * joints, if what ends there cannot turn as asked for, and where it would
+   * turn against a bar, which has no rotation.
    */
   std::vector<JointRelease> joint_releases(const Scene   &scene,
                                            const Lattice &lattice);
 
-  /**
-   * Marks what is released in @p ties, and pairs, in @p releases and @p ties,
-   * released ends with what they turn against: the rotation of the joint if it
-   * has one, else that of the first of several ends, else, for a single end,
-   * the ground. Throws InputError where that would be a bar, which has no
-   * rotation.
-   */
-  void couple(std::vector<JointRelease> &releases,
-              const Lattice             &lattice,
-              Ties                      &ties);
-
-  /**
-   * The rotational springs. nullptr if this rank has none.
-   * @param layout extended by what springs keep of large rotations in space.
-   */
-  std::unique_ptr<Effect>
-  make_rotational_springs(const std::vector<JointRelease> &releases,
-                          const DofNumbering              &numbering,
-                          StateLayout                     &layout);
-
-  /**
-   * The revolute hinges. nullptr if the scene has none.
-   * @param length by which their conditions become lengths (m).
-   */
-  std::unique_ptr<RevoluteHinges>
-  make_revolute_hinges(const std::vector<JointRelease> &releases,
-                       const DofNumbering              &numbering,
-                       bool                             large_rotation,
-                       double                           length);
+  /** What @p releases release and couple. */
+  Ties ties_of(const std::vector<JointRelease> &releases,
+               const Lattice                   &lattice);
 } // namespace auxfem
 
 #endif

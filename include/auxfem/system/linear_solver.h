@@ -19,7 +19,7 @@ namespace auxfem
      */
     LinearSolver(const SolverParameters &parameters,
                  TangentMatrix          &matrix,
-                 const System           &system);
+                 const LatticeModel     &model);
 
     /**
      * Factorizes the matrix as it is now. Returns false if it is singular

@@ -1,8 +1,8 @@
 #ifndef auxfem_system_linear_solver_method_h
 #define auxfem_system_linear_solver_method_h
 
+#include <auxfem/model/lattice_model.h>
 #include <auxfem/parameters/scene.h>
-#include <auxfem/system/system.h>
 #include <auxfem/system/tangent_matrix.h>
 
 #include <Epetra_Vector.h>
@@ -58,7 +58,7 @@ namespace auxfem
   std::unique_ptr<LinearSolverMethod>
   make_gmres_method(const SolverParameters &parameters,
                     TangentMatrix          &matrix,
-                    const System           &system);
+                    const LatticeModel     &model);
 } // namespace auxfem
 
 #endif

@@ -27,14 +27,15 @@ namespace auxfem
   public:
     explicit NodeRotations(const DofNumbering &numbering);
 
-    /** Turns step.to.rotations to where step.to.displacement says. */
-    void follow(const Step &step) const;
+    /** Turns evaluation.to.rotations to where evaluation.to.displacement says.
+     */
+    void follow(const Evaluation &evaluation) const;
 
     /**
-     * Turns step.to.rotations by the spins in @p increment and replaces these
+     * Turns evaluation.to.rotations by the spins in @p increment and replaces these
      * by changes of Theta.
      */
-    void turn(const Step &step, Vector &increment) const;
+    void turn(const Evaluation &evaluation, Vector &increment) const;
 
     /** Replaces spatial values at the rotations in @p vector by material ones of @p state. */
     void make_material(const State &state, Vector &vector) const;
@@ -44,18 +45,21 @@ namespace auxfem
      * P_n Theta (rad). A constant moment's work in the step is its product with
      * this.
      */
-    SpaceVector spatial_turn(const Step &step, unsigned int i) const;
+    SpaceVector spatial_turn(const Evaluation &evaluation,
+                             unsigned int      i) const;
 
     /** Theta of rotation @p i. */
-    SpaceVector material_turn(const Step &step, unsigned int i) const;
+    SpaceVector material_turn(const Evaluation &evaluation,
+                              unsigned int      i) const;
 
-    /** Sets step.to.displacement such that Theta is @p turn. */
-    void set_material_turn(const Step        &step,
+    /** Sets evaluation.to.displacement such that Theta is @p turn. */
+    void set_material_turn(const Evaluation  &evaluation,
                            unsigned int       i,
                            const SpaceVector &turn) const;
 
     /** dTheta / dtheta = T^-1(Theta) P^T: how a spin changes rates. */
-    SpaceTensor turn_by_spin(const Step &step, unsigned int i) const;
+    SpaceTensor turn_by_spin(const Evaluation &evaluation,
+                             unsigned int      i) const;
 
     /** Values of @p vector at rotation @p i. */
     SpaceVector values(const Vector &vector, unsigned int i) const;

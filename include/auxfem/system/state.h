@@ -2,6 +2,7 @@
 #define auxfem_system_state_h
 
 #include <auxfem/elements/rotation.h>
+#include <auxfem/system/energies.h>
 
 #include <Epetra_Vector.h>
 
@@ -23,49 +24,53 @@ namespace auxfem
       {values[unknowns[0]], values[unknowns[1]], values[unknowns[2]]});
   }
 
-  /** Which parts of the state a scene needs. */
-  struct StateLayout
+  /**
+   * A part of State::history: internal variables of the same kind. Its items
+   * are named by numbers that are the same on every number of ranks, so that a
+   * run can be resumed on another.
+   */
+  struct HistoryRecord
   {
+    /** Who keeps it and what it is, e.g. `damper: internal variables`. */
+    std::string name;
+    /** Numbers of the items kept on this rank, in order. */
+    std::vector<unsigned int> items;
+    unsigned int              values_per_item = 1;
+    /** Index of the first value in State::history. */
+    std::size_t first = 0;
+  };
+
+  /** Which parts of the state a scene needs, as its effects ask for them. */
+  class StateLayout
+  {
+  public:
     /** Dynamics, or viscosity in statics. */
     bool velocity     = false;
     bool acceleration = false; ///< dynamics
     /** Alpha methods other than Newmark. */
     bool algorithmic_acceleration = false;
-    /** Internal variables of connectors. */
-    unsigned int n_history    = 0;
-    unsigned int n_dissipated = 0; ///< viscous connectors
     /** Rotations in space kept as quaternions; none if they stay small. */
     unsigned int n_rotations = 0;
-  };
+    EnergyLedger energies;
 
-  /** Energies at one time (J). */
-  struct Energies
-  {
-    double kinetic    = 0;
-    double strain     = 0; ///< in the struts (and rotational springs)
-    double stored     = 0; ///< in the springs of connectors
-    double dissipated = 0; ///< in connectors and struts, since the start
-    /** Work of loads and prescribed motion since the start. */
-    double external = 0;
+    /** Adds a record; returns the index of its first value. */
+    std::size_t keep(const std::string               &name,
+                     const std::vector<unsigned int> &items,
+                     unsigned int                     values_per_item);
 
-    double total() const
-    {
-      return kinetic + strain + stored;
-    }
+    const std::vector<HistoryRecord> &history() const;
 
-    /**
-     * total + dissipated - external - @p initial_total: zero but for the error of the
-     * time integration (and its numerical damping, if it has any).
-     */
-    double balance(double initial_total) const
-    {
-      return total() + dissipated - external - initial_total;
-    }
+    /** Values of all records. */
+    std::size_t n_history() const;
+
+  private:
+    std::vector<HistoryRecord> records;
   };
 
   /**
-   * Everything that describes the structure at one time. There is one accepted
-   * state, owned by run(), and one trial state, owned by the time stepper.
+   * Everything that describes the structure at one time, and all that a run
+   * needs to go on from there. There is one accepted state, owned by the
+   * analysis, and one trial state, owned by the time stepper.
    */
   struct State
   {
@@ -75,7 +80,7 @@ namespace auxfem
     double        time = 0; ///< s
     unsigned long step = 0;
 
-    /** M, m, rad; the multipliers of rigid parts (N) lie here too, without
+    /** M, m, rad; the multipliers of constraints (N) lie here too, without
      * rates. Large rotations in space: see NodeRotations. */
     Vector displacement;
 
@@ -91,7 +96,7 @@ namespace auxfem
     /**
      * Internal + inertia - applied force. Zero to the Newton tolerance in free
      * rows; in prescribed rows the force of the support on the lattice (N, N
-     * m); in rows of multipliers the conditions (m).
+     * m); in rows of multipliers the constraints (m).
      */
     Vector residual;
 
@@ -101,24 +106,25 @@ namespace auxfem
      */
     std::vector<Quaternion> rotations;
 
-    /**
-     * Internal variables of connectors, group after group (see
-     * ConnectorForces).
-     */
+    /** Internal variables, in the order of StateLayout::history(). */
     std::vector<double> history;
-
-    /** Energy lost so far in each viscous connector (J). */
-    std::vector<double> dissipated;
-
-    /** By loads and prescribed motion so far, this rank's share (J). */
-    double external_work = 0;
-    /** Lost in the struts' own damping so far, this rank's share (J). */
-    double strut_dissipation = 0;
-    /** Being lost there now, this rank's share (W). */
-    double strut_damping_power = 0;
 
     /** Energies of the whole lattice, known for accepted states. */
     Energies energies;
+
+    /** @name This rank's share, by entry of the ledger. */
+    ///@{
+    /** Dissipated so far, and work done so far (J). */
+    std::vector<double> energy_sums;
+    /** Power at `time` of what is summed up by the trapezoidal rule (W). */
+    std::vector<double> powers;
+    ///@}
+
+    /** @name Largest so far in the run, what errors are judged by. */
+    ///@{
+    double largest_force  = 0; ///< Newton's force scale (N)
+    double largest_energy = 0; ///< mechanical or dissipated (J)
+    ///@}
   };
 } // namespace auxfem
 

@@ -8,18 +8,15 @@
 namespace auxfem
 {
   /**
-   * The tangent (or mass) matrix: an Epetra matrix of this rank's rows whose
-   * pattern is known from registered blocks. Each block remembers where its
-   * entries lie, so adding a block is a plain scatter.
-   *
-   * Rows of prescribed unknowns are identity rows; their columns are kept, so
-   * that a prescribed increment on the right-hand side moves the rest along.
+   * Which unknowns act on each other: dense blocks on the unknowns of each
+   * element and on those that effects register. It may change between steps;
+   * its version then changes too.
    */
-  class TangentMatrix
+  class TangentPattern
   {
   public:
     /** Registers block e on the unknowns of each element e of @p numbering. */
-    explicit TangentMatrix(const DofNumbering &numbering);
+    explicit TangentPattern(const DofNumbering &numbering);
 
     /**
      * Announces a dense block on @p n local unknowns (entries -1: not there).
@@ -27,10 +24,47 @@ namespace auxfem
      */
     std::size_t register_block(const int *unknowns, unsigned int n);
 
-    /** Makes the pattern. No block can be registered afterwards. */
-    void finalize();
+    /** Back to the blocks of elements. */
+    void clear();
 
-    /** All entries zero, identity in prescribed rows. */
+    /** A number that grows with every change. */
+    unsigned long version() const;
+
+    const DofNumbering &numbering() const;
+
+    std::size_t n_blocks() const;
+
+    /** Begin and end of the unknowns of a block. */
+    ///@{
+    const int *begin(std::size_t block) const;
+    const int *end(std::size_t block) const;
+    ///@}
+
+  private:
+    const DofNumbering      &dofs;
+    std::vector<int>         unknowns;
+    std::vector<std::size_t> first; ///< of each block, and the end of the last
+    unsigned long            changes = 0;
+  };
+
+  /**
+   * The tangent (or mass) matrix: an Epetra matrix of this rank's rows with the
+   * pattern of registered blocks. Each block remembers where its entries lie,
+   * so adding a block is a plain scatter.
+   *
+   * Rows of prescribed unknowns are identity rows; their columns are kept, so
+   * that a prescribed increment on the right-hand side moves the rest along.
+   */
+  class TangentMatrix
+  {
+  public:
+    /** @param pattern must outlive the object. */
+    explicit TangentMatrix(const TangentPattern &pattern);
+
+    /**
+     * All entries zero, identity in prescribed rows; where the pattern has
+     * changed since the last time, a new matrix with the new pattern.
+     */
     void reset();
 
     /** Adds the row-major block @p values to the entries of block @p block. */
@@ -46,15 +80,19 @@ namespace auxfem
     const Epetra_CrsMatrix &matrix() const;
     Epetra_CrsMatrix       &matrix();
 
+    /** Version of the pattern that matrix() has. */
+    unsigned long version() const;
+
     /** Largest |entry| of each owned row. */
     std::vector<double> row_sizes() const;
 
   private:
-    const DofNumbering &numbering;
+    void rebuild();
+    void build_matrix();
+    void find_positions();
 
-    /** Unknowns of all blocks; emptied by finalize(). */
-    std::vector<int>         block_unknowns;
-    std::vector<std::size_t> unknowns_begin;
+    const TangentPattern &pattern;
+    unsigned long         built_version = 0;
 
     std::vector<std::size_t> block_begin;
     /**

@@ -9,9 +9,10 @@ namespace auxfem
     , raised_from_zero(raised_from_zero)
   {}
 
-  unsigned int AppliedLoads::add_load(const TimeFunction &course)
+  unsigned int AppliedLoads::add_load(const TimeFunction &time_history,
+                                      const EnergyEntry  &work)
   {
-    loads.push_back({course, {}});
+    loads.push_back({time_history, work, {}});
     return loads.size() - 1;
   }
 
@@ -32,41 +33,64 @@ namespace auxfem
     return true;
   }
 
-  void AppliedLoads::begin_step(const Step &step)
+  void AppliedLoads::register_in(StateLayout &layout)
   {
     for (Load &load : loads)
+      load.work_entry = layout.energies.enter(load.work);
+  }
+
+  double AppliedLoads::value_before(const Load       &load,
+                                    const Evaluation &step) const
+  {
+    return raised_from_zero && step.from.time == 0
+      ? 0.
+      : load.time_history.value(step.from.time);
+  }
+
+  void AppliedLoads::add_residual(const Evaluation &evaluation,
+                                  double           *residual,
+                                  EffectResults * /*results*/) const
+  {
+    for (const Load &load : loads)
       {
-        load.before = raised_from_zero && step.from.time == 0
-          ? 0.
-          : load.course.value(step.from.time);
-        load.now    = load.course.value(step.to.time);
+        const double value =
+          evaluation.load_factor * load.time_history.value(evaluation.to.time);
+        for (const Weight &w : load.weights)
+          residual[w.unknown] -= value * w.weight;
       }
   }
 
-  void AppliedLoads::add_residual(const Step & /*step*/, double *residual)
+  void AppliedLoads::add_load_derivative(const Evaluation &evaluation,
+                                         double           *derivative) const
   {
     for (const Load &load : loads)
-      for (const Weight &w : load.weights)
-        residual[w.unknown] -= load.now * w.weight;
+      {
+        const double value = load.time_history.value(evaluation.to.time);
+        for (const Weight &w : load.weights)
+          derivative[w.unknown] -= value * w.weight;
+      }
   }
 
-  void AppliedLoads::accept(const Step &step)
+  void AppliedLoads::account(const Evaluation &step,
+                             const EffectResults * /*results*/,
+                             EnergyAccount &account) const
   {
     // The mean force over the step times the displacement: exact for the
     // average-acceleration rule, second order otherwise.
-    double work = 0;
     for (const Load &load : loads)
       {
         double along = 0;
         for (const Weight &w : load.weights)
           if (numbering.is_owned(w.unknown))
             along += w.weight * motion(step, w.unknown);
-        work += (load.before + load.now) / 2 * along;
+        const double mean =
+          (value_before(load, step) + load.time_history.value(step.to.time)) /
+          2;
+        account.add_in_step(load.work_entry, mean * along);
       }
-    step.to.external_work += work;
   }
 
-  double AppliedLoads::motion(const Step &step, const int unknown) const
+  double AppliedLoads::motion(const Evaluation &step, const int unknown) const
   {
     if (const int i = numbering.spatial_rotation(unknown);
         i >= 0 && !step.to.rotations.empty())

@@ -60,10 +60,10 @@ namespace auxfem
   }
 
   template <int dim>
-  void NaturalParts<dim>::add_base_rows(const Step &step,
-                                        double     *residual) const
+  void NaturalParts<dim>::add_base_rows(const Evaluation &evaluation,
+                                        double           *residual) const
   {
-    const double *u = step.to.displacement.Values();
+    const double *u = evaluation.to.displacement.Values();
     for (const Base &base : bases)
       {
         const auto &unknowns = base.unknowns;
@@ -74,13 +74,13 @@ namespace auxfem
             residual[unknowns[dim + c]] += u[unknowns[2 * dim]] * G[c];
           }
         double &row = residual[unknowns[2 * dim]];
-        if (wants_accelerations(step))
+        if (evaluation.wants_constraint_accelerations())
           {
-            row +=
-              G * across_base<dim>(unknowns, step.to.acceleration->Values());
+            row += G *
+              across_base<dim>(unknowns, evaluation.to.acceleration->Values());
             if (large_rotation)
               row += base.condition.curvature() *
-                across_base<dim>(unknowns, step.to.velocity->Values())
+                across_base<dim>(unknowns, evaluation.to.velocity->Values())
                   .norm_square();
           }
         else
@@ -92,12 +92,13 @@ namespace auxfem
   }
 
   template <int dim>
-  void NaturalParts<dim>::add_joint_rows(const Step &step,
-                                         double     *residual) const
+  void NaturalParts<dim>::add_joint_rows(const Evaluation &evaluation,
+                                         double           *residual) const
   {
-    const double *u = step.to.displacement.Values();
-    const double *q =
-      wants_accelerations(step) ? step.to.acceleration->Values() : u;
+    const double *u = evaluation.to.displacement.Values();
+    const double *q = evaluation.wants_constraint_accelerations()
+      ? evaluation.to.acceleration->Values()
+      : u;
     for (const Joint &joint : joints)
       {
         const auto &unknowns = joint.unknowns;
@@ -117,10 +118,10 @@ namespace auxfem
   }
 
   template <int dim>
-  void NaturalParts<dim>::add_clamp_rows(const Step &step,
-                                         double     *residual) const
+  void NaturalParts<dim>::add_clamp_rows(const Evaluation &evaluation,
+                                         double           *residual) const
   {
-    const double *u = step.to.displacement.Values();
+    const double *u = evaluation.to.displacement.Values();
     for (const Clamp &clamp : clamps)
       {
         const auto &unknowns     = clamp.unknowns;
@@ -134,10 +135,10 @@ namespace auxfem
         residual[unknowns[4]] += lambda * turn;
 
         double &row = residual[unknowns[5]];
-        if (wants_accelerations(step))
+        if (evaluation.wants_constraint_accelerations())
           {
-            const double *a = step.to.acceleration->Values();
-            const double *v = step.to.velocity->Values();
+            const double *a = evaluation.to.acceleration->Values();
+            const double *v = evaluation.to.velocity->Values();
             row += along * across_base<2>(unknowns, a) + turn * a[unknowns[4]];
             if (large_rotation)
               {
@@ -158,13 +159,13 @@ namespace auxfem
   }
 
   template <int dim>
-  void NaturalParts<dim>::add_base_blocks(const Step           &step,
+  void NaturalParts<dim>::add_base_blocks(const Evaluation     &evaluation,
                                           const TangentFactors &factors,
                                           TangentMatrix        &matrix,
                                           std::size_t          &block) const
   {
     constexpr unsigned int n = 2 * dim + 1;
-    const double          *u = step.to.displacement.Values();
+    const double          *u = evaluation.to.displacement.Values();
     for (const Base &base : bases)
       {
         const Vec    G                  = gradient(base, u);
@@ -203,12 +204,12 @@ namespace auxfem
   }
 
   template <int dim>
-  void NaturalParts<dim>::add_clamp_blocks(const Step           &step,
+  void NaturalParts<dim>::add_clamp_blocks(const Evaluation     &evaluation,
                                            const TangentFactors &factors,
                                            TangentMatrix        &matrix,
                                            std::size_t          &block) const
   {
-    const double *u = step.to.displacement.Values();
+    const double *u = evaluation.to.displacement.Values();
     for (const Clamp &clamp : clamps)
       {
         const auto [along, turn]      = gradient(clamp, u);

@@ -16,6 +16,7 @@ namespace auxfem
       static constexpr int  n_components = 3;
       static constexpr int  n            = n_components * (order + 1);
       static constexpr bool is_linear    = !large_rotation;
+      static constexpr bool is_damped    = damped;
 
       using Frame     = Beam2D::Frame;
       using Stiffness = Beam2D::Stiffness;
@@ -66,11 +67,11 @@ namespace auxfem
                           const Stiffness        &stiffness,
                           const DofNumbering     &numbering,
                           const int              *unknowns,
-                          const Step             &step,
+                          const Evaluation       &evaluation,
                           const TangentFactors   &factors,
                           double                 *block)
       {
-        const Motion of_nodes = motion(numbering, unknowns, step.to);
+        const Motion of_nodes = motion(numbering, unknowns, evaluation.to);
         Beam2D::tangent<order, large_rotation, damped>(shape,
                                                        frames,
                                                        jacobian,

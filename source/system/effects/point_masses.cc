@@ -20,24 +20,32 @@ namespace auxfem
     return true;
   }
 
-  void PointMasses::register_blocks(TangentMatrix &matrix)
+  void PointMasses::register_in(StateLayout &layout)
+  {
+    kinetic_entry = layout.energies.enter(kinetic_energy_entry());
+  }
+
+  void PointMasses::register_blocks(TangentPattern &pattern)
   {
     for (unsigned int i = 0; i < masses.size(); ++i)
       {
-        const std::size_t block = matrix.register_block(&masses[i].unknown, 1);
+        const std::size_t block = pattern.register_block(&masses[i].unknown, 1);
         if (i == 0)
           first_block = block;
       }
   }
 
-  void PointMasses::add_residual(const Step &step, double *residual)
+  void PointMasses::add_residual(const Evaluation &evaluation,
+                                 double           *residual,
+                                 EffectResults * /*results*/) const
   {
-    const double *a = step.to.acceleration->Values();
+    const double *a = evaluation.to.acceleration->Values();
     for (const Mass &mass : masses)
       residual[mass.unknown] += mass.mass * a[mass.unknown];
   }
 
-  void PointMasses::add_tangent(const Step & /*step*/,
+  void PointMasses::add_tangent(const Evaluation & /*evaluation*/,
+                                const EffectResults * /*results*/,
                                 const TangentFactors &factors,
                                 TangentMatrix        &matrix) const
   {
@@ -48,11 +56,14 @@ namespace auxfem
       }
   }
 
-  void PointMasses::add_energies(const State &state, Energies &energies) const
+  void PointMasses::account(const Evaluation &step,
+                            const EffectResults * /*results*/,
+                            EnergyAccount &account) const
   {
-    const double *v = state.velocity->Values();
+    const double *v = step.to.velocity->Values();
     for (const Mass &mass : masses)
       if (numbering.is_owned(mass.unknown))
-        energies.kinetic += mass.mass / 2 * v[mass.unknown] * v[mass.unknown];
+        account.add(kinetic_entry,
+                    mass.mass / 2 * v[mass.unknown] * v[mass.unknown]);
   }
 } // namespace auxfem

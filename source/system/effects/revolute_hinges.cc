@@ -51,12 +51,12 @@ namespace auxfem
     return !large_rotation;
   }
 
-  void RevoluteHinges::register_blocks(TangentMatrix &matrix)
+  void RevoluteHinges::register_blocks(TangentPattern &pattern)
   {
     for (unsigned int i = 0; i < hinges.size(); ++i)
       {
         const std::size_t block =
-          matrix.register_block(hinges[i].unknowns.data(), 8);
+          pattern.register_block(hinges[i].unknowns.data(), 8);
         if (i == 0)
           first_block = block;
       }
@@ -111,18 +111,18 @@ namespace auxfem
     return unit * result;
   }
 
-  void RevoluteHinges::add_residual(const Step &step, double *residual)
+  void RevoluteHinges::add_residual(const Evaluation &evaluation,
+                                    double           *residual,
+                                    EffectResults * /*results*/) const
   {
-    largest_multiplier  = 0;
-    const State  &state = step.to;
+    const State  &state = evaluation.to;
     const Vector &u     = state.displacement;
     for (const Hinge &hinge : hinges)
       {
         const Axes now = axes(hinge, state);
         for (unsigned int i = 0; i < 2; ++i)
           {
-            const int row      = hinge.unknowns[6 + i];
-            largest_multiplier = std::max(largest_multiplier, std::abs(u[row]));
+            const int         row    = hinge.unknowns[6 + i];
             const SpaceVector moment = unit * u[row] * now.arm(i);
             for (unsigned int c = 0; c < 3; ++c)
               {
@@ -130,7 +130,7 @@ namespace auxfem
                   residual[hinge.unknowns[c]] += moment[c];
                 residual[hinge.unknowns[3 + c]] -= moment[c];
               }
-            if (wants_accelerations(step))
+            if (evaluation.wants_constraint_accelerations())
               residual[row] += acceleration(hinge, now, i, state);
             else if (large_rotation)
               residual[row] += unit * (now.across[i] * now.axis);
@@ -142,14 +142,15 @@ namespace auxfem
       }
   }
 
-  void RevoluteHinges::add_tangent(const Step           &step,
+  void RevoluteHinges::add_tangent(const Evaluation &evaluation,
+                                   const EffectResults * /*results*/,
                                    const TangentFactors &factors,
                                    TangentMatrix        &matrix) const
   {
     for (unsigned int h = 0; h < hinges.size(); ++h)
       {
         const Hinge &hinge = hinges[h];
-        const Axes   now   = axes(hinge, step.to);
+        const Axes   now   = axes(hinge, evaluation.to);
         // Moments (on base, end) by spins (of base, end).
         SpaceTensor stiffness[2];
         double      block[64] = {};
@@ -165,7 +166,7 @@ namespace auxfem
             if (!large_rotation)
               continue;
             const double force = factors.stiffness * unit *
-              step.to.displacement[hinge.unknowns[6 + i]];
+              evaluation.to.displacement[hinge.unknowns[6 + i]];
             const SpaceTensor A = cross_product_tensor(now.axis),
                               B = cross_product_tensor(now.across[i]);
             stiffness[0] += force * (A * B);
@@ -180,9 +181,17 @@ namespace auxfem
   }
 
   double
-  RevoluteHinges::round_off_scale(const double /*largest_displacement*/,
+  RevoluteHinges::round_off_scale(const State &state,
+                                  const EffectResults * /*results*/,
+                                  const double /*largest_displacement*/,
                                   const double /*largest_rotation*/) const
   {
+    double largest_multiplier = 0;
+    for (const Hinge &hinge : hinges)
+      for (unsigned int i = 0; i < 2; ++i)
+        largest_multiplier =
+          std::max(largest_multiplier,
+                   std::abs(state.displacement[hinge.unknowns[6 + i]]));
     return largest_multiplier;
   }
 

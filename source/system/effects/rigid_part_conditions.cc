@@ -36,34 +36,39 @@ namespace auxfem
     return !large_rotation;
   }
 
-  void RigidPartConditions::register_blocks(TangentMatrix &matrix)
+  void RigidPartConditions::register_blocks(TangentPattern &pattern)
   {
     for (const auto &group : groups)
-      group->register_blocks(matrix);
+      group->register_blocks(pattern);
   }
 
-  void RigidPartConditions::add_residual(const Step &step, double *residual)
+  void RigidPartConditions::add_residual(const Evaluation &evaluation,
+                                         double           *residual,
+                                         EffectResults * /*results*/) const
   {
     for (const auto &group : groups)
-      group->add_residual(step, residual);
-    largest_multiplier = 0;
-    for (const int multiplier : numbering.multipliers())
-      largest_multiplier = std::max(largest_multiplier,
-                                    std::abs(step.to.displacement[multiplier]));
+      group->add_residual(evaluation, residual, nullptr);
   }
 
-  void RigidPartConditions::add_tangent(const Step           &step,
+  void RigidPartConditions::add_tangent(const Evaluation &evaluation,
+                                        const EffectResults * /*results*/,
                                         const TangentFactors &factors,
                                         TangentMatrix        &matrix) const
   {
     for (const auto &group : groups)
-      group->add_tangent(step, factors, matrix);
+      group->add_tangent(evaluation, nullptr, factors, matrix);
   }
 
   double
-  RigidPartConditions::round_off_scale(const double /*largest_displacement*/,
+  RigidPartConditions::round_off_scale(const State &state,
+                                       const EffectResults * /*results*/,
+                                       const double /*largest_displacement*/,
                                        const double /*largest_rotation*/) const
   {
+    double largest_multiplier = 0;
+    for (const int multiplier : numbering.multipliers())
+      largest_multiplier =
+        std::max(largest_multiplier, std::abs(state.displacement[multiplier]));
     return largest_multiplier;
   }
 

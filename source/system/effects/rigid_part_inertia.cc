@@ -11,21 +11,28 @@ namespace auxfem
     return true;
   }
 
-  void RigidPartInertia::register_blocks(TangentMatrix &matrix)
+  void RigidPartInertia::register_in(StateLayout &layout)
+  {
+    kinetic_entry = layout.energies.enter(kinetic_energy_entry());
+  }
+
+  void RigidPartInertia::register_blocks(TangentPattern &pattern)
   {
     bool is_first = true;
     for_each([&](const auto &body) {
       const std::size_t block =
-        matrix.register_block(body.base.data(), body.base.size());
+        pattern.register_block(body.base.data(), body.base.size());
       if (is_first)
         first_block = block;
       is_first = false;
     });
   }
 
-  void RigidPartInertia::add_residual(const Step &step, double *residual)
+  void RigidPartInertia::add_residual(const Evaluation &evaluation,
+                                      double           *residual,
+                                      EffectResults * /*results*/) const
   {
-    const double *a = step.to.acceleration->Values();
+    const double *a = evaluation.to.acceleration->Values();
     for_each([&](const auto &body) {
       constexpr unsigned int n = std::tuple_size_v<decltype(body.base)>;
       for (unsigned int i = 0; i < n; ++i)
@@ -34,7 +41,8 @@ namespace auxfem
     });
   }
 
-  void RigidPartInertia::add_tangent(const Step & /*step*/,
+  void RigidPartInertia::add_tangent(const Evaluation & /*evaluation*/,
+                                     const EffectResults * /*results*/,
                                      const TangentFactors &factors,
                                      TangentMatrix        &matrix) const
   {
@@ -47,17 +55,19 @@ namespace auxfem
     });
   }
 
-  void RigidPartInertia::add_energies(const State &state,
-                                      Energies    &energies) const
+  void RigidPartInertia::account(const Evaluation &step,
+                                 const EffectResults * /*results*/,
+                                 EnergyAccount &account) const
   {
-    const double *v = state.velocity->Values();
+    const double *v = step.to.velocity->Values();
     for_each([&](const auto &body) {
       constexpr unsigned int n = std::tuple_size_v<decltype(body.base)>;
       if (body.counted)
         for (unsigned int i = 0; i < n; ++i)
           for (unsigned int j = 0; j < n; ++j)
-            energies.kinetic +=
-              body.mass[n * i + j] / 2 * v[body.base[i]] * v[body.base[j]];
+            account.add(kinetic_entry,
+                        body.mass[n * i + j] / 2 * v[body.base[i]] *
+                          v[body.base[j]]);
     });
   }
 } // namespace auxfem

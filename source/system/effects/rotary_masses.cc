@@ -29,11 +29,16 @@ namespace auxfem
     return !large_rotation;
   }
 
-  void RotaryMasses::register_blocks(TangentMatrix &matrix)
+  void RotaryMasses::register_in(StateLayout &layout)
+  {
+    kinetic_entry = layout.energies.enter(kinetic_energy_entry());
+  }
+
+  void RotaryMasses::register_blocks(TangentPattern &pattern)
   {
     for (unsigned int i = 0; i < masses.size(); ++i)
       {
-        const std::size_t block = matrix.register_block(
+        const std::size_t block = pattern.register_block(
           numbering.spatial_rotations()[masses[i].rotation].data(),
           3);
         if (i == 0)
@@ -48,30 +53,28 @@ namespace auxfem
             rotations.values(*state.acceleration, mass.rotation)};
   }
 
-  void RotaryMasses::add_residual(const Step &step, double *residual)
+  void RotaryMasses::add_residual(const Evaluation &evaluation,
+                                  double           *residual,
+                                  EffectResults * /*results*/) const
   {
-    largest_torque = 0;
     for (const Mass &mass : masses)
       {
-        const RotaryInertia::Motion now      = motion(mass, step.to);
+        const RotaryInertia::Motion now      = motion(mass, evaluation.to);
         const SpaceVector           inertial = mass.inertia * now.acceleration;
         const SpaceVector           torque   = large_rotation
                       ? RotaryInertia::torque(mass.inertia,
-                                  step.to.rotations[mass.rotation],
+                                  evaluation.to.rotations[mass.rotation],
                                   now)
                       : inertial;
-        largest_torque                       = std::max(largest_torque,
-                                  inertial.norm() +
-                                    now.velocity.norm() *
-                                      (mass.inertia * now.velocity).norm());
-        const std::array<int, 3> &spins =
+        const std::array<int, 3>   &spins =
           numbering.spatial_rotations()[mass.rotation];
         for (unsigned int c = 0; c < 3; ++c)
           residual[spins[c]] += torque[c];
       }
   }
 
-  void RotaryMasses::add_tangent(const Step           &step,
+  void RotaryMasses::add_tangent(const Evaluation &evaluation,
+                                 const EffectResults * /*results*/,
                                  const TangentFactors &factors,
                                  TangentMatrix        &matrix) const
   {
@@ -83,12 +86,12 @@ namespace auxfem
             const unsigned int           rotation = masses[i].rotation;
             const RotaryInertia::Tangent tangent =
               RotaryInertia::tangent(masses[i].inertia,
-                                     step.to.rotations[rotation],
-                                     motion(masses[i], step.to));
+                                     evaluation.to.rotations[rotation],
+                                     motion(masses[i], evaluation.to));
             block = factors.stiffness * tangent.by_spin +
               (factors.damping * tangent.by_velocity +
                factors.mass * tangent.by_acceleration) *
-                rotations.turn_by_spin(step, rotation);
+                rotations.turn_by_spin(evaluation, rotation);
           }
         double values[9];
         for (unsigned int r = 0; r < 3; ++r)
@@ -98,19 +101,33 @@ namespace auxfem
       }
   }
 
-  double RotaryMasses::round_off_scale(const double /*largest_displacement*/,
+  double RotaryMasses::round_off_scale(const State &state,
+                                       const EffectResults * /*results*/,
+                                       const double /*largest_displacement*/,
                                        const double /*largest_rotation*/) const
   {
     // A body that spins freely has torques that cancel, and no others.
+    double largest_torque = 0;
+    for (const Mass &mass : masses)
+      {
+        const RotaryInertia::Motion now = motion(mass, state);
+        largest_torque                  = std::max(largest_torque,
+                                  (mass.inertia * now.acceleration).norm() +
+                                    now.velocity.norm() *
+                                      (mass.inertia * now.velocity).norm());
+      }
     return largest_torque / length;
   }
 
-  void RotaryMasses::add_energies(const State &state, Energies &energies) const
+  void RotaryMasses::account(const Evaluation &step,
+                             const EffectResults * /*results*/,
+                             EnergyAccount &account) const
   {
     for (const Mass &mass : masses)
       if (numbering.is_owned(numbering.spatial_rotations()[mass.rotation][0]))
-        energies.kinetic +=
+        account.add(
+          kinetic_entry,
           RotaryInertia::kinetic_energy(mass.inertia,
-                                        motion(mass, state).velocity);
+                                        motion(mass, step.to).velocity));
   }
 } // namespace auxfem

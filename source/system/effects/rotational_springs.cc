@@ -26,19 +26,27 @@ namespace auxfem
     return true;
   }
 
-  void RotationalSprings::register_blocks(TangentMatrix &matrix)
+  void RotationalSprings::register_in(StateLayout &layout)
+  {
+    strain_entry = layout.energies.enter(strain_energy_entry());
+  }
+
+  void RotationalSprings::register_blocks(TangentPattern &pattern)
   {
     for (unsigned int i = 0; i < springs.size(); ++i)
       {
-        const std::size_t block = matrix.register_block(springs[i].unknowns, 2);
+        const std::size_t block =
+          pattern.register_block(springs[i].unknowns, 2);
         if (i == 0)
           first_block = block;
       }
   }
 
-  void RotationalSprings::add_residual(const Step &step, double *residual)
+  void RotationalSprings::add_residual(const Evaluation &evaluation,
+                                       double           *residual,
+                                       EffectResults * /*results*/) const
   {
-    const double *u = step.to.displacement.Values();
+    const double *u = evaluation.to.displacement.Values();
     for (const Spring &spring : springs)
       {
         const double moment = spring.stiffness * angle(spring, u);
@@ -48,7 +56,8 @@ namespace auxfem
       }
   }
 
-  void RotationalSprings::add_tangent(const Step & /*step*/,
+  void RotationalSprings::add_tangent(const Evaluation & /*evaluation*/,
+                                      const EffectResults * /*results*/,
                                       const TangentFactors &factors,
                                       TangentMatrix        &matrix) const
   {
@@ -60,18 +69,21 @@ namespace auxfem
       }
   }
 
-  void RotationalSprings::add_energies(const State &state,
-                                       Energies    &energies) const
+  void RotationalSprings::account(const Evaluation &step,
+                                  const EffectResults * /*results*/,
+                                  EnergyAccount &account) const
   {
-    const double *u = state.displacement.Values();
+    const double *u = step.to.displacement.Values();
     for (const Spring &spring : springs)
       if (numbering.is_owned(spring.unknowns[1]))
-        energies.strain +=
-          spring.stiffness / 2 * angle(spring, u) * angle(spring, u);
+        account.add(strain_entry,
+                    spring.stiffness / 2 * angle(spring, u) * angle(spring, u));
   }
 
   double
-  RotationalSprings::round_off_scale(const double /*largest_displacement*/,
+  RotationalSprings::round_off_scale(const State & /*state*/,
+                                     const EffectResults * /*results*/,
+                                     const double /*largest_displacement*/,
                                      const double largest_rotation) const
   {
     double stiffest = 0;

@@ -4,22 +4,21 @@
 
 namespace auxfem
 {
-  SpaceSprings::SpaceSprings(const DofNumbering &numbering,
-                             const StateLayout  &layout)
+  SpaceSprings::SpaceSprings(const DofNumbering &numbering)
     : numbering(numbering)
-    , first_history(layout.n_history)
   {}
 
-  void SpaceSprings::add(const int    first,
-                         const int    second,
-                         const double stiffness,
-                         StateLayout &layout)
+  void SpaceSprings::add(const int          first,
+                         const int          second,
+                         const double       stiffness,
+                         const unsigned int number)
   {
     Spring spring;
     spring.unknowns  = {{-1, -1, -1, -1, -1, -1}};
     spring.first     = first;
     spring.second    = second;
     spring.stiffness = stiffness;
+    spring.number    = number;
     for (unsigned int c = 0; c < 3; ++c)
       {
         if (first >= 0)
@@ -27,7 +26,6 @@ namespace auxfem
         spring.unknowns[3 + c] = numbering.spatial_rotations()[second][c];
       }
     springs.push_back(spring);
-    layout.n_history += 3;
   }
 
   bool SpaceSprings::is_linear() const
@@ -35,12 +33,23 @@ namespace auxfem
     return false;
   }
 
-  void SpaceSprings::register_blocks(TangentMatrix &matrix)
+  void SpaceSprings::register_in(StateLayout &layout)
+  {
+    std::vector<unsigned int> numbers;
+    numbers.reserve(springs.size());
+    for (const Spring &spring : springs)
+      numbers.push_back(spring.number);
+    first_history =
+      layout.keep("rotational springs: material rotation vector", numbers, 3);
+    strain_entry = layout.energies.enter(strain_energy_entry());
+  }
+
+  void SpaceSprings::register_blocks(TangentPattern &pattern)
   {
     for (unsigned int i = 0; i < springs.size(); ++i)
       {
         const std::size_t block =
-          matrix.register_block(springs[i].unknowns.data(), 6);
+          pattern.register_block(springs[i].unknowns.data(), 6);
         if (i == 0)
           first_block = block;
       }
@@ -53,26 +62,37 @@ namespace auxfem
   }
 
   SpaceVector SpaceSprings::material_angle(const unsigned int i,
-                                           const Step        &step) const
+                                           const Evaluation  &evaluation) const
   {
     const Spring &spring = springs[i];
-    const double *before = &step.from.history[first_history + 3 * i];
-    return rotation_vector_near(conjugate(base_rotation(spring, step.to)) *
-                                  step.to.rotations[spring.second],
+    const double *before = &evaluation.from.history[first_history + 3 * i];
+    return rotation_vector_near(conjugate(
+                                  base_rotation(spring, evaluation.to)) *
+                                  evaluation.to.rotations[spring.second],
                                 SpaceVector({before[0], before[1], before[2]}));
   }
 
-  void SpaceSprings::add_residual(const Step &step, double *residual)
+  SpaceVector SpaceSprings::angle(const unsigned int i,
+                                  const Evaluation  &evaluation) const
+  {
+    return rotated(base_rotation(springs[i], evaluation.to),
+                   material_angle(i, evaluation));
+  }
+
+  void SpaceSprings::add_residual(const Evaluation &evaluation,
+                                  double           *residual,
+                                  EffectResults * /*results*/) const
   {
     for (unsigned int i = 0; i < springs.size(); ++i)
       {
-        Spring           &spring = springs[i];
-        const SpaceVector turned = material_angle(i, step);
-        spring.angle = rotated(base_rotation(spring, step.to), turned);
+        const Spring     &spring = springs[i];
+        const SpaceVector turned = material_angle(i, evaluation),
+                          psi    = rotated(base_rotation(spring, evaluation.to),
+                                        turned);
         for (unsigned int c = 0; c < 3; ++c)
           {
-            step.to.history[first_history + 3 * i + c] = turned[c];
-            const double moment = spring.stiffness * spring.angle[c];
+            evaluation.to.history[first_history + 3 * i + c] = turned[c];
+            const double moment = spring.stiffness * psi[c];
             if (spring.first >= 0)
               residual[spring.unknowns[c]] -= moment;
             residual[spring.unknowns[3 + c]] += moment;
@@ -80,7 +100,8 @@ namespace auxfem
       }
   }
 
-  void SpaceSprings::add_tangent(const Step           &step,
+  void SpaceSprings::add_tangent(const Evaluation &evaluation,
+                                 const EffectResults * /*results*/,
                                  const TangentFactors &factors,
                                  TangentMatrix        &matrix) const
   {
@@ -92,9 +113,9 @@ namespace auxfem
         // Spins theta turn psi by T^-1(-psi) (theta_2 - R theta_1), R = P_2
         // P_1^-1.
         const SpaceTensor by_second = factors.stiffness * spring.stiffness *
-          inverse_tangent_operator(-1. * spring.angle);
-        const Quaternion relative = step.to.rotations[spring.second] *
-          conjugate(base_rotation(spring, step.to));
+          inverse_tangent_operator(-1. * angle(i, evaluation));
+        const Quaternion relative = evaluation.to.rotations[spring.second] *
+          conjugate(base_rotation(spring, evaluation.to));
         // D R is the transpose of R^T D^T.
         const SpaceTensor by_first =
           -1. * transpose(rotated(conjugate(relative), transpose(by_second)));
@@ -107,15 +128,20 @@ namespace auxfem
       }
   }
 
-  void SpaceSprings::add_energies(const State & /*state*/,
-                                  Energies &energies) const
+  void SpaceSprings::account(const Evaluation &step,
+                             const EffectResults * /*results*/,
+                             EnergyAccount &account) const
   {
-    for (const Spring &spring : springs)
-      if (numbering.is_owned(spring.unknowns[3]))
-        energies.strain += spring.stiffness / 2 * spring.angle.norm_square();
+    for (unsigned int i = 0; i < springs.size(); ++i)
+      if (numbering.is_owned(springs[i].unknowns[3]))
+        account.add(strain_entry,
+                    springs[i].stiffness / 2 *
+                      material_angle(i, step).norm_square());
   }
 
-  double SpaceSprings::round_off_scale(const double /*largest_displacement*/,
+  double SpaceSprings::round_off_scale(const State & /*state*/,
+                                       const EffectResults * /*results*/,
+                                       const double /*largest_displacement*/,
                                        const double largest_rotation) const
   {
     double stiffest = 0;

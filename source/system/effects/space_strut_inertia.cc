@@ -56,14 +56,16 @@ namespace auxfem
         return !large_rotation || !rotary;
       }
 
-      void add_residual(const Step &step, double *residual) override
+      void add_residual(const Evaluation &evaluation,
+                        double           *residual,
+                        EffectResults * /*results*/) const override
       {
         for (unsigned int e = 0; e < elements.size(); ++e)
           {
             const int   *unknowns = numbering.element_unknowns(e);
-            const auto   a        = gather(*step.to.acceleration, unknowns, 0);
-            const auto   v        = gather(*step.to.velocity, unknowns, 0);
-            const double alpha    = damped ? elements[e].damping : 0.;
+            const auto   a = gather(*evaluation.to.acceleration, unknowns, 0);
+            const auto   v = gather(*evaluation.to.velocity, unknowns, 0);
+            const double alpha = damped ? elements[e].damping : 0.;
             for (int i = 0; i <= order; ++i)
               {
                 SpaceVector sum;
@@ -76,7 +78,7 @@ namespace auxfem
               }
             if (!rotary)
               continue;
-            const Rotating rotating(*this, e, step.to);
+            const Rotating rotating(*this, e, evaluation.to);
             for (int i = 0; i <= order; ++i)
               scatter(rotating.torque(i, alpha),
                       unknowns + n_components * i + 3,
@@ -84,7 +86,8 @@ namespace auxfem
           }
       }
 
-      void add_tangent(const Step           &step,
+      void add_tangent(const Evaluation &evaluation,
+                       const EffectResults * /*results*/,
                        const TangentFactors &factors,
                        TangentMatrix        &matrix) const override
       {
@@ -102,22 +105,29 @@ namespace auxfem
                   block[(n_components * i + c) * n + n_components * j + c] =
                     mass * shape.mass[i][j] * elements[e].mass;
             if (rotary)
-              add_rotary_tangent(e, step, factors, mass, block);
+              add_rotary_tangent(e, evaluation, factors, mass, block);
             matrix.add(e, block);
           }
       }
 
-      void accept(const Step &step) override
+      void register_in(StateLayout &layout) override
       {
+        kinetic_entry = layout.energies.enter(kinetic_energy_entry());
         if (damped)
-          step.to.strut_damping_power +=
-            sum_v_M_v(step.to, [](const Element &e) { return e.damping; });
+          damping_entry = layout.energies.enter(mass_damping_entry());
       }
 
-      void add_energies(const State &state, Energies &energies) const override
+      void account(const Evaluation &step,
+                   const EffectResults * /*results*/,
+                   EnergyAccount &account) const override
       {
-        energies.kinetic +=
-          sum_v_M_v(state, [](const Element &) { return 0.5; });
+        account.add(kinetic_entry,
+                    sum_v_M_v(step.to, [](const Element &) { return 0.5; }));
+        if (damped)
+          account.add_power(damping_entry,
+                            sum_v_M_v(step.to, [](const Element &e) {
+                              return e.damping;
+                            }));
       }
 
     private:
@@ -236,7 +246,7 @@ namespace auxfem
 
       /** @param mass factor of the mass matrix, damping included. */
       void add_rotary_tangent(const unsigned int    e,
-                              const Step           &step,
+                              const Evaluation     &evaluation,
                               const TangentFactors &factors,
                               const double          mass,
                               double               *block) const
@@ -256,11 +266,11 @@ namespace auxfem
             return;
           }
         const int     *unknowns = numbering.element_unknowns(e);
-        const Rotating rotating(*this, e, step.to);
+        const Rotating rotating(*this, e, evaluation.to);
         SpaceTensor    by_spin[order + 1];
         for (int i = 0; i <= order; ++i)
           by_spin[i] =
-            node_rotations.turn_by_spin(step,
+            node_rotations.turn_by_spin(evaluation,
                                         numbering.spatial_rotation(
                                           unknowns[n_components * i + 3]));
         for (int i = 0; i <= order; ++i)
@@ -315,6 +325,7 @@ namespace auxfem
       const bool             rotary;
       const BeamShape<order> shape;
       std::vector<Element>   elements;
+      unsigned int           kinetic_entry = 0, damping_entry = 0;
       /** M_ab (kg m2), n_pairs an element; none without rotary inertia. */
       std::vector<SpaceTensor> pair_inertias;
     };

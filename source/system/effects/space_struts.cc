@@ -35,6 +35,7 @@ namespace auxfem
       static constexpr int  n_components = Beam3D::n_components;
       static constexpr int  n            = n_components * (order + 1);
       static constexpr bool is_linear    = !large_rotation;
+      static constexpr bool is_damped    = damped;
 
       using Frame = Beam3D::Frame;
       struct Stiffness
@@ -137,13 +138,13 @@ namespace auxfem
                           const Stiffness        &stiffness,
                           const DofNumbering     &numbering,
                           const int              *unknowns,
-                          const Step             &step,
+                          const Evaluation       &evaluation,
                           const TangentFactors   &factors,
                           double                 *block)
       {
         if constexpr (large_rotation)
           {
-            const Motion of_nodes = motion(numbering, unknowns, step.to);
+            const Motion of_nodes = motion(numbering, unknowns, evaluation.to);
             const Beam3D::ElementKinematics<order> element(shape,
                                                            frames,
                                                            jacobian,
@@ -165,7 +166,7 @@ namespace auxfem
                                           factors.damping,
                                           angular_velocity_by_spin(numbering,
                                                                    unknowns,
-                                                                   step,
+                                                                   evaluation,
                                                                    of_nodes,
                                                                    factors)
                                             .data(),
@@ -332,7 +333,7 @@ namespace auxfem
       static std::array<SpaceTensor, order + 1>
       angular_velocity_by_spin(const DofNumbering   &numbering,
                                const int            *unknowns,
-                               const Step           &step,
+                               const Evaluation     &evaluation,
                                const Motion         &motion,
                                const TangentFactors &factors)
       {
@@ -345,7 +346,8 @@ namespace auxfem
             by_spin[a] = -factors.stiffness *
                 cross_product_tensor(motion.velocities[a].angular) +
               factors.damping *
-                rotated(step.to.rotations[i], rotations.turn_by_spin(step, i));
+                rotated(evaluation.to.rotations[i],
+                        rotations.turn_by_spin(evaluation, i));
           }
         return by_spin;
       }

@@ -40,10 +40,12 @@ namespace auxfem
         return true;
       }
 
-      void add_residual(const Step &step, double *residual) override
+      void add_residual(const Evaluation &evaluation,
+                        double           *residual,
+                        EffectResults * /*results*/) const override
       {
-        const double *a = step.to.acceleration->Values();
-        const double *v = step.to.velocity->Values();
+        const double *a = evaluation.to.acceleration->Values();
+        const double *v = evaluation.to.velocity->Values();
         double        local[n];
         for (unsigned int e = 0; e < elements.size(); ++e)
           {
@@ -65,7 +67,8 @@ namespace auxfem
           }
       }
 
-      void add_tangent(const Step & /*step*/,
+      void add_tangent(const Evaluation & /*evaluation*/,
+                       const EffectResults * /*results*/,
                        const TangentFactors &factors,
                        TangentMatrix        &matrix) const override
       {
@@ -86,17 +89,24 @@ namespace auxfem
           }
       }
 
-      void accept(const Step &step) override
+      void register_in(StateLayout &layout) override
       {
+        kinetic_entry = layout.energies.enter(kinetic_energy_entry());
         if (damped)
-          step.to.strut_damping_power +=
-            sum_v_M_v(step.to, [](const Element &e) { return e.damping; });
+          damping_entry = layout.energies.enter(mass_damping_entry());
       }
 
-      void add_energies(const State &state, Energies &energies) const override
+      void account(const Evaluation &step,
+                   const EffectResults * /*results*/,
+                   EnergyAccount &account) const override
       {
-        energies.kinetic +=
-          sum_v_M_v(state, [](const Element &) { return 0.5; });
+        account.add(kinetic_entry,
+                    sum_v_M_v(step.to, [](const Element &) { return 0.5; }));
+        if (damped)
+          account.add_power(damping_entry,
+                            sum_v_M_v(step.to, [](const Element &e) {
+                              return e.damping;
+                            }));
       }
 
     private:
@@ -139,8 +149,17 @@ namespace auxfem
       const DofNumbering    &numbering;
       const BeamShape<order> shape;
       std::vector<Element>   elements;
+      unsigned int           kinetic_entry = 0, damping_entry = 0;
     };
   } // namespace
+
+  EnergyEntry mass_damping_entry()
+  {
+    return {EnergyKind::dissipated,
+            "mass_damping_dissipated",
+            "energy lost by mass-proportional damping of the struts since the "
+            "start"};
+  }
 
   std::unique_ptr<Effect>
   make_strut_inertia(const Lattice              &lattice,

@@ -58,29 +58,32 @@ namespace auxfem
         return !large_rotation;
       }
 
-      void register_blocks(TangentMatrix &matrix) override
+      void register_blocks(TangentPattern &pattern) override
       {
         for (unsigned int i = 0; i < joints.size(); ++i)
           {
             const std::size_t block =
-              matrix.register_block(joints[i].unknowns.data(), 12);
+              pattern.register_block(joints[i].unknowns.data(), 12);
             if (i == 0)
               first_block = block;
           }
       }
 
-      void add_residual(const Step &step, double *residual) override
+      void add_residual(const Evaluation &evaluation,
+                        double           *residual,
+                        EffectResults * /*results*/) const override
       {
-        const Vector &u = step.to.displacement;
+        const Vector &u = evaluation.to.displacement;
         for (const Joint &joint : joints)
           {
             const SpaceVector lambda = values(u, joint, 9),
                               moment =
                                 dealii::cross_product_3d(lambda,
-                                                         arm(joint, step.to)),
-                              row = wants_accelerations(step)
-              ? second_derivative(joint, step.to)
-              : condition(joint, step.to);
+                                                         arm(joint,
+                                                             evaluation.to)),
+                              row = evaluation.wants_constraint_accelerations()
+              ? second_derivative(joint, evaluation.to)
+              : condition(joint, evaluation.to);
             for (unsigned int c = 0; c < 3; ++c)
               {
                 residual[joint.unknowns[c]] += lambda[c];
@@ -91,15 +94,17 @@ namespace auxfem
           }
       }
 
-      void add_tangent(const Step           &step,
+      void add_tangent(const Evaluation &evaluation,
+                       const EffectResults * /*results*/,
                        const TangentFactors &factors,
                        TangentMatrix        &matrix) const override
       {
         for (unsigned int i = 0; i < joints.size(); ++i)
           {
             const Joint      &joint = joints[i];
-            const SpaceTensor X     = cross_product_tensor(arm(joint, step.to));
-            double            block[144] = {};
+            const SpaceTensor X =
+              cross_product_tensor(arm(joint, evaluation.to));
+            double block[144] = {};
             for (unsigned int r = 0; r < 3; ++r)
               {
                 block[12 * r + 9 + r] = block[12 * (9 + r) + r] = 1;
@@ -112,7 +117,7 @@ namespace auxfem
               {
                 const SpaceTensor geometric = -factors.stiffness *
                   (cross_product_tensor(
-                     values(step.to.displacement, joint, 9)) *
+                     values(evaluation.to.displacement, joint, 9)) *
                    X);
                 for (unsigned int r = 0; r < 3; ++r)
                   for (unsigned int c = 0; c < 3; ++c)

@@ -20,8 +20,12 @@ namespace auxfem
      */
     AppliedLoads(const DofNumbering &numbering, bool raised_from_zero);
 
-    /** Starts a new load that follows @p course in time; returns its number. */
-    unsigned int add_load(const TimeFunction &course);
+    /**
+     * Starts a new load that follows @p time_history.
+     * @param name of the energy entry that keeps its work; loads may share it.
+     */
+    unsigned int add_load(const TimeFunction &time_history,
+                          const EnergyEntry  &work);
 
     /** Lets load @p load act on a local unknown with @p weight. */
     void add_weight(unsigned int load, int unknown, double weight);
@@ -30,9 +34,15 @@ namespace auxfem
     bool empty() const;
 
     bool is_linear() const override;
-    void begin_step(const Step &step) override;
-    void add_residual(const Step &step, double *residual) override;
-    void accept(const Step &step) override;
+    void register_in(StateLayout &layout) override;
+    void add_residual(const Evaluation &evaluation,
+                      double           *residual,
+                      EffectResults    *results) const override;
+    void add_load_derivative(const Evaluation &evaluation,
+                             double           *derivative) const override;
+    void account(const Evaluation    &step,
+                 const EffectResults *results,
+                 EnergyAccount       &account) const override;
 
   private:
     struct Weight
@@ -42,13 +52,15 @@ namespace auxfem
     };
     struct Load
     {
-      TimeFunction        course;
+      TimeFunction        time_history;
+      EnergyEntry         work;
       std::vector<Weight> weights;
-      double              before = 0; ///< value at the start of the step
-      double              now    = 0; ///< value at its end
+      unsigned int        work_entry = 0; ///< of the ledger
     };
+    /** Value when the step begins. */
+    double value_before(const Load &load, const Evaluation &step) const;
     /** How far an unknown moved in the step, rotations in the global frame. */
-    double motion(const Step &step, int unknown) const;
+    double motion(const Evaluation &step, int unknown) const;
 
     const DofNumbering &numbering;
     const NodeRotations rotations;

@@ -13,16 +13,22 @@ namespace auxfem
     double strain = 0, dissipation = 0;
   };
 
+  /** Energy of all struts counted by this rank in one evaluation. */
+  struct BeamResults : public EffectResults
+  {
+    BeamEnergy energy;
+  };
+
   /** Resultants at a point: N, Q_2, Q_3 (N), T, M_2, M_3 (N m). */
   using SectionForces = std::array<double, 6>;
 
   /**
    * Internal forces of struts as beams of one kind. What depends on the
    * dimension and on the theory is in @p Beam, a class of static functions:
-   * `order`, `n_components`, `is_linear`; types `Frame` (a Gauss point at
-   * rest), `Stiffness` and `Motion` (of an element's nodes); functions `frame`,
-   * `stiffness`, `largest_stiffness` for the element at rest, `motion`,
-   * `internal_force`, `tangent` for its forces, and `section_forces`,
+   * `order`, `n_components`, `is_linear`, `is_damped`; types `Frame` (a Gauss
+   * point at rest), `Stiffness` and `Motion` (of an element's nodes); functions
+   * `frame`, `stiffness`, `largest_stiffness` for the element at rest,
+   * `motion`, `internal_force`, `tangent` for its forces, and `section_forces`,
    * `rotation`, `axes`, `energy_density` for output.
    */
   template <class Beam>
@@ -71,20 +77,40 @@ namespace auxfem
       return Beam::is_linear;
     }
 
-    void add_residual(const Step &step, double *residual) override
+    void register_in(StateLayout &layout) override
     {
-      energy = {};
-      double force[n];
+      strain_entry = layout.energies.enter(strain_energy_entry());
+      if (!Beam::is_damped)
+        return;
+      layout.velocity = true;
+      damping_entry   = layout.energies.enter(
+        {EnergyKind::dissipated,
+           "strut_damping_dissipated",
+           "energy lost by stiffness-proportional damping of the struts since "
+             "the start"});
+    }
+
+    std::unique_ptr<EffectResults> make_results() const override
+    {
+      return std::make_unique<BeamResults>();
+    }
+
+    void add_residual(const Evaluation &evaluation,
+                      double           *residual,
+                      EffectResults    *results) const override
+    {
+      BeamEnergy energy;
+      double     force[n];
       for (unsigned int e = 0; e < elements.size(); ++e)
         {
-          const int       *unknowns = numbering.element_unknowns(e);
-          const BeamEnergy of_element =
-            Beam::internal_force(shape,
-                                 &frames[std::size_t(e) * order],
-                                 elements[e].jacobian,
-                                 elements[e].stiffness,
-                                 Beam::motion(numbering, unknowns, step.to),
-                                 force);
+          const int       *unknowns   = numbering.element_unknowns(e);
+          const BeamEnergy of_element = Beam::internal_force(
+            shape,
+            &frames[std::size_t(e) * order],
+            elements[e].jacobian,
+            elements[e].stiffness,
+            Beam::motion(numbering, unknowns, evaluation.to),
+            force);
           if (elements[e].counted)
             {
               energy.strain += of_element.strain;
@@ -93,9 +119,11 @@ namespace auxfem
           for (int i = 0; i < n; ++i)
             residual[unknowns[i]] += force[i];
         }
+      static_cast<BeamResults &>(*results).energy = energy;
     }
 
-    void add_tangent(const Step           &step,
+    void add_tangent(const Evaluation &evaluation,
+                     const EffectResults * /*results*/,
                      const TangentFactors &factors,
                      TangentMatrix        &matrix) const override
     {
@@ -110,25 +138,27 @@ namespace auxfem
                         elements[e].stiffness,
                         numbering,
                         numbering.element_unknowns(e),
-                        step,
+                        evaluation,
                         factors,
                         block);
           matrix.add(e, block);
         }
     }
 
-    void accept(const Step &step) override
+    void account(const Evaluation & /*step*/,
+                 const EffectResults *results,
+                 EnergyAccount       &account) const override
     {
-      step.to.strut_damping_power += energy.dissipation;
+      const BeamEnergy &energy =
+        static_cast<const BeamResults &>(*results).energy;
+      account.add(strain_entry, energy.strain);
+      if (Beam::is_damped)
+        account.add_power(damping_entry, energy.dissipation);
     }
 
-    void add_energies(const State & /*state*/,
-                      Energies &energies) const override
-    {
-      energies.strain += energy.strain;
-    }
-
-    double round_off_scale(const double largest_displacement,
+    double round_off_scale(const State & /*state*/,
+                           const EffectResults * /*results*/,
+                           const double largest_displacement,
                            const double largest_rotation) const override
     {
       return largest_stiffness_per_length * largest_displacement +
@@ -237,7 +267,7 @@ namespace auxfem
     std::vector<typename Beam::Frame> frames;
     double                            largest_stiffness            = 0;
     double                            largest_stiffness_per_length = 0;
-    BeamEnergy                        energy;
+    unsigned int                      strain_entry = 0, damping_entry = 0;
   };
 
   /**

@@ -20,6 +20,18 @@ namespace auxfem
     unsigned int                        cell;
   };
 
+  /** Motion and forces of a group of connectors in one evaluation. */
+  struct ConnectorResults : public EffectResults
+  {
+    explicit ConnectorResults(unsigned int n_connectors);
+
+    std::vector<ConnectorMotion>      motion;
+    std::vector<ConnectorResponse>    response;
+    std::vector<dealii::Tensor<1, 3>> direction; ///< of the force
+    std::vector<dealii::Tensor<1, 3>> velocity_difference;
+    std::vector<double>               current_length; ///< m
+  };
+
   /** A group of equal connectors between joints, or joints and the ground. */
   class ConnectorForces : public Effect
   {
@@ -28,37 +40,42 @@ namespace auxfem
      * @param pairs the connectors of the whole lattice; those whose ends this
      *   rank does not own are left out.
      * @param large_rotation false: the line between the ends is the one at rest.
-     * @param layout extended by the history this group needs.
      */
     ConnectorForces(const ConnectorDefinition    &definition,
                     const std::vector<JointPair> &pairs,
                     const Lattice                &lattice,
                     const DofNumbering           &numbering,
-                    bool                          large_rotation,
-                    StateLayout                  &layout);
+                    bool                          large_rotation);
 
-    bool   is_linear() const override;
-    void   register_blocks(TangentMatrix &matrix) override;
-    void   begin_step(const Step &step) override;
-    void   add_residual(const Step &step, double *residual) override;
-    void   add_tangent(const Step           &step,
+    bool is_linear() const override;
+    void register_in(StateLayout &layout) override;
+    void register_blocks(TangentPattern &pattern) override;
+    std::unique_ptr<EffectResults> make_results() const override;
+
+    void   add_residual(const Evaluation &evaluation,
+                        double           *residual,
+                        EffectResults    *results) const override;
+    void   add_tangent(const Evaluation     &evaluation,
+                       const EffectResults  *results,
                        const TangentFactors &factors,
                        TangentMatrix        &matrix) const override;
-    void   accept(const Step &step) override;
-    void   add_energies(const State &state, Energies &energies) const override;
-    double round_off_scale(double largest_displacement,
+    void   account(const Evaluation    &step,
+                   const EffectResults *results,
+                   EnergyAccount       &account) const override;
+    double round_off_scale(const State         &state,
+                           const EffectResults *results,
+                           double               largest_displacement,
                            double largest_rotation) const override;
 
     const std::string &name() const;
 
-    /** Whether energy is lost in this group. */
-    bool is_viscous() const;
-
     /** Connectors counted by this rank, in order. */
     unsigned int n_reported() const;
 
-    /** State of counted connector @p i, after the last add_residual(). */
-    ConnectorReport report(unsigned int i, const State &state) const;
+    /** Counted connector @p i at @p state, from the results of its evaluation. */
+    ConnectorReport report(unsigned int         i,
+                           const State         &state,
+                           const EffectResults *results) const;
 
   private:
     struct Ends
@@ -68,12 +85,26 @@ namespace auxfem
       /** From first to second end at rest (m). */
       dealii::Tensor<1, 3> span;
       double               rest_length; ///< m
+      /** Of the force, at rest. */
+      dealii::Tensor<1, 3> direction;
       unsigned int         first_joint, second_joint, cell;
-      bool                 counted; ///< by this rank
+      /** Among all pairs of the group. */
+      unsigned int number;
+      bool         counted; ///< by this rank
     };
 
-    static bool differences_extension(const State &state, double dt);
-    void        evaluate_motion(const State &state, double dt);
+    /** Unknowns and geometry of a pair at rest. */
+    Ends make_ends(const ConnectorDefinition &definition,
+                   const JointPair           &pair,
+                   const DofNumbering        &numbering) const;
+
+    /** Difference of the values at both ends. */
+    static dealii::Tensor<1, 3> difference(const Ends   &ends,
+                                           const double *values);
+    /** The line between the ends, displaced by @p du. */
+    double extension(const Ends &ends, const dealii::Tensor<1, 3> &du) const;
+    void   find_motion(const Evaluation &evaluation,
+                       ConnectorResults &results) const;
 
     std::string                         group_name;
     std::shared_ptr<const ConnectorLaw> law;
@@ -82,15 +113,11 @@ namespace auxfem
     const Lattice                      &lattice;
     std::vector<Ends>                   connectors;
     std::vector<unsigned int>           counted;
-    unsigned int                        first_history, first_dissipated;
-    std::size_t                         first_block = 0;
-
-    std::vector<ConnectorMotion>      motion;
-    std::vector<ConnectorResponse>    response;
-    std::vector<double>               stored;
-    std::vector<dealii::Tensor<1, 3>> direction;
-    std::vector<dealii::Tensor<1, 3>> velocity_difference;
-    std::vector<double>               current_length;
+    /** Index of the first internal variable and of the first dissipated energy
+     * in State::history. */
+    std::size_t  first_history = 0, first_dissipated = 0;
+    unsigned int stored_entry = 0, dissipated_entry = 0;
+    std::size_t  first_block = 0;
   };
 } // namespace auxfem
 

@@ -19,21 +19,35 @@ namespace auxfem
                    const DofNumbering &numbering,
                    bool                raised_from_zero);
 
-    /** Lets force and moment of @p components (N, N m) act on a joint that has a rotation and is kept on this rank. */
-    void add(const std::array<TimeFunction, n_motion_components> &components,
-             unsigned int                                         joint);
+    /**
+     * Starts a new load: force and moment of @p components (N, N m), whose work
+     * is kept under @p work. Returns its number.
+     */
+    unsigned int
+    add_load(const std::array<TimeFunction, n_motion_components> &components,
+             const EnergyEntry                                   &work);
+
+    /** Lets load @p load act on a joint that has a rotation and is kept on this rank. */
+    void add_joint(unsigned int load, unsigned int joint);
 
     /** Whether no load was added. */
     bool empty() const;
 
     bool is_linear() const override;
-    void register_blocks(TangentMatrix &matrix) override;
-    void begin_step(const Step &step) override;
-    void add_residual(const Step &step, double *residual) override;
-    void add_tangent(const Step           &step,
+    void register_blocks(TangentPattern &pattern) override;
+    void register_in(StateLayout &layout) override;
+    void add_residual(const Evaluation &evaluation,
+                      double           *residual,
+                      EffectResults    *results) const override;
+    void add_tangent(const Evaluation     &evaluation,
+                     const EffectResults  *results,
                      const TangentFactors &factors,
                      TangentMatrix        &matrix) const override;
-    void accept(const Step &step) override;
+    void add_load_derivative(const Evaluation &evaluation,
+                             double           *derivative) const override;
+    void account(const Evaluation    &step,
+                 const EffectResults *results,
+                 EnergyAccount       &account) const override;
 
   private:
     /** Force and moment in the axes that turn with the joint (N, N m). */
@@ -41,16 +55,22 @@ namespace auxfem
     {
       SpaceVector force, moment;
     };
+    /** Local unknowns by component of motion; -1: not there. */
+    using Joint = std::array<int, n_motion_components>;
     struct Load
     {
       std::array<TimeFunction, n_motion_components> components;
-      /** Local unknowns by component of motion; -1: not there. */
-      std::array<int, n_motion_components> unknowns;
-      Values                               before, now; ///< of the step
+      EnergyEntry                                   work;
+      std::vector<Joint>                            joints;
+      unsigned int work_entry = 0; ///< of the ledger
     };
 
     static Values values(const Load &load, double time);
-    Quaternion    rotation(const Load &load, const State &state) const;
+    /** When the step begins. */
+    Values values_before(const Load &load, const Evaluation &step) const;
+    /** Subtracts force and moment of all loads, times @p factor. */
+    void subtract(double factor, const State &state, double *forces) const;
+    Quaternion rotation(const Joint &joint, const State &state) const;
 
     const bool          is_planar;
     const DofNumbering &numbering;

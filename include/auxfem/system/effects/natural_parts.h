@@ -60,7 +60,7 @@ namespace auxfem
       return !large_rotation;
     }
 
-    void register_blocks(TangentMatrix &matrix) override
+    void register_blocks(TangentPattern &pattern) override
     {
       // Numbered consecutively: bases, then joints, then clamps.
       bool       is_first = true;
@@ -68,8 +68,8 @@ namespace auxfem
         for (const auto &condition : conditions)
           {
             const std::size_t block =
-              matrix.register_block(condition.unknowns.data(),
-                                    condition.unknowns.size());
+              pattern.register_block(condition.unknowns.data(),
+                                     condition.unknowns.size());
             if (is_first)
               first_block = block;
             is_first = false;
@@ -80,25 +80,28 @@ namespace auxfem
       add_all(clamps);
     }
 
-    void add_residual(const Step &step, double *residual) override
+    void add_residual(const Evaluation &evaluation,
+                      double           *residual,
+                      EffectResults * /*results*/) const override
     {
-      add_base_rows(step, residual);
-      add_joint_rows(step, residual);
+      add_base_rows(evaluation, residual);
+      add_joint_rows(evaluation, residual);
       if constexpr (dim == 2)
-        add_clamp_rows(step, residual);
+        add_clamp_rows(evaluation, residual);
     }
 
-    void add_tangent(const Step           &step,
+    void add_tangent(const Evaluation &evaluation,
+                     const EffectResults * /*results*/,
                      const TangentFactors &factors,
                      TangentMatrix        &matrix) const override
     {
       // The gradients are no stiffness: they stand in the matrix whatever is
       // solved for, displacements or accelerations.
       std::size_t block = first_block;
-      add_base_blocks(step, factors, matrix, block);
+      add_base_blocks(evaluation, factors, matrix, block);
       add_joint_blocks(matrix, block);
       if constexpr (dim == 2)
-        add_clamp_blocks(step, factors, matrix, block);
+        add_clamp_blocks(evaluation, factors, matrix, block);
     }
 
     void find_rates(const State &state, double *rates) const override
@@ -215,15 +218,15 @@ namespace auxfem
               clamp.condition.normal_derivative(phi) * d};
     }
 
-    void add_base_rows(const Step &step, double *residual) const;
-    void add_joint_rows(const Step &step, double *residual) const;
-    void add_clamp_rows(const Step &step, double *residual) const;
-    void add_base_blocks(const Step           &step,
+    void add_base_rows(const Evaluation &evaluation, double *residual) const;
+    void add_joint_rows(const Evaluation &evaluation, double *residual) const;
+    void add_clamp_rows(const Evaluation &evaluation, double *residual) const;
+    void add_base_blocks(const Evaluation     &evaluation,
                          const TangentFactors &factors,
                          TangentMatrix        &matrix,
                          std::size_t          &block) const;
     void add_joint_blocks(TangentMatrix &matrix, std::size_t &block) const;
-    void add_clamp_blocks(const Step           &step,
+    void add_clamp_blocks(const Evaluation     &evaluation,
                           const TangentFactors &factors,
                           TangentMatrix        &matrix,
                           std::size_t          &block) const;

@@ -18,12 +18,18 @@ namespace auxfem
     bool empty() const;
 
     bool is_linear() const override;
-    void register_blocks(TangentMatrix &matrix) override;
-    void add_residual(const Step &step, double *residual) override;
-    void add_tangent(const Step           &step,
+    void register_blocks(TangentPattern &pattern) override;
+    void add_residual(const Evaluation &evaluation,
+                      double           *residual,
+                      EffectResults    *results) const override;
+    void add_tangent(const Evaluation     &evaluation,
+                     const EffectResults  *results,
                      const TangentFactors &factors,
                      TangentMatrix        &matrix) const override;
-    void add_energies(const State &state, Energies &energies) const override;
+    void register_in(StateLayout &layout) override;
+    void account(const Evaluation    &step,
+                 const EffectResults *results,
+                 EnergyAccount       &account) const override;
 
   private:
     struct Mass
@@ -33,7 +39,8 @@ namespace auxfem
     };
     const DofNumbering &numbering;
     std::vector<Mass>   masses;
-    std::size_t         first_block = 0;
+    std::size_t         first_block   = 0;
+    unsigned int        kinetic_entry = 0;
   };
 } // namespace auxfem
 

@@ -36,12 +36,17 @@ namespace auxfem
              const SpaceVector        &axis);
 
     bool   is_linear() const override;
-    void   register_blocks(TangentMatrix &matrix) override;
-    void   add_residual(const Step &step, double *residual) override;
-    void   add_tangent(const Step           &step,
+    void   register_blocks(TangentPattern &pattern) override;
+    void   add_residual(const Evaluation &evaluation,
+                        double           *residual,
+                        EffectResults    *results) const override;
+    void   add_tangent(const Evaluation     &evaluation,
+                       const EffectResults  *results,
                        const TangentFactors &factors,
                        TangentMatrix        &matrix) const override;
-    double round_off_scale(double largest_displacement,
+    double round_off_scale(const State         &state,
+                           const EffectResults *results,
+                           double               largest_displacement,
                            double largest_rotation) const override;
     void   find_rates(const State &state, double *rates) const override;
 
@@ -85,8 +90,6 @@ namespace auxfem
     const double        unit; ///< l
     std::vector<Hinge>  hinges;
     std::size_t         first_block = 0;
-    /** Of the state last evaluated (N). */
-    double largest_multiplier = 0;
   };
 } // namespace auxfem
 

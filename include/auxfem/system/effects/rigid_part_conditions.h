@@ -17,12 +17,17 @@ namespace auxfem
                         const dealii::Tensor<1, 3> &gravity);
 
     bool   is_linear() const override;
-    void   register_blocks(TangentMatrix &matrix) override;
-    void   add_residual(const Step &step, double *residual) override;
-    void   add_tangent(const Step           &step,
+    void   register_blocks(TangentPattern &pattern) override;
+    void   add_residual(const Evaluation &evaluation,
+                        double           *residual,
+                        EffectResults    *results) const override;
+    void   add_tangent(const Evaluation     &evaluation,
+                       const EffectResults  *results,
                        const TangentFactors &factors,
                        TangentMatrix        &matrix) const override;
-    double round_off_scale(double largest_displacement,
+    double round_off_scale(const State         &state,
+                           const EffectResults *results,
+                           double               largest_displacement,
                            double largest_rotation) const override;
     void   find_rates(const State &state, double *rates) const override;
     double length() const override;
@@ -41,8 +46,6 @@ namespace auxfem
     std::vector<std::unique_ptr<RigidPartGroup>> groups;
     /** Of each part reported on: its group, its number there. */
     std::vector<std::pair<const RigidPartGroup *, unsigned int>> reported;
-    /** Of the state last evaluated (N). */
-    double largest_multiplier = 0;
   };
 } // namespace auxfem
 

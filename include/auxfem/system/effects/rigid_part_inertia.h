@@ -17,12 +17,18 @@ namespace auxfem
     explicit RigidPartInertia(RigidBodies bodies);
 
     bool is_linear() const override;
-    void register_blocks(TangentMatrix &matrix) override;
-    void add_residual(const Step &step, double *residual) override;
-    void add_tangent(const Step           &step,
+    void register_blocks(TangentPattern &pattern) override;
+    void add_residual(const Evaluation &evaluation,
+                      double           *residual,
+                      EffectResults    *results) const override;
+    void add_tangent(const Evaluation     &evaluation,
+                     const EffectResults  *results,
                      const TangentFactors &factors,
                      TangentMatrix        &matrix) const override;
-    void add_energies(const State &state, Energies &energies) const override;
+    void register_in(StateLayout &layout) override;
+    void account(const Evaluation    &step,
+                 const EffectResults *results,
+                 EnergyAccount       &account) const override;
 
   private:
     /** Calls @p action for all bodies in natural coordinates, in order. */
@@ -36,7 +42,8 @@ namespace auxfem
     }
 
     const RigidBodies bodies;
-    std::size_t       first_block = 0;
+    std::size_t       first_block   = 0;
+    unsigned int      kinetic_entry = 0;
   };
 } // namespace auxfem
 

@@ -25,13 +25,21 @@ namespace auxfem
     bool empty() const;
 
     bool   is_linear() const override;
-    void   register_blocks(TangentMatrix &matrix) override;
-    void   add_residual(const Step &step, double *residual) override;
-    void   add_tangent(const Step           &step,
+    void   register_blocks(TangentPattern &pattern) override;
+    void   add_residual(const Evaluation &evaluation,
+                        double           *residual,
+                        EffectResults    *results) const override;
+    void   add_tangent(const Evaluation     &evaluation,
+                       const EffectResults  *results,
                        const TangentFactors &factors,
                        TangentMatrix        &matrix) const override;
-    void   add_energies(const State &state, Energies &energies) const override;
-    double round_off_scale(double largest_displacement,
+    void   register_in(StateLayout &layout) override;
+    void   account(const Evaluation    &step,
+                   const EffectResults *results,
+                   EnergyAccount       &account) const override;
+    double round_off_scale(const State         &state,
+                           const EffectResults *results,
+                           double               largest_displacement,
                            double largest_rotation) const override;
 
   private:
@@ -47,9 +55,8 @@ namespace auxfem
     const bool          large_rotation;
     const double        length;
     std::vector<Mass>   masses;
-    std::size_t         first_block = 0;
-    /** Of those that add up in the state last evaluated (N m). */
-    double largest_torque = 0;
+    std::size_t         first_block   = 0;
+    unsigned int        kinetic_entry = 0;
   };
 } // namespace auxfem
 

@@ -19,13 +19,21 @@ namespace auxfem
     void add(int first, int second, double stiffness);
 
     bool   is_linear() const override;
-    void   register_blocks(TangentMatrix &matrix) override;
-    void   add_residual(const Step &step, double *residual) override;
-    void   add_tangent(const Step           &step,
+    void   register_blocks(TangentPattern &pattern) override;
+    void   add_residual(const Evaluation &evaluation,
+                        double           *residual,
+                        EffectResults    *results) const override;
+    void   add_tangent(const Evaluation     &evaluation,
+                       const EffectResults  *results,
                        const TangentFactors &factors,
                        TangentMatrix        &matrix) const override;
-    void   add_energies(const State &state, Energies &energies) const override;
-    double round_off_scale(double largest_displacement,
+    void   register_in(StateLayout &layout) override;
+    void   account(const Evaluation    &step,
+                   const EffectResults *results,
+                   EnergyAccount       &account) const override;
+    double round_off_scale(const State         &state,
+                           const EffectResults *results,
+                           double               largest_displacement,
                            double largest_rotation) const override;
 
   private:
@@ -39,7 +47,8 @@ namespace auxfem
 
     const DofNumbering &numbering;
     std::vector<Spring> springs;
-    std::size_t         first_block = 0;
+    std::size_t         first_block  = 0;
+    unsigned int        strain_entry = 0;
   };
 } // namespace auxfem
 

@@ -16,24 +16,32 @@ namespace auxfem
   class SpaceSprings : public Effect
   {
   public:
-    /** @param layout of which the springs' history follows that of others. */
-    SpaceSprings(const DofNumbering &numbering, const StateLayout &layout);
+    explicit SpaceSprings(const DofNumbering &numbering);
 
     /**
      * Adds a spring of @p stiffness (N m/rad) between two of
      * DofNumbering::spatial_rotations(); @p first = -1: between the ground and
-     * the second. Extends @p layout.
+     * the second.
+     * @param number of the spring among those of all ranks
      */
-    void add(int first, int second, double stiffness, StateLayout &layout);
+    void add(int first, int second, double stiffness, unsigned int number);
 
     bool   is_linear() const override;
-    void   register_blocks(TangentMatrix &matrix) override;
-    void   add_residual(const Step &step, double *residual) override;
-    void   add_tangent(const Step           &step,
+    void   register_blocks(TangentPattern &pattern) override;
+    void   add_residual(const Evaluation &evaluation,
+                        double           *residual,
+                        EffectResults    *results) const override;
+    void   add_tangent(const Evaluation     &evaluation,
+                       const EffectResults  *results,
                        const TangentFactors &factors,
                        TangentMatrix        &matrix) const override;
-    void   add_energies(const State &state, Energies &energies) const override;
-    double round_off_scale(double largest_displacement,
+    void   register_in(StateLayout &layout) override;
+    void   account(const Evaluation    &step,
+                   const EffectResults *results,
+                   EnergyAccount       &account) const override;
+    double round_off_scale(const State         &state,
+                           const EffectResults *results,
+                           double               largest_displacement,
                            double largest_rotation) const override;
 
   private:
@@ -42,17 +50,19 @@ namespace auxfem
       std::array<int, 6> unknowns; ///< spins of both; -1: ground
       int                first, second;
       double             stiffness;
-      /** psi of the state last evaluated (rad). */
-      SpaceVector angle;
+      unsigned int       number; ///< among those of all ranks
     };
     Quaternion base_rotation(const Spring &spring, const State &state) const;
     /** P_1^-1 psi. */
-    SpaceVector material_angle(unsigned int i, const Step &step) const;
+    SpaceVector material_angle(unsigned int      i,
+                               const Evaluation &evaluation) const;
+    /** psi (rad). */
+    SpaceVector angle(unsigned int i, const Evaluation &evaluation) const;
 
     const DofNumbering &numbering;
-    const unsigned int  first_history;
     std::vector<Spring> springs;
-    std::size_t         first_block = 0;
+    std::size_t         first_history = 0, first_block = 0;
+    unsigned int        strain_entry = 0;
   };
 } // namespace auxfem
 

@@ -15,6 +15,9 @@ namespace auxfem
     bool damping        = false; ///< mass-proportional
   };
 
+  /** What mass-proportional damping of struts takes from the motion. */
+  EnergyEntry mass_damping_entry();
+
   /**
    * Inertia of the struts, with mass-proportional damping where a section has
    * it.

@@ -1,5 +1,5 @@
+#include <auxfem/analysis/inverse_iteration.h>
 #include <auxfem/parameters/errors.h>
-#include <auxfem/system/overconstrained.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,44 +22,36 @@ namespace auxfem
      * complement is -(G G^T + small) on unknowns that are free. Rotations in
      * space count as displacements at the length of a strut.
      */
-    void
-    make_matrix(const System &system, const Step &step, TangentMatrix &matrix)
+    void replace_diagonal(const LatticeModel &model, Epetra_CrsMatrix &matrix)
     {
-      system.tangent(step, {0., 0., 0.}, matrix);
-      const DofNumbering &numbering = system.numbering();
+      const DofNumbering &numbering = model.numbering;
       Epetra_Vector       diagonal(numbering.owned_map());
-      const double        rotation = system.lattice().dimension == 3
-               ? system.length_scale() * system.length_scale()
+      const double        rotation = model.lattice.dimension == 3
+               ? model.mean_strut_length * model.mean_strut_length
                : 1.;
       for (unsigned int i = 0; i < numbering.n_owned(); ++i)
         diagonal[i] = numbering.kind(i) == UnknownKind::multiplier
           ? -smallest_eigenvalue / 10
           : numbering.kind(i) == UnknownKind::rotation ? rotation
                                                        : 1.;
-      matrix.matrix().ReplaceDiagonalValues(diagonal);
+      matrix.ReplaceDiagonalValues(diagonal);
     }
 
-    void keep_multipliers(const DofNumbering &numbering, Epetra_Vector &mode)
+    [[noreturn]] void refuse(const LatticeModel  &model,
+                             const Epetra_Vector &mode)
     {
-      for (unsigned int i = 0; i < numbering.n_owned(); ++i)
-        if (numbering.kind(i) != UnknownKind::multiplier)
-          mode[i] = 0;
-    }
-
-    [[noreturn]] void refuse(const System &system, const Epetra_Vector &mode)
-    {
-      const DofNumbering &numbering = system.numbering();
+      const DofNumbering &numbering = model.numbering;
       std::vector<double> sizes(numbering.n_owned());
       for (unsigned int i = 0; i < sizes.size(); ++i)
         sizes[i] = std::abs(mode[i]);
       throw InputError(
-        std::string(system.lattice().dimension == 3
+        std::string(model.lattice.dimension == 3
                       ? "Rigid parts and revolute hinges: a "
                       : "Rigid parts: a ") +
         numbering.describe_largest(sizes) +
         " follows from the conditions of other parts and the supports, so the "
         "forces in them are not determined.\n" +
-        (system.lattice().dimension == 3
+        (model.lattice.dimension == 3
            ? "Two hinges on one axis hold a part twice: let one be a hinge, or "
              "a support slide along the axis. "
            : "") +
@@ -70,38 +62,31 @@ namespace auxfem
     }
   } // namespace
 
-  void refuse_overconstrained(System        &system,
-                              State          state,
-                              TangentMatrix &matrix,
-                              LinearSolver  &solver)
+  void refuse_overconstrained(TangentSolver &solver, const State &state)
   {
-    const DofNumbering &numbering = system.numbering();
+    const LatticeModel &model     = solver.model();
+    const DofNumbering &numbering = model.numbering;
     if (numbering.n_multipliers() == 0)
       return;
-    const State before = state;
-    const Step  step{before, state, /*dt=*/0.};
-    system.begin_step(step);
-    system.residual(step);
-    make_matrix(system, step, matrix);
+    State             now        = state;
+    EvaluationResults results    = solver.equations().make_results();
+    const Evaluation  evaluation = Evaluation::rates(state, now);
+    solver.residual(evaluation, results);
+    // Only the gradients of the conditions stand in it.
+    solver.assemble(evaluation, results, {0., 0., 0.});
+    replace_diagonal(model, solver.matrix().matrix());
 
-    Epetra_Vector mode(numbering.owned_map());
-    mode.SetSeed(1);
-    mode.Random();
-    keep_multipliers(numbering, mode);
-    double growth    = 0;
-    bool   is_solved = solver.factorize();
-    for (unsigned int i = 0; is_solved && i < n_inverse_iterations; ++i)
-      {
-        double size = 0;
-        mode.NormInf(&size);
-        mode.Scale(1 / size);
-        solver.right_side() = mode;
-        mode                = solver.solve();
-        keep_multipliers(numbering, mode);
-        mode.NormInf(&growth);
-        is_solved = std::isfinite(growth);
-      }
-    if (!is_solved || growth > 1 / smallest_eigenvalue)
-      refuse(system, mode);
+    Epetra_Vector mode(numbering.owned_map()), ones(numbering.owned_map());
+    ones.PutScalar(1.);
+    const auto growth = inverse_iteration(
+      solver,
+      ones,
+      [&](const unsigned int i) {
+        return numbering.kind(i) == UnknownKind::multiplier;
+      },
+      n_inverse_iterations,
+      mode);
+    if (!growth || *growth > 1 / smallest_eigenvalue)
+      refuse(model, mode);
   }
 } // namespace auxfem

@@ -1,0 +1,75 @@
+#ifndef auxfem_analysis_newton_h
+#define auxfem_analysis_newton_h
+
+#include <auxfem/analysis/tangent_solver.h>
+#include <auxfem/time/time_scheme.h>
+
+namespace auxfem
+{
+  /**
+   * Newton's method for one step, with the factorization kept as long as it
+   * serves.
+   *
+   * A step is solved when the free force rows are below tolerance * F + floor
+   * and the moment rows below (tolerance * F + floor) * l: F the largest
+   * internal force of this iterate and of all accepted steps, l the mean strut
+   * length, floor the round-off of the residual itself, below which no
+   * iteration can go. The conditions of rigid parts must hold to their own
+   * round-off.
+   */
+  class Newton
+  {
+  public:
+    /** @param solver must outlive the object. */
+    Newton(TangentSolver &solver, const NewtonParameters &parameters);
+
+    /** What came of an attempt. */
+    struct Result
+    {
+      bool         converged  = false;
+      unsigned int iterations = 0;
+      /** In units of the force scale. */
+      double relative_residual = 0;
+      /** Why it did not converge. */
+      std::string reason;
+    };
+
+    /**
+     * Solves evaluation.to, which the scheme has predicted; of a solved one
+     * State::largest_force too.
+     */
+    Result solve(const TimeScheme  &scheme,
+                 const Evaluation  &evaluation,
+                 EvaluationResults &results);
+
+    /** Forgets the factorization (the state jumped). */
+    void drop_factorization();
+
+  private:
+    /** What a kept factorization belongs to. */
+    struct Kept
+    {
+      Evaluation::Kind kind;
+      double           dt;
+    };
+
+    /** Factorizes unless the kept factorization serves; false if singular. */
+    bool   prepare(const TimeScheme        &scheme,
+                   const Evaluation        &evaluation,
+                   const EvaluationResults &results,
+                   double                   reduction);
+    bool   meets_conditions(const EvaluationResults &results,
+                            const State             &state) const;
+    double in_force_units(const EvaluationResults &results) const;
+    /** Solves for the increment and applies it; empty, or why it failed. */
+    std::string iterate(const TimeScheme &scheme, const Evaluation &evaluation);
+
+    TangentSolver         &solver;
+    const NewtonParameters parameters;
+    const bool             is_linear;
+    Vector                 increment;
+    std::optional<Kept>    kept;
+  };
+} // namespace auxfem
+
+#endif

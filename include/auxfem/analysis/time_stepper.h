@@ -1,0 +1,80 @@
+#ifndef auxfem_analysis_time_stepper_h
+#define auxfem_analysis_time_stepper_h
+
+#include <auxfem/analysis/consistent_rates.h>
+#include <auxfem/analysis/newton.h>
+#include <auxfem/system/solution.h>
+#include <auxfem/time/step_control.h>
+
+namespace auxfem
+{
+  /**
+   * Takes the lattice through time. A step that does not converge is undone and
+   * repeated as the step control says; an unconverged trial never becomes the
+   * solution.
+   */
+  class TimeStepper
+  {
+  public:
+    /**
+     * @param equations, work must outlive the object. @p work takes up all that
+     *   is done.
+     */
+    TimeStepper(Equations &equations, const Scene &scene, Work &work);
+
+    /** The state at t = 0, before start(). */
+    Solution initial_solution() const;
+
+    /**
+     * Brings the initial state into order: prescribed motion, static
+     * equilibrium if the scene starts from it, accelerations in equilibrium,
+     * energies.
+     * Throws ComputationError if there is no equilibrium to be found.
+     */
+    void start(Solution &solution);
+
+    /**
+     * Advances @p solution by one step of the scene. Throws ComputationError if
+     * even the smallest step does not converge; @p solution is then the last
+     * accepted one.
+     */
+    StepReport advance(Solution &solution);
+
+    /** For what has to be solved before the start; see Newton. */
+    TangentSolver &solver();
+
+  private:
+    void find_static_equilibrium(State &state);
+    bool try_step(Solution          &solution,
+                  const PlannedStep &planned,
+                  StepReport        &report);
+    void predict(const Evaluation &step);
+    /** Rates of rigid parts put right, in a step that is solved. */
+    void              restore_rates(const Evaluation &step);
+    bool              creates_energy(const Evaluation &step) const;
+    bool              reject(const std::string &reason);
+    [[noreturn]] void give_up(const State &state, double dt) const;
+
+    Equations           &equations;
+    const TimeParameters parameters;
+    Work                &work;
+    TangentSolver        tangent_solver;
+    Newton               newton;
+    Solution             trial;
+    /** With the mass matrix; only where rates are restored after each step. */
+    struct RateSolver
+    {
+      RateSolver(const Equations        &equations,
+                 const SolverParameters &parameters,
+                 Work                   &work);
+
+      TangentSolver   solver;
+      ConsistentRates rates;
+    };
+    std::unique_ptr<RateSolver>  rate_solver;
+    std::unique_ptr<StepControl> control;
+    std::string                  last_failure;
+  };
+} // namespace auxfem
+
+#endif

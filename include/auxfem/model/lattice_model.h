@@ -1,0 +1,55 @@
+#ifndef auxfem_model_lattice_model_h
+#define auxfem_model_lattice_model_h
+
+#include <auxfem/model/supports.h>
+#include <auxfem/system/effect_decisions.h>
+#include <auxfem/system/joint_releases.h>
+#include <auxfem/system/node_rotations.h>
+#include <auxfem/system/rigid_bodies.h>
+
+namespace auxfem
+{
+  /**
+   * The structure as it is computed: the lattice with sections, unknowns,
+   * supports and rigid bodies, on this rank. Nothing of it changes during a
+   * run. The members are built in their order, each from those before it.
+   */
+  struct LatticeModel
+  {
+    /**
+     * @param scene, lattice must outlive the model.
+     *
+     * Throws InputError for contradictions only the lattice can show (a
+     * component prescribed twice, a section that its reference vector does not
+     * orient).
+     */
+    LatticeModel(const Scene   &scene,
+                 const Lattice &lattice,
+                 MPI_Comm       communicator);
+
+    LatticeModel(const LatticeModel &)            = delete;
+    LatticeModel &operator=(const LatticeModel &) = delete;
+
+    const Lattice             &lattice;
+    const SimulatedEffects     simulated;
+    const std::vector<Section> sections; ///< by Strut::section
+    /** Ties moments to forces in tests (m). */
+    const double mean_strut_length;
+    /** Hinges and springs; empty if they are left out. */
+    const std::vector<JointRelease> releases;
+    /** Of the whole lattice, by the scene's groups of connectors. */
+    const std::vector<std::vector<JointPair>> connector_pairs;
+    const DofNumbering                        numbering;
+    /** Owned rows by what is measured in them. */
+    const OwnedRows rows;
+    /** Large rotations in space. */
+    const NodeRotations        rotations;
+    const std::vector<Support> supports;
+    const RigidBodies          bodies;
+
+    /** Rotations in space kept as quaternions; none if they stay small. */
+    unsigned int n_large_rotations() const;
+  };
+} // namespace auxfem
+
+#endif

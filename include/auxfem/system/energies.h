@@ -1,0 +1,103 @@
+#ifndef auxfem_system_energies_h
+#define auxfem_system_energies_h
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace auxfem
+{
+  /** What an entry of an energy ledger stands for. */
+  enum class EnergyKind
+  {
+    kinetic,
+    strain,     ///< in struts and rotational springs
+    stored,     ///< in the springs of connectors
+    dissipated, ///< since the start
+    work        ///< done by loads and prescribed motion since the start
+  };
+
+  /** One entry of the ledger: a column of history.csv. */
+  struct EnergyEntry
+  {
+    EnergyKind kind;
+    /** As in the heading of the column, e.g. `kinetic` or `push.load_work`. */
+    std::string name;
+    /** For `history.units.csv`. */
+    std::string meaning;
+  };
+
+  /**
+   * The energies a scene has, each with a name. What simulates something enters
+   * what it keeps account of; several may share an entry. Entries are told
+   * apart by their names.
+   */
+  class EnergyLedger
+  {
+  public:
+    /** Number of the entry with the name of @p entry, made if there is none. */
+    unsigned int enter(const EnergyEntry &entry);
+
+    const std::vector<EnergyEntry> &entries() const;
+
+    bool has(EnergyKind kind) const;
+
+  private:
+    std::vector<EnergyEntry> list;
+  };
+
+  /** @name Entries that several effects share. */
+  ///@{
+  EnergyEntry kinetic_energy_entry();
+  EnergyEntry strain_energy_entry();
+  EnergyEntry stored_energy_entry();
+  ///@}
+
+  /** Energies at one time (J), an amount for each entry of a ledger. */
+  class Energies
+  {
+  public:
+    /** Without entries. */
+    Energies();
+
+    /** All zero. */
+    explicit Energies(std::shared_ptr<const EnergyLedger> ledger);
+
+    const EnergyLedger &ledger() const;
+
+    double &operator[](unsigned int entry);
+    double  operator[](unsigned int entry) const;
+
+    /** Amounts in the order of the entries. */
+    std::vector<double>       &amounts();
+    const std::vector<double> &amounts() const;
+
+    /** Sum of all entries of a kind. */
+    double sum(EnergyKind kind) const;
+
+    /** @name Sums by kind. */
+    ///@{
+    double kinetic() const;
+    double strain() const;
+    double stored() const;
+    double dissipated() const;
+    /** Work of loads and prescribed motion. */
+    double external() const;
+    ///@}
+
+    /** Mechanical energy: kinetic + strain + stored. */
+    double total() const;
+
+    /**
+     * total + dissipated - external - @p initial_total: zero but for the error of the
+     * time integration (and its numerical damping, if it has any).
+     */
+    double balance(double initial_total) const;
+
+  private:
+    std::shared_ptr<const EnergyLedger> entries;
+    std::vector<double>                 values;
+  };
+} // namespace auxfem
+
+#endif

@@ -1,0 +1,51 @@
+#ifndef auxfem_time_step_control_h
+#define auxfem_time_step_control_h
+
+#include <memory>
+
+namespace auxfem
+{
+  struct TimeParameters;
+
+  /** A step to be tried. */
+  struct PlannedStep
+  {
+    double end; ///< time at its end (s)
+    double dt;  ///< its length (s)
+  };
+
+  /**
+   * Decides how long steps are. It is told of times that a step must end at,
+   * one after the other, and goes to each in as many steps as it likes. A
+   * factorization is kept for steps of exactly equal length.
+   */
+  class StepControl
+  {
+  public:
+    virtual ~StepControl() = default;
+
+    /** The step from @p time on, which ends at @p target at the latest (s). */
+    virtual PlannedStep plan(double time, double target) = 0;
+
+    /** The step last planned was solved. */
+    virtual void accepted() = 0;
+
+    /**
+     * The step last planned was not solved. Returns false if it may not be
+     * shorter.
+     */
+    virtual bool rejected() = 0;
+
+    /** Length of the shortest step (s). */
+    virtual double shortest() const = 0;
+  };
+
+  /**
+   * Steps of `Time step`; where one fails it is done in halves, these in halves
+   * again, down to `Smallest time step`.
+   */
+  std::unique_ptr<StepControl>
+  make_constant_steps(const TimeParameters &parameters);
+} // namespace auxfem
+
+#endif

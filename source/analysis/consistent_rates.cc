@@ -1,0 +1,192 @@
+#include <auxfem/analysis/consistent_rates.h>
+#include <auxfem/parameters/errors.h>
+#include <auxfem/system/prescribed_motion.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace auxfem
+{
+  ConsistentRates::ConsistentRates(TangentSolver &solver)
+    : solver(solver)
+    , model(solver.model())
+    , results(solver.equations().make_results())
+    , increment(model.numbering.local_map())
+  {}
+
+  void ConsistentRates::start(State &state, const double dt)
+  {
+    const State      before     = state;
+    const Evaluation evaluation = Evaluation::rates(before, state);
+    state.acceleration->PutScalar(0.);
+    prescribe_motion(model, evaluation, dt);
+    solver.residual(evaluation, results);
+
+    if (!prepare_mass(evaluation))
+      prepare_stand_in(evaluation, dt);
+    if (!solver.equations().reporting().conditions.empty())
+      {
+        std::vector<double> rates;
+        refuse_strain(state, find_rates(state, rates), dt);
+        project_velocities(state, rates);
+        solver.residual(evaluation, results);
+      }
+    find_accelerations(evaluation);
+    if (state.algorithmic_acceleration)
+      *state.algorithmic_acceleration = *state.acceleration;
+    solver.residual(evaluation, results);
+  }
+
+  void ConsistentRates::restore(State &state)
+  {
+    if (is_singular)
+      return;
+    const State      before     = state;
+    const Evaluation evaluation = Evaluation::rates(before, state);
+    solver.residual(evaluation, results);
+    if (!prepare_mass(evaluation))
+      return;
+    std::vector<double> rates;
+    find_rates(state, rates);
+    project_velocities(state, rates);
+    solver.residual(evaluation, results);
+    find_accelerations(evaluation);
+  }
+
+  bool ConsistentRates::prepare_mass(const Evaluation &evaluation)
+  {
+    solver.assemble(evaluation, results, {0., 0., 1.});
+    is_singular = has_empty_row();
+    if (is_singular)
+      return false;
+    // Conditions make the matrix indefinite.
+    if (model.numbering.n_multipliers() == 0)
+      {
+        method = Method::conjugate_gradients;
+        return true;
+      }
+    method      = Method::factorization;
+    is_singular = !solver.factorize();
+    return !is_singular;
+  }
+
+  void ConsistentRates::prepare_stand_in(const Evaluation &evaluation,
+                                         const double      dt)
+  {
+    method = Method::factorization;
+    solver.assemble(evaluation, results, {dt * dt / 4, dt / 2, 1.});
+    refuse_empty_rows();
+    if (!solver.factorize())
+      throw InputError(
+        "The mass matrix is singular, so the accelerations at t = 0 are "
+        "not determined. Give every moving part a density or a mass "
+        "(Sections/NAME/Density, Rigid parts/NAME/Mass, Masses).");
+  }
+
+  double ConsistentRates::find_rates(const State         &state,
+                                     std::vector<double> &rates) const
+  {
+    const DofNumbering &numbering = model.numbering;
+    rates.assign(numbering.n_local(), 0.);
+    for (const Conditions *of_kind : solver.equations().reporting().conditions)
+      of_kind->find_rates(state, rates.data());
+    double mine = 0, largest = 0;
+    for (const double rate : rates)
+      mine = std::max(mine, std::abs(rate));
+    numbering.communicator().MaxAll(&mine, &largest, 1);
+    return largest;
+  }
+
+  void ConsistentRates::refuse_strain(const State &state,
+                                      const double rate,
+                                      const double dt) const
+  {
+    // Prescribed velocities are differences, given ones have few digits.
+    constexpr double digits_of_velocities = 1e-6, part_of_first_step = 1e-3,
+                     round_off_of_differences = 1e-12;
+    const double speed = largest_motion(model, *state.velocity).first,
+                 acceleration =
+                   largest_motion(model, *state.acceleration).first;
+    if (rate <= digits_of_velocities * speed +
+          part_of_first_step * acceleration * dt +
+          round_off_of_differences * model.mean_strut_length / dt)
+      return;
+    std::ostringstream message;
+    message << "At t = 0 the joints of a rigid part move apart"
+            << (model.lattice.dimension == 3
+                  ? ", or a revolute hinge turns across its axis,"
+                  : "")
+            << " with " << rate
+            << " m/s, by Initial velocities or by Supports that start with a "
+               "speed. Give all joints of the part velocities of one rigid "
+               "motion that its supports allow, or let supports start from "
+               "rest.";
+    throw InputError(message.str());
+  }
+
+  void ConsistentRates::project_velocities(State                     &state,
+                                           const std::vector<double> &rates)
+  {
+    const DofNumbering &numbering = model.numbering;
+    for (unsigned int i = 0; i < numbering.n_owned(); ++i)
+      solver.right_side()[i] = -rates[i];
+    solve();
+    for (const int multiplier : numbering.multipliers())
+      increment[multiplier] = 0;
+    model.rotations.make_material(state, increment);
+    state.velocity->Update(1., increment, 1.);
+  }
+
+  void ConsistentRates::find_accelerations(const Evaluation &evaluation)
+  {
+    State &state = evaluation.to;
+    find_right_side(model, evaluation, solver.right_side().Values());
+    solve();
+    model.rotations.make_material(state, increment);
+    state.acceleration->Update(1., increment, 1.);
+    for (const int multiplier : model.numbering.multipliers())
+      {
+        state.displacement[multiplier] += increment[multiplier];
+        (*state.acceleration)[multiplier] = 0;
+      }
+  }
+
+  void ConsistentRates::solve()
+  {
+    const std::string found =
+      "The accelerations that balance the forces were not found: ";
+    if (method == Method::conjugate_gradients)
+      {
+        if (!solver.solve_by_conjugate_gradients(increment))
+          throw ComputationError(found +
+                                 "the mass matrix is not positive definite.");
+        return;
+      }
+    solver.solve(increment);
+    if (!solver.failure().empty())
+      throw ComputationError(found + solver.failure());
+  }
+
+  bool ConsistentRates::has_empty_row()
+  {
+    const std::vector<double> sizes = solver.matrix().row_sizes();
+    int                       mine = std::count(sizes.begin(), sizes.end(), 0.);
+    int                       all  = 0;
+    model.numbering.communicator().SumAll(&mine, &all, 1);
+    return all > 0;
+  }
+
+  void ConsistentRates::refuse_empty_rows()
+  {
+    if (!has_empty_row())
+      return;
+    std::vector<double> emptiness;
+    for (const double size : solver.matrix().row_sizes())
+      emptiness.push_back(size == 0 ? 1. : 0.);
+    throw InputError(
+      "Nothing resists the " + model.numbering.describe_largest(emptiness) +
+      ": no mass, no strut and no connector. Give the joint a mass, "
+      "connect it or leave it out.");
+  }
+} // namespace auxfem

@@ -1,0 +1,143 @@
+#include <auxfem/analysis/newton.h>
+#include <auxfem/system/prescribed_motion.h>
+
+#include <deal.II/base/numbers.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace auxfem
+{
+  namespace
+  {
+    /**
+     * An increment that turns a section further has left the neighbourhood of
+     * the state it started from: the solution it leads to would be another one.
+     */
+    constexpr double half_turn = dealii::numbers::PI;
+  } // namespace
+
+  Newton::Newton(TangentSolver &solver, const NewtonParameters &parameters)
+    : solver(solver)
+    , parameters(parameters)
+    , is_linear(solver.equations().is_linear())
+    , increment(solver.model().numbering.local_map())
+  {}
+
+  Newton::Result Newton::solve(const TimeScheme  &scheme,
+                               const Evaluation  &evaluation,
+                               EvaluationResults &results)
+  {
+    Result result;
+    solver.residual(evaluation, results);
+    double size      = in_force_units(results);
+    double reduction = std::numeric_limits<double>::infinity();
+    // Prescribed unknowns may still have to move to their place.
+    bool is_in_place = scheme.is_dynamic();
+
+    while (true)
+      {
+        // A wild iterate must not set the scale for what follows.
+        const double force =
+          std::max(evaluation.from.largest_force, results.force_scale);
+        if (!std::isfinite(size))
+          {
+            result.reason = "the residual is not finite";
+            return result;
+          }
+        result.relative_residual = force > 0 ? size / force : 0.;
+        // The floor is that of the iterate: a static step from rest begins
+        // without motion, hence without round-off.
+        const double wanted = parameters.tolerance * force;
+        const bool   stagnates =
+          reduction < parameters.kept_reduction || result.iterations == 0;
+        if (is_in_place && meets_conditions(results, evaluation.to) &&
+            (size <= wanted ||
+             (stagnates &&
+              size <= wanted +
+                  solver.equations().round_off_floor(evaluation.to, results))))
+          {
+            result.converged            = true;
+            evaluation.to.largest_force = force;
+            return result;
+          }
+        if (result.iterations == parameters.maximum_iterations)
+          {
+            result.reason = "Newton's method has not converged in " +
+              std::to_string(result.iterations) + " iterations";
+            return result;
+          }
+
+        if (!prepare(scheme, evaluation, results, reduction))
+          {
+            result.reason = "the tangent is singular";
+            return result;
+          }
+        result.reason = iterate(scheme, evaluation);
+        if (!result.reason.empty())
+          return result;
+        is_in_place = true;
+        ++result.iterations;
+
+        const double before = size;
+        solver.residual(evaluation, results);
+        size      = in_force_units(results);
+        reduction = before / size;
+      }
+  }
+
+  void Newton::drop_factorization()
+  {
+    kept.reset();
+  }
+
+  bool Newton::prepare(const TimeScheme        &scheme,
+                       const Evaluation        &evaluation,
+                       const EvaluationResults &results,
+                       const double             reduction)
+  {
+    const bool serves = kept && kept->kind == evaluation.kind &&
+      kept->dt == evaluation.dt &&
+      (is_linear ||
+       (parameters.keep_factorization &&
+        reduction >= parameters.kept_reduction));
+    if (serves)
+      return true;
+    kept.reset();
+    solver.assemble(evaluation, results, scheme.factors(evaluation.dt));
+    if (!solver.factorize())
+      return false;
+    kept = Kept{evaluation.kind, evaluation.dt};
+    return true;
+  }
+
+  std::string Newton::iterate(const TimeScheme &scheme,
+                              const Evaluation &evaluation)
+  {
+    const LatticeModel &model = solver.model();
+    find_right_side(model, evaluation, solver.right_side().Values());
+    solver.solve(increment);
+    if (!solver.failure().empty())
+      return solver.failure();
+    if (!is_linear && largest_motion(model, increment).second > half_turn)
+      return "an iteration turned a section by more than half a turn";
+    model.rotations.turn(evaluation, increment);
+    scheme.correct(increment, evaluation.dt, evaluation.to);
+    return "";
+  }
+
+  bool Newton::meets_conditions(const EvaluationResults &results,
+                                const State             &state) const
+  {
+    return results.condition == 0 ||
+      results.condition <= condition_tolerance(solver.equations(), state);
+  }
+
+  double Newton::in_force_units(const EvaluationResults &results) const
+  {
+    const double moment = results.moment / solver.model().mean_strut_length;
+    // std::max would drop a NaN in its second place.
+    return std::isfinite(moment) ? std::max(results.force, moment) : moment;
+  }
+} // namespace auxfem

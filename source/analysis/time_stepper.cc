@@ -1,0 +1,197 @@
+#include <auxfem/analysis/time_stepper.h>
+#include <auxfem/parameters/errors.h>
+#include <auxfem/system/prescribed_motion.h>
+
+#include <cmath>
+#include <sstream>
+
+namespace auxfem
+{
+  TimeStepper::RateSolver::RateSolver(const Equations        &equations,
+                                      const SolverParameters &parameters,
+                                      Work                   &work)
+    : solver(equations, parameters, work)
+    , rates(solver)
+  {}
+
+  TimeStepper::TimeStepper(Equations &equations, const Scene &scene, Work &work)
+    : equations(equations)
+    , parameters(scene.time)
+    , work(work)
+    , tangent_solver(equations, scene.solver, work)
+    , newton(tangent_solver, scene.newton)
+    , trial(initial_solution())
+    , control(make_constant_steps(scene.time))
+  {
+    if (!equations.reporting().conditions.empty() &&
+        parameters.scheme->carries_on_alternating_errors())
+      rate_solver = std::make_unique<RateSolver>(equations, scene.solver, work);
+  }
+
+  Solution TimeStepper::initial_solution() const
+  {
+    return {equations.initial_state(), equations.make_results()};
+  }
+
+  TangentSolver &TimeStepper::solver()
+  {
+    return tangent_solver;
+  }
+
+  void TimeStepper::start(Solution &solution)
+  {
+    State &state = solution.state;
+    if (parameters.static_start)
+      find_static_equilibrium(state);
+    if (parameters.scheme->is_dynamic())
+      {
+        ConsistentRates(tangent_solver).start(state, parameters.step);
+        newton.drop_factorization();
+      }
+    const State      before  = state;
+    const Evaluation instant = Evaluation::rates(before, state);
+    tangent_solver.residual(instant, solution.results);
+    equations.accept(instant, solution.results);
+    state.largest_energy = state.energies.total();
+  }
+
+  void TimeStepper::find_static_equilibrium(State &state)
+  {
+    const Equilibrium search;
+    trial.state                 = state;
+    const Evaluation evaluation = Evaluation::equilibrium(state, trial.state);
+    search.predict(state, /*dt=*/0., trial.state);
+    equations.model().rotations.follow(evaluation);
+    const Newton::Result result =
+      newton.solve(search, evaluation, trial.results);
+    newton.drop_factorization();
+    work.iterations += result.iterations;
+    if (!result.converged)
+      throw ComputationError(
+        "No static equilibrium was found under the loads of t = 0: " +
+        result.reason +
+        ". Start from rest, or raise the load in steps with "
+        "`Scheme = static` to see where it is lost.");
+    if (state.velocity)
+      {
+        *trial.state.velocity = *state.velocity;
+        equations.model().rotations.make_material(trial.state,
+                                                  *trial.state.velocity);
+      }
+    state = trial.state;
+  }
+
+  StepReport TimeStepper::advance(Solution &solution)
+  {
+    State     &state = solution.state;
+    StepReport report;
+    report.dt           = parameters.step;
+    const double target = parameters.time_at(state.step + 1);
+    while (state.time < target)
+      {
+        equations.update_pattern(state);
+        const PlannedStep planned = control->plan(state.time, target);
+        if (try_step(solution, planned, report))
+          {
+            control->accepted();
+            ++report.substeps;
+            report.dt = std::min(report.dt, planned.dt);
+            continue;
+          }
+        ++report.retries;
+        if (!control->rejected())
+          give_up(state, planned.dt);
+      }
+    ++state.step;
+    ++work.steps;
+    work.iterations += report.iterations;
+    work.retries += report.retries;
+    return report;
+  }
+
+  bool TimeStepper::try_step(Solution          &solution,
+                             const PlannedStep &planned,
+                             StepReport        &report)
+  {
+    State &state          = solution.state;
+    trial.state.time      = planned.end;
+    const Evaluation step = parameters.scheme->is_dynamic()
+      ? Evaluation::step(state, trial.state, planned.dt)
+      : Evaluation::static_step(state, trial.state, planned.dt);
+    predict(step);
+    const Newton::Result result =
+      newton.solve(*parameters.scheme, step, trial.results);
+    report.iterations += result.iterations;
+    report.relative_residual = result.relative_residual;
+    if (!result.converged)
+      {
+        std::ostringstream reason;
+        reason << result.reason << "; relative residual "
+               << result.relative_residual << ", largest at the "
+               << worst_unknown(equations.model(), trial.state);
+        return reject(reason.str());
+      }
+    if (rate_solver)
+      restore_rates(step);
+    equations.accept(step, trial.results);
+    if (creates_energy(step))
+      return reject(
+        "the step would create energy (more than Time/Largest energy error)");
+    trial.state.largest_energy = std::max({state.largest_energy,
+                                           trial.state.energies.total(),
+                                           trial.state.energies.dissipated()});
+    trial.state.step           = state.step;
+    state                      = trial.state;
+    std::swap(solution.results, trial.results);
+    return true;
+  }
+
+  void TimeStepper::predict(const Evaluation &step)
+  {
+    parameters.scheme->predict(step.from, step.dt, step.to);
+    equations.model().rotations.follow(step);
+    if (parameters.scheme->is_dynamic())
+      prescribe_motion(equations.model(), step, parameters.step);
+  }
+
+  void TimeStepper::restore_rates(const Evaluation &step)
+  {
+    rate_solver->rates.restore(step.to);
+    tangent_solver.residual(step, trial.results);
+  }
+
+  bool TimeStepper::creates_energy(const Evaluation &step) const
+  {
+    // Implicit schemes can converge to states that have nothing to do with the
+    // motion when a step is too long for it; these show by energy from nowhere.
+    const Energies &before = step.from.energies, &after = step.to.energies;
+    const double    created = after.balance(before.balance(0.));
+    const double    turnover =
+      std::max({step.from.largest_energy,
+                std::abs(after.external() - before.external()),
+                after.dissipated() - before.dissipated()});
+    return created > parameters.energy_error * turnover;
+  }
+
+  bool TimeStepper::reject(const std::string &reason)
+  {
+    last_failure = reason;
+    newton.drop_factorization();
+    return false;
+  }
+
+  void TimeStepper::give_up(const State &state, const double dt) const
+  {
+    std::ostringstream message;
+    message
+      << "The step from t = " << state.time
+      << " s did not converge even with dt = " << dt
+      << " s (Time/Smallest time step = " << control->shortest()
+      << " s): " << last_failure
+      << ".\nAll steps until then are in the output folder. A smaller smallest "
+         "step, numerical damping (Scheme = generalized-alpha) or, in statics, "
+         "prescribed motion in place of a force may carry it further; an "
+         "unstable structure will not be carried by any.";
+    throw ComputationError(message.str());
+  }
+} // namespace auxfem

@@ -1,0 +1,144 @@
+#include <auxfem/mesh/sets.h>
+#include <auxfem/model/supports.h>
+#include <auxfem/parameters/errors.h>
+
+#include <algorithm>
+#include <map>
+
+namespace auxfem
+{
+  namespace
+  {
+    std::vector<unsigned int> joints_of(const SupportDefinition &definition,
+                                        const Scene             &scene,
+                                        const Lattice           &lattice)
+    {
+      return select_joints(lattice,
+                           definition.joints,
+                           scene.context,
+                           definition.path + "/Joints");
+    }
+
+    /** Keeps track of which support prescribes what, on all ranks. */
+    class Holders
+    {
+    public:
+      /**
+       * Whether @p definition is the first to prescribe a component of a joint.
+       * Two supports may both hold it at rest, as at a corner; else the second
+       * is refused.
+       */
+      bool is_first(const SupportDefinition &definition,
+                    const unsigned int       joint,
+                    const unsigned int       component,
+                    const Lattice           &lattice,
+                    const DofNumbering      &numbering)
+      {
+        const bool at_rest = definition.motion[component].is_zero();
+        // Joints of one rigid part may share a rotation.
+        const auto [holder, is_new] = holders.insert(
+          {numbering.global_number(joint, component), {&definition, at_rest}});
+        if (!is_new && !(at_rest && holder->second.at_rest) &&
+            holder->second.support != &definition)
+          throw InputError(definition.path + ": the " +
+                           motion_in_words(component, lattice.dimension) +
+                           " of joint " + std::to_string(joint) +
+                           " is already prescribed by " +
+                           holder->second.support->path +
+                           ". Take the joint out of one of the two sets.");
+        return is_new;
+      }
+
+    private:
+      struct Holder
+      {
+        const SupportDefinition *support;
+        bool                     at_rest;
+      };
+      std::map<int, Holder> holders;
+    };
+
+    /** Whether a joint lacks a component that may be left out, as there. */
+    bool is_needless(const SupportDefinition &definition,
+                     const unsigned int       joint,
+                     const unsigned int       component,
+                     const DofNumbering      &numbering)
+    {
+      if (numbering.joint_has(joint, component))
+        return false;
+      // A hinge may be clamped: then its rotation is not there.
+      if (definition.motion[component].is_zero() &&
+          !numbering.is_rigid_joint(joint))
+        return true;
+      throw InputError(definition.path + "/Rotation " +
+                       "xyz"[component - first_rotation] + ": " +
+                       numbering.why_no_rotation(joint) +
+                       " Type = pin holds displacements only.");
+    }
+
+    void group_rotations(const DofNumbering &numbering, Support &support)
+    {
+      for (const Support::PrescribedUnknown &prescribed : support.unknowns)
+        {
+          if (prescribed.component < first_rotation)
+            continue;
+          const unsigned int rotation =
+            numbering.spatial_rotation(prescribed.unknown);
+          if (support.rotations.empty() ||
+              support.rotations.back().rotation != rotation)
+            support.rotations.push_back({rotation, {{false, false, false}}});
+          support.rotations.back()
+            .fixed[prescribed.component - first_rotation] = true;
+        }
+    }
+  } // namespace
+
+  bool Support::is_at_rest() const
+  {
+    return std::all_of(motion.begin(),
+                       motion.end(),
+                       [](const TimeFunction &component) {
+                         return component.is_zero();
+                       });
+  }
+
+  std::vector<JointMotion> prescribed_motions(const Scene   &scene,
+                                              const Lattice &lattice)
+  {
+    std::vector<JointMotion> motions;
+    for (const SupportDefinition &definition : scene.supports)
+      for (const unsigned int joint : joints_of(definition, scene, lattice))
+        for (unsigned int c = 0; c < n_motion_components; ++c)
+          if (definition.fixed[c])
+            motions.push_back({joint, c});
+    return motions;
+  }
+
+  std::vector<Support> make_supports(const Scene        &scene,
+                                     const Lattice      &lattice,
+                                     const DofNumbering &numbering,
+                                     const bool          large_rotations)
+  {
+    Holders              holders;
+    std::vector<Support> supports;
+    for (const SupportDefinition &definition : scene.supports)
+      {
+        Support support{definition.name, {}, {}, definition.motion};
+        for (const unsigned int joint : joints_of(definition, scene, lattice))
+          for (const unsigned int c : numbering.components())
+            {
+              if (!definition.fixed[c] ||
+                  is_needless(definition, joint, c, numbering) ||
+                  !holders.is_first(definition, joint, c, lattice, numbering))
+                continue;
+              const int unknown = numbering.joint_unknown(joint, c);
+              if (unknown >= 0)
+                support.unknowns.push_back({unknown, c});
+            }
+        if (large_rotations && lattice.dimension == 3)
+          group_rotations(numbering, support);
+        supports.push_back(support);
+      }
+    return supports;
+  }
+} // namespace auxfem

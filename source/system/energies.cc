@@ -1,0 +1,128 @@
+#include <auxfem/system/energies.h>
+
+#include <algorithm>
+
+namespace auxfem
+{
+  unsigned int EnergyLedger::enter(const EnergyEntry &entry)
+  {
+    const auto known =
+      std::find_if(list.begin(), list.end(), [&](const EnergyEntry &other) {
+        return other.name == entry.name;
+      });
+    if (known != list.end())
+      return known - list.begin();
+    list.push_back(entry);
+    return list.size() - 1;
+  }
+
+  const std::vector<EnergyEntry> &EnergyLedger::entries() const
+  {
+    return list;
+  }
+
+  bool EnergyLedger::has(const EnergyKind kind) const
+  {
+    return std::any_of(list.begin(),
+                       list.end(),
+                       [kind](const EnergyEntry &entry) {
+                         return entry.kind == kind;
+                       });
+  }
+
+  EnergyEntry kinetic_energy_entry()
+  {
+    return {EnergyKind::kinetic, "kinetic", "kinetic energy"};
+  }
+
+  EnergyEntry strain_energy_entry()
+  {
+    return {EnergyKind::strain,
+            "strain",
+            "strain energy of struts and rotational springs"};
+  }
+
+  EnergyEntry stored_energy_entry()
+  {
+    return {EnergyKind::stored,
+            "stored",
+            "energy in the springs of connectors"};
+  }
+
+  Energies::Energies() : entries(std::make_shared<const EnergyLedger>())
+  {}
+
+  Energies::Energies(std::shared_ptr<const EnergyLedger> ledger)
+    : entries(std::move(ledger))
+    , values(entries->entries().size(), 0.)
+  {}
+
+  const EnergyLedger &Energies::ledger() const
+  {
+    return *entries;
+  }
+
+  double &Energies::operator[](const unsigned int entry)
+  {
+    return values[entry];
+  }
+
+  double Energies::operator[](const unsigned int entry) const
+  {
+    return values[entry];
+  }
+
+  std::vector<double> &Energies::amounts()
+  {
+    return values;
+  }
+
+  const std::vector<double> &Energies::amounts() const
+  {
+    return values;
+  }
+
+  double Energies::sum(const EnergyKind kind) const
+  {
+    double result = 0;
+    for (unsigned int i = 0; i < values.size(); ++i)
+      if (entries->entries()[i].kind == kind)
+        result += values[i];
+    return result;
+  }
+
+  double Energies::kinetic() const
+  {
+    return sum(EnergyKind::kinetic);
+  }
+
+  double Energies::strain() const
+  {
+    return sum(EnergyKind::strain);
+  }
+
+  double Energies::stored() const
+  {
+    return sum(EnergyKind::stored);
+  }
+
+  double Energies::dissipated() const
+  {
+    return sum(EnergyKind::dissipated);
+  }
+
+  double Energies::external() const
+  {
+    return sum(EnergyKind::work);
+  }
+
+  double Energies::total() const
+  {
+    return kinetic() + strain() + stored();
+  }
+
+  double Energies::balance(const double initial_total) const
+  {
+    return total() + dissipated() - external() - initial_total;
+  }
+} // namespace auxfem

@@ -1,0 +1,84 @@
+#include <auxfem/parameters/scene.h>
+#include <auxfem/time/step_control.h>
+
+#include <cmath>
+#include <optional>
+
+namespace auxfem
+{
+  namespace
+  {
+    class ConstantSteps : public StepControl
+    {
+    public:
+      ConstantSteps(const double step, const double smallest)
+        : step(step)
+        , smallest(smallest)
+      {}
+
+      PlannedStep plan(const double time, const double next_target) override
+      {
+        if (target != next_target)
+          begin_interval(time, next_target);
+        const double piece   = 1. / (1u << level);
+        const bool   is_last = position + 1 == (1u << level);
+        return {is_last ? *target : begin + length * piece * (position + 1),
+                length * piece};
+      }
+
+      void accepted() override
+      {
+        ++position;
+        if (position == (1u << level))
+          target.reset();
+        else if (level > 0 && position % 2 == 0)
+          {
+            --level;
+            position /= 2;
+          }
+      }
+
+      bool rejected() override
+      {
+        if (length / (2u << level) < smallest)
+          return false;
+        ++level;
+        position *= 2;
+        return true;
+      }
+
+      double shortest() const override
+      {
+        return smallest;
+      }
+
+    private:
+      void begin_interval(const double time, const double next_target)
+      {
+        target = next_target;
+        begin  = time;
+        // Equal steps must have exactly equal lengths to share a factorization.
+        length = std::abs(next_target - time - step) < 1e-6 * step
+          ? step
+          : next_target - time;
+        level = position = 0;
+      }
+
+      const double step, smallest;
+      /** The interval from `begin` to here is covered by pieces of 1/2^level,
+       * number `position` next; none: the next plan begins one. */
+      std::optional<double> target;
+      double                begin = 0, length = 0;
+      unsigned int          level = 0, position = 0;
+    };
+  } // namespace
+
+  std::unique_ptr<StepControl>
+  make_constant_steps(const TimeParameters &parameters)
+  {
+    return std::make_unique<ConstantSteps>(parameters.step,
+                                           parameters.smallest_step > 0
+                                             ? parameters.smallest_step
+                                             : parameters.step / 1024);
+  }
+} // namespace auxfem
