@@ -1,7 +1,7 @@
 #ifndef auxfem_system_linear_solver_method_h
 #define auxfem_system_linear_solver_method_h
 
-#include <auxfem/parameters/scene.h>
+#include <auxfem/scene/scene.h>
 #include <auxfem/system/system.h>
 #include <auxfem/system/tangent_matrix.h>
 

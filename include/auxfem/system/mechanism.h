@@ -1,7 +1,7 @@
 #ifndef auxfem_system_mechanism_h
 #define auxfem_system_mechanism_h
 
-#include <auxfem/parameters/scene.h>
+#include <auxfem/scene/scene.h>
 #include <auxfem/system/linear_solver.h>
 #include <auxfem/system/system.h>
 

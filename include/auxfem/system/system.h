@@ -1,7 +1,7 @@
 #ifndef auxfem_system_system_h
 #define auxfem_system_system_h
 
-#include <auxfem/parameters/scene.h>
+#include <auxfem/scene/scene.h>
 #include <auxfem/system/effect.h>
 #include <auxfem/system/effect_decisions.h>
 #include <auxfem/system/effects/connector_forces.h>
