@@ -1,7 +1,7 @@
 #ifndef auxfem_simulation_h
 #define auxfem_simulation_h
 
-#include <auxfem/parameters/scene.h>
+#include <auxfem/scene/scene.h>
 
 #include <mpi.h>
 

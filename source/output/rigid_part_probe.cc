@@ -1,5 +1,5 @@
-#include <auxfem/mesh/rigid_parts.h>
 #include <auxfem/mesh/sets.h>
+#include <auxfem/model/rigid_parts.h>
 #include <auxfem/output/rigid_part_probe.h>
 #include <auxfem/parameters/errors.h>
 

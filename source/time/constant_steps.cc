@@ -1,4 +1,4 @@
-#include <auxfem/parameters/scene.h>
+#include <auxfem/scene/scene.h>
 #include <auxfem/time/step_control.h>
 
 #include <cmath>

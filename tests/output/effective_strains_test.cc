@@ -1,4 +1,4 @@
-#include <auxfem/mesh/sets.h>
+#include <auxfem/model/build_lattice.h>
 #include <auxfem/output/effective_strains.h>
 
 #include <gtest/gtest.h>

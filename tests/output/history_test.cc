@@ -1,4 +1,4 @@
-#include <auxfem/mesh/sets.h>
+#include <auxfem/model/build_lattice.h>
 #include <auxfem/output/history.h>
 #include <auxfem/parameters/errors.h>
 

@@ -1,8 +1,8 @@
 #ifndef auxfem_tests_support_cell_scene_h
 #define auxfem_tests_support_cell_scene_h
 
-#include <auxfem/parameters/scene.h>
 #include <auxfem/reduced_cell/cell_run.h>
+#include <auxfem/scene/scene.h>
 
 #include <sstream>
 #include <stdexcept>

@@ -1,7 +1,7 @@
 #ifndef auxfem_tests_system_system_on_ranks_h
 #define auxfem_tests_system_system_on_ranks_h
 
-#include <auxfem/mesh/sets.h>
+#include <auxfem/model/build_lattice.h>
 #include <auxfem/system/system.h>
 
 #include <deal.II/fe/fe_q.h>

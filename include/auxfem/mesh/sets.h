@@ -2,7 +2,7 @@
 #define auxfem_mesh_sets_h
 
 #include <auxfem/mesh/lattice.h>
-#include <auxfem/parameters/scene.h>
+#include <auxfem/parameters/registry.h>
 
 namespace auxfem
 {
@@ -38,13 +38,6 @@ namespace auxfem
                                       const std::string  &text,
                                       const SceneContext &context,
                                       const std::string  &path);
-
-  /**
-   * Builds the scene's lattice: the array, the user's sets, a section for every
-   * strut (later definitions win; a strut without section is an InputError
-   * naming it).
-   */
-  Lattice build_lattice(const Scene &scene);
 } // namespace auxfem
 
 #endif

@@ -1,8 +1,8 @@
 #ifndef auxfem_model_supports_h
 #define auxfem_model_supports_h
 
-#include <auxfem/dofs/numbering.h>
-#include <auxfem/parameters/scene.h>
+#include <auxfem/model/numbering.h>
+#include <auxfem/scene/scene.h>
 
 namespace auxfem
 {

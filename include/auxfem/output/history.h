@@ -5,7 +5,7 @@
 #include <auxfem/output/effective_strains.h>
 #include <auxfem/output/rigid_part_probe.h>
 #include <auxfem/output/rotation_vectors.h>
-#include <auxfem/parameters/scene.h>
+#include <auxfem/scene/scene.h>
 #include <auxfem/system/system.h>
 
 #include <optional>

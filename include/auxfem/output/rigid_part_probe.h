@@ -2,7 +2,7 @@
 #define auxfem_output_rigid_part_probe_h
 
 #include <auxfem/output/csv_table.h>
-#include <auxfem/parameters/scene.h>
+#include <auxfem/scene/scene.h>
 #include <auxfem/system/system.h>
 
 namespace auxfem

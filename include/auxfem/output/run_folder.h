@@ -1,7 +1,7 @@
 #ifndef auxfem_output_run_folder_h
 #define auxfem_output_run_folder_h
 
-#include <auxfem/parameters/scene.h>
+#include <auxfem/scene/scene.h>
 
 #include <fstream>
 #include <string>

@@ -2,7 +2,7 @@
 #define auxfem_output_run_output_h
 
 #include <auxfem/output/summary.h>
-#include <auxfem/parameters/scene.h>
+#include <auxfem/scene/scene.h>
 #include <auxfem/system/system.h>
 #include <auxfem/time/step_report.h>
 

@@ -3,7 +3,7 @@
 
 #include <auxfem/output/history.h>
 #include <auxfem/output/json.h>
-#include <auxfem/parameters/scene.h>
+#include <auxfem/scene/scene.h>
 #include <auxfem/system/system.h>
 #include <auxfem/time/step_report.h>
 

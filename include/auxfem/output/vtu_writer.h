@@ -2,7 +2,7 @@
 #define auxfem_output_vtu_writer_h
 
 #include <auxfem/output/line_graphics.h>
-#include <auxfem/parameters/scene.h>
+#include <auxfem/scene/scene.h>
 #include <auxfem/system/system.h>
 
 #include <optional>

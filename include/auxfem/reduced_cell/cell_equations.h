@@ -1,7 +1,7 @@
 #ifndef auxfem_reduced_cell_cell_equations_h
 #define auxfem_reduced_cell_cell_equations_h
 
-#include <auxfem/parameters/scene.h>
+#include <auxfem/scene/scene.h>
 
 #include <deal.II/base/tensor.h>
 

@@ -1,7 +1,7 @@
 #ifndef auxfem_reduced_cell_cell_scheme_h
 #define auxfem_reduced_cell_cell_scheme_h
 
-#include <auxfem/parameters/scene.h>
+#include <auxfem/scene/scene.h>
 #include <auxfem/system/state.h>
 
 #include <deal.II/base/numbers.h>

@@ -1,7 +1,7 @@
 #ifndef auxfem_system_effect_decisions_h
 #define auxfem_system_effect_decisions_h
 
-#include <auxfem/parameters/scene.h>
+#include <auxfem/scene/scene.h>
 
 namespace auxfem
 {

@@ -1,8 +1,8 @@
 #ifndef auxfem_system_joint_releases_h
 #define auxfem_system_joint_releases_h
 
-#include <auxfem/dofs/numbering.h>
-#include <auxfem/parameters/scene.h>
+#include <auxfem/model/numbering.h>
+#include <auxfem/scene/scene.h>
 
 namespace auxfem
 {

@@ -2,7 +2,7 @@
 #define auxfem_system_linear_solver_method_h
 
 #include <auxfem/model/lattice_model.h>
-#include <auxfem/parameters/scene.h>
+#include <auxfem/scene/scene.h>
 #include <auxfem/system/tangent_matrix.h>
 
 #include <Epetra_Vector.h>

@@ -1,8 +1,8 @@
 #ifndef auxfem_system_make_loads_h
 #define auxfem_system_make_loads_h
 
-#include <auxfem/dofs/numbering.h>
-#include <auxfem/parameters/scene.h>
+#include <auxfem/model/numbering.h>
+#include <auxfem/scene/scene.h>
 #include <auxfem/system/effect.h>
 #include <auxfem/system/effect_decisions.h>
 #include <auxfem/system/rigid_bodies.h>

@@ -1,8 +1,8 @@
 #ifndef auxfem_system_node_rotations_h
 #define auxfem_system_node_rotations_h
 
-#include <auxfem/dofs/numbering.h>
 #include <auxfem/elements/rotation_rates.h>
+#include <auxfem/model/numbering.h>
 #include <auxfem/system/effect.h>
 
 namespace auxfem

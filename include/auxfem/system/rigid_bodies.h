@@ -1,9 +1,9 @@
 #ifndef auxfem_system_rigid_bodies_h
 #define auxfem_system_rigid_bodies_h
 
-#include <auxfem/dofs/numbering.h>
 #include <auxfem/elements/rigid_part.h>
 #include <auxfem/elements/rotation.h>
+#include <auxfem/model/numbering.h>
 
 #include <vector>
 

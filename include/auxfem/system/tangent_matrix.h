@@ -1,7 +1,7 @@
 #ifndef auxfem_system_tangent_matrix_h
 #define auxfem_system_tangent_matrix_h
 
-#include <auxfem/dofs/numbering.h>
+#include <auxfem/model/numbering.h>
 
 #include <Epetra_CrsMatrix.h>
 

@@ -1,7 +1,7 @@
 #ifndef auxfem_time_time_integrator_h
 #define auxfem_time_time_integrator_h
 
-#include <auxfem/parameters/scene.h>
+#include <auxfem/scene/scene.h>
 #include <auxfem/system/effect.h>
 
 #include <memory>

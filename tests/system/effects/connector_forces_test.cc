@@ -1,3 +1,4 @@
+#include <auxfem/mesh/sets.h>
 #include <auxfem/system/effects/connector_forces.h>
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 #ifndef auxfem_system_effects_beam_dispatch_h
 #define auxfem_system_effects_beam_dispatch_h
 
-#include <auxfem/parameters/strut_order.h>
+#include <auxfem/scene/strut_order.h>
 
 #include <deal.II/base/exceptions.h>
 

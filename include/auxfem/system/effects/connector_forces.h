@@ -2,7 +2,7 @@
 #define auxfem_system_effects_connector_forces_h
 
 #include <auxfem/connectors/connector_law.h>
-#include <auxfem/parameters/scene.h>
+#include <auxfem/scene/scene.h>
 #include <auxfem/system/effect.h>
 
 namespace auxfem

@@ -1,0 +1,97 @@
+#ifndef auxfem_model_claimed_unknowns_h
+#define auxfem_model_claimed_unknowns_h
+
+#include <auxfem/model/numbering.h>
+
+namespace auxfem
+{
+  /**
+   * Unknowns while they are counted: the rank that claims one first owns it and
+   * gives it the next of its own numbers. To be asked in the same order on
+   * every rank.
+   */
+  class ClaimedUnknowns
+  {
+  public:
+    /** Who owns an unknown (-1: nobody, it does not exist) and its number
+     * there. */
+    struct Unknown
+    {
+      int owner = -1, number = -1;
+    };
+    using Motion = std::array<Unknown, n_motion_components>;
+
+    /** Nothing is claimed yet. */
+    ClaimedUnknowns(const Lattice &lattice,
+                    const Ties    &ties,
+                    unsigned int   n_ranks);
+
+    /**
+     * An end of an elastic strut: the joint's displacement, and its rotation or
+     * that of the released end. Claimed by @p rank.
+     */
+    const Unknown *claim_end(unsigned int strut,
+                             unsigned int end,
+                             unsigned int component,
+                             int          rank);
+
+    /** An unknown of an inner node, claimed by @p rank if it is new. */
+    const Unknown *claim(Unknown &unknown, int rank);
+
+    /** The displacements of all joints no elastic strut has claimed. */
+    void claim_joints(const StrutMesh &mesh);
+
+    /** Own unknowns and multipliers of rigid parts, on the rank of their first
+     * joint. */
+    void claim_rigid_parts();
+
+    /** Multipliers of hinges, on the rank of the rotation that they guide. */
+    void claim_hinges();
+
+    /** Number of unknowns of each rank. */
+    const std::vector<int> &counts() const
+    {
+      return count;
+    }
+
+    /** By component; of a joint that turns with a rigid part, the part's. */
+    Motion joint(unsigned int joint) const;
+
+    /** Rotation of a strut's end, released or not; none of a rigid strut. */
+    Motion end_rotation(unsigned int strut, unsigned int end) const;
+
+    /** A rigid part's own unknowns, if it has a rotation of its own. */
+    struct RigidPartClaims
+    {
+      Motion                    motion;
+      std::vector<unsigned int> clamped_joints; ///< in the plane
+      std::vector<Unknown>      multipliers;
+    };
+    const std::vector<RigidPartClaims> &rigid_parts() const
+    {
+      return of_part;
+    }
+
+    /** Multipliers of Ties::hinged. */
+    const std::vector<std::array<Unknown, 2>> &hinges() const
+    {
+      return of_hinge;
+    }
+
+  private:
+    /** The rotation that @p turning has. */
+    Motion       &motion_of(const Turning &turning);
+    const Motion &motion_of(const Turning &turning) const;
+
+    const Lattice                      &lattice;
+    const Ties                         &ties;
+    const std::vector<Turning>          rotation_of_joint;
+    std::vector<Motion>                 of_joint;
+    std::vector<std::array<Motion, 2>>  of_end;
+    std::vector<RigidPartClaims>        of_part;
+    std::vector<std::array<Unknown, 2>> of_hinge;
+    std::vector<int>                    count;
+  };
+} // namespace auxfem
+
+#endif

@@ -1,0 +1,154 @@
+#include <auxfem/model/claimed_unknowns.h>
+
+namespace auxfem
+{
+  std::vector<Turning>
+  joint_rotations(const Lattice                          &lattice,
+                  const std::vector<std::array<bool, 2>> &released)
+  {
+    using What = Turning::What;
+    std::vector<Turning> turning(lattice.joints.size());
+    for (unsigned int s = 0; s < lattice.struts.size(); ++s)
+      for (unsigned int end = 0; end < 2; ++end)
+        if (const unsigned int joint = lattice.struts[s].joints[end];
+            !lattice.struts[s].is_rigid() && !released[s][end])
+          turning[joint] = {What::joint, joint, 0};
+
+    std::vector<unsigned int> n_parts(lattice.joints.size(), 0);
+    for (const RigidPart &part : lattice.rigid_parts)
+      if (part.has_rotation)
+        for (const unsigned int joint : part.joints)
+          ++n_parts[joint];
+    for (unsigned int p = 0; p < lattice.rigid_parts.size(); ++p)
+      if (const RigidPart &part = lattice.rigid_parts[p]; part.has_rotation)
+        for (const unsigned int joint : part.joints)
+          if (turning[joint].what == What::joint ? part.clamps_struts
+                                                 : n_parts[joint] == 1)
+            turning[joint] = {What::rigid_part, p, 0};
+    return turning;
+  }
+
+  ClaimedUnknowns::ClaimedUnknowns(const Lattice     &lattice,
+                                   const Ties        &ties,
+                                   const unsigned int n_ranks)
+    : lattice(lattice)
+    , ties(ties)
+    , rotation_of_joint(joint_rotations(lattice, ties.released))
+    , of_joint(lattice.joints.size())
+    , of_end(lattice.struts.size())
+    , of_part(lattice.rigid_parts.size())
+    , of_hinge(ties.hinged.size())
+    , count(n_ranks, 0)
+  {}
+
+  const ClaimedUnknowns::Unknown *ClaimedUnknowns::claim(Unknown  &unknown,
+                                                         const int rank)
+  {
+    if (unknown.owner < 0)
+      unknown = {rank, count[rank]++};
+    return &unknown;
+  }
+
+  ClaimedUnknowns::Motion &ClaimedUnknowns::motion_of(const Turning &turning)
+  {
+    switch (turning.what)
+      {
+        case Turning::What::strut_end:
+          return of_end[turning.index][turning.end];
+        case Turning::What::rigid_part:
+          return of_part[turning.index].motion;
+        default:
+          return of_joint[turning.index];
+      }
+  }
+
+  const ClaimedUnknowns::Motion &
+  ClaimedUnknowns::motion_of(const Turning &turning) const
+  {
+    return const_cast<ClaimedUnknowns *>(this)->motion_of(turning);
+  }
+
+  const ClaimedUnknowns::Unknown *
+  ClaimedUnknowns::claim_end(const unsigned int strut,
+                             const unsigned int end,
+                             const unsigned int component,
+                             const int          rank)
+  {
+    const unsigned int joint  = lattice.struts[strut].joints[end];
+    Motion            &motion = component < first_rotation ? of_joint[joint]
+                 : ties.released[strut][end]               ? of_end[strut][end]
+                                             : motion_of(rotation_of_joint[joint]);
+    return claim(motion[component], rank);
+  }
+
+  void ClaimedUnknowns::claim_joints(const StrutMesh &mesh)
+  {
+    const auto claim_displacements = [&](const unsigned int joint,
+                                         const int          rank) {
+      for (unsigned int component = 0; component < lattice.dimension;
+           ++component)
+        claim(of_joint[joint][component], rank);
+    };
+    for (unsigned int s = 0; s < lattice.struts.size(); ++s)
+      if (lattice.struts[s].is_rigid())
+        for (const unsigned int joint : lattice.struts[s].joints)
+          claim_displacements(joint, mesh.rank(s));
+    // A joint without struts (a mass on connectors) has displacements only.
+    for (unsigned int joint = 0; joint < of_joint.size(); ++joint)
+      claim_displacements(joint, 0);
+  }
+
+  void ClaimedUnknowns::claim_rigid_parts()
+  {
+    for (unsigned int p = 0; p < of_part.size(); ++p)
+      {
+        const RigidPart   &part   = lattice.rigid_parts[p];
+        RigidPartClaims   &claims = of_part[p];
+        const int          rank   = of_joint[part.joints[0]][0].owner;
+        const unsigned int d = lattice.dimension, n = part.joints.size();
+        if (part.has_rotation)
+          for (Unknown &unknown : claims.motion)
+            claim(unknown, rank);
+        else if (part.clamps_struts)
+          for (const unsigned int joint : part.joints)
+            if (of_joint[joint][rotation_z].owner >= 0)
+              claims.clamped_joints.push_back(joint);
+        claims.multipliers.resize(part.has_rotation ? d * n
+                                                    : 1 + d * (n - 2) +
+                                      claims.clamped_joints.size());
+        for (Unknown &multiplier : claims.multipliers)
+          claim(multiplier, rank);
+      }
+  }
+
+  void ClaimedUnknowns::claim_hinges()
+  {
+    for (unsigned int h = 0; h < of_hinge.size(); ++h)
+      for (Unknown &multiplier : of_hinge[h])
+        claim(multiplier, motion_of(ties.hinged[h].end)[rotation_z].owner);
+  }
+
+  ClaimedUnknowns::Motion ClaimedUnknowns::joint(const unsigned int joint) const
+  {
+    Motion        motion   = of_joint[joint];
+    const Motion &rotation = motion_of(rotation_of_joint[joint]);
+    if (rotation_of_joint[joint].what != Turning::What::ground)
+      std::copy(rotation.begin() + first_rotation,
+                rotation.end(),
+                motion.begin() + first_rotation);
+    return motion;
+  }
+
+  ClaimedUnknowns::Motion
+  ClaimedUnknowns::end_rotation(const unsigned int strut,
+                                const unsigned int end) const
+  {
+    if (lattice.struts[strut].is_rigid())
+      return {};
+    Motion motion = ties.released[strut][end]
+      ? of_end[strut][end]
+      : joint(lattice.struts[strut].joints[end]);
+    std::fill(motion.begin(), motion.begin() + first_rotation, Unknown());
+    return motion;
+  }
+} // namespace auxfem

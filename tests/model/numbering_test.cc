@@ -1,0 +1,490 @@
+#include <auxfem/model/numbering.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <gtest/gtest.h>
+#include <mesh/cell_from_text.h>
+
+#include <algorithm>
+#include <set>
+
+using namespace auxfem;
+
+namespace
+{
+  /** A lattice with mesh and numbering on the ranks of a communicator. */
+  struct Numbered
+  {
+    Numbered(const Lattice     &lattice,
+             const unsigned int order,
+             const unsigned int refinements  = 0,
+             const Ties        &ties         = {},
+             const MPI_Comm     communicator = MPI_COMM_WORLD)
+      : lattice(lattice)
+      , mesh(this->lattice, refinements, communicator)
+      , dofs(this->lattice, mesh, order, complete(ties), communicator)
+    {}
+
+    Ties complete(Ties ties) const
+    {
+      ties.released.resize(lattice.struts.size(), {{false, false}});
+      return ties;
+    }
+
+    const Lattice   lattice;
+    const StrutMesh mesh;
+    DofNumbering    dofs;
+  };
+
+  Lattice stars(const unsigned int nx, const unsigned int ny)
+  {
+    return make_array(cell_from_text("star", "")->build(), {{nx, ny, 1}});
+  }
+
+  /** Joint 0 in the middle, joints 1, 2, 3 around it, strut i from 0 to i + 1.
+   */
+  Lattice tripod()
+  {
+    return make_array(cell_from_text("frame",
+                                     "set Joints = 0 0; 1 0; 0 1; -1 0\n"
+                                     "set Struts = 0 1; 0 2; 0 3")
+                        ->build(),
+                      {{1, 1, 1}});
+  }
+
+  unsigned int sum_over_ranks(const unsigned int value)
+  {
+    return dealii::Utilities::MPI::sum(value, MPI_COMM_WORLD);
+  }
+} // namespace
+
+TEST(DofNumbering, FourByFourStarsHave1080UnknownsAtOrderTwo)
+{
+  // 16 x 12 struts with one inner node, 168 joints, 3 unknowns each.
+  Numbered stars_4x4(stars(4, 4), 2);
+  EXPECT_EQ(stars_4x4.lattice.struts.size(), 192u);
+  EXPECT_EQ(stars_4x4.lattice.joints.size(), 168u);
+  EXPECT_EQ(stars_4x4.dofs.n_unknowns(), 3u * (192 + 168));
+  EXPECT_EQ(stars_4x4.dofs.n_unknowns(), 1080u);
+  EXPECT_EQ(stars_4x4.dofs.n_free(), 1080u);
+
+  // Four stub ends at the bottom are clamped.
+  for (const unsigned int joint : stars_4x4.lattice.joint_sets.at("bottom"))
+    for (const unsigned int c : stars_4x4.dofs.components())
+      if (const int unknown = stars_4x4.dofs.joint_unknown(joint, c);
+          unknown >= 0)
+        stars_4x4.dofs.prescribe(unknown);
+  EXPECT_EQ(stars_4x4.dofs.n_free(), 1080u - 12u);
+  EXPECT_EQ(stars_4x4.dofs.n_unknowns(), 1080u);
+}
+
+TEST(DofNumbering, CountsFollowFromOrderAndRefinement)
+{
+  for (unsigned int order = 1; order <= 6; ++order)
+    for (unsigned int refinements = 0; refinements <= 2; ++refinements)
+      {
+        const Numbered     tripods(tripod(), order, refinements);
+        const unsigned int inner_nodes = order * (1u << refinements) - 1;
+        EXPECT_EQ(tripods.dofs.n_unknowns(), 3 * (4 + 3 * inner_nodes));
+        EXPECT_EQ(tripods.dofs.order(), order);
+      }
+}
+
+TEST(DofNumbering, StrutsShareTheUnknownsOfTheirJoint)
+{
+  const Numbered tripods(tripod(), 3, 0, {}, MPI_COMM_SELF);
+  ASSERT_EQ(tripods.dofs.elements().size(), 3u);
+  for (unsigned int e = 0; e < 3; ++e)
+    {
+      const Strut &strut =
+        tripods.lattice.struts[tripods.dofs.elements()[e].place.strut];
+      const int *unknowns = tripods.dofs.element_unknowns(e);
+      for (unsigned int end = 0; end < 2; ++end)
+        for (unsigned int c = 0; c < 3; ++c)
+          EXPECT_EQ(unknowns[3 * end + c],
+                    tripods.dofs.joint_unknown(strut.joints[end],
+                                               tripods.dofs.components()[c]));
+    }
+  for (unsigned int s = 0; s < 3; ++s)
+    EXPECT_EQ(tripods.dofs.end_rotation(s, 0),
+              tripods.dofs.joint_unknown(0, rotation_z));
+}
+
+TEST(DofNumbering, ElementsOfAStrutShareTheNodeBetweenThem)
+{
+  const Numbered        tripods(tripod(), 2, 1, {}, MPI_COMM_SELF);
+  std::set<int>         unknowns;
+  const DofNumbering   &dofs = tripods.dofs;
+  std::vector<unsigned> of_first_strut;
+  for (unsigned int e = 0; e < dofs.elements().size(); ++e)
+    if (dofs.elements()[e].place.strut == 0)
+      of_first_strut.push_back(e);
+  ASSERT_EQ(of_first_strut.size(), 2u);
+  const int *first  = dofs.element_unknowns(of_first_strut[0]),
+            *second = dofs.element_unknowns(of_first_strut[1]);
+  if (dofs.elements()[of_first_strut[0]].place.begin > 0)
+    std::swap(first, second);
+  for (unsigned int c = 0; c < 3; ++c)
+    EXPECT_EQ(first[3 + c], second[c]);
+  unknowns.insert(first, first + 9);
+  unknowns.insert(second, second + 9);
+  EXPECT_EQ(unknowns.size(), 15u);
+}
+
+TEST(DofNumbering, AReleasedEndHasARotationOfItsOwn)
+{
+  Ties ties;
+  ties.released = {{{true, false}}, {{false, false}}, {{false, false}}};
+  const Numbered tripods(tripod(), 2, 0, ties, MPI_COMM_SELF);
+  EXPECT_EQ(tripods.dofs.n_unknowns(), 3u * (4 + 3) + 1);
+  EXPECT_TRUE(tripods.dofs.joint_has(0, rotation_z));
+  EXPECT_NE(tripods.dofs.end_rotation(0, 0),
+            tripods.dofs.joint_unknown(0, rotation_z));
+  EXPECT_EQ(tripods.dofs.end_rotation(1, 0),
+            tripods.dofs.joint_unknown(0, rotation_z));
+  EXPECT_TRUE(tripods.dofs.is_rotation(tripods.dofs.end_rotation(0, 0)));
+}
+
+TEST(DofNumbering, AJointWithAllStrutsReleasedHasNoRotation)
+{
+  Ties ties;
+  ties.released = {{{true, false}}, {{true, false}}, {{true, false}}};
+  const Numbered tripods(tripod(), 2, 0, ties, MPI_COMM_SELF);
+  EXPECT_EQ(tripods.dofs.n_unknowns(), 3u * (4 + 3) + 2);
+  EXPECT_FALSE(tripods.dofs.joint_has(0, rotation_z));
+  EXPECT_EQ(tripods.dofs.joint_unknown(0, rotation_z), -1);
+  EXPECT_TRUE(tripods.dofs.joint_has(0, 0));
+  std::set<int> rotations;
+  for (unsigned int s = 0; s < 3; ++s)
+    rotations.insert(tripods.dofs.end_rotation(s, 0));
+  EXPECT_EQ(rotations.size(), 3u);
+}
+
+TEST(DofNumbering, AJointWithoutStrutsHasDisplacementsOnly)
+{
+  Lattice lattice = tripod();
+  lattice.joints.push_back({5, 5, 0});
+  Ties ties;
+  ties.connected = {{0, 4, 0}};
+  const Numbered numbered(lattice, 1, 0, ties);
+  EXPECT_EQ(numbered.dofs.n_unknowns(), 3u * 4 + 2);
+  EXPECT_TRUE(numbered.dofs.joint_has(4, 1));
+  EXPECT_FALSE(numbered.dofs.joint_has(4, rotation_z));
+}
+
+TEST(DofNumbering, WordsNameJointOrStrutAndComponent)
+{
+  const Numbered tripods(tripod(), 2, 0, {}, MPI_COMM_SELF);
+  const auto    &dofs = tripods.dofs;
+  EXPECT_EQ(dofs.describe(dofs.joint_unknown(3, 0)),
+            "horizontal displacement of joint 3 at (-1, 0)");
+  EXPECT_EQ(dofs.describe(dofs.joint_unknown(2, 1)),
+            "vertical displacement of joint 2 at (0, 1)");
+  EXPECT_EQ(dofs.describe(dofs.joint_unknown(0, rotation_z)),
+            "rotation of joint 0 at (0, 0)");
+  for (unsigned int e = 0; e < 3; ++e)
+    if (dofs.elements()[e].place.strut == 1)
+      {
+        EXPECT_EQ(dofs.describe(dofs.element_unknowns(e)[3 * 2 + 2]),
+                  "rotation of strut 1 (joints 0 - 2)");
+      }
+}
+
+TEST(DofNumbering, WordsForAReleasedEndNameItsStrut)
+{
+  Ties ties;
+  ties.released = {{{true, false}}, {{true, false}}, {{true, false}}};
+  const Numbered tripods(tripod(), 2, 0, ties, MPI_COMM_SELF);
+  EXPECT_EQ(tripods.dofs.describe(tripods.dofs.end_rotation(2, 0)),
+            "rotation of strut 2 (joints 0 - 3)");
+}
+
+TEST(DofNumbering, KindsTellRotationsAndPrescribedUnknownsApart)
+{
+  Numbered  tripods(tripod(), 2, 0, {}, MPI_COMM_SELF);
+  const int x = tripods.dofs.joint_unknown(1, 0),
+            r = tripods.dofs.joint_unknown(1, rotation_z);
+  EXPECT_EQ(tripods.dofs.kind(x), UnknownKind::translation);
+  EXPECT_EQ(tripods.dofs.kind(r), UnknownKind::rotation);
+  EXPECT_FALSE(tripods.dofs.is_rotation(x));
+  tripods.dofs.prescribe(r);
+  EXPECT_EQ(tripods.dofs.kind(r), UnknownKind::prescribed);
+  EXPECT_TRUE(tripods.dofs.is_rotation(r));
+}
+
+TEST(DofNumbering, NeighbouringUnknownsOfOneRankHaveEveryNumberOnce)
+{
+  const Numbered self(stars(2, 2), 3, 0, {}, MPI_COMM_SELF);
+  EXPECT_EQ(self.dofs.n_owned(), self.dofs.n_unknowns());
+  EXPECT_EQ(self.dofs.n_local(), self.dofs.n_unknowns());
+  std::set<int> unknowns;
+  for (unsigned int e = 0; e < self.dofs.elements().size(); ++e)
+    unknowns.insert(self.dofs.element_unknowns(e),
+                    self.dofs.element_unknowns(e) + 12);
+  EXPECT_EQ(unknowns.size(), self.dofs.n_unknowns());
+  EXPECT_EQ(*unknowns.begin(), 0);
+  EXPECT_EQ(*unknowns.rbegin(), int(self.dofs.n_unknowns()) - 1);
+}
+
+TEST(DofNumbering, OwnedUnknownsOfAllRanksAreDisjointAndComplete)
+{
+  const Numbered numbered(stars(3, 3), 2);
+  const auto    &dofs = numbered.dofs;
+  EXPECT_EQ(sum_over_ranks(dofs.n_owned()), dofs.n_unknowns());
+  EXPECT_GT(dofs.n_owned(), 0u);
+  EXPECT_TRUE(dofs.owned_map().UniqueGIDs());
+  EXPECT_EQ(dofs.owned_map().MinAllGID(), 0);
+  EXPECT_EQ(dofs.owned_map().MaxAllGID(), int(dofs.n_unknowns()) - 1);
+  EXPECT_EQ(dofs.n_ranks(),
+            dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD));
+}
+
+TEST(DofNumbering, LocalUnknownsBeginWithTheOwnedOnes)
+{
+  const Numbered numbered(stars(3, 3), 2);
+  const auto    &dofs = numbered.dofs;
+  ASSERT_GE(dofs.n_local(), dofs.n_owned());
+  std::set<int> seen;
+  for (unsigned int i = 0; i < dofs.n_local(); ++i)
+    {
+      EXPECT_EQ(dofs.is_owned(int(i)), i < dofs.n_owned());
+      EXPECT_EQ(dofs.owned_map().MyGID(dofs.local_map().GID(i)),
+                i < dofs.n_owned());
+      seen.insert(dofs.local_map().GID(i));
+    }
+  EXPECT_EQ(seen.size(), dofs.n_local());
+  EXPECT_FALSE(dofs.is_owned(-1));
+}
+
+TEST(DofNumbering, GhostsReceiveTheValuesOfTheirOwners)
+{
+  const Numbered numbered(stars(3, 3), 2);
+  const auto    &dofs = numbered.dofs;
+  Epetra_Vector  owned(dofs.owned_map()), local(dofs.local_map());
+  for (unsigned int i = 0; i < dofs.n_owned(); ++i)
+    owned[i] = std::sqrt(1. + dofs.owned_map().GID(i));
+  ASSERT_EQ(local.Import(owned, dofs.importer(), Insert), 0);
+  for (unsigned int i = 0; i < dofs.n_local(); ++i)
+    EXPECT_EQ(local[i], std::sqrt(1. + dofs.local_map().GID(i)));
+}
+
+TEST(DofNumbering, EveryElementIsOwnedOnceAndKeptWhereItHasARow)
+{
+  const Numbered     numbered(stars(3, 3), 2, 1);
+  const auto        &dofs = numbered.dofs;
+  const unsigned int n    = 9;
+
+  std::vector<unsigned int> owned(2 * numbered.lattice.struts.size(), 0);
+  for (unsigned int e = 0; e < dofs.elements().size(); ++e)
+    {
+      const DofNumbering::Element &element  = dofs.elements()[e];
+      const int                   *unknowns = dofs.element_unknowns(e);
+      EXPECT_TRUE(std::any_of(unknowns, unknowns + n, [&](const int u) {
+        return dofs.is_owned(u);
+      }));
+      EXPECT_TRUE(std::all_of(unknowns, unknowns + n, [&](const int u) {
+        return u >= 0 && u < int(dofs.n_local());
+      }));
+      owned[2 * element.place.strut + (element.place.begin > 0)] +=
+        dofs.is_owned(element);
+    }
+  dealii::Utilities::MPI::sum(owned, MPI_COMM_WORLD, owned);
+  EXPECT_EQ(owned, std::vector<unsigned int>(owned.size(), 1));
+}
+
+TEST(DofNumbering, AllElementsAtAnOwnedUnknownAreKept)
+{
+  // The number of elements that touch a joint's owned unknown is the number of
+  // struts that end there: rows are complete without communication.
+  const Numbered            numbered(stars(3, 3), 1);
+  const auto               &dofs = numbered.dofs;
+  std::vector<unsigned int> n_struts(numbered.lattice.joints.size(), 0);
+  for (const Strut &strut : numbered.lattice.struts)
+    for (const unsigned int joint : strut.joints)
+      ++n_struts[joint];
+  std::vector<unsigned int> n_elements(dofs.n_local(), 0);
+  for (unsigned int e = 0; e < dofs.elements().size(); ++e)
+    for (unsigned int i = 0; i < 6; ++i)
+      ++n_elements[dofs.element_unknowns(e)[i]];
+  for (unsigned int joint = 0; joint < n_struts.size(); ++joint)
+    for (const unsigned int c : dofs.components())
+      if (dofs.is_owned(dofs.joint_unknown(joint, c)))
+        {
+          EXPECT_EQ(n_elements[dofs.joint_unknown(joint, c)], n_struts[joint]);
+        }
+}
+
+TEST(DofNumbering, BothEndsOfAConnectorAreKeptWhereOneIsOwned)
+{
+  const Lattice lattice = stars(3, 3);
+  // Far apart, so that on several ranks some pairs have two owners.
+  const unsigned int last = lattice.joints.size() - 1;
+  Ties               ties;
+  for (unsigned int i = 0; i < 10; ++i)
+    ties.connected.push_back({i, last - i, 0});
+  ties.connected.push_back({20, invalid_index, 0});
+  const Numbered numbered(lattice, 2, 0, ties);
+  for (const JointPair &pair : ties.connected)
+    if (pair.second != invalid_index)
+      for (const auto &[mine, other] : {std::pair(pair.first, pair.second),
+                                        std::pair(pair.second, pair.first)})
+        if (numbered.dofs.is_owned(numbered.dofs.joint_unknown(mine, 0)))
+          {
+            EXPECT_GE(numbered.dofs.joint_unknown(other, 0), 0);
+            EXPECT_GE(numbered.dofs.joint_unknown(other, 1), 0);
+          }
+}
+
+TEST(DofNumbering, BothRotationsOfASpringAreKeptWhereOneIsOwned)
+{
+  const Lattice lattice = stars(3, 3);
+  Ties          ties;
+  ties.released.assign(lattice.struts.size(), {{true, true}});
+  // At every joint between the first strut and all others.
+  std::vector<std::vector<Turning>> ends(lattice.joints.size());
+  for (unsigned int s = 0; s < lattice.struts.size(); ++s)
+    for (unsigned int end = 0; end < 2; ++end)
+      ends[lattice.struts[s].joints[end]].push_back(
+        {Turning::What::strut_end, s, end});
+  for (unsigned int joint = 0; joint < ends.size(); ++joint)
+    for (const Turning &end : ends[joint])
+      if (!(end == ends[joint].front()))
+        ties.sprung.push_back({joint, ends[joint].front(), end});
+  const Numbered numbered(lattice, 1, 0, ties);
+  const auto    &dofs = numbered.dofs;
+
+  EXPECT_GT(ties.sprung.size(), 0u);
+  for (const TurningPair &pair : ties.sprung)
+    {
+      const int base = dofs.rotation_unknown(pair.base, rotation_z),
+                end  = dofs.rotation_unknown(pair.end, rotation_z);
+      if (!dofs.is_owned(base) && !dofs.is_owned(end))
+        continue;
+      for (const int rotation : {base, end})
+        {
+          ASSERT_GE(rotation, 0);
+          EXPECT_TRUE(dofs.is_rotation(rotation));
+        }
+    }
+}
+
+TEST(DofNumbering, WordsForAGhostAreThoseOfItsOwner)
+{
+  const Numbered numbered(stars(3, 3), 1);
+  const Numbered self(stars(3, 3), 1, 0, {}, MPI_COMM_SELF);
+  for (unsigned int joint = 0; joint < numbered.lattice.joints.size(); ++joint)
+    for (const unsigned int c : numbered.dofs.components())
+      if (const int unknown = numbered.dofs.joint_unknown(joint, c);
+          unknown >= 0)
+        {
+          EXPECT_EQ(numbered.dofs.describe(unknown),
+                    self.dofs.describe(self.dofs.joint_unknown(joint, c)));
+          EXPECT_EQ(numbered.dofs.is_rotation(unknown), c >= first_rotation);
+        }
+}
+
+namespace
+{
+  /**
+   * The tripod with struts 0 and 1 as one rigid part of joints 1, 2, 0; strut
+   * 2, from joint 0 to joint 3, stays elastic.
+   */
+  Lattice tripod_with_rigid_part(const bool clamps_struts)
+  {
+    Lattice   lattice = tripod();
+    RigidPart part;
+    part.joints        = {1, 2, 0};
+    part.struts        = {0, 1};
+    part.clamps_struts = clamps_struts;
+    lattice.rigid_parts.push_back(part);
+    lattice.struts[0].rigid_part = lattice.struts[1].rigid_part = 0;
+    return lattice;
+  }
+} // namespace
+
+TEST(DofNumbering, JointsOfRigidPartsAloneHaveNoRotation)
+{
+  const Numbered hinged(tripod_with_rigid_part(false), 2, 0, {}, MPI_COMM_SELF);
+  const auto    &dofs = hinged.dofs;
+  // One strut with three nodes, two more joints, 2 * 3 - 3 conditions.
+  EXPECT_EQ(dofs.n_unknowns(), 3u * 3 + 2 * 2 + 3);
+  EXPECT_EQ(dofs.n_multipliers(), 3u);
+  EXPECT_EQ(dofs.n_multipliers(0), 3u);
+  EXPECT_TRUE(dofs.clamped_joints(0).empty());
+  for (const unsigned int joint : {1u, 2u})
+    {
+      EXPECT_TRUE(dofs.joint_has(joint, 1));
+      EXPECT_FALSE(dofs.joint_has(joint, rotation_z));
+    }
+  EXPECT_TRUE(dofs.joint_has(0, rotation_z));
+  EXPECT_EQ(dofs.end_rotation(0, 0), -1);
+  EXPECT_EQ(dofs.end_rotation(2, 0), dofs.joint_unknown(0, rotation_z));
+  EXPECT_EQ(dofs.elements().size(), 1u);
+  // Multipliers are unknowns of the matrix, but no freedoms.
+  EXPECT_EQ(dofs.n_free(), dofs.n_unknowns() - 3);
+  EXPECT_EQ(dofs.kind(dofs.multiplier(0, 2)), UnknownKind::multiplier);
+  EXPECT_EQ(dofs.describe(dofs.multiplier(0, 0)),
+            "condition of the rigid part of joints 1 2 0");
+}
+
+TEST(DofNumbering, AClampedRotationHasAConditionOfItsOwn)
+{
+  const Numbered clamped(tripod_with_rigid_part(true), 2, 0, {}, MPI_COMM_SELF);
+  EXPECT_EQ(clamped.dofs.n_unknowns(), 3u * 3 + 2 * 2 + 4);
+  EXPECT_EQ(clamped.dofs.clamped_joints(0), std::vector<unsigned int>{0});
+  // A released end is not of the joint.
+  Ties ties;
+  ties.released = {{{false, false}}, {{false, false}}, {{true, false}}};
+  const Numbered released(tripod_with_rigid_part(true),
+                          2,
+                          0,
+                          ties,
+                          MPI_COMM_SELF);
+  EXPECT_TRUE(released.dofs.clamped_joints(0).empty());
+  EXPECT_EQ(released.dofs.n_multipliers(), 3u);
+}
+
+TEST(DofNumbering, ARigidPartIsKeptWholeWhereItHasARow)
+{
+  // Every second strut of a row of stars as a part of its own.
+  Lattice lattice = stars(3, 3);
+  for (unsigned int s = 0; s < lattice.struts.size(); s += 2)
+    {
+      RigidPart part;
+      part.joints.assign(lattice.struts[s].joints.begin(),
+                         lattice.struts[s].joints.end());
+      part.struts                  = {s};
+      part.clamps_struts           = true;
+      lattice.struts[s].rigid_part = lattice.rigid_parts.size();
+      lattice.rigid_parts.push_back(part);
+    }
+  const Numbered numbered(lattice, 1);
+  const auto    &dofs = numbered.dofs;
+  EXPECT_EQ(sum_over_ranks(dofs.n_owned()), dofs.n_unknowns());
+
+  const std::vector<unsigned int> &kept          = dofs.rigid_parts();
+  unsigned int                     n_owned_first = 0;
+  for (unsigned int p = 0; p < lattice.rigid_parts.size(); ++p)
+    {
+      std::vector<int> unknowns;
+      for (unsigned int i = 0; i < dofs.n_multipliers(p); ++i)
+        unknowns.push_back(dofs.multiplier(p, i));
+      for (const unsigned int joint : lattice.rigid_parts[p].joints)
+        for (unsigned int c = 0; c < 2; ++c)
+          unknowns.push_back(dofs.joint_unknown(joint, c));
+      for (const unsigned int joint : dofs.clamped_joints(p))
+        unknowns.push_back(dofs.joint_unknown(joint, rotation_z));
+      n_owned_first += dofs.is_owned(unknowns[0]);
+      const bool has_row =
+        std::any_of(unknowns.begin(), unknowns.end(), [&](const int unknown) {
+          return dofs.is_owned(unknown);
+        });
+      EXPECT_EQ(std::binary_search(kept.begin(), kept.end(), p), has_row);
+      if (has_row)
+        {
+          EXPECT_EQ(std::count(unknowns.begin(), unknowns.end(), -1), 0);
+          EXPECT_EQ(dofs.kind(dofs.multiplier(p, 0)), UnknownKind::multiplier);
+        }
+    }
+  EXPECT_EQ(sum_over_ranks(n_owned_first), lattice.rigid_parts.size());
+}
