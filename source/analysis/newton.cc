@@ -25,7 +25,7 @@ namespace auxfem
     , increment(solver.model().numbering.local_map())
   {}
 
-  Newton::Result Newton::solve(const TimeScheme  &scheme,
+  Newton::Result Newton::solve(const ImplicitScheme &scheme,
                                const Evaluation  &evaluation,
                                EvaluationResults &results)
   {
@@ -92,7 +92,7 @@ namespace auxfem
     kept.reset();
   }
 
-  bool Newton::prepare(const TimeScheme        &scheme,
+  bool Newton::prepare(const ImplicitScheme &scheme,
                        const Evaluation        &evaluation,
                        const EvaluationResults &results,
                        const double             reduction)
@@ -112,7 +112,7 @@ namespace auxfem
     return true;
   }
 
-  std::string Newton::iterate(const TimeScheme &scheme,
+  std::string Newton::iterate(const ImplicitScheme &scheme,
                               const Evaluation &evaluation)
   {
     const LatticeModel &model = solver.model();

@@ -1,6 +1,7 @@
 #include <auxfem/analysis/time_stepper.h>
 #include <auxfem/parameters/errors.h>
 #include <auxfem/system/prescribed_motion.h>
+#include <auxfem/time/static.h>
 
 #include <cmath>
 #include <sstream>
@@ -17,6 +18,7 @@ namespace auxfem
   TimeStepper::TimeStepper(Equations &equations, const Scene &scene, Work &work)
     : equations(equations)
     , parameters(scene.time)
+    , scheme(parameters.implicit_scheme())
     , work(work)
     , tangent_solver(equations, scene.solver, work)
     , newton(tangent_solver, scene.newton)
@@ -24,7 +26,7 @@ namespace auxfem
     , control(make_constant_steps(scene.time))
   {
     if (!equations.reporting().conditions.empty() &&
-        parameters.scheme->carries_on_alternating_errors())
+        scheme.carries_on_alternating_errors())
       rate_solver = std::make_unique<RateSolver>(equations, scene.solver, work);
   }
 
@@ -43,7 +45,7 @@ namespace auxfem
     State &state = solution.state;
     if (parameters.static_start)
       find_static_equilibrium(state);
-    if (parameters.scheme->is_dynamic())
+    if (scheme.is_dynamic())
       {
         ConsistentRates(tangent_solver).start(state, parameters.step);
         newton.drop_factorization();
@@ -115,12 +117,12 @@ namespace auxfem
   {
     State &state          = solution.state;
     trial.state.time      = planned.end;
-    const Evaluation step = parameters.scheme->is_dynamic()
+    const Evaluation step = scheme.is_dynamic()
       ? Evaluation::step(state, trial.state, planned.dt)
       : Evaluation::static_step(state, trial.state, planned.dt);
     predict(step);
     const Newton::Result result =
-      newton.solve(*parameters.scheme, step, trial.results);
+      newton.solve(scheme, step, trial.results);
     report.iterations += result.iterations;
     report.relative_residual = result.relative_residual;
     if (!result.converged)
@@ -148,9 +150,9 @@ namespace auxfem
 
   void TimeStepper::predict(const Evaluation &step)
   {
-    parameters.scheme->predict(step.from, step.dt, step.to);
+    scheme.predict(step.from, step.dt, step.to);
     equations.model().rotations.follow(step);
-    if (parameters.scheme->is_dynamic())
+    if (scheme.is_dynamic())
       prescribe_motion(equations.model(), step, parameters.step);
   }
 

@@ -63,10 +63,10 @@ namespace auxfem
     }
   } // namespace
 
-  EffectiveStrains::EffectiveStrains(const System &system)
+  EffectiveStrains::EffectiveStrains(const LatticeModel &model)
   {
-    const DofNumbering &numbering = system.numbering();
-    for (const Span &span : spans_of(system.lattice()))
+    const DofNumbering &numbering = model.numbering;
+    for (const Span &span : spans_of(model.lattice))
       {
         std::vector<Term> of_axis;
         const auto        add = [&](const Joints &joints, const double sign) {

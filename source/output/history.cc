@@ -29,114 +29,46 @@ namespace auxfem
     }
   } // namespace
 
-  void EnergyRecord::add(const Energies &energies)
-  {
-    // A run that starts from an equilibrium starts with work already done.
-    if (!start)
-      start = energies.balance(0);
-
-    latest  = energies;
-    balance = energies.balance(*start);
-    // In this order a number that is none stays.
-    largest_balance = std::max(std::abs(balance), largest_balance);
-    largest_energy  = std::max({largest_energy,
-                                std::abs(energies.total()),
-                                std::abs(energies.dissipated),
-                                std::abs(energies.external)});
-  }
-
-  double EnergyRecord::relative(const double energy) const
-  {
-    if (largest_energy > 0 || std::isnan(energy))
-      return energy / largest_energy;
-    return 0;
-  }
-
-  std::vector<Column> energy_columns(const bool has_struts)
-  {
-    std::vector<Column> columns = {{"kinetic", "J", "kinetic energy"}};
-    if (has_struts)
-      columns.push_back(
-        {"strain", "J", "strain energy of struts and rotational springs"});
-    columns.push_back({"stored", "J", "energy in the springs of connectors"});
-    columns.push_back({"dissipated",
-                       "J",
-                       has_struts
-                         ? "energy lost in connectors and struts since the "
-                           "start"
-                         : "energy lost in connectors since the start"});
-    columns.push_back(
-      {"external", "J", "work of loads and prescribed motion since the start"});
-    columns.push_back(
-      {"balance",
-       "J",
-       std::string(has_struts ? "kinetic + strain" : "kinetic") +
-         " + stored + dissipated - external minus its value at the start: "
-         "error of the time integration and loss by its numerical damping"});
-    return columns;
-  }
-
-  std::vector<double> energy_values(const EnergyRecord &record,
-                                    const bool          has_struts)
-  {
-    const Energies     &energies = record.latest;
-    std::vector<double> values   = {energies.kinetic};
-    if (has_struts)
-      values.push_back(energies.strain);
-    for (const double energy : {energies.stored,
-                                energies.dissipated,
-                                energies.external,
-                                record.balance})
-      values.push_back(energy);
-    return values;
-  }
-
   History::History(const Scene       &scene,
-                   const System      &system,
-                   const std::string &folder,
+                   const Equations      &equations,
                    const MPI_Comm     communicator)
-    : system(system)
+    : equations(equations)
     , communicator(communicator)
-    , part_rotations(system)
-    , rotation_vectors(system)
+    , part_rotations(equations)
+    , rotation_vectors(equations.model())
   {
-    columns.push_back({"time", "s", "time"});
+    column_list.push_back({"time", "s", "time"});
     for (const ProbeDefinition &probe : scene.output.probes)
       if (RigidPartProbe::is_one(probe))
-        rigid_part_probes.emplace_back(probe, scene, system);
+        rigid_part_probes.emplace_back(probe, scene, equations);
       else
         define_probe(probe, scene.context);
-    for (const Support &support : system.supports())
+    for (const Support &support : equations.model().supports)
       define_support(support);
     for (const RigidPartProbe &probe : rigid_part_probes)
       for (const Column &column : probe.columns())
-        columns.push_back(column);
-    for (const ConnectorForces *group : system.connectors())
-      define_connectors(*group);
+        column_list.push_back(column);
+    for (const ConnectorGroup &group : equations.reporting().connectors)
+      define_connectors(*group.forces);
     if (scene.output.effective_strains)
       {
-        strains.emplace(system);
+        strains.emplace(equations.model());
         for (const Column &column : strains->columns())
-          columns.push_back(column);
+          column_list.push_back(column);
       }
-    for (const Column &column : energy_columns(/*has_struts=*/true))
-      columns.push_back(column);
-    row.resize(columns.size());
-    const DofNumbering &numbering = system.numbering();
+    for (const Column &column : energy_columns(equations.layout().energies))
+      column_list.push_back(column);
+    row.resize(column_list.size());
+    const DofNumbering &numbering = equations.model().numbering;
     for (unsigned int i = 0; i < numbering.n_owned(); ++i)
-      if (numbering.is_rotation(i) && system.lattice().dimension == 2)
+      if (numbering.is_rotation(i) && equations.model().lattice.dimension == 2)
         rotations.push_back(i);
-
-    on_first_rank(communicator, [&]() {
-      table.emplace(folder + "/history.csv", columns);
-      write_column_reference(folder + "/history.units.csv", columns);
-    });
   }
 
   void History::define_probe(const ProbeDefinition &probe,
                              const SceneContext    &context)
   {
-    const Lattice                  &lattice = system.lattice();
+    const Lattice                  &lattice = equations.model().lattice;
     const std::vector<unsigned int> joints =
       select_joints(lattice, probe.selection, context, probe.path);
     const auto define = [&](const Column      &column,
@@ -150,7 +82,7 @@ namespace auxfem
              Quantity::displacement,
              c);
     if (std::all_of(joints.begin(), joints.end(), [&](const unsigned int j) {
-          return system.numbering().joint_has(j, rotation_z);
+          return equations.model().numbering.joint_has(j, rotation_z);
         }))
       {
         if (lattice.dimension == 2)
@@ -166,7 +98,7 @@ namespace auxfem
                    Quantity::rotation_vector,
                    first_rotation + c);
       }
-    if (system.is_dynamic())
+    if (equations.model().simulated.inertia)
       for (unsigned int c = 0; c < lattice.dimension; ++c)
         define({"v" + axis_name(c), "m/s", "velocity along " + axis_name(c)},
                Quantity::velocity,
@@ -182,19 +114,19 @@ namespace auxfem
     UnknownSum sum{quantity, {}, 1. / joints.size()};
     for (const unsigned int joint : joints)
       {
-        const int unknown = system.numbering().joint_unknown(joint, component);
-        if (system.numbering().is_owned(unknown))
+        const int unknown = equations.model().numbering.joint_unknown(joint, component);
+        if (equations.model().numbering.is_owned(unknown))
           sum.unknowns.push_back(unknown);
       }
     sums.push_back(std::move(sum));
-    columns.push_back({probe.name + "." + column.name,
+    column_list.push_back({probe.name + "." + column.name,
                        column.unit,
                        "mean " + column.meaning + " of the probe's joints"});
   }
 
   void History::define_support(const Support &support)
   {
-    const DofNumbering &numbering = system.numbering();
+    const DofNumbering &numbering = equations.model().numbering;
     for (const unsigned int component : numbering.components())
       {
         UnknownSum sum{Quantity::residual, {}, 1.};
@@ -203,21 +135,18 @@ namespace auxfem
               numbering.is_owned(prescribed.unknown))
             sum.unknowns.push_back(prescribed.unknown);
         sums.push_back(std::move(sum));
-        columns.push_back(
-          reaction_column(support.name, component, system.lattice().dimension));
+        column_list.push_back(
+          reaction_column(support.name, component, equations.model().lattice.dimension));
       }
   }
 
   void History::define_connectors(const ConnectorForces &group)
   {
-    columns.push_back({group.name() + ".force",
+    column_list.push_back({group.name() + ".force",
                        "N",
                        "sum of the connectors' forces, positive in tension"});
-    columns.push_back(
+    column_list.push_back(
       {group.name() + ".extension", "m", "sum of the connectors' extensions"});
-    columns.push_back({group.name() + ".dissipated",
-                       "J",
-                       "energy lost in the connectors since the start"});
   }
 
   unsigned int History::add_unknown_sums(const State &state,
@@ -242,22 +171,21 @@ namespace auxfem
     return column;
   }
 
-  unsigned int History::add_connector_sums(const State &state,
+  unsigned int History::add_connector_sums(const Solution &solution,
                                            unsigned int column)
   {
-    for (const ConnectorForces *group : system.connectors())
+    for (const ConnectorGroup &group : equations.reporting().connectors)
       {
-        double force = 0, extension = 0, dissipated = 0;
-        for (unsigned int i = 0; i < group->n_reported(); ++i)
+        double force = 0, extension = 0;
+        for (unsigned int i = 0; i < group.forces->n_reported(); ++i)
           {
-            const ConnectorReport report = group->report(i, state);
+            const ConnectorReport report =
+              group.report(i, solution.state, solution.results);
             force += report.force;
             extension += report.extension;
-            dissipated += report.dissipated;
           }
         row[column++] = force;
         row[column++] = extension;
-        row[column++] = dissipated;
       }
     return column;
   }
@@ -287,15 +215,16 @@ namespace auxfem
       }
   }
 
-  void History::write(const State &state)
+  const std::vector<double> &History::values(const Solution &solution)
   {
+    const State &state = solution.state;
     note(state);
     row[0]              = state.time;
     unsigned int column = add_unknown_sums(state, 1);
     column              = add_rigid_part_values(state, column);
-    column              = add_connector_sums(state, column);
+    column              = add_connector_sums(solution, column);
     column              = add_strains(state, column);
-    if (system.numbering().n_ranks() > 1)
+    if (equations.model().numbering.n_ranks() > 1)
       MPI_Allreduce(MPI_IN_PLACE,
                     row.data() + 1,
                     column - 1,
@@ -307,15 +236,14 @@ namespace auxfem
       strain_so_far.add(state.time,
                         strains->axes(),
                         &row[column - strains->axes().size()]);
-    for (const double energy : energy_values(record, /*has_struts=*/true))
+    for (const double energy : energy_values(record))
       row[column++] = energy;
     AssertDimension(column, row.size());
 
     for (const int unknown : rotations)
       rotation_so_far =
         std::max(rotation_so_far, std::abs(state.displacement[unknown]));
-
-    on_first_rank(communicator, [&]() { table->append(row); });
+    return row;
   }
 
   void History::note(const State &state)
@@ -326,6 +254,11 @@ namespace auxfem
       rotation_so_far = std::max(rotation_so_far, rotation.norm());
     rotation_vectors.follow(state);
     rotation_so_far = std::max(rotation_so_far, rotation_vectors.largest());
+  }
+
+  const std::vector<Column> &History::columns() const
+  {
+    return column_list;
   }
 
   const EnergyRecord &History::energies() const

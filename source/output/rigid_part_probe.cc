@@ -72,10 +72,10 @@ namespace auxfem
     }
   } // namespace
 
-  RigidPartRotations::RigidPartRotations(const System &system) : system(system)
+  RigidPartRotations::RigidPartRotations(const Equations &equations) : equations(equations)
   {
-    if (system.rigid_parts())
-      rotations.assign(system.rigid_parts()->n_reported(), SpaceVector());
+    if (equations.reporting().rigid_parts)
+      rotations.assign(equations.reporting().rigid_parts->n_reported(), SpaceVector());
   }
 
   void RigidPartRotations::follow(const State &state)
@@ -83,8 +83,8 @@ namespace auxfem
     const double turn = 2 * dealii::numbers::PI;
     for (unsigned int i = 0; i < rotations.size(); ++i)
       {
-        const SpaceVector now = system.rigid_parts()->rotation(i, state);
-        if (system.lattice().dimension == 2)
+        const SpaceVector now = equations.reporting().rigid_parts->rotation(i, state);
+        if (equations.model().lattice.dimension == 2)
           rotations[i][2] =
             now[2] + turn * std::round((rotations[i][2] - now[2]) / turn);
         else
@@ -111,16 +111,16 @@ namespace auxfem
 
   RigidPartProbe::RigidPartProbe(const ProbeDefinition &definition,
                                  const Scene           &scene,
-                                 const System          &system)
+                                 const Equations          &equations)
     : name(definition.name)
-    , system(system)
+    , equations(equations)
   {
-    const Lattice  &lattice        = system.lattice();
+    const Lattice  &lattice        = equations.model().lattice;
     const Selection selection      = select(definition, scene, lattice);
     n_dimensions                   = lattice.dimension;
     has_forces                     = !selection.joints.empty();
     n_parts                        = selection.parts.size();
-    const RigidPartConditions &all = *system.rigid_parts();
+    const RigidPartConditions &all = *equations.reporting().rigid_parts;
     for (unsigned int i = 0; i < all.n_reported(); ++i)
       {
         if (!std::binary_search(selection.parts.begin(),
@@ -179,7 +179,7 @@ namespace auxfem
         if (!has_forces)
           continue;
         const RigidPartReport report =
-          system.rigid_parts()->report(part.report, state);
+          equations.reporting().rigid_parts->report(part.report, state);
         for (const unsigned int joint : part.joints)
           for (unsigned int c = 0; c < n_dimensions; ++c)
             result[n_rotations + c] += report.forces[joint][c];

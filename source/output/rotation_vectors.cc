@@ -4,9 +4,9 @@
 
 namespace auxfem
 {
-  RotationVectors::RotationVectors(const System &system)
-    : system(system)
-    , rotations(system.numbering().spatial_rotations().size())
+  RotationVectors::RotationVectors(const LatticeModel &model)
+    : model(model)
+    , rotations(model.numbering.spatial_rotations().size())
   {}
 
   void RotationVectors::follow(const State &state)
@@ -14,7 +14,7 @@ namespace auxfem
     for (unsigned int i = 0; i < rotations.size(); ++i)
       {
         const SpaceVector entries =
-          system.rotations().values(state.displacement, i);
+          model.rotations.values(state.displacement, i);
         SpaceVector &vector = rotations[i].vector;
         if (state.rotations.empty())
           vector = entries;
@@ -30,7 +30,7 @@ namespace auxfem
 
   double RotationVectors::operator[](const int unknown) const
   {
-    const DofNumbering &numbering = system.numbering();
+    const DofNumbering &numbering = model.numbering;
     return rotations[numbering.spatial_rotation(unknown)]
       .vector[numbering.spin_axis(unknown)];
   }

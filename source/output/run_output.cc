@@ -19,13 +19,10 @@ namespace auxfem
   public:
     Implementation(const Scene &scene, MPI_Comm communicator);
 
-    void begin(const System &system);
-    void write_start(const State &state);
-    void write_step(const State &state, const StepReport &report);
-    void finish(const System      &system,
-                const State       &state,
-                const RunTotals   &totals,
-                const std::string &exit_state);
+    void begin(const Equations &equations);
+    void start_series(const Solution &solution);
+    void write_step(const Solution &solution, const StepReport &report);
+    void finish(const Solution &last, const RunResult &result);
 
     const std::string folder;
     double            seconds = 0;
@@ -38,8 +35,8 @@ namespace auxfem
       return std::chrono::duration<double>(Clock::now() - start).count();
     }
 
-    void write_row(const State &state);
-    void write_graphics(const State &state);
+    void write_row(const Solution &solution);
+    void write_graphics(const Solution &solution);
     void show_progress(const State &state, const StepReport &report);
 
     const Scene   &scene;
@@ -48,9 +45,11 @@ namespace auxfem
     const Clock::time_point start;
     Clock::time_point       first_step;
 
+    const Equations         *equations = nullptr; ///< from begin() on
     std::ofstream            log;
     std::optional<Console>   console; ///< on rank 0
     std::optional<History>   history;
+    std::optional<CsvTable>  table; ///< on rank 0
     std::optional<VtuWriter> graphics;
     GraphicsSchedule         schedule;
 
@@ -68,10 +67,10 @@ namespace auxfem
     , schedule(scene.output.graphics_interval)
   {}
 
-  void RunOutput::Implementation::begin(const System &system)
+  void RunOutput::Implementation::begin(const Equations &equations)
   {
     // A mistyped probe must not cost the results of an earlier run.
-    refuse_columns_of_nothing(scene, system.lattice());
+    refuse_columns_of_nothing(scene, equations.model().lattice);
 
     on_first_rank(communicator, [&]() {
       log = open_run_folder(scene, folder);
@@ -80,46 +79,53 @@ namespace auxfem
         dealii::Utilities::MPI::n_mpi_processes(communicator) == 1;
       console.emplace(std::cout, is_alone ? terminal_width() : 0, log);
     });
-    const Counts counts = count(system);
+    const Counts counts = count(equations);
     if (console)
-      console->print(overview_text(scene, counts, system.decisions()) + '\n');
-    history.emplace(scene, system, folder, communicator);
+      console->print(overview_text(scene, counts, equations.model().simulated.decisions) + '\n');
+    this->equations = &equations;
+    history.emplace(scene, equations, communicator);
+    on_first_rank(communicator, [&]() {
+      table.emplace(folder + "/history.csv", history->columns());
+      write_column_reference(folder + "/history.units.csv", history->columns());
+    });
     if (scene.output.graphics)
-      graphics.emplace(scene, system, folder, communicator);
+      graphics.emplace(scene, equations, folder, communicator);
   }
 
-  void RunOutput::Implementation::write_row(const State &state)
+  void RunOutput::Implementation::write_row(const Solution &solution)
   {
-    history->write(state);
-    last_row = state.time;
+    const std::vector<double> &row = history->values(solution);
+    on_first_rank(communicator, [&]() { table->append(row); });
+    last_row = solution.state.time;
   }
 
-  void RunOutput::Implementation::write_graphics(const State &state)
+  void RunOutput::Implementation::write_graphics(const Solution &solution)
   {
     if (!graphics)
       return;
-    graphics->write_struts(state);
-    graphics->write_rigid_parts(state);
-    graphics->write_connectors(state);
-    last_graphics = state.time;
+    graphics->write_struts(solution.state);
+    graphics->write_rigid_parts(solution.state);
+    graphics->write_connectors(solution);
+    last_graphics = solution.state.time;
   }
 
-  void RunOutput::Implementation::write_start(const State &state)
+  void RunOutput::Implementation::start_series(const Solution &solution)
   {
     first_step = Clock::now();
-    write_row(state);
-    write_graphics(state);
+    write_row(solution);
+    write_graphics(solution);
   }
 
-  void RunOutput::Implementation::write_step(const State      &state,
+  void RunOutput::Implementation::write_step(const Solution   &solution,
                                              const StepReport &report)
   {
+    const State &state = solution.state;
     if (state.step % scene.output.history_interval == 0)
-      write_row(state);
+      write_row(solution);
     else
       history->note(state);
     if (schedule.is_due(state.time))
-      write_graphics(state);
+      write_graphics(solution);
     if (console)
       show_progress(state, report);
   }
@@ -144,41 +150,35 @@ namespace auxfem
     console->progress(progress);
   }
 
-  void RunOutput::Implementation::finish(const System      &system,
-                                         const State       &state,
-                                         const RunTotals   &totals,
-                                         const std::string &exit_state)
+  void RunOutput::Implementation::finish(const Solution  &last,
+                                         const RunResult &result)
   {
     if (console)
       console->end_progress();
-
-    const bool completed = exit_state == "completed";
     {
       const Stopwatch watch(seconds);
-      if (last_row && last_row != state.time)
-        write_row(state);
-      if (last_graphics && last_graphics != state.time)
-        write_graphics(state);
+      if (last_row && last_row != last.state.time)
+        write_row(last);
+      if (last_graphics && last_graphics != last.state.time)
+        write_graphics(last);
     }
 
     Summary summary;
-    summary.counts             = count(system);
-    summary.totals             = totals;
-    summary.totals.wall.output = seconds;
+    summary.counts             = XX = seconds;
     summary.resources =
       gather_resources(since(start), summary.totals.wall, communicator);
     summary.energies = history->energies();
     summary.strain   = history->largest_strain();
     summary.largest_rotation =
       dealii::Utilities::MPI::max(history->largest_rotation(), communicator);
-    summary.time       = state.time;
-    summary.exit_state = exit_state;
+    summary.time       = result.time;
+    summary.exit_state = result.exit_state;
 
     on_first_rank(communicator, [&]() {
       replace_file(folder + "/summary.json", summary_json(scene, summary));
       console->print(closing_text(summary, folder));
-      if (!completed)
-        console->print_to_log("Reason: " + exit_state);
+      if (!result.completed())
+        console->print_to_log("Reason: " + result.exit_state);
     });
   }
 
@@ -188,47 +188,34 @@ namespace auxfem
 
   RunOutput::~RunOutput() = default;
 
-  void RunOutput::begin(const System &system)
+  void RunOutput::begin(const Equations &equations)
   {
     const Stopwatch watch(implementation->seconds);
-    implementation->begin(system);
+    implementation->begin(equations);
   }
 
-  void RunOutput::write_start(const State &state)
+  void RunOutput::start(const Solution &solution)
   {
     const Stopwatch watch(implementation->seconds);
-    implementation->write_start(state);
+    implementation->start_series(solution);
   }
 
-  void RunOutput::write_step(const State &state, const StepReport &report)
+  void RunOutput::step(const Solution &solution, const StepReport &report)
   {
     const Stopwatch watch(implementation->seconds);
-    implementation->write_step(state, report);
+    implementation->write_step(solution, report);
   }
 
-  void RunOutput::finish(const System      &system,
-                         const State       &state,
-                         const RunTotals   &totals,
-                         const std::string &exit_state)
+  void RunOutput::finish(const Solution &last, const RunResult &result)
   {
-    implementation->finish(system, state, totals, exit_state);
+    implementation->finish(last, result);
   }
 
-  const std::string &RunOutput::folder() const
+  void print_overview(const Scene &scene, const Equations &equations)
   {
-    return implementation->folder;
-  }
-
-  double RunOutput::seconds() const
-  {
-    return implementation->seconds;
-  }
-
-  void print_overview(const Scene &scene, const System &system)
-  {
-    const Counts counts = count(system);
-    if (system.numbering().rank() == 0)
-      std::cout << overview_text(scene, counts, system.decisions())
+    const Counts counts = count(equations);
+    if (equations.model().numbering.rank() == 0)
+      std::cout << overview_text(scene, counts, equations.model().simulated.decisions)
                 << std::endl;
   }
 } // namespace auxfem

@@ -55,7 +55,7 @@ namespace auxfem
       return object;
     }
 
-    JsonObject json(const RunTotals &totals)
+    JsonObject json(const Work &totals)
     {
       JsonObject object;
       object.add("steps", totals.steps);
@@ -109,14 +109,14 @@ namespace auxfem
     }
   } // namespace
 
-  Counts count(const System &system)
+  Counts count(const Equations &equations)
   {
-    const DofNumbering         &numbering = system.numbering();
+    const DofNumbering         &numbering = equations.model().numbering;
     std::array<unsigned int, 2> mine{{0, 0}};
     for (const DofNumbering::Element &element : numbering.elements())
       mine[0] += numbering.is_owned(element);
-    for (const ConnectorForces *group : system.connectors())
-      mine[1] += group->n_reported();
+    for (const ConnectorGroup &group : equations.reporting().connectors)
+      mine[1] += group.forces->n_reported();
     MPI_Allreduce(MPI_IN_PLACE,
                   mine.data(),
                   mine.size(),
@@ -125,11 +125,11 @@ namespace auxfem
                   numbering.communicator().Comm());
 
     Counts counts;
-    counts.joints        = system.lattice().joints.size();
-    counts.struts        = system.lattice().struts.size();
+    counts.joints        = equations.model().lattice.joints.size();
+    counts.struts        = equations.model().lattice.struts.size();
     counts.elements      = mine[0];
     counts.connectors    = mine[1];
-    counts.rigid_parts   = system.lattice().rigid_parts.size();
+    counts.rigid_parts   = equations.model().lattice.rigid_parts.size();
     counts.unknowns      = numbering.n_unknowns();
     counts.free_unknowns = numbering.n_free();
     counts.conditions    = numbering.n_multipliers();
@@ -193,22 +193,6 @@ namespace auxfem
     object.add("exit_state", exit_state);
     object.add("time_reached", time);
     object.add("end_time", scene.time.end_time);
-    return object;
-  }
-
-  JsonObject json_of_energies(const EnergyRecord &record, const bool has_struts)
-  {
-    JsonObject object;
-    object.add("kinetic", record.latest.kinetic);
-    if (has_struts)
-      object.add("strain", record.latest.strain);
-    object.add("stored", record.latest.stored);
-    object.add("dissipated", record.latest.dissipated);
-    object.add("external", record.latest.external);
-    object.add("balance", record.balance);
-    object.add("largest", record.largest_energy);
-    object.add("largest_relative_balance",
-               record.relative(record.largest_balance));
     return object;
   }
 
@@ -282,7 +266,7 @@ namespace auxfem
     object.add("cpu_seconds", summary.resources.cpu_seconds);
     object.add("peak_memory_bytes", memory);
     object.add("energies_joule",
-               json_of_energies(summary.energies, /*has_struts=*/true));
+               json_of_energies(summary.energies));
     object.add("largest_rotation_radian", summary.largest_rotation);
     if (summary.strain.along(1))
       object.add("largest_effective_strain", json(summary.strain));
@@ -350,7 +334,7 @@ namespace auxfem
 
   std::string closing_text(const Summary &summary, const std::string &folder)
   {
-    const RunTotals   &totals = summary.totals;
+    const Work        &totals = summary.totals;
     const PhaseTimes  &wall   = summary.resources.wall;
     std::ostringstream stream;
     stream << (summary.exit_state == "completed" ? "Completed"

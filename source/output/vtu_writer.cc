@@ -70,13 +70,13 @@ namespace auxfem
   } // namespace
 
   VtuWriter::VtuWriter(const Scene       &scene,
-                       const System      &system,
+                       const Equations      &equations,
                        const std::string &folder,
                        const MPI_Comm     communicator)
-    : system(system)
+    : equations(equations)
     , n_segments(scene.output.segments)
   {
-    const Lattice &lattice = system.lattice();
+    const Lattice &lattice = equations.model().lattice;
     for (const SetDefinition &definition : scene.sets)
       {
         const auto set = lattice.strut_sets.find(definition.name);
@@ -89,20 +89,20 @@ namespace auxfem
         sets.push_back(std::move(members));
       }
 
-    if (system.struts())
+    if (equations.reporting().struts)
       strut_series.emplace(folder, "solution", communicator);
-    if (system.rigid_parts())
+    if (equations.reporting().rigid_parts)
       rigid_part_series.emplace(folder, "rigid_parts", communicator);
-    if (!system.connectors().empty())
+    if (!equations.reporting().connectors.empty())
       connector_series.emplace(folder, "connectors", communicator);
   }
 
   std::vector<GraphicsField> VtuWriter::strut_fields() const
   {
     std::vector<GraphicsField> fields = {{"displacement", 3, "m"}};
-    if (system.is_dynamic())
+    if (equations.model().simulated.inertia)
       fields.push_back({"velocity", 3, "m/s"});
-    for (const GraphicsField &field : system.lattice().dimension == 2
+    for (const GraphicsField &field : equations.model().lattice.dimension == 2
            ? section_force_fields_in_plane
            : section_force_fields_in_space)
       fields.push_back(field);
@@ -123,9 +123,9 @@ namespace auxfem
                                std::vector<float> &values) const
   {
     append(values, point.displacement);
-    if (system.is_dynamic())
+    if (equations.model().simulated.inertia)
       append(values, point.velocity);
-    if (system.lattice().dimension == 2)
+    if (equations.model().lattice.dimension == 2)
       append_in_plane(values, point);
     else
       append_in_space(values, point);
@@ -137,7 +137,7 @@ namespace auxfem
     if (!strut_series)
       return;
 
-    const DofNumbering &numbering = system.numbering();
+    const DofNumbering &numbering = equations.model().numbering;
     LineGraphics        graphics(strut_fields());
 
     std::vector<dealii::Point<3>> points;
@@ -149,13 +149,13 @@ namespace auxfem
           continue;
 
         const unsigned int number = element.place.strut;
-        const Strut       &strut  = system.lattice().struts[number];
-        const float        radius = system.sections()[strut.section].radius;
+        const Strut       &strut  = equations.model().lattice.struts[number];
+        const float        radius = equations.model().sections[strut.section].radius;
 
         points.clear();
         values.clear();
         for (const StrutPoint &point :
-             system.struts()->sample(state, e, n_segments + 1))
+             equations.reporting().struts->sample(state, e, n_segments + 1))
           {
             points.push_back(point.position);
             append_point(point, values);
@@ -174,11 +174,11 @@ namespace auxfem
   std::vector<GraphicsField> VtuWriter::rigid_part_fields() const
   {
     std::vector<GraphicsField> fields = {{"displacement", 3, "m"}};
-    if (system.is_dynamic())
+    if (equations.model().simulated.inertia)
       fields.push_back({"velocity", 3, "m/s"});
     fields.push_back({"force", 3, "N"});
     fields.push_back(
-      {"rotation", system.lattice().dimension == 2 ? 1u : 3u, "rad"});
+      {"rotation", equations.model().lattice.dimension == 2 ? 1u : 3u, "rad"});
     for (const char *number : {"part", "definition", "cell"})
       fields.push_back({number, 1, ""});
     return fields;
@@ -187,7 +187,7 @@ namespace auxfem
   std::vector<std::vector<dealii::Point<3>>>
   VtuWriter::rigid_part_lines(const RigidPart &part) const
   {
-    const Lattice                             &lattice = system.lattice();
+    const Lattice                             &lattice = equations.model().lattice;
     std::vector<std::vector<dealii::Point<3>>> lines;
     for (const unsigned int number : part.struts)
       {
@@ -214,8 +214,8 @@ namespace auxfem
     if (!rigid_part_series)
       return;
 
-    const Lattice             &lattice = system.lattice();
-    const RigidPartConditions &parts   = *system.rigid_parts();
+    const Lattice             &lattice = equations.model().lattice;
+    const RigidPartConditions &parts   = *equations.reporting().rigid_parts;
     LineGraphics               graphics(rigid_part_fields());
     std::vector<float>         values;
     for (unsigned int i = 0; i < parts.n_reported(); ++i)
@@ -230,7 +230,7 @@ namespace auxfem
               {
                 const PointMotion motion = parts.motion(i, point, state);
                 append(values, motion.displacement);
-                if (system.is_dynamic())
+                if (equations.model().simulated.inertia)
                   append(values, motion.velocity);
                 append(values, force_at(lattice, part, report, point));
                 if (lattice.dimension == 2)
@@ -247,19 +247,21 @@ namespace auxfem
     rigid_part_series->write(graphics, state.time);
   }
 
-  void VtuWriter::write_connectors(const State &state)
+  void VtuWriter::write_connectors(const Solution &solution)
   {
     if (!connector_series)
       return;
 
     LineGraphics       graphics(connector_fields);
     std::vector<float> values;
-    for (unsigned int group = 0; group < system.connectors().size(); ++group)
+    for (unsigned int group = 0; group < equations.reporting().connectors.size(); ++group)
       {
-        const ConnectorForces &connectors = *system.connectors()[group];
-        for (unsigned int i = 0; i < connectors.n_reported(); ++i)
+        const ConnectorGroup &connectors =
+          equations.reporting().connectors[group];
+        for (unsigned int i = 0; i < connectors.forces->n_reported(); ++i)
           {
-            const ConnectorReport report = connectors.report(i, state);
+            const ConnectorReport report =
+              connectors.report(i, solution.state, solution.results);
             values.clear();
             for (const dealii::Tensor<1, 3> &displacement :
                  report.displacements)
@@ -274,6 +276,6 @@ namespace auxfem
             graphics.add_line({report.ends[0], report.ends[1]}, values);
           }
       }
-    connector_series->write(graphics, state.time);
+    connector_series->write(graphics, solution.state.time);
   }
 } // namespace auxfem

@@ -31,7 +31,7 @@ namespace auxfem
       StateLayout layout;
       layout.velocity = layout.acceleration = model.simulated.inertia;
       layout.algorithmic_acceleration =
-        scene.time.scheme->uses_algorithmic_acceleration();
+        scene.time.implicit_scheme().uses_algorithmic_acceleration();
       layout.n_rotations = model.n_large_rotations();
       return layout;
     }

@@ -1,10 +1,8 @@
 #ifndef auxfem_tests_support_scene_run_h
 #define auxfem_tests_support_scene_run_h
 
-#include <auxfem/model/build_lattice.h>
+#include <auxfem/analysis/lattice_run.h>
 #include <auxfem/scene/scene.h>
-#include <auxfem/system/system.h>
-#include <auxfem/time/time_stepper.h>
 
 #include <functional>
 #include <string>
@@ -25,25 +23,44 @@ namespace auxfem
       explicit SceneRun(const std::string              &prm_text,
                         const std::vector<std::string> &overrides = {})
         : scene(read_scene_from_text(prm_text, "test.prm", overrides))
-        , lattice(build_lattice(scene))
-        , system(scene, lattice, MPI_COMM_WORLD)
-        , stepper(system, scene)
-        , state(system.initial_state())
+        , computation(scene, MPI_COMM_WORLD)
+        , lattice(computation.lattice)
+        , model(computation.model)
+        , equations(computation.equations)
+        , state(computation.solution.state)
       {
-        stepper.start(state);
+        computation.start();
         initial_total = state.energies.total();
       }
 
       /** Advances to the end; calls @p after_step after each step. */
       void run(const std::function<void()> &after_step = [] {})
       {
-        while (state.step < scene.time.n_steps())
+        struct Caller : public Recorder
+        {
+          explicit Caller(const std::function<void()> &after_step)
+            : after_step(after_step)
+          {}
+          void step(const Solution &, const StepReport &) override
           {
-            const StepReport report = stepper.advance(state);
-            iterations += report.iterations;
-            factorizations += report.factorizations;
             after_step();
           }
+          const std::function<void()> &after_step;
+        };
+        Caller caller(after_step);
+        computation.advance_to_end(caller);
+      }
+
+      /** One step of the scene. */
+      StepReport advance()
+      {
+        return computation.advance();
+      }
+
+      /** All that was done so far. */
+      const Work &work() const
+      {
+        return computation.work();
       }
 
       /** Displacement or rotation of a joint, by component of motion. */
@@ -51,14 +68,14 @@ namespace auxfem
                     const unsigned int component) const
       {
         return state
-          .displacement[system.numbering().joint_unknown(joint, component)];
+          .displacement[model.numbering.joint_unknown(joint, component)];
       }
 
       double velocity(const unsigned int joint,
                       const unsigned int component) const
       {
         return (
-          *state.velocity)[system.numbering().joint_unknown(joint, component)];
+          *state.velocity)[model.numbering.joint_unknown(joint, component)];
       }
 
       /** Sum of the support's forces or moments on the lattice. */
@@ -66,12 +83,20 @@ namespace auxfem
                       const unsigned int component) const
       {
         double sum = 0;
-        for (const Support &candidate : system.supports())
+        for (const Support &candidate : model.supports)
           if (candidate.name == support)
             for (const auto &unknown : candidate.unknowns)
               if (unknown.component == component)
                 sum += state.residual[unknown.unknown];
         return sum;
+      }
+
+      /** Counted connector @p i of group number @p group now. */
+      ConnectorReport connector(const unsigned int group,
+                                const unsigned int i) const
+      {
+        return equations.reporting().connectors[group].report(
+          i, state, computation.solution.results);
       }
 
       /** Error of the energy balance now (J). */
@@ -80,14 +105,13 @@ namespace auxfem
         return state.energies.balance(initial_total);
       }
 
-      const Scene   scene;
-      const Lattice lattice;
-      System        system;
-      TimeStepper   stepper;
-      State         state;
-      double        initial_total  = 0;
-      unsigned int  iterations     = 0;
-      unsigned int  factorizations = 0;
+      const Scene         scene;
+      LatticeRun          computation;
+      const Lattice      &lattice;
+      const LatticeModel &model;
+      const Equations    &equations;
+      State              &state;
+      double              initial_total = 0;
     };
   } // namespace testing_support
 } // namespace auxfem

@@ -38,7 +38,7 @@ namespace auxfem
      * Solves evaluation.to, which the scheme has predicted; of a solved one
      * State::largest_force too.
      */
-    Result solve(const TimeScheme  &scheme,
+    Result solve(const ImplicitScheme &scheme,
                  const Evaluation  &evaluation,
                  EvaluationResults &results);
 
@@ -54,7 +54,7 @@ namespace auxfem
     };
 
     /** Factorizes unless the kept factorization serves; false if singular. */
-    bool   prepare(const TimeScheme        &scheme,
+    bool   prepare(const ImplicitScheme &scheme,
                    const Evaluation        &evaluation,
                    const EvaluationResults &results,
                    double                   reduction);
@@ -62,7 +62,7 @@ namespace auxfem
                             const State             &state) const;
     double in_force_units(const EvaluationResults &results) const;
     /** Solves for the increment and applies it; empty, or why it failed. */
-    std::string iterate(const TimeScheme &scheme, const Evaluation &evaluation);
+    std::string iterate(const ImplicitScheme &scheme, const Evaluation &evaluation);
 
     TangentSolver         &solver;
     const NewtonParameters parameters;

@@ -57,6 +57,7 @@ namespace auxfem
 
     Equations           &equations;
     const TimeParameters parameters;
+    const ImplicitScheme &scheme;
     Work                &work;
     TangentSolver        tangent_solver;
     Newton               newton;

@@ -2,7 +2,7 @@
 #define auxfem_output_effective_strains_h
 
 #include <auxfem/output/csv_table.h>
-#include <auxfem/system/system.h>
+#include <auxfem/model/lattice_model.h>
 
 #include <optional>
 #include <string>
@@ -21,9 +21,9 @@ namespace auxfem
   public:
     /**
      * Throws InputError if no axis is left.
-     * @param system must outlive the object.
+     * @param model must outlive the object.
      */
-    explicit EffectiveStrains(const System &system);
+    explicit EffectiveStrains(const LatticeModel &model);
 
     /** Throws InputError as the constructor. */
     static void check(const Lattice &lattice);

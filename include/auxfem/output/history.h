@@ -1,56 +1,27 @@
 #ifndef auxfem_output_history_h
 #define auxfem_output_history_h
 
-#include <auxfem/output/csv_table.h>
+#include <auxfem/output/energy_record.h>
 #include <auxfem/output/effective_strains.h>
 #include <auxfem/output/rigid_part_probe.h>
 #include <auxfem/output/rotation_vectors.h>
 #include <auxfem/scene/scene.h>
-#include <auxfem/system/system.h>
+#include <auxfem/system/equations.h>
 
 #include <optional>
 
 namespace auxfem
 {
-  /** Energies of a run as its history has seen them so far (J). */
-  struct EnergyRecord
-  {
-    Energies latest;
-    double   balance         = 0; ///< the latest error of the balance
-    double   largest_balance = 0; ///< the largest |balance|
-    /** Of mechanical, dissipated energy and work. */
-    double largest_energy = 0;
-
-    /** Takes note of @p energies; the first ones are those the balance starts from. */
-    void add(const Energies &energies);
-
-    /** @p energy over the largest energy; 0 as long as there is no energy. */
-    double relative(double energy) const;
-
-  private:
-    std::optional<double> start;
-  };
-
   /**
-   * Columns of history.csv for energies; without @p has_struts there is none
-   * for strain energy.
-   */
-  std::vector<Column> energy_columns(bool has_struts);
-
-  /** The numbers in these columns after the latest add(). */
-  std::vector<double> energy_values(const EnergyRecord &record,
-                                    bool                has_struts);
-
-  /**
-   * `history.csv`: a row for each recorded state. Columns: `time`; for a probe
+   * The rows of `history.csv`: numbers of a state. Columns: `time`; for a probe
    * P `P.ux`, `P.uy`, `P.phi` (if all its joints rotate) and in dynamics
    * `P.vx`, `P.vy`, means over its joints; for a probe on rigid parts the
    * columns of RigidPartProbe; for a support S `S.rx`, `S.ry`,
    * `S.m`, force and moment of the support on the lattice summed over its
    * joints (forces have no part in `S.m`); for a group of connectors C
-   * `C.force`, `C.extension`, `C.dissipated`, sums over the group; if wanted
-   * those of EffectiveStrains; `kinetic`, `strain`, `stored`, `dissipated`,
-   * `external`, and `balance`, which should be zero. Units and meaning are in
+   * `C.force`, `C.extension`, sums over the group; if wanted
+   * those of EffectiveStrains; those of energy_columns(), with `balance`, which
+   * should be zero. Units and meaning are in
    * `history.units.csv`.
    *
    * In space probes have also `P.uz` and `P.vz`, and for `P.phi` the mean
@@ -62,22 +33,21 @@ namespace auxfem
   {
   public:
     /**
-     * Finds the probes and writes the headers. Throws InputError as
-     * refuse_columns_of_nothing() and for files that cannot be written.
+     * Finds the probes. Throws InputError as refuse_columns_of_nothing().
      * Collective.
-     * @param system must outlive the history.
+     * @param equations must outlive the history.
      */
     History(const Scene       &scene,
-            const System      &system,
-            const std::string &folder,
+            const Equations      &equations,
             MPI_Comm           communicator);
 
+    const std::vector<Column> &columns() const;
+
     /**
-     * Appends the row of @p state, which must be the last given to
-     * System::residual(). Throws ComputationError if the disk takes no more.
-     * Collective: one reduction.
+     * The numbers of the row of a solution, as of the rows before: whole turns
+     * are counted. Collective: one reduction.
      */
-    void write(const State &state);
+    const std::vector<double> &values(const Solution &solution);
 
     /** Energies up to the last row. */
     const EnergyRecord &energies() const;
@@ -123,13 +93,13 @@ namespace auxfem
     /** Sums of this rank from column @p column on; returns the column after them. */
     unsigned int add_unknown_sums(const State &state, unsigned int column);
     unsigned int add_rigid_part_values(const State &state, unsigned int column);
-    unsigned int add_connector_sums(const State &state, unsigned int column);
+    unsigned int add_connector_sums(const Solution &solution, unsigned int column);
     unsigned int add_strains(const State &state, unsigned int column);
     double value(Quantity quantity, const State &state, int unknown) const;
 
-    const System               &system;
+    const Equations               &equations;
     MPI_Comm                    communicator;
-    std::vector<Column>         columns;
+    std::vector<Column>         column_list;
     std::vector<UnknownSum>     sums;
     RigidPartRotations          part_rotations;
     std::vector<RigidPartProbe> rigid_part_probes;
@@ -142,8 +112,6 @@ namespace auxfem
     /** Rotations in the plane: local numbers, owned by this rank. */
     std::vector<int> rotations;
     double           rotation_so_far = 0;
-    /** On rank 0. */
-    std::optional<CsvTable> table;
   };
 
   /**

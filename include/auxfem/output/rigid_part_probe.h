@@ -3,7 +3,7 @@
 
 #include <auxfem/output/csv_table.h>
 #include <auxfem/scene/scene.h>
-#include <auxfem/system/system.h>
+#include <auxfem/system/equations.h>
 
 namespace auxfem
 {
@@ -14,8 +14,8 @@ namespace auxfem
   class RigidPartRotations
   {
   public:
-    /** @param system must outlive the object. */
-    explicit RigidPartRotations(const System &system);
+    /** @param equations must outlive the object. */
+    explicit RigidPartRotations(const Equations &equations);
 
     /** Goes on to @p state; parts must not have turned by half a turn since the last. */
     void follow(const State &state);
@@ -24,7 +24,7 @@ namespace auxfem
     const std::vector<SpaceVector> &values() const;
 
   private:
-    const System            &system;
+    const Equations            &equations;
     std::vector<SpaceVector> rotations;
   };
 
@@ -45,11 +45,11 @@ namespace auxfem
     /**
      * Finds parts and joints. Throws InputError for sets that do not exist,
      * struts none of which is rigid, and joints none of which is of the parts.
-     * @param system must outlive the probe.
+     * @param equations must outlive the probe.
      */
     RigidPartProbe(const ProbeDefinition &definition,
                    const Scene           &scene,
-                   const System          &system);
+                   const Equations          &equations);
 
     /** Throws InputError as the constructor. */
     static void check(const ProbeDefinition &definition,
@@ -76,7 +76,7 @@ namespace auxfem
     bool              has_forces;
     unsigned int      n_dimensions;
     unsigned int      n_parts; ///< on all ranks
-    const System     &system;
+    const Equations     &equations;
     std::vector<Part> parts; ///< of this rank
   };
 } // namespace auxfem

@@ -1,7 +1,7 @@
 #ifndef auxfem_output_rotation_vectors_h
 #define auxfem_output_rotation_vectors_h
 
-#include <auxfem/system/system.h>
+#include <auxfem/model/lattice_model.h>
 
 namespace auxfem
 {
@@ -13,8 +13,8 @@ namespace auxfem
   class RotationVectors
   {
   public:
-    /** @param system must outlive the object. */
-    explicit RotationVectors(const System &system);
+    /** @param model must outlive the object. */
+    explicit RotationVectors(const LatticeModel &model);
 
     /**
      * Goes on to @p state. The sum of turns in between tells apart vectors
@@ -36,7 +36,7 @@ namespace auxfem
       SpaceVector entries; ///< of State::displacement
     };
 
-    const System         &system;
+    const LatticeModel         &model;
     std::vector<Rotation> rotations;
   };
 } // namespace auxfem

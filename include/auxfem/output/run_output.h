@@ -3,7 +3,7 @@
 
 #include <auxfem/output/summary.h>
 #include <auxfem/scene/scene.h>
-#include <auxfem/system/system.h>
+#include <auxfem/output/recorder.h>
 #include <auxfem/time/step_report.h>
 
 #include <memory>
@@ -20,7 +20,7 @@ namespace auxfem
    * Results of an earlier run in the same folder are removed in begin() (files
    * of these names only), so that what is there belongs together.
    */
-  class RunOutput
+  class RunOutput : public Recorder
   {
   public:
     /**
@@ -30,43 +30,26 @@ namespace auxfem
      * @param communicator all ranks take part in every call.
      */
     RunOutput(const Scene &scene, MPI_Comm communicator);
-    ~RunOutput();
+    ~RunOutput() override;
 
     /**
      * Makes the folder, prints and logs counts and what is simulated and left
      * out, starts the history. Throws InputError for a probe whose joints do
      * not exist, and if the folder cannot be written to.
      */
-    void begin(const System &system);
+    void begin(const Equations &equations) override;
 
-    /** Rows and files for the state at t = 0. */
-    void write_start(const State &state);
+    /** Rows and files for the solution at t = 0. */
+    void start(const Solution &solution) override;
 
     /**
-     * A finished step: progress line; history row and graphics when due.
-     * @p state must be the last given to System::residual(). Throws
+     * A finished step: progress line; history row and graphics when due. Throws
      * ComputationError if the disk takes no more.
      */
-    void write_step(const State &state, const StepReport &report);
+    void step(const Solution &solution, const StepReport &report) override;
 
-    /**
-     * Closes the run: last graphics, summary.json. @p exit_state is `completed`
-     * or the reason it was not; @p totals what run() counted.
-     *
-     * After a failure @p state is the last accepted one, but connectors and
-     * energies know the failed trial: then the struts are drawn, and the
-     * history ends with the row last due.
-     */
-    void finish(const System      &system,
-                const State       &state,
-                const RunTotals   &totals,
-                const std::string &exit_state);
-
-    /** The folder. */
-    const std::string &folder() const;
-
-    /** Wall seconds spent writing so far. */
-    double seconds() const;
+    /** Closes the run: last row and graphics, summary.json. */
+    void finish(const Solution &last, const RunResult &result) override;
 
   private:
     class Implementation;
@@ -74,7 +57,7 @@ namespace auxfem
   };
 
   /** Prints what RunOutput::begin() prints, and writes nothing. Collective. */
-  void print_overview(const Scene &scene, const System &system);
+  void print_overview(const Scene &scene, const Equations &equations);
 } // namespace auxfem
 
 #endif

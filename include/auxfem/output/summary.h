@@ -4,20 +4,11 @@
 #include <auxfem/output/history.h>
 #include <auxfem/output/json.h>
 #include <auxfem/scene/scene.h>
-#include <auxfem/system/system.h>
+#include <auxfem/system/equations.h>
 #include <auxfem/time/step_report.h>
 
 namespace auxfem
 {
-  /** Totals of a run, for summary.json and the last lines of the console. */
-  struct RunTotals
-  {
-    unsigned long steps = 0, iterations = 0, factorizations = 0, retries = 0;
-    /** Of the iterative linear solver; 0 with direct ones. */
-    unsigned long linear_iterations = 0;
-    PhaseTimes    wall;
-  };
-
   /** Sizes of a scene over all ranks. */
   struct Counts
   {
@@ -35,8 +26,8 @@ namespace auxfem
     unsigned int ranks      = 1;
   };
 
-  /** Counts of @p system. Collective. */
-  Counts count(const System &system);
+  /** Counts of @p equations. Collective. */
+  Counts count(const Equations &equations);
 
   /** What a run took from the machine. */
   struct Resources
@@ -62,7 +53,7 @@ namespace auxfem
   struct Summary
   {
     Counts        counts;
-    RunTotals     totals;
+    Work          totals;
     Resources     resources;
     EnergyRecord  energies;
     LargestStrain strain;               ///< if effective strains are wanted
@@ -84,9 +75,6 @@ namespace auxfem
    */
   JsonObject
   json_of_run(const Scene &scene, const std::string &exit_state, double time);
-
-  /** The energies in summary.json; without struts no strain energy. */
-  JsonObject json_of_energies(const EnergyRecord &record, bool has_struts);
 
   /** Names of the groups in @p definitions. */
   template <class Definition>

@@ -3,7 +3,8 @@
 
 #include <auxfem/output/line_graphics.h>
 #include <auxfem/scene/scene.h>
-#include <auxfem/system/system.h>
+#include <auxfem/system/equations.h>
+#include <auxfem/system/solution.h>
 
 #include <optional>
 
@@ -34,10 +35,10 @@ namespace auxfem
   public:
     /**
      * Makes the subfolders of @p folder. Throws InputError if that fails. Collective, as are the other functions.
-     * @param scene, system must outlive the writer.
+     * @param scene, equations must outlive the writer.
      */
     VtuWriter(const Scene       &scene,
-              const System      &system,
+              const Equations      &equations,
               const std::string &folder,
               MPI_Comm           communicator);
 
@@ -54,7 +55,7 @@ namespace auxfem
      * As write_struts(), for connectors; nothing without any. @p state must be
      * the last given to System::residual(), to which connectors report.
      */
-    void write_connectors(const State &state);
+    void write_connectors(const Solution &solution);
 
   private:
     using SetMembers = std::vector<bool>; ///< by strut
@@ -69,7 +70,7 @@ namespace auxfem
     std::vector<std::vector<dealii::Point<3>>>
     rigid_part_lines(const RigidPart &part) const;
 
-    const System      &system;
+    const Equations      &equations;
     const unsigned int n_segments;
 
     std::vector<std::string>      set_names;

@@ -2,7 +2,7 @@
 #define auxfem_system_state_h
 
 #include <auxfem/elements/rotation.h>
-#include <auxfem/system/energies.h>
+#include <auxfem/time/energies.h>
 
 #include <Epetra_Vector.h>
 

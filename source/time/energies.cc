@@ -1,4 +1,4 @@
-#include <auxfem/system/energies.h>
+#include <auxfem/time/energies.h>
 
 #include <algorithm>
 

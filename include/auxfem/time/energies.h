@@ -1,5 +1,5 @@
-#ifndef auxfem_system_energies_h
-#define auxfem_system_energies_h
+#ifndef auxfem_time_energies_h
+#define auxfem_time_energies_h
 
 #include <memory>
 #include <string>

@@ -1,0 +1,63 @@
+#ifndef auxfem_analysis_lattice_run_h
+#define auxfem_analysis_lattice_run_h
+
+#include <auxfem/analysis/time_stepper.h>
+#include <auxfem/output/recorder.h>
+
+namespace auxfem
+{
+  /** A scene with a lattice, set up and taken through time on all ranks. */
+  class LatticeRun
+  {
+  public:
+    /**
+     * Sets up lattice, model, equations and solver.
+     * @param scene must outlive the object.
+     *
+     * Throws InputError for what the lattice shows to be wrong with the scene.
+     */
+    LatticeRun(const Scene &scene, MPI_Comm communicator);
+
+    LatticeRun(const LatticeRun &)            = delete;
+    LatticeRun &operator=(const LatticeRun &) = delete;
+
+    /**
+     * Throws InputError if the scene has no unique solution from the start: it
+     * can move without resistance, or conditions follow from others.
+     */
+    void refuse_undetermined();
+
+    /** Brings the solution at t = 0 into order, as TimeStepper::start(). */
+    void start();
+
+    /** The next step of the scene, as TimeStepper::advance(). */
+    StepReport advance();
+
+    /** Steps to the end time, of which @p recorder is told. */
+    void advance_to_end(Recorder &recorder);
+
+    /**
+     * Everything from refuse_undetermined() to the end time. Throws InputError
+     * and ComputationError; the recorder has then been told of all that was
+     * computed.
+     */
+    RunResult run(Recorder &recorder);
+
+    const Scene     &scene;
+    const Lattice    lattice;
+    const LatticeModel model;
+    Equations        equations;
+    Solution         solution;
+
+    /** All that has been done so far. */
+    const Work &work() const;
+
+  private:
+    RunResult result(const std::string &exit_state) const;
+
+    Work        work_done;
+    TimeStepper stepper;
+  };
+} // namespace auxfem
+
+#endif

@@ -1,0 +1,74 @@
+#ifndef auxfem_output_recorder_h
+#define auxfem_output_recorder_h
+
+#include <auxfem/system/equations.h>
+#include <auxfem/system/solution.h>
+#include <auxfem/time/step_report.h>
+
+#include <string>
+
+namespace auxfem
+{
+  struct CellSample;
+
+  /** How a run ended and what it took. */
+  struct RunResult
+  {
+    /** `completed` or the reason it was not. */
+    std::string exit_state;
+    double      time = 0; ///< reached (s)
+    Work        work;
+
+    bool completed() const
+    {
+      return exit_state == "completed";
+    }
+  };
+
+  /**
+   * Whoever wants to know what an analysis computes, while it does: a folder of
+   * files, a table in memory. It is told of every solution and takes what it
+   * needs. All ranks call the same functions, of lattices the first group, of
+   * the reduced cell, which the first rank computes, the second.
+   */
+  class Recorder
+  {
+  public:
+    virtual ~Recorder() = default;
+
+    /** @name Lattices. */
+    ///@{
+    /** The set-up is complete. @p equations outlive the recording. */
+    virtual void begin(const Equations & /*equations*/)
+    {}
+
+    /** The solution at t = 0. */
+    virtual void start(const Solution & /*solution*/)
+    {}
+
+    /** A step of the scene is done. */
+    virtual void step(const Solution & /*solution*/,
+                      const StepReport & /*report*/)
+    {}
+
+    /** @p last is the last accepted solution, also after a failure. */
+    virtual void finish(const Solution & /*last*/, const RunResult & /*result*/)
+    {}
+    ///@}
+
+    /** @name The reduced cell. */
+    ///@{
+    virtual void begin_cell()
+    {}
+
+    /** Samples in order, from the one at t = 0. */
+    virtual void cell(const CellSample & /*sample*/)
+    {}
+
+    virtual void finish_cell(const RunResult & /*result*/)
+    {}
+    ///@}
+  };
+} // namespace auxfem
+
+#endif

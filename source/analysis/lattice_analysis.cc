@@ -1,0 +1,24 @@
+#include <auxfem/analysis/lattice_analysis.h>
+#include <auxfem/analysis/lattice_run.h>
+#include <auxfem/output/history.h>
+#include <auxfem/output/run_output.h>
+
+namespace auxfem
+{
+  RunResult run_lattice(const Scene   &scene,
+                        const MPI_Comm communicator,
+                        Recorder      &recorder)
+  {
+    return LatticeRun(scene, communicator).run(recorder);
+  }
+
+  void check_lattice(const Scene &scene, const MPI_Comm communicator)
+  {
+    LatticeRun run(scene, communicator);
+    run.refuse_undetermined();
+    if (!scene.time.static_start)
+      run.start();
+    refuse_columns_of_nothing(scene, run.lattice);
+    print_overview(scene, run.equations);
+  }
+} // namespace auxfem

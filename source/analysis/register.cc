@@ -1,0 +1,29 @@
+#include <auxfem/analysis/analysis.h>
+
+#include <deal.II/base/exceptions.h>
+
+#include <algorithm>
+
+namespace auxfem
+{
+  const std::vector<AnalysisEntry> &analysis_registry()
+  {
+    static const std::vector<AnalysisEntry> registry = {transient_entry(),
+                                                        static_path_entry(),
+                                                        reduced_cell_entry()};
+    return registry;
+  }
+
+  const AnalysisEntry &analysis_of(const Scene &scene)
+  {
+    const auto &registry = analysis_registry();
+    const auto  entry    = std::find_if(registry.begin(),
+                                    registry.end(),
+                                    [&scene](const AnalysisEntry &candidate) {
+                                      return candidate.serves(scene);
+                                    });
+    AssertThrow(entry != registry.end(),
+                dealii::ExcMessage("No analysis serves the scene."));
+    return *entry;
+  }
+} // namespace auxfem
