@@ -1,6 +1,7 @@
 #ifndef auxfem_simulation_h
 #define auxfem_simulation_h
 
+#include <auxfem/output/recorder.h>
 #include <auxfem/scene/scene.h>
 
 #include <mpi.h>
@@ -8,12 +9,15 @@
 namespace auxfem
 {
   /**
-   * One run from a scene to a folder of results: builds the lattice and its
-   * system, or the reduced cell, which the first rank computes alone; steps
-   * through time, writes as it goes. Throws InputError or
-   * ComputationError; what was computed until then is on disk.
+   * One run from a scene to the folder of results that it names: the analysis
+   * that the scene asks for. Throws InputError or ComputationError; what was
+   * computed until then is on disk.
    */
-  void run(const Scene &scene, MPI_Comm communicator);
+  RunResult run(const Scene &scene, MPI_Comm communicator);
+
+  /** The same, of which @p recorder is told in place of the folder. */
+  RunResult
+  run(const Scene &scene, MPI_Comm communicator, Recorder &recorder);
 
   /**
    * The dry run of --check: builds everything, prints counts and effects,

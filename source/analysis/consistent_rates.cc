@@ -1,6 +1,7 @@
 #include <auxfem/analysis/consistent_rates.h>
 #include <auxfem/parameters/errors.h>
-#include <auxfem/system/prescribed_motion.h>
+#include <auxfem/equations/node_rotations.h>
+#include <auxfem/equations/prescribed_motion.h>
 
 #include <algorithm>
 #include <cmath>
@@ -134,7 +135,7 @@ namespace auxfem
     solve();
     for (const int multiplier : numbering.multipliers())
       increment[multiplier] = 0;
-    model.rotations.make_material(state, increment);
+    NodeRotations(model.numbering).make_material(state, increment);
     state.velocity->Update(1., increment, 1.);
   }
 
@@ -143,7 +144,7 @@ namespace auxfem
     State &state = evaluation.to;
     find_right_side(model, evaluation, solver.right_side().Values());
     solve();
-    model.rotations.make_material(state, increment);
+    NodeRotations(model.numbering).make_material(state, increment);
     state.acceleration->Update(1., increment, 1.);
     for (const int multiplier : model.numbering.multipliers())
       {

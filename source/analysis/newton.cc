@@ -1,5 +1,5 @@
 #include <auxfem/analysis/newton.h>
-#include <auxfem/system/prescribed_motion.h>
+#include <auxfem/equations/prescribed_motion.h>
 
 #include <deal.II/base/numbers.h>
 
@@ -22,6 +22,7 @@ namespace auxfem
     : solver(solver)
     , parameters(parameters)
     , is_linear(solver.equations().is_linear())
+    , rotations(solver.model().numbering)
     , increment(solver.model().numbering.local_map())
   {}
 
@@ -99,6 +100,7 @@ namespace auxfem
   {
     const bool serves = kept && kept->kind == evaluation.kind &&
       kept->dt == evaluation.dt &&
+      kept->pattern_version == solver.equations().pattern().version() &&
       (is_linear ||
        (parameters.keep_factorization &&
         reduction >= parameters.kept_reduction));
@@ -108,7 +110,9 @@ namespace auxfem
     solver.assemble(evaluation, results, scheme.factors(evaluation.dt));
     if (!solver.factorize())
       return false;
-    kept = Kept{evaluation.kind, evaluation.dt};
+    kept = Kept{evaluation.kind,
+                evaluation.dt,
+                solver.matrix().version()};
     return true;
   }
 
@@ -122,7 +126,7 @@ namespace auxfem
       return solver.failure();
     if (!is_linear && largest_motion(model, increment).second > half_turn)
       return "an iteration turned a section by more than half a turn";
-    model.rotations.turn(evaluation, increment);
+    rotations.turn(evaluation, increment);
     scheme.correct(increment, evaluation.dt, evaluation.to);
     return "";
   }

@@ -1,6 +1,6 @@
 #include <auxfem/analysis/time_stepper.h>
 #include <auxfem/parameters/errors.h>
-#include <auxfem/system/prescribed_motion.h>
+#include <auxfem/equations/prescribed_motion.h>
 #include <auxfem/time/static.h>
 
 #include <cmath>
@@ -23,6 +23,7 @@ namespace auxfem
     , tangent_solver(equations, scene.solver, work)
     , newton(tangent_solver, scene.newton)
     , trial(initial_solution())
+    , rotations(equations.model().numbering)
     , control(make_constant_steps(scene.time))
   {
     if (!equations.reporting().conditions.empty() &&
@@ -63,7 +64,7 @@ namespace auxfem
     trial.state                 = state;
     const Evaluation evaluation = Evaluation::equilibrium(state, trial.state);
     search.predict(state, /*dt=*/0., trial.state);
-    equations.model().rotations.follow(evaluation);
+    rotations.follow(evaluation);
     const Newton::Result result =
       newton.solve(search, evaluation, trial.results);
     newton.drop_factorization();
@@ -77,7 +78,7 @@ namespace auxfem
     if (state.velocity)
       {
         *trial.state.velocity = *state.velocity;
-        equations.model().rotations.make_material(trial.state,
+        rotations.make_material(trial.state,
                                                   *trial.state.velocity);
       }
     state = trial.state;
@@ -151,7 +152,7 @@ namespace auxfem
   void TimeStepper::predict(const Evaluation &step)
   {
     scheme.predict(step.from, step.dt, step.to);
-    equations.model().rotations.follow(step);
+    rotations.follow(step);
     if (scheme.is_dynamic())
       prescribe_motion(equations.model(), step, parameters.step);
   }

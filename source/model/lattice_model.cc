@@ -109,7 +109,6 @@ namespace auxfem
                 all_ties(scene, lattice, releases, connector_pairs),
                 communicator)
     , rows(numbering.owned_rows())
-    , rotations(numbering)
     , supports(
         make_supports(scene, lattice, numbering, simulated.large_rotation))
     , bodies(rigid_bodies(lattice, numbering))

@@ -1,3 +1,4 @@
+#include <auxfem/equations/node_rotations.h>
 #include <auxfem/output/rotation_vectors.h>
 
 #include <algorithm>
@@ -14,7 +15,7 @@ namespace auxfem
     for (unsigned int i = 0; i < rotations.size(); ++i)
       {
         const SpaceVector entries =
-          model.rotations.values(state.displacement, i);
+          NodeRotations(model.numbering).values(state.displacement, i);
         SpaceVector &vector = rotations[i].vector;
         if (state.rotations.empty())
           vector = entries;

@@ -147,11 +147,11 @@ namespace auxfem
                          cell.extension_rate(motion),
                          y.data() + first_internal,
                          ignored.data());
-        Energies energies;
-        energies.kinetic    = cell.kinetic_energy(motion);
-        energies.stored     = connector.stored;
-        energies.dissipated = y[lost_energy()];
-        energies.external   = y[work_of_load()];
+        Energies energies = cell_energies();
+        energies[cell_kinetic] = cell.kinetic_energy(motion);
+        energies[cell_stored] = connector.stored;
+        energies[cell_dissipated] = y[lost_energy()];
+        energies[cell_work] = y[work_of_load()];
         return {time,
                 cell.angle(motion.position[0]),
                 extension,
@@ -180,10 +180,23 @@ namespace auxfem
       Ode                 ode;
       unsigned long       step = 0, evaluations = 0, evaluations_of_step = 0;
     };
+
+    const std::string word = "arkode";
+
+    std::unique_ptr<TimeScheme> make_arkode(dealii::ParameterHandler & /*prm*/,
+                                            const SceneContext & /*context*/)
+    {
+      return std::make_unique<CellMethodOf<ArkodeScheme>>(word);
+    }
   } // namespace
 
-  std::unique_ptr<CellScheme> make_arkode_scheme(const Scene &scene)
+  TimeSchemeEntry arkode_entry()
   {
-    return std::make_unique<ArkodeScheme>(scene);
+    return {
+      {word,
+       "explicit Runge-Kutta with error control (SUNDIALS ARKODE), the reference",
+       nullptr,
+       &make_arkode},
+      {Model::reduced_cell}};
   }
 } // namespace auxfem

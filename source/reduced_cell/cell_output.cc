@@ -19,7 +19,7 @@ namespace auxfem
         {"Y2", "m", "rise of the lower part"},
         {"f1", "N", "load on the upper part, positive downwards"},
         {"f2", "N", "force on the foundation, positive in compression"}};
-      for (const Column &column : energy_columns(/*has_struts=*/false))
+      for (const Column &column : energy_columns(cell_energies().ledger()))
         columns.push_back(column);
       return columns;
     }
@@ -27,9 +27,9 @@ namespace auxfem
 
   std::string cell_overview_text(const Scene &scene)
   {
-    const ReducedCellDefinition &cell  = *scene.reduced_cell;
-    const CellSchemeEntry       &entry = cell_scheme_entry(scene);
-    std::ostringstream           text;
+    const ReducedCellDefinition &cell = *scene.reduced_cell;
+    const TimeSchemeEntry &entry = time_scheme_entry(scene.time.scheme->name());
+    std::ostringstream     text;
     text
       << heading_text(scene) << "\n\n"
       << "  Reduced cell: bars of " << cell.bar_length << " m and "
@@ -51,7 +51,7 @@ namespace auxfem
   CellOutput::CellOutput(const Scene &scene) : scene(scene), start(Clock::now())
   {}
 
-  void CellOutput::begin()
+  void CellOutput::begin_cell()
   {
     const std::string &folder = scene.output.directory;
     log                       = open_run_folder(scene, folder);
@@ -62,7 +62,7 @@ namespace auxfem
     write_column_reference(folder + "/history.units.csv", columns);
   }
 
-  void CellOutput::write(const CellSample &sample)
+  void CellOutput::cell(const CellSample &sample)
   {
     energies.add(sample.energies);
     largest_transmitted =
@@ -80,30 +80,29 @@ namespace auxfem
                                sample.lower_rise,
                                sample.load,
                                sample.transmitted};
-    for (const double energy : energy_values(energies, /*has_struts=*/false))
+    for (const double energy : energy_values(energies))
       row.push_back(energy);
     table->append(row);
     latest_row = sample;
   }
 
-  std::string CellOutput::summary(const std::string  &exit_state,
-                                  const unsigned long work) const
+  std::string CellOutput::summary(const RunResult &result) const
   {
     JsonObject object =
-      json_of_run(scene, exit_state, latest ? latest->time : 0.);
+      json_of_run(scene, result.exit_state, result.time);
     object.add("model", "reduced cell");
-    object.add("scheme", scene.time.scheme);
+    object.add("scheme", scene.time.scheme->name());
     object.add("connector_groups", names_of_groups(scene.connectors));
     JsonObject counts;
-    counts.add("steps", n_samples > 0 ? n_samples - 1 : 0);
-    counts.add("iterations_or_evaluations", work);
+    counts.add("steps", result.work.steps);
+    counts.add("iterations_or_evaluations", result.work.iterations);
     object.add("work", counts);
     JsonObject wall;
     wall.add("total",
              std::chrono::duration<double>(Clock::now() - start).count());
     object.add("wall_seconds", wall);
     object.add("energies_joule",
-               json_of_energies(energies, /*has_struts=*/false));
+               json_of_energies(energies));
     if (latest)
       {
         object.add("theta_radian", latest->angle);
@@ -115,17 +114,15 @@ namespace auxfem
     return object.text() + '\n';
   }
 
-  void CellOutput::finish(const std::string  &exit_state,
-                          const unsigned long work)
+  void CellOutput::finish_cell(const RunResult &result)
   {
     if (latest && latest->time != latest_row->time)
       write_row(*latest);
     replace_file(scene.output.directory + "/summary.json",
-                 summary(exit_state, work));
+                 summary(result));
 
-    const bool         completed = exit_state == "completed";
     std::ostringstream text;
-    text << (completed ? "Completed" : "Stopped early");
+    text << (result.completed() ? "Completed" : "Stopped early");
     if (latest)
       text << " at t = " << latest->time << " s: theta "
            << degrees(latest->angle) << " deg, Y2 " << latest->lower_rise
@@ -133,7 +130,7 @@ namespace auxfem
            << largest_transmitted << " N)";
     console->print(text.str());
     console->print(closing_energies_text(energies, scene.output.directory));
-    if (!completed)
-      console->print_to_log("Reason: " + exit_state);
+    if (!result.completed())
+      console->print_to_log("Reason: " + result.exit_state);
   }
 } // namespace auxfem

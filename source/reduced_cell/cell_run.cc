@@ -2,70 +2,70 @@
 #include <auxfem/reduced_cell/cell_output.h>
 #include <auxfem/reduced_cell/cell_run.h>
 
-#include <functional>
 #include <iostream>
 
 namespace auxfem
 {
-  namespace
+  RunResult run_reduced_cell(const Scene &scene, Recorder &recorder)
   {
-    /** Gives every sample of @p scheme to @p use, from the start to the end. */
-    void follow(const Scene                                   &scene,
-                CellScheme                                    &scheme,
-                const std::function<void(const CellSample &)> &use)
-    {
-      use(scheme.start());
-      for (unsigned long step = 0; step < scene.time.n_steps(); ++step)
-        use(scheme.advance());
-    }
-  } // namespace
-
-  void run_reduced_cell(const Scene &scene)
-  {
-    CellOutput                        output(scene);
-    const std::unique_ptr<CellScheme> scheme =
-      cell_scheme_entry(scene).make(scene);
-    output.begin();
+    const std::unique_ptr<CellScheme> scheme = make_cell_scheme(scene);
+    RunResult                         result;
+    const auto record = [&](const CellSample &sample) {
+      result.time = sample.time;
+      recorder.cell(sample);
+    };
+    const auto finish = [&](const std::string &exit_state) {
+      result.exit_state      = exit_state;
+      result.work.iterations = scheme->work();
+      recorder.finish_cell(result);
+    };
+    recorder.begin_cell();
     try
       {
-        follow(scene, *scheme, [&output](const CellSample &sample) {
-          output.write(sample);
-        });
+        record(scheme->start());
+        for (; result.work.steps < scene.time.n_steps(); ++result.work.steps)
+          record(scheme->advance());
       }
     catch (const std::exception &failure)
       {
-        output.finish(failure.what(), scheme->work());
+        finish(failure.what());
         throw;
       }
-    output.finish("completed", scheme->work());
+    finish("completed");
+    return result;
   }
 
   void check_reduced_cell(const Scene &scene)
   {
-    cell_scheme_entry(scene).make(scene);
+    make_cell_scheme(scene);
     std::cout << cell_overview_text(scene) << std::flush;
   }
 
-  CellCourse compute_course(const Scene &scene)
+  void CellHistory::cell(const CellSample &sample)
   {
-    CellCourse course;
+    samples.push_back(sample);
+  }
+
+  void CellHistory::finish_cell(const RunResult &result)
+  {
+    exit_state = result.exit_state;
+  }
+
+  CellHistory compute_history(const Scene &scene)
+  {
+    CellHistory history;
     try
       {
-        const std::unique_ptr<CellScheme> scheme =
-          cell_scheme_entry(scene).make(scene);
-        follow(scene, *scheme, [&course](const CellSample &sample) {
-          course.samples.push_back(sample);
-        });
-        course.exit_state = "completed";
+        run_reduced_cell(scene, history);
       }
     catch (const InputError &error)
       {
-        course.exit_state = error.what();
+        history.exit_state = error.what();
       }
-    catch (const ComputationError &error)
+    catch (const ComputationError &)
       {
-        course.exit_state = error.what();
+        // The history knows why.
       }
-    return course;
+    return history;
   }
 } // namespace auxfem

@@ -15,10 +15,10 @@ namespace auxfem
   {
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-    double largest(const CellCourse &course, double CellSample::*quantity)
+    double largest(const CellHistory &history, double CellSample::*quantity)
     {
       double result = 0;
-      for (const CellSample &sample : course.samples)
+      for (const CellSample &sample : history.samples)
         result = std::max(result, std::abs(sample.*quantity));
       return result;
     }
@@ -27,17 +27,17 @@ namespace auxfem
      * Largest difference; the reference is 1 at its largest. Not a number
      * unless both have come to the end.
      */
-    double difference(const CellCourse &course,
-                      const CellCourse &reference,
+    double difference(const CellHistory &history,
+                      const CellHistory &reference,
                       double CellSample::*quantity)
     {
-      if (course.exit_state != "completed" ||
+      if (history.exit_state != "completed" ||
           reference.exit_state != "completed")
         return unknown;
       double result = 0;
       for (std::size_t i = 0; i < reference.samples.size(); ++i)
         {
-          const double off = std::abs(course.samples[i].*quantity -
+          const double off = std::abs(history.samples[i].*quantity -
                                       reference.samples[i].*quantity);
           if (std::isnan(off))
             return unknown;
@@ -47,32 +47,61 @@ namespace auxfem
       return scale > 0 ? result / scale : unknown;
     }
 
-    double relative_balance(const CellCourse &course)
+    double relative_balance(const CellHistory &history)
     {
       EnergyRecord record;
-      for (const CellSample &sample : course.samples)
+      for (const CellSample &sample : history.samples)
         record.add(sample.energies);
       return record.relative(record.largest_balance);
     }
 
-    ComparisonRow make_row(const Scene      &scene,
-                           const CellCourse &course,
-                           const CellCourse &reference)
+    /** The time history of @p scene with the scheme @p name in place of its own. */
+    CellHistory history_with(const std::string &name, const Scene &scene)
+    {
+      try
+        {
+          return compute_history(read_scene_from_text(scene.all_parameters,
+                                                     scene.file,
+                                                     {"Time/Scheme=" + name}));
+        }
+      catch (const InputError &error)
+        {
+          CellHistory none;
+          none.exit_state = error.what();
+          return none;
+        }
+    }
+
+    /** All schemes that a reduced cell may have, that of the reference first.
+     */
+    std::vector<std::string> compared_schemes()
+    {
+      std::vector<std::string> names = {arkode_entry().name};
+      for (const TimeSchemeEntry &entry : time_scheme_registry())
+        if (entry.serves(Model::reduced_cell) && entry.name != names.front())
+          names.push_back(entry.name);
+      return names;
+    }
+
+    ComparisonRow make_row(const Scene       &scene,
+                           const std::string &scheme,
+                           const CellHistory  &history,
+                           const CellHistory  &reference)
     {
       ComparisonRow row;
       row.name         = std::filesystem::path(scene.file).stem();
-      row.scheme       = scene.time.scheme;
-      row.exit_state   = course.exit_state;
-      const bool began = !course.samples.empty();
-      row.angle        = began ? course.samples.back().angle : unknown;
-      row.lower_rise   = began ? course.samples.back().lower_rise : unknown;
-      row.transmitted  = began ? course.samples.back().transmitted : unknown;
+      row.scheme       = scheme;
+      row.exit_state   = history.exit_state;
+      const bool began = !history.samples.empty();
+      row.angle        = began ? history.samples.back().angle : unknown;
+      row.lower_rise   = began ? history.samples.back().lower_rise : unknown;
+      row.transmitted  = began ? history.samples.back().transmitted : unknown;
       row.largest_transmitted =
-        began ? largest(course, &CellSample::transmitted) : unknown;
-      row.relative_balance = began ? relative_balance(course) : unknown;
-      row.angle_difference = difference(course, reference, &CellSample::angle);
+        began ? largest(history, &CellSample::transmitted) : unknown;
+      row.relative_balance = began ? relative_balance(history) : unknown;
+      row.angle_difference = difference(history, reference, &CellSample::angle);
       row.transmitted_difference =
-        difference(course, reference, &CellSample::transmitted);
+        difference(history, reference, &CellSample::transmitted);
       return row;
     }
 
@@ -134,15 +163,13 @@ namespace auxfem
   std::vector<ComparisonRow> compare_schemes(const Scene &scene)
   {
     std::vector<ComparisonRow> rows;
-    CellCourse                 reference;
-    for (const CellSchemeEntry &entry : cell_scheme_registry())
+    CellHistory                 reference;
+    for (const std::string &scheme : compared_schemes())
       {
-        Scene variant       = scene;
-        variant.time.scheme = entry.name;
-        CellCourse course   = compute_course(variant);
+        const CellHistory history = history_with(scheme, scene);
         if (rows.empty())
-          reference = course;
-        rows.push_back(make_row(variant, course, reference));
+          reference = history;
+        rows.push_back(make_row(scene, scheme, history, reference));
       }
     return rows;
   }

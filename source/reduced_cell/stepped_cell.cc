@@ -14,7 +14,7 @@ namespace auxfem
       const double          even = time.n_steps() * time.step;
       if (std::abs(even - time.end_time) > 1e-6 * time.step)
         throw InputError(
-          "Time/Scheme = " + time.scheme +
+          "Time/Scheme = " + time.scheme->name() +
           " needs equal steps, but Time/End time is no multiple of Time/Time "
           "step. Change one of them");
     }
@@ -26,6 +26,7 @@ namespace auxfem
     , law(*scene.connectors.front().law)
     , committed(law.n_history(), 0.)
     , trial(committed)
+    , energies(cell_energies())
   {}
 
   const CellEquations &SteppedCell::equations() const
@@ -69,10 +70,10 @@ namespace auxfem
   {
     const ConnectorEnergy of_connector =
       law.energy(connector_motion, committed.data(), trial.data());
-    energies.kinetic = cell.kinetic_energy(motion);
-    energies.stored  = of_connector.stored;
-    energies.dissipated += of_connector.dissipated;
-    energies.external -= (load_before + load_now) / 2 *
+    energies[cell_kinetic] = cell.kinetic_energy(motion);
+    energies[cell_stored] = of_connector.stored;
+    energies[cell_dissipated] += of_connector.dissipated;
+    energies[cell_work] -= (load_before + load_now) / 2 *
       (connector_motion.extension - connector_motion.previous_extension);
     committed = trial;
     return {time,

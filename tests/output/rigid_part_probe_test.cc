@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <mesh/cell_from_text.h>
 #include <support/scene_run.h>
-#include <system/system_on_ranks.h>
+#include <equations/equations_on_ranks.h>
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include <auxfem/system/rigid_bodies.h>
+#include <auxfem/model/rigid_bodies.h>
 
 #include <support/scene_run.h>
 #include <verification/comparison_table.h>

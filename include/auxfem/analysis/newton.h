@@ -2,6 +2,7 @@
 #define auxfem_analysis_newton_h
 
 #include <auxfem/analysis/tangent_solver.h>
+#include <auxfem/equations/node_rotations.h>
 #include <auxfem/time/time_scheme.h>
 
 namespace auxfem
@@ -51,6 +52,7 @@ namespace auxfem
     {
       Evaluation::Kind kind;
       double           dt;
+      unsigned long    pattern_version;
     };
 
     /** Factorizes unless the kept factorization serves; false if singular. */
@@ -67,6 +69,7 @@ namespace auxfem
     TangentSolver         &solver;
     const NewtonParameters parameters;
     const bool             is_linear;
+    const NodeRotations    rotations;
     Vector                 increment;
     std::optional<Kept>    kept;
   };

@@ -3,7 +3,7 @@
 
 #include <auxfem/analysis/consistent_rates.h>
 #include <auxfem/analysis/newton.h>
-#include <auxfem/system/solution.h>
+#include <auxfem/equations/solution.h>
 #include <auxfem/time/step_control.h>
 
 namespace auxfem
@@ -62,6 +62,7 @@ namespace auxfem
     TangentSolver        tangent_solver;
     Newton               newton;
     Solution             trial;
+    const NodeRotations  rotations;
     /** With the mass matrix; only where rates are restored after each step. */
     struct RateSolver
     {

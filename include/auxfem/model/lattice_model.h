@@ -2,10 +2,9 @@
 #define auxfem_model_lattice_model_h
 
 #include <auxfem/model/supports.h>
-#include <auxfem/system/effect_decisions.h>
-#include <auxfem/system/joint_releases.h>
-#include <auxfem/system/node_rotations.h>
-#include <auxfem/system/rigid_bodies.h>
+#include <auxfem/model/effect_decisions.h>
+#include <auxfem/model/joint_releases.h>
+#include <auxfem/model/rigid_bodies.h>
 
 namespace auxfem
 {
@@ -42,8 +41,6 @@ namespace auxfem
     const DofNumbering                        numbering;
     /** Owned rows by what is measured in them. */
     const OwnedRows rows;
-    /** Large rotations in space. */
-    const NodeRotations        rotations;
     const std::vector<Support> supports;
     const RigidBodies          bodies;
 

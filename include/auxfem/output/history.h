@@ -6,7 +6,7 @@
 #include <auxfem/output/rigid_part_probe.h>
 #include <auxfem/output/rotation_vectors.h>
 #include <auxfem/scene/scene.h>
-#include <auxfem/system/equations.h>
+#include <auxfem/equations/equations.h>
 
 #include <optional>
 

@@ -1,8 +1,8 @@
 #ifndef auxfem_output_recorder_h
 #define auxfem_output_recorder_h
 
-#include <auxfem/system/equations.h>
-#include <auxfem/system/solution.h>
+#include <auxfem/equations/equations.h>
+#include <auxfem/equations/solution.h>
 #include <auxfem/time/step_report.h>
 
 #include <string>

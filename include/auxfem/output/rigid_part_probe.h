@@ -3,7 +3,7 @@
 
 #include <auxfem/output/csv_table.h>
 #include <auxfem/scene/scene.h>
-#include <auxfem/system/equations.h>
+#include <auxfem/equations/equations.h>
 
 namespace auxfem
 {

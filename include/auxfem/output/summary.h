@@ -4,7 +4,7 @@
 #include <auxfem/output/history.h>
 #include <auxfem/output/json.h>
 #include <auxfem/scene/scene.h>
-#include <auxfem/system/equations.h>
+#include <auxfem/equations/equations.h>
 #include <auxfem/time/step_report.h>
 
 namespace auxfem

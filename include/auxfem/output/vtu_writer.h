@@ -3,8 +3,8 @@
 
 #include <auxfem/output/line_graphics.h>
 #include <auxfem/scene/scene.h>
-#include <auxfem/system/equations.h>
-#include <auxfem/system/solution.h>
+#include <auxfem/equations/equations.h>
+#include <auxfem/equations/solution.h>
 
 #include <optional>
 

@@ -2,6 +2,7 @@
 #define auxfem_reduced_cell_cell_output_h
 
 #include <auxfem/output/console.h>
+#include <auxfem/output/recorder.h>
 #include <auxfem/output/csv_table.h>
 #include <auxfem/output/history.h>
 #include <auxfem/reduced_cell/cell_scheme.h>
@@ -17,7 +18,7 @@ namespace auxfem
    * parameters.prm, log.txt, history.csv with history.units.csv, summary.json;
    * and its lines on the screen. To be used on one rank.
    */
-  class CellOutput
+  class CellOutput : public Recorder
   {
   public:
     /** @param scene must outlive the object. */
@@ -27,23 +28,19 @@ namespace auxfem
      * Makes the folder, prints what is simulated, starts the history. Throws
      * InputError if the folder cannot be written to.
      */
-    void begin();
+    void begin_cell() override;
 
     /** A sample, in order, from the one at t = 0; a row when one is due. */
-    void write(const CellSample &sample);
+    void cell(const CellSample &sample) override;
 
-    /**
-     * Closes the run: last row, summary.json. @p exit_state is `completed` or
-     * the reason it was not; @p work that of the scheme.
-     */
-    void finish(const std::string &exit_state, unsigned long work);
+    /** Closes the run: last row, summary.json. */
+    void finish_cell(const RunResult &result) override;
 
   private:
     using Clock = std::chrono::steady_clock;
 
     void        write_row(const CellSample &sample);
-    std::string summary(const std::string &exit_state,
-                        unsigned long      work) const;
+    std::string summary(const RunResult &result) const;
 
     const Scene              &scene;
     const Clock::time_point   start;

@@ -3,28 +3,33 @@
 
 #include <auxfem/reduced_cell/cell_scheme.h>
 
+#include <auxfem/output/recorder.h>
+
 namespace auxfem
 {
   /**
-   * One run of the reduced cell from a scene to a folder of results, on the
-   * calling rank. Throws InputError or ComputationError; what was computed
-   * until then is on disk.
+   * One run of the reduced cell, of which @p recorder is told, on the calling
+   * rank. Throws InputError or ComputationError; the recorder has then been
+   * told of all that was computed.
    */
-  void run_reduced_cell(const Scene &scene);
+  RunResult run_reduced_cell(const Scene &scene, Recorder &recorder);
 
   /** The dry run of --check: prints what is simulated, writes nothing. */
   void check_reduced_cell(const Scene &scene);
 
-  /** The course of a cell that is kept in memory. */
-  struct CellCourse
+  /** Keeps the time history of a cell in memory. */
+  struct CellHistory : public Recorder
   {
+    void cell(const CellSample &sample) override;
+    void finish_cell(const RunResult &result) override;
+
     std::vector<CellSample> samples;
     /** `completed`, or why it ended early. */
     std::string exit_state;
   };
 
   /** Computes @p scene and writes nothing; failures are in the exit state. */
-  CellCourse compute_course(const Scene &scene);
+  CellHistory compute_history(const Scene &scene);
 } // namespace auxfem
 
 #endif

@@ -1,0 +1,108 @@
+#ifndef auxfem_equations_effect_h
+#define auxfem_equations_effect_h
+
+#include <auxfem/equations/evaluation.h>
+#include <auxfem/algebra/tangent_matrix.h>
+#include <auxfem/time/time_scheme.h>
+
+namespace auxfem
+{
+  /**
+   * One kind of physics: struts, inertia, a group of connectors, a load. The
+   * scene makes a list of these; what is not in the list costs nothing. Called
+   * once per evaluation for all elements of the kind.
+   *
+   * An effect keeps nothing of an evaluation: what it produces goes into the
+   * state and the results that the caller owns.
+   */
+  class Effect
+  {
+  public:
+    virtual ~Effect() = default;
+
+    /** True if force is linear in displacement, velocity and acceleration. */
+    virtual bool is_linear() const = 0;
+
+    /**
+     * Asks for what the effect needs of the state and enters its energies.
+     * Called once, when the equations are made.
+     */
+    virtual void register_in(StateLayout & /*layout*/)
+    {}
+
+    /**
+     * Registers the blocks, besides those of elements, in which this effect
+     * couples unknowns. Called again when the pattern changes.
+     */
+    virtual void register_blocks(TangentPattern & /*pattern*/)
+    {}
+
+    /**
+     * Brings what couples unknowns up to date with an accepted state, between
+     * steps. Returns whether blocks must be registered anew.
+     */
+    virtual bool update_couplings(const State & /*accepted*/)
+    {
+      return false;
+    }
+
+    /** Room for the results of an evaluation; nullptr: there are none. */
+    virtual std::unique_ptr<EffectResults> make_results() const
+    {
+      return nullptr;
+    }
+
+    /**
+     * Adds internal or inertia force, or minus the applied force, at
+     * evaluation.to to @p residual (n_local entries).
+     * @param results as made by make_results(), to be overwritten
+     */
+    virtual void add_residual(const Evaluation &evaluation,
+                              double           *residual,
+                              EffectResults    *results) const = 0;
+
+    /**
+     * Adds the derivative of the residual to @p matrix.
+     * @param results of add_residual() in the same evaluation
+     */
+    virtual void add_tangent(const Evaluation & /*evaluation*/,
+                             const EffectResults * /*results*/,
+                             const TangentFactors & /*factors*/,
+                             TangentMatrix & /*matrix*/) const
+    {}
+
+    /** Adds the derivative of the residual by the load factor (n_local
+     * entries). */
+    virtual void add_load_derivative(const Evaluation & /*evaluation*/,
+                                     double * /*derivative*/) const
+    {}
+
+    /**
+     * Takes down energies, dissipation and work of a solved step, and writes
+     * the internal variables that follow from them. The step may still be
+     * undone.
+     * @param results of add_residual() in the same evaluation
+     */
+    virtual void account(const Evaluation & /*step*/,
+                         const EffectResults * /*results*/,
+                         EnergyAccount & /*account*/) const
+    {}
+
+    /**
+     * Size of the forces (N) whose last digit is uncertain in the residual at
+     * @p state, whose displacements (m) and rotations (rad) are at most this
+     * large: machine precision times this is the residual's round-off floor in
+     * one row.
+     * @param results of the evaluation of @p state
+     */
+    virtual double round_off_scale(const State & /*state*/,
+                                   const EffectResults * /*results*/,
+                                   const double /*largest_displacement*/,
+                                   const double /*largest_rotation*/) const
+    {
+      return 0;
+    }
+  };
+} // namespace auxfem
+
+#endif

@@ -1,0 +1,319 @@
+#ifndef auxfem_equations_effects_beam_forces_h
+#define auxfem_equations_effects_beam_forces_h
+
+#include <auxfem/equations/effects/struts.h>
+
+#include <algorithm>
+
+namespace auxfem
+{
+  /** Strain energy (J) of an element and power lost in it (W). */
+  struct BeamEnergy
+  {
+    double strain = 0, dissipation = 0;
+  };
+
+  /** Energy of all struts counted by this rank in one evaluation. */
+  struct BeamResults : public EffectResults
+  {
+    BeamEnergy energy;
+  };
+
+  /** Resultants at a point: N, Q_2, Q_3 (N), T, M_2, M_3 (N m). */
+  using SectionForces = std::array<double, 6>;
+
+  /**
+   * Internal forces of struts as beams of one kind. What depends on the
+   * dimension and on the theory is in @p Beam, a class of static functions:
+   * `order`, `n_components`, `is_linear`, `is_damped`; types `Frame` (a Gauss
+   * point at rest), `Stiffness` and `Motion` (of an element's nodes); functions
+   * `frame`, `stiffness`, `largest_stiffness` for the element at rest,
+   * `motion`, `internal_force`, `tangent` for its forces, and `section_forces`,
+   * `rotation`, `axes`, `energy_density` for output.
+   */
+  template <class Beam>
+  class BeamForces : public StrutForces
+  {
+  public:
+    BeamForces(const Lattice              &lattice,
+               const DofNumbering         &numbering,
+               const std::vector<Section> &sections,
+               const bool                  shear_flexibility)
+      : lattice(lattice)
+      , numbering(numbering)
+      , sections(sections)
+    {
+      const unsigned int n_elements = numbering.elements().size();
+      frames.resize(std::size_t(n_elements) * order);
+      elements.reserve(n_elements);
+      for (unsigned int e = 0; e < n_elements; ++e)
+        {
+          const DofNumbering::Element &element = numbering.elements()[e];
+          const Strut   &strut   = lattice.struts[element.place.strut];
+          const Section &section = sections[strut.section];
+          const double   length  = lattice.length(strut);
+
+          Element data;
+          data.jacobian =
+            length * (element.place.end - element.place.begin) / 2;
+          data.stiffness =
+            Beam::stiffness(section, shear_flexibility ? 0. : length);
+          data.counted          = numbering.is_owned(element);
+          const double stiffest = Beam::largest_stiffness(data.stiffness);
+          largest_stiffness     = std::max(largest_stiffness, stiffest);
+          largest_stiffness_per_length =
+            std::max(largest_stiffness_per_length, stiffest / data.jacobian);
+          elements.push_back(data);
+          set_frames(element.place,
+                     strut,
+                     section,
+                     data.jacobian,
+                     &frames[std::size_t(e) * order]);
+        }
+    }
+
+    bool is_linear() const override
+    {
+      return Beam::is_linear;
+    }
+
+    void register_in(StateLayout &layout) override
+    {
+      strain_entry = layout.energies.enter(strain_energy_entry());
+      if (!Beam::is_damped)
+        return;
+      layout.velocity = true;
+      damping_entry   = layout.energies.enter(
+        {EnergyKind::dissipated,
+           "strut_damping_dissipated",
+           "energy lost by stiffness-proportional damping of the struts since "
+             "the start"});
+    }
+
+    std::unique_ptr<EffectResults> make_results() const override
+    {
+      return std::make_unique<BeamResults>();
+    }
+
+    void add_residual(const Evaluation &evaluation,
+                      double           *residual,
+                      EffectResults    *results) const override
+    {
+      BeamEnergy energy;
+      double     force[n];
+      for (unsigned int e = 0; e < elements.size(); ++e)
+        {
+          const int       *unknowns   = numbering.element_unknowns(e);
+          const BeamEnergy of_element = Beam::internal_force(
+            shape,
+            &frames[std::size_t(e) * order],
+            elements[e].jacobian,
+            elements[e].stiffness,
+            Beam::motion(numbering, unknowns, evaluation.to),
+            force);
+          if (elements[e].counted)
+            {
+              energy.strain += of_element.strain;
+              energy.dissipation += of_element.dissipation;
+            }
+          for (int i = 0; i < n; ++i)
+            residual[unknowns[i]] += force[i];
+        }
+      static_cast<BeamResults &>(*results).energy = energy;
+    }
+
+    void add_tangent(const Evaluation &evaluation,
+                     const EffectResults * /*results*/,
+                     const TangentFactors &factors,
+                     TangentMatrix        &matrix) const override
+    {
+      if (factors.stiffness == 0 && factors.damping == 0)
+        return;
+      double block[n * n];
+      for (unsigned int e = 0; e < elements.size(); ++e)
+        {
+          Beam::tangent(shape,
+                        &frames[std::size_t(e) * order],
+                        elements[e].jacobian,
+                        elements[e].stiffness,
+                        numbering,
+                        numbering.element_unknowns(e),
+                        evaluation,
+                        factors,
+                        block);
+          matrix.add(e, block);
+        }
+    }
+
+    void account(const Evaluation & /*step*/,
+                 const EffectResults *results,
+                 EnergyAccount       &account) const override
+    {
+      const BeamEnergy &energy =
+        static_cast<const BeamResults &>(*results).energy;
+      account.add(strain_entry, energy.strain);
+      if (Beam::is_damped)
+        account.add_power(damping_entry, energy.dissipation);
+    }
+
+    double round_off_scale(const State & /*state*/,
+                           const EffectResults * /*results*/,
+                           const double largest_displacement,
+                           const double largest_rotation) const override
+    {
+      return largest_stiffness_per_length * largest_displacement +
+        largest_stiffness * std::min(1., largest_rotation);
+    }
+
+    std::vector<StrutPoint> sample(const State       &state,
+                                   const unsigned int e,
+                                   const unsigned int n_points) const override
+    {
+      const DofNumbering::Element &element = numbering.elements()[e];
+      const Strut                 &strut = lattice.struts[element.place.strut];
+      const int                   *unknowns = numbering.element_unknowns(e);
+      const Element               &data     = elements[e];
+      const typename Beam::Motion  motion =
+        Beam::motion(numbering, unknowns, state);
+      SectionForces elastic[order], viscous[order] = {};
+      Beam::section_forces(shape,
+                           &frames[std::size_t(e) * order],
+                           data.jacobian,
+                           data.stiffness,
+                           motion,
+                           elastic,
+                           viscous);
+
+      std::vector<StrutPoint> points(n_points);
+      for (unsigned int i = 0; i < n_points; ++i)
+        {
+          const double xi = -1 + 2. * i / (n_points - 1);
+          double       N[order + 1], H[order];
+          shape.values_at(xi, N);
+          shape.gauss_interpolation_at(xi, H);
+          StrutPoint          &point = points[i];
+          dealii::Tensor<1, 3> tangent;
+          lattice.axis(strut, element.place.at(xi), point.position, tangent);
+          for (int a = 0; a <= order; ++a)
+            for (unsigned int d = 0; d < lattice.dimension; ++d)
+              {
+                const int unknown = unknowns[n_components * a + d];
+                point.displacement[d] += N[a] * state.displacement[unknown];
+                if (state.velocity)
+                  point.velocity[d] += N[a] * (*state.velocity)[unknown];
+              }
+          point.rotation  = Beam::rotation(N, motion);
+          point.axes      = Beam::axes(tangent,
+                                  sections[strut.section].reference,
+                                  point.rotation);
+          SectionForces E = {}, V = {};
+          for (int g = 0; g < order; ++g)
+            for (unsigned int k = 0; k < 6; ++k)
+              {
+                E[k] += H[g] * elastic[g][k];
+                V[k] += H[g] * viscous[g][k];
+              }
+          for (unsigned int k = 0; k < 3; ++k)
+            {
+              point.force[k]  = E[k] + V[k];
+              point.moment[k] = E[3 + k] + V[3 + k];
+            }
+          point.energy_density = Beam::energy_density(data.stiffness, E);
+        }
+      return points;
+    }
+
+  private:
+    static constexpr int order        = Beam::order;
+    static constexpr int n_components = Beam::n_components;
+    static constexpr int n            = n_components * (order + 1);
+
+    struct Element
+    {
+      double                   jacobian;
+      typename Beam::Stiffness stiffness;
+      bool                     counted;
+    };
+
+    /**
+     * Frames of the true axis; r0' is that of the interpolated axis, so the
+     * strut is free of stress at rest.
+     */
+    void set_frames(const StrutMesh::Place &place,
+                    const Strut            &strut,
+                    const Section          &section,
+                    const double            jacobian,
+                    typename Beam::Frame   *frame) const
+    {
+      dealii::Point<3>     nodes[order + 1], position;
+      dealii::Tensor<1, 3> tangent;
+      for (int a = 0; a <= order; ++a)
+        lattice.axis(strut, place.at(shape.node[a]), nodes[a], tangent);
+      for (int g = 0; g < order; ++g)
+        {
+          lattice.axis(strut, place.at(shape.point[g]), position, tangent);
+          dealii::Tensor<1, 3> slope;
+          for (int a = 0; a <= order; ++a)
+            slope += shape.derivative[g][a] / jacobian * nodes[a];
+          frame[g] = Beam::frame(tangent, slope, section.reference);
+        }
+    }
+
+    const Lattice                    &lattice;
+    const DofNumbering               &numbering;
+    const std::vector<Section>       &sections;
+    const BeamShape<order>            shape;
+    std::vector<Element>              elements;
+    std::vector<typename Beam::Frame> frames;
+    double                            largest_stiffness            = 0;
+    double                            largest_stiffness_per_length = 0;
+    unsigned int                      strain_entry = 0, damping_entry = 0;
+  };
+
+  /**
+   * Without shear flexibility the shear strain is held at zero by a stiffness
+   * this many times 12 EI / L^2: the deflection is right to its inverse, and
+   * the residual loses no more digits than by the axial stiffness.
+   */
+  constexpr double rigid_shear_factor = 1e6;
+
+  /** @name Struts of a polynomial order, all variants. */
+  ///@{
+  std::unique_ptr<StrutForces>
+  make_plane_struts(const Lattice              &lattice,
+                    const DofNumbering         &numbering,
+                    const std::vector<Section> &sections,
+                    const StrutModel           &model);
+
+  std::unique_ptr<StrutForces>
+  make_space_struts(const Lattice              &lattice,
+                    const DofNumbering         &numbering,
+                    const std::vector<Section> &sections,
+                    const StrutModel           &model);
+  ///@}
+
+  /** The variant of @p Beam <order, large_rotation, damped> that @p model asks for. */
+  template <template <int, bool, bool> class Beam, int order>
+  std::unique_ptr<StrutForces>
+  make_struts_of_order(const Lattice              &lattice,
+                       const DofNumbering         &numbering,
+                       const std::vector<Section> &sections,
+                       const StrutModel           &model)
+  {
+    const auto make = [&](auto large_rotation,
+                          auto damped) -> std::unique_ptr<StrutForces> {
+      return std::make_unique<BeamForces<Beam<order, large_rotation, damped>>>(
+        lattice,
+        numbering,
+        sections,
+        model.shear_flexibility);
+    };
+    const std::true_type  yes;
+    const std::false_type no;
+    if (model.large_rotation)
+      return model.damping ? make(yes, yes) : make(yes, no);
+    return model.damping ? make(no, yes) : make(no, no);
+  }
+} // namespace auxfem
+
+#endif

@@ -1,0 +1,124 @@
+#ifndef auxfem_equations_effects_connector_forces_h
+#define auxfem_equations_effects_connector_forces_h
+
+#include <auxfem/connectors/connector_law.h>
+#include <auxfem/scene/scene.h>
+#include <auxfem/equations/effect.h>
+
+namespace auxfem
+{
+  /** What one connector does now, for output. */
+  struct ConnectorReport
+  {
+    /** Ends of the connector at rest (m). */
+    std::array<dealii::Point<3>, 2> ends;
+    /** Displacements of its ends (m); zero at the ground. */
+    std::array<dealii::Tensor<1, 3>, 2> displacements;
+    double                              force;      ///< N, positive in tension
+    double                              extension;  ///< m
+    double                              dissipated; ///< J so far
+    unsigned int                        cell;
+  };
+
+  /** Motion and forces of a group of connectors in one evaluation. */
+  struct ConnectorResults : public EffectResults
+  {
+    explicit ConnectorResults(unsigned int n_connectors);
+
+    std::vector<ConnectorMotion>      motion;
+    std::vector<ConnectorResponse>    response;
+    std::vector<dealii::Tensor<1, 3>> direction; ///< of the force
+    std::vector<dealii::Tensor<1, 3>> velocity_difference;
+    std::vector<double>               current_length; ///< m
+  };
+
+  /** A group of equal connectors between joints, or joints and the ground. */
+  class ConnectorForces : public Effect
+  {
+  public:
+    /**
+     * @param pairs the connectors of the whole lattice; those whose ends this
+     *   rank does not own are left out.
+     * @param large_rotation false: the line between the ends is the one at rest.
+     */
+    ConnectorForces(const ConnectorDefinition    &definition,
+                    const std::vector<JointPair> &pairs,
+                    const Lattice                &lattice,
+                    const DofNumbering           &numbering,
+                    bool                          large_rotation);
+
+    bool is_linear() const override;
+    void register_in(StateLayout &layout) override;
+    void register_blocks(TangentPattern &pattern) override;
+    std::unique_ptr<EffectResults> make_results() const override;
+
+    void   add_residual(const Evaluation &evaluation,
+                        double           *residual,
+                        EffectResults    *results) const override;
+    void   add_tangent(const Evaluation     &evaluation,
+                       const EffectResults  *results,
+                       const TangentFactors &factors,
+                       TangentMatrix        &matrix) const override;
+    void   account(const Evaluation    &step,
+                   const EffectResults *results,
+                   EnergyAccount       &account) const override;
+    double round_off_scale(const State         &state,
+                           const EffectResults *results,
+                           double               largest_displacement,
+                           double largest_rotation) const override;
+
+    const std::string &name() const;
+
+    /** Connectors counted by this rank, in order. */
+    unsigned int n_reported() const;
+
+    /** Counted connector @p i at @p state, from the results of its evaluation. */
+    ConnectorReport report(unsigned int         i,
+                           const State         &state,
+                           const EffectResults *results) const;
+
+  private:
+    struct Ends
+    {
+      /** Local unknowns x1, y1, z1, x2, y2, z2; -1: ground, z in the plane. */
+      std::array<int, 6> unknowns;
+      /** From first to second end at rest (m). */
+      dealii::Tensor<1, 3> span;
+      double               rest_length; ///< m
+      /** Of the force, at rest. */
+      dealii::Tensor<1, 3> direction;
+      unsigned int         first_joint, second_joint, cell;
+      /** Among all pairs of the group. */
+      unsigned int number;
+      bool         counted; ///< by this rank
+    };
+
+    /** Unknowns and geometry of a pair at rest. */
+    Ends make_ends(const ConnectorDefinition &definition,
+                   const JointPair           &pair,
+                   const DofNumbering        &numbering) const;
+
+    /** Difference of the values at both ends. */
+    static dealii::Tensor<1, 3> difference(const Ends   &ends,
+                                           const double *values);
+    /** The line between the ends, displaced by @p du. */
+    double extension(const Ends &ends, const dealii::Tensor<1, 3> &du) const;
+    void   find_motion(const Evaluation &evaluation,
+                       ConnectorResults &results) const;
+
+    std::string                         group_name;
+    std::shared_ptr<const ConnectorLaw> law;
+    bool                                follows_line;
+    dealii::Tensor<1, 3>                ground_offset;
+    const Lattice                      &lattice;
+    std::vector<Ends>                   connectors;
+    std::vector<unsigned int>           counted;
+    /** Index of the first internal variable and of the first dissipated energy
+     * in State::history. */
+    std::size_t  first_history = 0, first_dissipated = 0;
+    unsigned int stored_entry = 0, dissipated_entry = 0;
+    std::size_t  first_block = 0;
+  };
+} // namespace auxfem
+
+#endif

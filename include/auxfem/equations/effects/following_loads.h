@@ -1,0 +1,84 @@
+#ifndef auxfem_equations_effects_following_loads_h
+#define auxfem_equations_effects_following_loads_h
+
+#include <auxfem/loads/time_function.h>
+#include <auxfem/mesh/motion_components.h>
+#include <auxfem/equations/node_rotations.h>
+
+namespace auxfem
+{
+  /**
+   * Forces and moments that turn with the rotation P of their joint: P f(t),
+   * P m(t). They have no potential, and their tangent is not symmetric.
+   */
+  class FollowingLoads : public Effect
+  {
+  public:
+    /** @param raised_from_zero as for AppliedLoads. */
+    FollowingLoads(const Lattice      &lattice,
+                   const DofNumbering &numbering,
+                   bool                raised_from_zero);
+
+    /**
+     * Starts a new load: force and moment of @p components (N, N m), whose work
+     * is kept under @p work. Returns its number.
+     */
+    unsigned int
+    add_load(const std::array<TimeFunction, n_motion_components> &components,
+             const EnergyEntry                                   &work);
+
+    /** Lets load @p load act on a joint that has a rotation and is kept on this rank. */
+    void add_joint(unsigned int load, unsigned int joint);
+
+    /** Whether no load was added. */
+    bool empty() const;
+
+    bool is_linear() const override;
+    void register_blocks(TangentPattern &pattern) override;
+    void register_in(StateLayout &layout) override;
+    void add_residual(const Evaluation &evaluation,
+                      double           *residual,
+                      EffectResults    *results) const override;
+    void add_tangent(const Evaluation     &evaluation,
+                     const EffectResults  *results,
+                     const TangentFactors &factors,
+                     TangentMatrix        &matrix) const override;
+    void add_load_derivative(const Evaluation &evaluation,
+                             double           *derivative) const override;
+    void account(const Evaluation    &step,
+                 const EffectResults *results,
+                 EnergyAccount       &account) const override;
+
+  private:
+    /** Force and moment in the axes that turn with the joint (N, N m). */
+    struct Values
+    {
+      SpaceVector force, moment;
+    };
+    /** Local unknowns by component of motion; -1: not there. */
+    using Joint = std::array<int, n_motion_components>;
+    struct Load
+    {
+      std::array<TimeFunction, n_motion_components> components;
+      EnergyEntry                                   work;
+      std::vector<Joint>                            joints;
+      unsigned int work_entry = 0; ///< of the ledger
+    };
+
+    static Values values(const Load &load, double time);
+    /** When the step begins. */
+    Values values_before(const Load &load, const Evaluation &step) const;
+    /** Subtracts force and moment of all loads, times @p factor. */
+    void subtract(double factor, const State &state, double *forces) const;
+    Quaternion rotation(const Joint &joint, const State &state) const;
+
+    const bool          is_planar;
+    const DofNumbering &numbering;
+    const NodeRotations rotations;
+    const bool          raised_from_zero;
+    std::vector<Load>   loads;
+    std::size_t         first_block = 0;
+  };
+} // namespace auxfem
+
+#endif

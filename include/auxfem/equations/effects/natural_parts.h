@@ -1,0 +1,255 @@
+#ifndef auxfem_equations_effects_natural_parts_h
+#define auxfem_equations_effects_natural_parts_h
+
+#include <auxfem/equations/effects/rigid_part_group.h>
+
+#include <cmath>
+
+namespace auxfem
+{
+  /** Difference of the values at both base points, whose unknowns come first.
+   */
+  template <int dim, std::size_t n>
+  dealii::Tensor<1, dim> across_base(const std::array<int, n> &unknowns,
+                                     const double             *values)
+  {
+    dealii::Tensor<1, dim> difference;
+    for (unsigned int c = 0; c < dim; ++c)
+      difference[c] = values[unknowns[dim + c]] - values[unknowns[c]];
+    return difference;
+  }
+
+  /** In space: the shortest turn from @p rest to @p now (rad). */
+  inline SpaceVector shortest_turn(const SpaceVector &rest,
+                                   const SpaceVector &now)
+  {
+    const SpaceVector across = dealii::cross_product_3d(rest, now);
+    const double      sine   = across.norm();
+    return sine > 0 ? std::atan2(sine, rest * now) / sine * across
+                    : SpaceVector();
+  }
+
+  /**
+   * Rigid parts in natural coordinates: bodies in the plane (dim = 2), with a
+   * condition for each clamped strut, and bars in space (dim = 3).
+   */
+  template <int dim>
+  class NaturalParts : public RigidPartGroup
+  {
+  public:
+    NaturalParts(const std::vector<NaturalBody<dim>> &bodies,
+                 const RigidPartSetting              &setting)
+      : bodies(bodies)
+      , lattice(setting.lattice)
+      , numbering(setting.numbering)
+      , large_rotation(setting.large_rotation)
+      , gravity(setting.gravity)
+    {
+      for (unsigned int b = 0; b < bodies.size(); ++b)
+        {
+          add_conditions(bodies[b]);
+          if (bodies[b].counted)
+            reported.push_back(b);
+        }
+      joint_begin.push_back(joints.size());
+      clamp_begin.push_back(clamps.size());
+    }
+
+    bool is_linear() const override
+    {
+      return !large_rotation;
+    }
+
+    void register_blocks(TangentPattern &pattern) override
+    {
+      // Numbered consecutively: bases, then joints, then clamps.
+      bool       is_first = true;
+      const auto add_all  = [&](const auto &conditions) {
+        for (const auto &condition : conditions)
+          {
+            const std::size_t block =
+              pattern.register_block(condition.unknowns.data(),
+                                     condition.unknowns.size());
+            if (is_first)
+              first_block = block;
+            is_first = false;
+          }
+      };
+      add_all(bases);
+      add_all(joints);
+      add_all(clamps);
+    }
+
+    void add_residual(const Evaluation &evaluation,
+                      double           *residual,
+                      EffectResults * /*results*/) const override
+    {
+      add_base_rows(evaluation, residual);
+      add_joint_rows(evaluation, residual);
+      if constexpr (dim == 2)
+        add_clamp_rows(evaluation, residual);
+    }
+
+    void add_tangent(const Evaluation &evaluation,
+                     const EffectResults * /*results*/,
+                     const TangentFactors &factors,
+                     TangentMatrix        &matrix) const override
+    {
+      // The gradients are no stiffness: they stand in the matrix whatever is
+      // solved for, displacements or accelerations.
+      std::size_t block = first_block;
+      add_base_blocks(evaluation, factors, matrix, block);
+      add_joint_blocks(matrix, block);
+      if constexpr (dim == 2)
+        add_clamp_blocks(evaluation, factors, matrix, block);
+    }
+
+    void find_rates(const State &state, double *rates) const override
+    {
+      const double *u = state.displacement.Values();
+      const double *v = state.velocity->Values();
+      for (const Base &base : bases)
+        rates[base.unknowns[2 * dim]] =
+          gradient(base, u) * across_base<dim>(base.unknowns, v);
+      for (const Joint &joint : joints)
+        for (unsigned int c = 0; c < dim; ++c)
+          {
+            double rate = v[joint.unknowns[c]];
+            for (unsigned int i = 0; i < 2 * dim; ++i)
+              rate -= joint.shapes[c][i] * v[joint.unknowns[dim + i]];
+            rates[joint.unknowns[3 * dim + c]] = rate;
+          }
+      if constexpr (dim == 2)
+        find_clamp_rates(state, rates);
+    }
+
+    unsigned int n_reported() const override
+    {
+      return reported.size();
+    }
+
+    unsigned int part(const unsigned int i) const override
+    {
+      return bodies[reported[i]].part;
+    }
+
+    SpaceVector rotation(const unsigned int i,
+                         const State       &state) const override
+    {
+      const NaturalBody<dim> &body = bodies[reported[i]];
+      const Vec               stretch =
+        across_base<dim>(body.base, state.displacement.Values());
+      SpaceVector result;
+      if constexpr (dim == 2)
+        {
+          const double across = turned(body.rest) * stretch;
+          result[2]           = large_rotation
+                      ? std::atan2(across, body.rest * (body.rest + stretch))
+                      : across / (body.length * body.length);
+        }
+      else
+        result = large_rotation ? shortest_turn(body.rest, body.rest + stretch)
+                                : dealii::cross_product_3d(body.rest, stretch) /
+            (body.length * body.length);
+      return result;
+    }
+
+    PointMotion motion(const unsigned int      i,
+                       const dealii::Point<3> &point,
+                       const State            &state) const override
+    {
+      const NaturalBody<dim> &body = bodies[reported[i]];
+      PointMotion             result;
+      for (unsigned int c = 0; c < dim; ++c)
+        for (const auto &[unknown, share] :
+             force_shares(body, lattice, numbering, point, c))
+          {
+            result.displacement[c] += share * state.displacement[unknown];
+            if (state.velocity)
+              result.velocity[c] += share * (*state.velocity)[unknown];
+          }
+      return result;
+    }
+
+    RigidPartReport report(const unsigned int i,
+                           const State       &state) const override;
+
+  private:
+    using Vec = dealii::Tensor<1, dim>;
+
+    /** Distance of the base joints of one body. */
+    struct Base
+    {
+      std::array<int, 2 * dim + 1> unknowns; ///< base, multiplier
+      DistanceCondition<dim>       condition;
+    };
+    /** Place of another joint. */
+    struct Joint
+    {
+      unsigned int             place_in_part; ///< index into RigidPart::joints
+      std::array<int, 4 * dim> unknowns;      ///< joint's, base, multipliers
+      std::array<std::array<double, 2 * dim>, dim> shapes;
+    };
+    /** Of a strut's end; in the plane. */
+    struct Clamp
+    {
+      std::array<int, 6> unknowns; ///< base, rotation, multiplier
+      ClampCondition     condition;
+    };
+
+    void add_conditions(const NaturalBody<dim> &body);
+
+    Vec gradient(const Base &base, const double *u) const
+    {
+      return base.condition.gradient(
+        large_rotation ? across_base<dim>(base.unknowns, u) : Vec());
+    }
+
+    /** dg / d(r1 - r0) and dg / dphi. */
+    std::pair<PlaneVector, double> gradient(const Clamp  &clamp,
+                                            const double *u) const
+    {
+      if (!large_rotation)
+        return {clamp.condition.normal(0), -clamp.condition.length};
+      const double      phi = u[clamp.unknowns[4]];
+      const PlaneVector d =
+        clamp.condition.rest + across_base<2>(clamp.unknowns, u);
+      return {clamp.condition.normal(phi),
+              clamp.condition.normal_derivative(phi) * d};
+    }
+
+    void add_base_rows(const Evaluation &evaluation, double *residual) const;
+    void add_joint_rows(const Evaluation &evaluation, double *residual) const;
+    void add_clamp_rows(const Evaluation &evaluation, double *residual) const;
+    void add_base_blocks(const Evaluation     &evaluation,
+                         const TangentFactors &factors,
+                         TangentMatrix        &matrix,
+                         std::size_t          &block) const;
+    void add_joint_blocks(TangentMatrix &matrix, std::size_t &block) const;
+    void add_clamp_blocks(const Evaluation     &evaluation,
+                          const TangentFactors &factors,
+                          TangentMatrix        &matrix,
+                          std::size_t          &block) const;
+    void find_clamp_rates(const State &state, double *rates) const;
+    /** Takes what the conditions of clamps hand on from the @p forces on a body's base. */
+    void take_clamp_forces(unsigned int                 body,
+                           const double                *u,
+                           std::array<double, 2 * dim> &forces) const;
+
+    const std::vector<NaturalBody<dim>> bodies;
+    const Lattice                      &lattice;
+    const DofNumbering                 &numbering;
+    const bool                          large_rotation;
+    const SpaceVector                   gravity;
+
+    std::vector<Base>  bases; ///< one a body
+    std::vector<Joint> joints;
+    std::vector<Clamp> clamps;
+    /** Those of body b: from [b] to [b + 1]. */
+    std::vector<unsigned int> joint_begin, clamp_begin;
+    std::vector<unsigned int> reported; ///< bodies
+    std::size_t               first_block = 0;
+  };
+} // namespace auxfem
+
+#endif

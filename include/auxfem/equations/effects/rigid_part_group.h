@@ -1,0 +1,81 @@
+#ifndef auxfem_equations_effects_rigid_part_group_h
+#define auxfem_equations_effects_rigid_part_group_h
+
+#include <auxfem/equations/conditions.h>
+#include <auxfem/model/rigid_bodies.h>
+
+#include <memory>
+
+namespace auxfem
+{
+  /** What a rigid part does at one time. */
+  struct RigidPartReport
+  {
+    /** Number in Lattice::rigid_parts. */
+    unsigned int part;
+    /**
+     * Force (N) that each of its joints, in the order of RigidPart::joints,
+     * exerts on the part: what hinges, struts, connectors, loads and supports
+     * there pass on to it.
+     */
+    std::vector<SpaceVector> forces;
+  };
+
+  /** Displacement (m) and velocity (m/s) of a point. */
+  struct PointMotion
+  {
+    SpaceVector displacement, velocity;
+  };
+
+  /** What conditions on rigid parts need to know besides the parts. */
+  struct RigidPartSetting
+  {
+    const Lattice      &lattice;
+    const DofNumbering &numbering;
+    /** False: the conditions are linearized about rest. */
+    bool large_rotation;
+    /** For the reported forces (m/s2), zero if it is left out. */
+    SpaceVector gravity;
+  };
+
+  /** The conditions that keep rigid parts of one kind rigid. */
+  class RigidPartGroup : public Conditions
+  {
+  public:
+    /** Number of parts this rank reports on. */
+    virtual unsigned int n_reported() const = 0;
+
+    /** Number in Lattice::rigid_parts of part @p i of this rank. */
+    virtual unsigned int part(unsigned int i) const = 0;
+
+    /**
+     * Rotation vector (rad) of part @p i of this rank; with large rotations its
+     * angle is at most pi. Of a bar the shortest turn that brings it where it
+     * is.
+     */
+    virtual SpaceVector rotation(unsigned int i, const State &state) const = 0;
+
+    /** Motion of @p point (m, at rest) with part @p i of this rank. */
+    virtual PointMotion motion(unsigned int            i,
+                               const dealii::Point<3> &point,
+                               const State            &state) const = 0;
+
+    /** Report on part @p i of this rank, from displacements, accelerations and multipliers of @p state. */
+    virtual RigidPartReport report(unsigned int i,
+                                   const State &state) const = 0;
+  };
+
+  /** @name Rigid parts of a kind. */
+  ///@{
+  template <int dim>
+  std::unique_ptr<RigidPartGroup>
+  make_natural_parts(const std::vector<NaturalBody<dim>> &bodies,
+                     const RigidPartSetting              &setting);
+
+  std::unique_ptr<RigidPartGroup>
+  make_turning_parts(const std::vector<TurningBody> &bodies,
+                     const RigidPartSetting         &setting);
+  ///@}
+} // namespace auxfem
+
+#endif

@@ -1,0 +1,56 @@
+#ifndef auxfem_equations_effects_struts_h
+#define auxfem_equations_effects_struts_h
+
+#include <auxfem/elements/beam_shape.h>
+#include <auxfem/elements/section.h>
+#include <auxfem/equations/effect.h>
+
+namespace auxfem
+{
+  /** Section forces and kinematics at a point of a strut, for output. */
+  struct StrutPoint
+  {
+    dealii::Point<3>     position;     ///< at rest (m)
+    dealii::Tensor<1, 3> displacement; ///< m
+    dealii::Tensor<1, 3> velocity;     ///< m/s
+    /** Rotation vector since rest (rad). */
+    dealii::Tensor<1, 3> rotation;
+    /** Section axes 1, 2, 3 now, as columns. */
+    dealii::Tensor<2, 3> axes;
+    /** Axial force, positive in tension, and shear along axes 2, 3 (N). */
+    dealii::Tensor<1, 3> force;
+    /** Torque and bending moments about axes 2, 3 (N m). */
+    dealii::Tensor<1, 3> moment;
+    double               energy_density; ///< strain energy per length (J/m)
+  };
+
+  /** Which part of the beam theory is used. */
+  struct StrutModel
+  {
+    bool large_rotation    = true;
+    bool shear_flexibility = true;
+    bool damping           = false; ///< stiffness-proportional
+  };
+
+  /** Internal forces of all struts: geometrically exact beams. */
+  class StrutForces : public Effect
+  {
+  public:
+    /** Polynomial order is taken from @p numbering. */
+    static std::unique_ptr<StrutForces>
+    make(const Lattice              &lattice,
+         const DofNumbering         &numbering,
+         const std::vector<Section> &sections,
+         const StrutModel           &model);
+
+    /**
+     * State of element @p e of the numbering at @p n_points equally spaced points
+     * from its first to its second end. Section forces are those of the
+     * Gauss points, interpolated.
+     */
+    virtual std::vector<StrutPoint>
+    sample(const State &state, unsigned int e, unsigned int n_points) const = 0;
+  };
+} // namespace auxfem
+
+#endif

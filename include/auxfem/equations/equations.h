@@ -1,0 +1,154 @@
+#ifndef auxfem_equations_equations_h
+#define auxfem_equations_equations_h
+
+#include <auxfem/model/lattice_model.h>
+#include <auxfem/equations/effects/connector_forces.h>
+#include <auxfem/equations/effects/rigid_part_conditions.h>
+#include <auxfem/equations/effects/struts.h>
+
+#include <memory>
+#include <vector>
+
+namespace auxfem
+{
+  /** A group of connectors among the effects. */
+  struct ConnectorGroup
+  {
+    const ConnectorForces *forces;
+    unsigned int           effect; ///< index in EvaluationResults::of_effects
+
+    /** Counted connector @p i at @p state. */
+    ConnectorReport report(unsigned int             i,
+                           const State             &state,
+                           const EvaluationResults &results) const;
+  };
+
+  /** The effects that output asks for more than forces. */
+  struct ReportingEffects
+  {
+    /** nullptr if the scene has no elastic struts. */
+    const StrutForces *struts = nullptr;
+    /** nullptr if the scene has no rigid parts. */
+    const RigidPartConditions  *rigid_parts = nullptr;
+    std::vector<ConnectorGroup> connectors;
+    /** All conditions with multipliers: of rigid parts, of revolute hinges. */
+    std::vector<const Conditions *> conditions;
+  };
+
+  /**
+   * The equations of a model: the list of effects the scene calls for, and the
+   * questions that can be asked of it: residual, tangent, energies. They keep
+   * nothing of an answer.
+   */
+  class Equations
+  {
+  public:
+    /**
+     * @param scene, model must outlive the object. Throws InputError for
+     * contradictions only the model can show (a moment on a joint without
+     * rotation).
+     */
+    Equations(const Scene &scene, const LatticeModel &model);
+
+    const LatticeModel     &model() const;
+    const StateLayout      &layout() const;
+    const TangentPattern   &pattern() const;
+    const ReportingEffects &reporting() const;
+
+    /** Whether one tangent serves all states (for a constant step). */
+    bool is_linear() const;
+
+    /** The state at t = 0: at rest or with the scene's initial velocities. */
+    State initial_state() const;
+
+    /** Room for the results of evaluations. */
+    EvaluationResults make_results() const;
+
+    /**
+     * Fills the residual and the internal variables of evaluation.to, and
+     * @p results.
+     */
+    void residual(const Evaluation  &evaluation,
+                  EvaluationResults &results) const;
+
+    /**
+     * Fills @p matrix with the tangent at evaluation.to.
+     * @param results of residual() in the same evaluation
+     */
+    void tangent(const Evaluation        &evaluation,
+                 const EvaluationResults &results,
+                 const TangentFactors    &factors,
+                 TangentMatrix           &matrix) const;
+
+    /** Derivative of the residual by the load factor, of local unknowns. */
+    Vector load_derivative(const Evaluation &evaluation) const;
+
+    /**
+     * Completes evaluation.to with history, work and energies. The step may
+     * still be undone.
+     * @param results of residual() in the same evaluation
+     */
+    void accept(const Evaluation        &evaluation,
+                const EvaluationResults &results) const;
+
+    /**
+     * Brings the couplings of the effects up to date with an accepted state.
+     * Where they change, the pattern does.
+     */
+    void update_pattern(const State &accepted);
+
+    /**
+     * Norm (N) below which the residual at @p state is round-off.
+     * @param results of its evaluation
+     */
+    double round_off_floor(const State             &state,
+                           const EvaluationResults &results) const;
+
+  private:
+    void make_internal_forces(const Scene &scene);
+    void make_conditions(const Scene &scene);
+    void make_inertia(const Scene &scene);
+    void make_loads(const Scene &scene);
+    void register_blocks();
+
+    const LatticeModel                  &structure;
+    std::vector<std::unique_ptr<Effect>> effects;
+    /**
+     * The first n_internal effects are internal forces: their sum is the force
+     * scale.
+     */
+    unsigned int n_internal = 0;
+    /**
+     * The first n_balanced effects are internal and inertia forces; the rest
+     * are loads.
+     */
+    unsigned int     n_balanced = 0;
+    ReportingEffects reporting_effects;
+    StateLayout      state_layout;
+    TangentPattern   tangent_pattern;
+    /** Local unknown, value. */
+    std::vector<std::pair<int, double>> initial_velocities;
+  };
+
+  /**
+   * Largest |displacement| (m) and |rotation| (rad) over all ranks in
+   * @p motion, displacements or an increment of them.
+   */
+  std::pair<double, double> largest_motion(const LatticeModel &model,
+                                           const Vector       &motion);
+
+  /**
+   * Norm (m) up to which the conditions are met: their round-off. A looser
+   * tolerance would return as forces, divided by the square of the step.
+   */
+  double condition_tolerance(const Equations &equations, const State &state);
+
+  /** Unknown with the largest free residual, in words, over all ranks. */
+  std::string worst_unknown(const LatticeModel &model, const State &state);
+
+  /** Sums over all ranks. */
+  std::vector<double> sum_over_ranks(const LatticeModel        &model,
+                                     const std::vector<double> &mine);
+} // namespace auxfem
+
+#endif

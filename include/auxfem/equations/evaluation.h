@@ -1,0 +1,133 @@
+#ifndef auxfem_equations_evaluation_h
+#define auxfem_equations_evaluation_h
+
+#include <auxfem/time/state.h>
+
+#include <memory>
+
+namespace auxfem
+{
+  /**
+   * What is asked of the equations: the forces at the state `to`, which was
+   * reached from the accepted state `from` in the way its kind says.
+   */
+  struct Evaluation
+  {
+    enum class Kind
+    {
+      /**
+       * The end of a step with inertia, or a stage inside it: velocities and
+       * accelerations are those of the time scheme.
+       */
+      step,
+      /**
+       * The end of a step without inertia: rates are differences over the step.
+       */
+      static_step,
+      /** Static equilibrium, all viscous processes having come to rest. */
+      equilibrium,
+      /**
+       * An instant: no time passes. With inertia the rows of constraints hold
+       * their second derivatives, which determine consistent accelerations.
+       */
+      rates
+    };
+
+    const State &from;
+    /** Receives the residual and the internal variables. */
+    State &to;
+    Kind   kind;
+    /** Length of the step (s); 0 if the kind is no step. */
+    double dt = 0;
+    /** By which the loads of the time of `to` are multiplied. */
+    double load_factor = 1;
+
+    /** A step with inertia of the length @p dt (s). */
+    static Evaluation step(const State &from, State &to, const double dt)
+    {
+      return {from, to, Kind::step, dt};
+    }
+
+    /** A step without inertia of the length @p dt (s). */
+    static Evaluation static_step(const State &from, State &to, const double dt)
+    {
+      return {from, to, Kind::static_step, dt};
+    }
+
+    /** The search for the static equilibrium @p to. */
+    static Evaluation equilibrium(const State &from, State &to)
+    {
+      return {from, to, Kind::equilibrium};
+    }
+
+    /** The instant @p to; @p before is a copy of it. */
+    static Evaluation rates(const State &before, State &to)
+    {
+      return {before, to, Kind::rates};
+    }
+
+    /** Whether the rows of constraints hold second derivatives. */
+    bool wants_constraint_accelerations() const
+    {
+      return kind == Kind::rates && to.acceleration;
+    }
+  };
+
+  /**
+   * What an effect produces beside forces when it is evaluated, kept by the
+   * caller for the tangent, the energies and the output of the same evaluation.
+   */
+  struct EffectResults
+  {
+    virtual ~EffectResults() = default;
+  };
+
+  /** What an evaluation produces beside the residual and internal variables. */
+  struct EvaluationResults
+  {
+    /** Of every effect that has some, in the order of the equations. */
+    std::vector<std::unique_ptr<EffectResults>> of_effects;
+
+    /** Norms of the residual in free rows, over all ranks. */
+    double force     = 0; ///< N
+    double moment    = 0; ///< N m
+    double condition = 0; ///< m, of conditions
+
+    /**
+     * Force size against which the residual is judged (N): norm of the internal
+     * forces or of internal and inertia forces, whichever is larger, prescribed
+     * rows included, moments divided by the mean strut length.
+     */
+    double force_scale = 0;
+  };
+
+  /** Takes down the energies of an evaluation, this rank's share. */
+  class EnergyAccount
+  {
+  public:
+    /** Sums of step.to go on from those of step.from. */
+    explicit EnergyAccount(const Evaluation &step);
+
+    /** Adds an amount there is now (J). */
+    void add(unsigned int entry, double energy);
+
+    /** Adds what was dissipated, or done as work, in the step (J). */
+    void add_in_step(unsigned int entry, double energy);
+
+    /**
+     * Adds to the power now (W), which is summed up over the steps by the
+     * trapezoidal rule, of second order like the time schemes.
+     */
+    void add_power(unsigned int entry, double power);
+
+    /** Writes the sums and powers to the state, and returns this rank's
+     * energies. */
+    std::vector<double> close();
+
+  private:
+    const Evaluation   &step;
+    std::vector<double> amounts, sums, powers;
+  };
+} // namespace auxfem
+
+#endif

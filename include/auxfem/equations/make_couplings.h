@@ -1,0 +1,30 @@
+#ifndef auxfem_equations_make_couplings_h
+#define auxfem_equations_make_couplings_h
+
+#include <auxfem/equations/effects/revolute_hinges.h>
+#include <auxfem/model/joint_releases.h>
+
+#include <memory>
+
+namespace auxfem
+{
+  /**
+   * The rotational springs. nullptr if this rank has none.
+   */
+  std::unique_ptr<Effect>
+  make_rotational_springs(const std::vector<JointRelease> &releases,
+                          const DofNumbering              &numbering,
+                          bool                             large_rotation);
+
+  /**
+   * The revolute hinges. nullptr if the scene has none.
+   * @param length by which their conditions become lengths (m).
+   */
+  std::unique_ptr<RevoluteHinges>
+  make_revolute_hinges(const std::vector<JointRelease> &releases,
+                       const DofNumbering              &numbering,
+                       bool                             large_rotation,
+                       double                           length);
+} // namespace auxfem
+
+#endif

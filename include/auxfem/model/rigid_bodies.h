@@ -1,0 +1,100 @@
+#ifndef auxfem_model_rigid_bodies_h
+#define auxfem_model_rigid_bodies_h
+
+#include <auxfem/elements/rigid_part.h>
+#include <auxfem/elements/rotation.h>
+#include <auxfem/model/numbering.h>
+
+#include <vector>
+
+namespace auxfem
+{
+  /**
+   * A rigid part in natural coordinates as its effects on this rank need it: a
+   * body in the plane (dim = 2) or a bar in space (dim = 3).
+   */
+  template <int dim>
+  struct NaturalBody
+  {
+    /** Number in Lattice::rigid_parts. */
+    unsigned int part;
+    /** Local unknowns r0_x, r0_y, ..., r1_x, r1_y, ... of the base. */
+    std::array<int, 2 * dim> base;
+    dealii::Tensor<1, dim>   rest;   ///< r1 - r0 at rest (m)
+    double                   length; ///< of the base (m)
+    /** Of the centre of mass. */
+    NaturalPlace                      centre;
+    std::array<double, 4 * dim * dim> mass; ///< on the base unknowns (kg)
+    /** Whether this rank counts its energy and writes it to files. */
+    bool counted;
+  };
+
+  /**
+   * A rigid part in space with a rotation of its own as its effects on this
+   * rank need it.
+   */
+  struct TurningBody
+  {
+    /** Number in Lattice::rigid_parts. */
+    unsigned int part;
+    /** Local unknowns of the centre of mass and of the rotation. */
+    std::array<int, 3> centre, rotation;
+    /** As NaturalBody::counted. */
+    bool counted;
+  };
+
+  /** The rigid parts kept on this rank, by kind. */
+  struct RigidBodies
+  {
+    std::vector<NaturalBody<2>> in_plane;
+    std::vector<NaturalBody<3>> bars;
+    std::vector<TurningBody>    turning;
+
+    bool empty() const
+    {
+      return in_plane.empty() && bars.empty() && turning.empty();
+    }
+  };
+
+  /** Natural place of @p point (m, at rest) in a rigid part. */
+  template <int dim>
+  NaturalPlace place_in(const RigidPart        &part,
+                        const Lattice          &lattice,
+                        const dealii::Point<3> &point)
+  {
+    return natural_place<dim>(lattice.joints[part.joints[0]],
+                              lattice.joints[part.joints[1]],
+                              point);
+  }
+
+  /** The rigid parts kept on this rank. */
+  RigidBodies rigid_bodies(const Lattice      &lattice,
+                           const DofNumbering &numbering);
+
+  /** A local unknown and the share it gets of a force. */
+  using ForceShares = std::vector<std::pair<int, double>>;
+
+  /**
+   * How a dead force along @p component at @p point (m, at rest) of a body acts
+   * on its unknowns, however it turns.
+   */
+  template <int dim>
+  ForceShares force_shares(const NaturalBody<dim> &body,
+                           const Lattice          &lattice,
+                           const DofNumbering     &numbering,
+                           const dealii::Point<3> &point,
+                           unsigned int            component);
+
+  /**
+   * As above: forces on the centre of mass and the joints with the same
+   * resultant at the same point. Throws InputError for a point that is no
+   * weighted mean of these.
+   */
+  ForceShares force_shares(const TurningBody      &body,
+                           const Lattice          &lattice,
+                           const DofNumbering     &numbering,
+                           const dealii::Point<3> &point,
+                           unsigned int            component);
+} // namespace auxfem
+
+#endif

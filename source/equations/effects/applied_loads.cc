@@ -1,0 +1,100 @@
+#include <auxfem/equations/effects/applied_loads.h>
+
+namespace auxfem
+{
+  AppliedLoads::AppliedLoads(const DofNumbering &numbering,
+                             const bool          raised_from_zero)
+    : numbering(numbering)
+    , rotations(numbering)
+    , raised_from_zero(raised_from_zero)
+  {}
+
+  unsigned int AppliedLoads::add_load(const TimeFunction &time_history,
+                                      const EnergyEntry  &work)
+  {
+    loads.push_back({time_history, work, {}});
+    return loads.size() - 1;
+  }
+
+  void AppliedLoads::add_weight(const unsigned int load,
+                                const int          unknown,
+                                const double       weight)
+  {
+    loads[load].weights.push_back({unknown, weight});
+  }
+
+  bool AppliedLoads::empty() const
+  {
+    return loads.empty();
+  }
+
+  bool AppliedLoads::is_linear() const
+  {
+    return true;
+  }
+
+  void AppliedLoads::register_in(StateLayout &layout)
+  {
+    for (Load &load : loads)
+      load.work_entry = layout.energies.enter(load.work);
+  }
+
+  double AppliedLoads::value_before(const Load       &load,
+                                    const Evaluation &step) const
+  {
+    return raised_from_zero && step.from.time == 0
+      ? 0.
+      : load.time_history.value(step.from.time);
+  }
+
+  void AppliedLoads::add_residual(const Evaluation &evaluation,
+                                  double           *residual,
+                                  EffectResults * /*results*/) const
+  {
+    for (const Load &load : loads)
+      {
+        const double value =
+          evaluation.load_factor * load.time_history.value(evaluation.to.time);
+        for (const Weight &w : load.weights)
+          residual[w.unknown] -= value * w.weight;
+      }
+  }
+
+  void AppliedLoads::add_load_derivative(const Evaluation &evaluation,
+                                         double           *derivative) const
+  {
+    for (const Load &load : loads)
+      {
+        const double value = load.time_history.value(evaluation.to.time);
+        for (const Weight &w : load.weights)
+          derivative[w.unknown] -= value * w.weight;
+      }
+  }
+
+  void AppliedLoads::account(const Evaluation &step,
+                             const EffectResults * /*results*/,
+                             EnergyAccount &account) const
+  {
+    // The mean force over the step times the displacement: exact for the
+    // average-acceleration rule, second order otherwise.
+    for (const Load &load : loads)
+      {
+        double along = 0;
+        for (const Weight &w : load.weights)
+          if (numbering.is_owned(w.unknown))
+            along += w.weight * motion(step, w.unknown);
+        const double mean =
+          (value_before(load, step) + load.time_history.value(step.to.time)) /
+          2;
+        account.add_in_step(load.work_entry, mean * along);
+      }
+  }
+
+  double AppliedLoads::motion(const Evaluation &step, const int unknown) const
+  {
+    if (const int i = numbering.spatial_rotation(unknown);
+        i >= 0 && !step.to.rotations.empty())
+      return rotations.spatial_turn(step, i)[numbering.spin_axis(unknown)];
+    return step.to.displacement[unknown] - step.from.displacement[unknown];
+  }
+} // namespace auxfem

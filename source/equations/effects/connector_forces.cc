@@ -1,0 +1,325 @@
+#include <auxfem/parameters/errors.h>
+#include <auxfem/equations/effects/connector_forces.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace auxfem
+{
+  namespace
+  {
+    /** The time that viscous processes have in an evaluation (s). */
+    double duration(const Evaluation &evaluation)
+    {
+      switch (evaluation.kind)
+        {
+          case Evaluation::Kind::equilibrium:
+            return std::numeric_limits<double>::infinity();
+          case Evaluation::Kind::rates:
+            return 0;
+          default:
+            return evaluation.dt;
+        }
+    }
+  } // namespace
+
+  ConnectorResults::ConnectorResults(const unsigned int n_connectors)
+    : motion(n_connectors)
+    , response(n_connectors)
+    , direction(n_connectors)
+    , velocity_difference(n_connectors)
+    , current_length(n_connectors)
+  {}
+
+  ConnectorForces::ConnectorForces(const ConnectorDefinition    &definition,
+                                   const std::vector<JointPair> &pairs,
+                                   const Lattice                &lattice,
+                                   const DofNumbering           &numbering,
+                                   const bool                    large_rotation)
+    : group_name(definition.name)
+    , law(definition.law)
+    , follows_line(definition.geometry == ConnectorDefinition::Geometry::line &&
+                   large_rotation)
+    , ground_offset(definition.ground_offset)
+    , lattice(lattice)
+  {
+    for (unsigned int number = 0; number < pairs.size(); ++number)
+      {
+        Ends ends = make_ends(definition, pairs[number], numbering);
+        if (std::none_of(ends.unknowns.begin(),
+                         ends.unknowns.end(),
+                         [&](const int u) { return numbering.is_owned(u); }))
+          continue;
+        ends.number = number;
+        if (ends.counted)
+          counted.push_back(connectors.size());
+        connectors.push_back(ends);
+      }
+  }
+
+  ConnectorForces::Ends
+  ConnectorForces::make_ends(const ConnectorDefinition &definition,
+                             const JointPair           &pair,
+                             const DofNumbering        &numbering) const
+  {
+    using Geometry = ConnectorDefinition::Geometry;
+    Ends ends;
+    ends.first_joint  = pair.first;
+    ends.second_joint = pair.second;
+    ends.cell         = pair.cell;
+    for (unsigned int i = 0; i < 6; ++i)
+      {
+        const unsigned int joint = i < 3 ? pair.first : pair.second;
+        ends.unknowns[i] =
+          joint == invalid_index ? -1 : numbering.joint_unknown(joint, i % 3);
+      }
+    ends.counted     = numbering.is_owned(ends.unknowns[0]);
+    ends.span        = pair.second == invalid_index
+             ? ground_offset
+             : lattice.joints[pair.second] - lattice.joints[pair.first];
+    ends.rest_length = ends.span.norm();
+    if (ends.rest_length == 0 && definition.geometry == Geometry::line)
+      throw InputError(
+        definition.path + ": the connector at joint " +
+        std::to_string(pair.first) +
+        " has length zero, so no line leads along it. Give `Geometry = "
+        "direction` with a `Direction`, or a `Ground offset`.");
+    ends.direction = definition.geometry == Geometry::direction
+      ? definition.direction
+      : ends.span / ends.rest_length;
+    return ends;
+  }
+
+  bool ConnectorForces::is_linear() const
+  {
+    return !follows_line && law->is_linear();
+  }
+
+  void ConnectorForces::register_in(StateLayout &layout)
+  {
+    std::vector<unsigned int> numbers;
+    numbers.reserve(connectors.size());
+    for (const Ends &ends : connectors)
+      numbers.push_back(ends.number);
+    if (law->n_history() > 0)
+      first_history = layout.keep(group_name + ": internal variables",
+                                  numbers,
+                                  law->n_history());
+    stored_entry = layout.energies.enter(stored_energy_entry());
+    if (!law->is_viscous())
+      return;
+    layout.velocity  = true;
+    first_dissipated = layout.keep(group_name + ": dissipated energy",
+                                   numbers,
+                                   /*values_per_item=*/1);
+    dissipated_entry =
+      layout.energies.enter({EnergyKind::dissipated,
+                             group_name + ".dissipated",
+                             "energy lost in the connectors since the start"});
+  }
+
+  void ConnectorForces::register_blocks(TangentPattern &pattern)
+  {
+    for (unsigned int i = 0; i < connectors.size(); ++i)
+      {
+        const std::size_t block =
+          pattern.register_block(connectors[i].unknowns.data(), 6);
+        if (i == 0)
+          first_block = block;
+      }
+  }
+
+  std::unique_ptr<EffectResults> ConnectorForces::make_results() const
+  {
+    return std::make_unique<ConnectorResults>(connectors.size());
+  }
+
+  dealii::Tensor<1, 3> ConnectorForces::difference(const Ends   &ends,
+                                                   const double *values)
+  {
+    dealii::Tensor<1, 3> result;
+    for (unsigned int c = 0; c < 3; ++c)
+      result[c] =
+        (ends.unknowns[3 + c] >= 0 ? values[ends.unknowns[3 + c]] : 0.) -
+        (ends.unknowns[c] >= 0 ? values[ends.unknowns[c]] : 0.);
+    return result;
+  }
+
+  double ConnectorForces::extension(const Ends                 &ends,
+                                    const dealii::Tensor<1, 3> &du) const
+  {
+    if (!follows_line)
+      return ends.direction * du;
+    // L^2 - L0^2 = du.(2 span + du): no difference of nearly equal lengths.
+    return du * (2. * ends.span + du) /
+      ((ends.span + du).norm() + ends.rest_length);
+  }
+
+  void ConnectorForces::find_motion(const Evaluation &evaluation,
+                                    ConnectorResults &results) const
+  {
+    const double *before = evaluation.from.displacement.Values();
+    const double *u      = evaluation.to.displacement.Values();
+    const double *v =
+      evaluation.to.velocity ? evaluation.to.velocity->Values() : nullptr;
+    const double dt = duration(evaluation);
+    for (unsigned int i = 0; i < connectors.size(); ++i)
+      {
+        const Ends                &ends = connectors[i];
+        const dealii::Tensor<1, 3> du   = difference(ends, u),
+                                   line = ends.span + du;
+        ConnectorMotion &motion         = results.motion[i];
+        motion.previous_extension = extension(ends, difference(ends, before));
+        motion.extension          = extension(ends, du);
+        motion.dt                 = dt;
+        results.current_length[i] = line.norm();
+        results.direction[i] =
+          follows_line ? line / results.current_length[i] : ends.direction;
+        if (v != nullptr)
+          results.velocity_difference[i] = difference(ends, v);
+        // Without inertia a velocity is a difference over a step in which the
+        // line turns; that of the extension does not see the turn.
+        motion.rate = evaluation.kind == Evaluation::Kind::static_step
+          ? (motion.extension - motion.previous_extension) / dt
+          : results.direction[i] * results.velocity_difference[i];
+      }
+  }
+
+  void ConnectorForces::add_residual(const Evaluation &evaluation,
+                                     double           *residual,
+                                     EffectResults    *results) const
+  {
+    auto &of_group = static_cast<ConnectorResults &>(*results);
+    find_motion(evaluation, of_group);
+    law->evaluate(connectors.size(),
+                  of_group.motion.data(),
+                  evaluation.from.history.data() + first_history,
+                  evaluation.to.history.data() + first_history,
+                  of_group.response.data());
+    for (unsigned int i = 0; i < connectors.size(); ++i)
+      for (unsigned int c = 0; c < 3; ++c)
+        {
+          const double force =
+            of_group.response[i].force * of_group.direction[i][c];
+          if (connectors[i].unknowns[c] >= 0)
+            residual[connectors[i].unknowns[c]] -= force;
+          if (connectors[i].unknowns[3 + c] >= 0)
+            residual[connectors[i].unknowns[3 + c]] += force;
+        }
+  }
+
+  void ConnectorForces::add_tangent(const Evaluation     &evaluation,
+                                    const EffectResults  *results,
+                                    const TangentFactors &factors,
+                                    TangentMatrix        &matrix) const
+  {
+    if (factors.stiffness == 0 && factors.damping == 0)
+      return;
+    const auto &of_group = static_cast<const ConnectorResults &>(*results);
+    for (unsigned int i = 0; i < connectors.size(); ++i)
+      {
+        const auto  &n = of_group.direction[i];
+        const double along =
+          factors.stiffness * of_group.response[i].stiffness +
+          factors.damping * of_group.response[i].damping;
+        // D: derivative of the force on the second end by the relative motion.
+        double D[3][3];
+        for (unsigned int a = 0; a < 3; ++a)
+          for (unsigned int b = 0; b < 3; ++b)
+            D[a][b] = along * n[a] * n[b];
+        if (follows_line)
+          {
+            // The line turns with the ends: force and rate change direction.
+            const double turning =
+              factors.stiffness / of_group.current_length[i];
+            for (unsigned int a = 0; a < 3; ++a)
+              for (unsigned int b = 0; b < 3; ++b)
+                {
+                  const double across = (a == b ? 1. : 0.) - n[a] * n[b];
+                  D[a][b] += turning * of_group.response[i].force * across;
+                  if (evaluation.kind == Evaluation::Kind::static_step)
+                    continue;
+                  const double rate_by_position =
+                    of_group.velocity_difference[i][b] -
+                    of_group.motion[i].rate * n[b];
+                  D[a][b] += turning * of_group.response[i].damping * n[a] *
+                    rate_by_position;
+                }
+          }
+        double block[36];
+        for (unsigned int a = 0; a < 6; ++a)
+          for (unsigned int b = 0; b < 6; ++b)
+            block[6 * a + b] = ((a < 3) == (b < 3) ? 1 : -1) * D[a % 3][b % 3];
+        matrix.add(first_block + i, block);
+      }
+  }
+
+  void ConnectorForces::account(const Evaluation    &step,
+                                const EffectResults *results,
+                                EnergyAccount       &account) const
+  {
+    const auto &of_group = static_cast<const ConnectorResults &>(*results);
+    for (unsigned int i = 0; i < connectors.size(); ++i)
+      {
+        const std::size_t     at = first_history + i * law->n_history();
+        const ConnectorEnergy energy =
+          law->energy(of_group.motion[i],
+                      step.from.history.data() + at,
+                      step.to.history.data() + at);
+        if (connectors[i].counted)
+          account.add(stored_entry, energy.stored);
+        if (!law->is_viscous())
+          continue;
+        step.to.history[first_dissipated + i] =
+          step.from.history[first_dissipated + i] + energy.dissipated;
+        if (connectors[i].counted)
+          account.add_in_step(dissipated_entry, energy.dissipated);
+      }
+  }
+
+  double
+  ConnectorForces::round_off_scale(const State & /*state*/,
+                                   const EffectResults *results,
+                                   const double         largest_displacement,
+                                   const double /*largest_rotation*/) const
+  {
+    const auto &of_group = static_cast<const ConnectorResults &>(*results);
+    double      stiffest = 0;
+    for (const ConnectorResponse &r : of_group.response)
+      stiffest = std::max(stiffest, r.stiffness);
+    return stiffest * largest_displacement;
+  }
+
+  const std::string &ConnectorForces::name() const
+  {
+    return group_name;
+  }
+
+  unsigned int ConnectorForces::n_reported() const
+  {
+    return counted.size();
+  }
+
+  ConnectorReport ConnectorForces::report(const unsigned int   i,
+                                          const State         &state,
+                                          const EffectResults *results) const
+  {
+    const auto &of_group    = static_cast<const ConnectorResults &>(*results);
+    const unsigned int c    = counted[i];
+    const Ends        &ends = connectors[c];
+    ConnectorReport    report;
+    report.ends[0] = lattice.joints[ends.first_joint];
+    report.ends[1] = report.ends[0] + ends.span;
+    for (unsigned int k = 0; k < 6; ++k)
+      if (ends.unknowns[k] >= 0)
+        report.displacements[k / 3][k % 3] =
+          state.displacement[ends.unknowns[k]];
+    report.force     = of_group.response[c].force;
+    report.extension = of_group.motion[c].extension;
+    report.dissipated =
+      law->is_viscous() ? state.history[first_dissipated + c] : 0.;
+    report.cell = ends.cell;
+    return report;
+  }
+} // namespace auxfem

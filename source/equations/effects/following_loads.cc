@@ -1,0 +1,175 @@
+#include <auxfem/equations/effects/following_loads.h>
+
+namespace auxfem
+{
+  FollowingLoads::FollowingLoads(const Lattice      &lattice,
+                                 const DofNumbering &numbering,
+                                 const bool          raised_from_zero)
+    : is_planar(lattice.dimension == 2)
+    , numbering(numbering)
+    , rotations(numbering)
+    , raised_from_zero(raised_from_zero)
+  {}
+
+  unsigned int FollowingLoads::add_load(
+    const std::array<TimeFunction, n_motion_components> &components,
+    const EnergyEntry                                   &work)
+  {
+    loads.push_back({components, work, {}});
+    return loads.size() - 1;
+  }
+
+  void FollowingLoads::add_joint(const unsigned int load,
+                                 const unsigned int joint)
+  {
+    Joint unknowns;
+    for (unsigned int c = 0; c < n_motion_components; ++c)
+      unknowns[c] = numbering.joint_unknown(joint, c);
+    loads[load].joints.push_back(unknowns);
+  }
+
+  bool FollowingLoads::empty() const
+  {
+    return loads.empty();
+  }
+
+  bool FollowingLoads::is_linear() const
+  {
+    return false;
+  }
+
+  void FollowingLoads::register_blocks(TangentPattern &pattern)
+  {
+    bool is_first = true;
+    for (const Load &load : loads)
+      for (const Joint &joint : load.joints)
+        {
+          const std::size_t block =
+            pattern.register_block(joint.data(), n_motion_components);
+          if (is_first)
+            first_block = block;
+          is_first = false;
+        }
+  }
+
+  FollowingLoads::Values FollowingLoads::values(const Load  &load,
+                                                const double time)
+  {
+    Values values;
+    for (unsigned int c = 0; c < n_motion_components; ++c)
+      if (!load.components[c].is_zero())
+        (c < 3 ? values.force : values.moment)[c % 3] =
+          load.components[c].value(time);
+    return values;
+  }
+
+  FollowingLoads::Values
+  FollowingLoads::values_before(const Load &load, const Evaluation &step) const
+  {
+    return raised_from_zero && step.from.time == 0
+      ? Values()
+      : values(load, step.from.time);
+  }
+
+  void FollowingLoads::register_in(StateLayout &layout)
+  {
+    for (Load &load : loads)
+      load.work_entry = layout.energies.enter(load.work);
+  }
+
+  Quaternion FollowingLoads::rotation(const Joint &joint,
+                                      const State &state) const
+  {
+    const int turn_about_z = joint[rotation_z];
+    return is_planar
+      ? exponential(SpaceVector({0, 0, state.displacement[turn_about_z]}))
+      : state.rotations[numbering.spatial_rotation(turn_about_z)];
+  }
+
+  void FollowingLoads::subtract(const double factor,
+                                const State &state,
+                                double      *forces) const
+  {
+    for (const Load &load : loads)
+      {
+        const Values now = values(load, state.time);
+        for (const Joint &joint : load.joints)
+          {
+            const Quaternion  P      = rotation(joint, state);
+            const SpaceVector force  = factor * rotated(P, now.force),
+                              moment = factor * rotated(P, now.moment);
+            for (unsigned int c = 0; c < n_motion_components; ++c)
+              if (joint[c] >= 0)
+                forces[joint[c]] -= (c < 3 ? force : moment)[c % 3];
+          }
+      }
+  }
+
+  void FollowingLoads::add_residual(const Evaluation &evaluation,
+                                    double           *residual,
+                                    EffectResults * /*results*/) const
+  {
+    subtract(evaluation.load_factor, evaluation.to, residual);
+  }
+
+  void FollowingLoads::add_load_derivative(const Evaluation &evaluation,
+                                           double           *derivative) const
+  {
+    subtract(1., evaluation.to, derivative);
+  }
+
+  void FollowingLoads::add_tangent(const Evaluation &evaluation,
+                                   const EffectResults * /*results*/,
+                                   const TangentFactors &factors,
+                                   TangentMatrix        &matrix) const
+  {
+    const double factor = factors.stiffness * evaluation.load_factor;
+    std::size_t  number = first_block;
+    for (const Load &load : loads)
+      {
+        const Values now = values(load, evaluation.to.time);
+        for (const Joint &joint : load.joints)
+          {
+            const Quaternion  P          = rotation(joint, evaluation.to);
+            const SpaceTensor by_spin[2] = {
+              factor * cross_product_tensor(rotated(P, now.force)),
+              factor * cross_product_tensor(rotated(P, now.moment))};
+            double block[n_motion_components * n_motion_components] = {};
+            for (unsigned int r = 0; r < n_motion_components; ++r)
+              for (unsigned int c = 0; c < 3; ++c)
+                block[r * n_motion_components + first_rotation + c] =
+                  by_spin[r / 3][r % 3][c];
+            matrix.add(number++, block);
+          }
+      }
+  }
+
+  void FollowingLoads::account(const Evaluation &step,
+                               const EffectResults * /*results*/,
+                               EnergyAccount &account) const
+  {
+    // As for dead loads, by the mean of the forces over the step. The moment is
+    // constant in axes that turn with the joint, as is the turn itself.
+    for (const Load &load : loads)
+      {
+        const Values before      = values_before(load, step),
+                     now         = values(load, step.to.time);
+        const SpaceVector moment = (before.moment + now.moment) / 2;
+        for (const Joint &joint : load.joints)
+          {
+            if (!numbering.is_owned(joint[0]))
+              continue;
+            const SpaceVector force =
+              (rotated(rotation(joint, step.from), before.force) +
+               rotated(rotation(joint, step.to), now.force)) /
+              2;
+            for (unsigned int c = 0; c < n_motion_components; ++c)
+              if (joint[c] >= 0)
+                account.add_in_step(load.work_entry,
+                                    (c < 3 ? force : moment)[c % 3] *
+                                      (step.to.displacement[joint[c]] -
+                                       step.from.displacement[joint[c]]));
+          }
+      }
+  }
+} // namespace auxfem

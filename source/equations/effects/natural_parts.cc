@@ -1,0 +1,328 @@
+#include <auxfem/equations/effects/natural_parts.h>
+
+#include <algorithm>
+
+namespace auxfem
+{
+  namespace
+  {
+    /** Entry (i, j) of a symmetric row-major block of size n. */
+    template <std::size_t n>
+    void set_pair(std::array<double, n * n> &block,
+                  const unsigned int         i,
+                  const unsigned int         j,
+                  const double               value)
+    {
+      block[n * i + j] = block[n * j + i] = value;
+    }
+  } // namespace
+
+  template <int dim>
+  void NaturalParts<dim>::add_conditions(const NaturalBody<dim> &body)
+  {
+    const RigidPart &part = lattice.rigid_parts[body.part];
+    unsigned int     next = 0;
+    joint_begin.push_back(joints.size());
+    clamp_begin.push_back(clamps.size());
+    const auto multiplier = [&] {
+      return numbering.multiplier(body.part, next++);
+    };
+    Base base{{}, {body.rest, body.length}};
+    std::copy(body.base.begin(), body.base.end(), base.unknowns.begin());
+    base.unknowns.back() = multiplier();
+    bases.push_back(base);
+    for (unsigned int k = 2; k < part.joints.size(); ++k)
+      {
+        const NaturalPlace place =
+          place_in<dim>(part, lattice, lattice.joints[part.joints[k]]);
+        Joint joint;
+        joint.place_in_part = k;
+        std::copy(body.base.begin(),
+                  body.base.end(),
+                  joint.unknowns.begin() + dim);
+        for (unsigned int c = 0; c < dim; ++c)
+          {
+            joint.unknowns[c] = numbering.joint_unknown(part.joints[k], c);
+            joint.unknowns[3 * dim + c] = multiplier();
+            joint.shapes[c]             = shape<dim>(place, c);
+          }
+        joints.push_back(joint);
+      }
+    if constexpr (dim == 2)
+      for (const unsigned int joint : numbering.clamped_joints(body.part))
+        clamps.push_back({{{body.base[0],
+                            body.base[1],
+                            body.base[2],
+                            body.base[3],
+                            numbering.joint_unknown(joint, rotation_z),
+                            multiplier()}},
+                          {body.rest, body.length}});
+  }
+
+  template <int dim>
+  void NaturalParts<dim>::add_base_rows(const Evaluation &evaluation,
+                                        double           *residual) const
+  {
+    const double *u = evaluation.to.displacement.Values();
+    for (const Base &base : bases)
+      {
+        const auto &unknowns = base.unknowns;
+        const Vec   G        = gradient(base, u);
+        for (unsigned int c = 0; c < dim; ++c)
+          {
+            residual[unknowns[c]] -= u[unknowns[2 * dim]] * G[c];
+            residual[unknowns[dim + c]] += u[unknowns[2 * dim]] * G[c];
+          }
+        double &row = residual[unknowns[2 * dim]];
+        if (evaluation.wants_constraint_accelerations())
+          {
+            row += G *
+              across_base<dim>(unknowns, evaluation.to.acceleration->Values());
+            if (large_rotation)
+              row += base.condition.curvature() *
+                across_base<dim>(unknowns, evaluation.to.velocity->Values())
+                  .norm_square();
+          }
+        else
+          {
+            const Vec stretch = across_base<dim>(unknowns, u);
+            row += large_rotation ? base.condition.value(stretch) : G * stretch;
+          }
+      }
+  }
+
+  template <int dim>
+  void NaturalParts<dim>::add_joint_rows(const Evaluation &evaluation,
+                                         double           *residual) const
+  {
+    const double *u = evaluation.to.displacement.Values();
+    const double *q = evaluation.wants_constraint_accelerations()
+      ? evaluation.to.acceleration->Values()
+      : u;
+    for (const Joint &joint : joints)
+      {
+        const auto &unknowns = joint.unknowns;
+        for (unsigned int c = 0; c < dim; ++c)
+          {
+            const double lambda = u[unknowns[3 * dim + c]];
+            double       gap    = q[unknowns[c]];
+            residual[unknowns[c]] += lambda;
+            for (unsigned int i = 0; i < 2 * dim; ++i)
+              {
+                gap -= joint.shapes[c][i] * q[unknowns[dim + i]];
+                residual[unknowns[dim + i]] -= lambda * joint.shapes[c][i];
+              }
+            residual[unknowns[3 * dim + c]] += gap;
+          }
+      }
+  }
+
+  template <int dim>
+  void NaturalParts<dim>::add_clamp_rows(const Evaluation &evaluation,
+                                         double           *residual) const
+  {
+    const double *u = evaluation.to.displacement.Values();
+    for (const Clamp &clamp : clamps)
+      {
+        const auto &unknowns     = clamp.unknowns;
+        const auto [along, turn] = gradient(clamp, u);
+        const double lambda      = u[unknowns[5]];
+        for (unsigned int c = 0; c < 2; ++c)
+          {
+            residual[unknowns[c]] -= lambda * along[c];
+            residual[unknowns[2 + c]] += lambda * along[c];
+          }
+        residual[unknowns[4]] += lambda * turn;
+
+        double &row = residual[unknowns[5]];
+        if (evaluation.wants_constraint_accelerations())
+          {
+            const double *a = evaluation.to.acceleration->Values();
+            const double *v = evaluation.to.velocity->Values();
+            row += along * across_base<2>(unknowns, a) + turn * a[unknowns[4]];
+            if (large_rotation)
+              {
+                const double      rate = v[unknowns[4]];
+                const PlaneVector d =
+                  clamp.condition.rest + across_base<2>(unknowns, u);
+                row += 2 * rate *
+                    (clamp.condition.normal_derivative(u[unknowns[4]]) *
+                     across_base<2>(unknowns, v)) -
+                  rate * rate * (along * d);
+              }
+          }
+        else if (large_rotation)
+          row += along * (clamp.condition.rest + across_base<2>(unknowns, u));
+        else
+          row += along * across_base<2>(unknowns, u) + turn * u[unknowns[4]];
+      }
+  }
+
+  template <int dim>
+  void NaturalParts<dim>::add_base_blocks(const Evaluation     &evaluation,
+                                          const TangentFactors &factors,
+                                          TangentMatrix        &matrix,
+                                          std::size_t          &block) const
+  {
+    constexpr unsigned int n = 2 * dim + 1;
+    const double          *u = evaluation.to.displacement.Values();
+    for (const Base &base : bases)
+      {
+        const Vec    G                  = gradient(base, u);
+        const double geometric          = large_rotation ? factors.stiffness *
+            u[base.unknowns[2 * dim]] * base.condition.curvature()
+                                                         : 0.;
+        std::array<double, n *n> values = {};
+        for (unsigned int c = 0; c < dim; ++c)
+          {
+            set_pair<n>(values, c, 2 * dim, -G[c]);
+            set_pair<n>(values, dim + c, 2 * dim, G[c]);
+            set_pair<n>(values, c, c, geometric);
+            set_pair<n>(values, dim + c, dim + c, geometric);
+            set_pair<n>(values, c, dim + c, -geometric);
+          }
+        matrix.add(block++, values.data());
+      }
+  }
+
+  template <int dim>
+  void NaturalParts<dim>::add_joint_blocks(TangentMatrix &matrix,
+                                           std::size_t   &block) const
+  {
+    constexpr unsigned int n = 4 * dim;
+    for (const Joint &joint : joints)
+      {
+        std::array<double, n *n> values = {};
+        for (unsigned int c = 0; c < dim; ++c)
+          {
+            set_pair<n>(values, c, 3 * dim + c, 1.);
+            for (unsigned int i = 0; i < 2 * dim; ++i)
+              set_pair<n>(values, dim + i, 3 * dim + c, -joint.shapes[c][i]);
+          }
+        matrix.add(block++, values.data());
+      }
+  }
+
+  template <int dim>
+  void NaturalParts<dim>::add_clamp_blocks(const Evaluation     &evaluation,
+                                           const TangentFactors &factors,
+                                           TangentMatrix        &matrix,
+                                           std::size_t          &block) const
+  {
+    const double *u = evaluation.to.displacement.Values();
+    for (const Clamp &clamp : clamps)
+      {
+        const auto [along, turn]      = gradient(clamp, u);
+        std::array<double, 36> values = {};
+        set_pair<6>(values, 4, 5, turn);
+        for (unsigned int c = 0; c < 2; ++c)
+          {
+            set_pair<6>(values, c, 5, -along[c]);
+            set_pair<6>(values, 2 + c, 5, along[c]);
+          }
+        if (large_rotation)
+          {
+            const double      force = factors.stiffness * u[clamp.unknowns[5]];
+            const PlaneVector d =
+              clamp.condition.rest + across_base<2>(clamp.unknowns, u);
+            const PlaneVector derivative =
+              clamp.condition.normal_derivative(u[clamp.unknowns[4]]);
+            set_pair<6>(values, 4, 4, -force * (along * d));
+            for (unsigned int c = 0; c < 2; ++c)
+              {
+                set_pair<6>(values, c, 4, -force * derivative[c]);
+                set_pair<6>(values, 2 + c, 4, force * derivative[c]);
+              }
+          }
+        matrix.add(block++, values.data());
+      }
+  }
+
+  template <int dim>
+  void NaturalParts<dim>::find_clamp_rates(const State &state,
+                                           double      *rates) const
+  {
+    const double *u = state.displacement.Values();
+    const double *v = state.velocity->Values();
+    for (const Clamp &clamp : clamps)
+      {
+        const auto [along, turn] = gradient(clamp, u);
+        rates[clamp.unknowns[5]] = along * across_base<2>(clamp.unknowns, v) +
+          turn * v[clamp.unknowns[4]];
+      }
+  }
+
+  template <int dim>
+  void NaturalParts<dim>::take_clamp_forces(
+    const unsigned int           body,
+    const double                *u,
+    std::array<double, 2 * dim> &forces) const
+  {
+    for (unsigned int k = clamp_begin[body]; k < clamp_begin[body + 1]; ++k)
+      {
+        const PlaneVector force =
+          u[clamps[k].unknowns[5]] * gradient(clamps[k], u).first;
+        for (unsigned int c = 0; c < 2; ++c)
+          {
+            forces[c] -= force[c];
+            forces[2 + c] += force[c];
+          }
+      }
+  }
+
+  template <int dim>
+  RigidPartReport NaturalParts<dim>::report(const unsigned int i,
+                                            const State       &state) const
+  {
+    const unsigned int      b    = reported[i];
+    const NaturalBody<dim> &body = bodies[b];
+    const double           *u    = state.displacement.Values();
+    RigidPartReport         report;
+    report.part = body.part;
+    report.forces.resize(lattice.rigid_parts[body.part].joints.size());
+
+    // What the joints exert is the body's inertia less its weight, and what
+    // its conditions take up.
+    std::array<double, 2 *dim> on_base = {};
+    for (unsigned int r = 0; r < 2 * dim; ++r)
+      for (unsigned int s = 0; s < 2 * dim; ++s)
+        on_base[r] += body.mass[2 * dim * r + s] *
+          ((state.acceleration ? (*state.acceleration)[body.base[s]] : 0.) -
+           gravity[s % dim]);
+    const Vec G = gradient(bases[b], u);
+    for (unsigned int c = 0; c < dim; ++c)
+      {
+        on_base[c] -= u[bases[b].unknowns[2 * dim]] * G[c];
+        on_base[dim + c] += u[bases[b].unknowns[2 * dim]] * G[c];
+      }
+    for (unsigned int k = joint_begin[b]; k < joint_begin[b + 1]; ++k)
+      for (unsigned int c = 0; c < dim; ++c)
+        {
+          const Joint &joint  = joints[k];
+          const double lambda = u[joint.unknowns[3 * dim + c]];
+          report.forces[joint.place_in_part][c] = lambda;
+          for (unsigned int r = 0; r < 2 * dim; ++r)
+            on_base[r] -= lambda * joint.shapes[c][r];
+        }
+    if constexpr (dim == 2)
+      take_clamp_forces(b, u, on_base);
+    for (unsigned int r = 0; r < 2 * dim; ++r)
+      report.forces[r / dim][r % dim] = on_base[r];
+    return report;
+  }
+
+  template <int dim>
+  std::unique_ptr<RigidPartGroup>
+  make_natural_parts(const std::vector<NaturalBody<dim>> &bodies,
+                     const RigidPartSetting              &setting)
+  {
+    return std::make_unique<NaturalParts<dim>>(bodies, setting);
+  }
+
+  template std::unique_ptr<RigidPartGroup>
+  make_natural_parts(const std::vector<NaturalBody<2>> &,
+                     const RigidPartSetting &);
+  template std::unique_ptr<RigidPartGroup>
+  make_natural_parts(const std::vector<NaturalBody<3>> &,
+                     const RigidPartSetting &);
+} // namespace auxfem

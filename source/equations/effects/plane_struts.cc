@@ -1,0 +1,205 @@
+#include <auxfem/elements/beam_2d.h>
+#include <auxfem/equations/effects/beam_dispatch.h>
+#include <auxfem/equations/effects/beam_forces.h>
+
+#include <cmath>
+
+namespace auxfem
+{
+  namespace
+  {
+    /** Beam2D for BeamForces. */
+    template <int p, bool large_rotation, bool damped>
+    struct PlaneBeam
+    {
+      static constexpr int  order        = p;
+      static constexpr int  n_components = 3;
+      static constexpr int  n            = n_components * (order + 1);
+      static constexpr bool is_linear    = !large_rotation;
+      static constexpr bool is_damped    = damped;
+
+      using Frame     = Beam2D::Frame;
+      using Stiffness = Beam2D::Stiffness;
+      struct Motion
+      {
+        double u[n];
+        double v[damped ? n : 1];
+      };
+
+      static Motion motion(const DofNumbering & /*numbering*/,
+                           const int   *unknowns,
+                           const State &state)
+      {
+        Motion        motion;
+        const double *u = state.displacement.Values();
+        for (int i = 0; i < n; ++i)
+          motion.u[i] = u[unknowns[i]];
+        if constexpr (damped)
+          {
+            const double *v = state.velocity->Values();
+            for (int i = 0; i < n; ++i)
+              motion.v[i] = v[unknowns[i]];
+          }
+        return motion;
+      }
+
+      static BeamEnergy internal_force(const BeamShape<order> &shape,
+                                       const Frame            *frames,
+                                       const double            jacobian,
+                                       const Stiffness        &stiffness,
+                                       const Motion           &motion,
+                                       double                 *force)
+      {
+        const Beam2D::EnergyRate energy =
+          Beam2D::internal_force<order, large_rotation, damped>(shape,
+                                                                frames,
+                                                                jacobian,
+                                                                stiffness,
+                                                                motion.u,
+                                                                motion.v,
+                                                                force);
+        return {energy.strain, energy.dissipation};
+      }
+
+      static void tangent(const BeamShape<order> &shape,
+                          const Frame            *frames,
+                          const double            jacobian,
+                          const Stiffness        &stiffness,
+                          const DofNumbering     &numbering,
+                          const int              *unknowns,
+                          const Evaluation       &evaluation,
+                          const TangentFactors   &factors,
+                          double                 *block)
+      {
+        const Motion of_nodes = motion(numbering, unknowns, evaluation.to);
+        Beam2D::tangent<order, large_rotation, damped>(shape,
+                                                       frames,
+                                                       jacobian,
+                                                       stiffness,
+                                                       of_nodes.u,
+                                                       of_nodes.v,
+                                                       factors.stiffness,
+                                                       factors.damping,
+                                                       block);
+      }
+
+      static Stiffness stiffness(const Section &section,
+                                 const double   rigid_in_shear_over)
+      {
+        Stiffness result = {section.axial_stiffness(),
+                            section.shear_stiffness_2(),
+                            section.bending_stiffness_3(),
+                            section.stiffness_proportional_damping};
+        if (rigid_in_shear_over > 0)
+          result.shear =
+            std::max(result.shear,
+                     rigid_shear_factor * 12 * result.bending /
+                       (rigid_in_shear_over * rigid_in_shear_over));
+        return result;
+      }
+
+      static double largest_stiffness(const Stiffness &stiffness)
+      {
+        return std::max(stiffness.axial, stiffness.shear);
+      }
+
+      static Frame
+      frame(const dealii::Tensor<1, 3> &tangent,
+            const dealii::Tensor<1, 3> &slope,
+            const std::optional<dealii::Tensor<1, 3>> & /*reference*/)
+      {
+        return {tangent[0],
+                tangent[1],
+                slope[0] * tangent[0] + slope[1] * tangent[1],
+                slope[1] * tangent[0] - slope[0] * tangent[1]};
+      }
+
+      static void section_forces(const BeamShape<order> &shape,
+                                 const Frame            *frames,
+                                 const double            jacobian,
+                                 const Stiffness        &stiffness,
+                                 const Motion           &motion,
+                                 SectionForces          *elastic,
+                                 SectionForces          *viscous)
+      {
+        for (int g = 0; g < order; ++g)
+          {
+            const Beam2D::Kinematics k = Beam2D::kinematics<large_rotation>(
+              frames[g],
+              Beam2D::interpolate(shape, g, 1 / jacobian, motion.u));
+            elastic[g] = {{stiffness.axial * k.epsilon,
+                           stiffness.shear * k.gamma,
+                           0,
+                           0,
+                           0,
+                           stiffness.bending * k.kappa}};
+            if constexpr (damped)
+              {
+                const Beam2D::Gradient rate =
+                  Beam2D::interpolate(shape, g, 1 / jacobian, motion.v);
+                double epsilon_rate, gamma_rate;
+                Beam2D::strain_rates(k, rate, epsilon_rate, gamma_rate);
+                const double beta = stiffness.damping_time;
+                viscous[g]        = {{beta * stiffness.axial * epsilon_rate,
+                                      beta * stiffness.shear * gamma_rate,
+                                      0,
+                                      0,
+                                      0,
+                                      beta * stiffness.bending * rate.kappa}};
+              }
+          }
+      }
+
+      static dealii::Tensor<1, 3> rotation(const double *shape_values,
+                                           const Motion &motion)
+      {
+        dealii::Tensor<1, 3> result;
+        for (int a = 0; a <= order; ++a)
+          result[2] += shape_values[a] * motion.u[n_components * a + 2];
+        return result;
+      }
+
+      static dealii::Tensor<2, 3>
+      axes(const dealii::Tensor<1, 3> &tangent,
+           const std::optional<dealii::Tensor<1, 3>> & /*reference*/,
+           const dealii::Tensor<1, 3> &rotation)
+      {
+        const double         turn = large_rotation ? rotation[2] : 0.;
+        const double         c = std::cos(turn), s = std::sin(turn);
+        const double         normal[2] = {-tangent[1], tangent[0]};
+        dealii::Tensor<2, 3> axes;
+        for (unsigned int d = 0; d < 2; ++d)
+          {
+            axes[d][0] = c * tangent[d] + s * normal[d];
+            axes[d][1] = c * normal[d] - s * tangent[d];
+          }
+        axes[2][2] = 1;
+        return axes;
+      }
+
+      /** Strain energy per length (J/m) of elastic section forces. */
+      static double energy_density(const Stiffness     &stiffness,
+                                   const SectionForces &forces)
+      {
+        return (forces[0] * forces[0] / stiffness.axial +
+                forces[1] * forces[1] / stiffness.shear +
+                forces[5] * forces[5] / stiffness.bending) /
+          2;
+      }
+    };
+  } // namespace
+
+  std::unique_ptr<StrutForces>
+  make_plane_struts(const Lattice              &lattice,
+                    const DofNumbering         &numbering,
+                    const std::vector<Section> &sections,
+                    const StrutModel           &model)
+  {
+    return dispatch_order(numbering.order(), [&](auto order) {
+      return make_struts_of_order<PlaneBeam, order>(lattice,
+                                                    numbering,
+                                                    sections,
+                                                    model);
+    });
+  }
+} // namespace auxfem

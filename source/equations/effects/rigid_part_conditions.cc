@@ -1,0 +1,117 @@
+#include <auxfem/equations/effects/rigid_part_conditions.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace auxfem
+{
+  RigidPartConditions::RigidPartConditions(const RigidBodies  &bodies,
+                                           const Lattice      &lattice,
+                                           const DofNumbering &numbering,
+                                           const bool          large_rotation,
+                                           const dealii::Tensor<1, 3> &gravity)
+    : numbering(numbering)
+    , large_rotation(large_rotation)
+  {
+    const RigidPartSetting setting{lattice, numbering, large_rotation, gravity};
+    if (!bodies.in_plane.empty())
+      groups.push_back(make_natural_parts(bodies.in_plane, setting));
+    if (!bodies.bars.empty())
+      groups.push_back(make_natural_parts(bodies.bars, setting));
+    if (!bodies.turning.empty())
+      groups.push_back(make_turning_parts(bodies.turning, setting));
+    for (const auto &group : groups)
+      for (unsigned int i = 0; i < group->n_reported(); ++i)
+        reported.emplace_back(group.get(), i);
+    std::sort(reported.begin(),
+              reported.end(),
+              [](const auto &one, const auto &other) {
+                return one.first->part(one.second) <
+                  other.first->part(other.second);
+              });
+  }
+
+  bool RigidPartConditions::is_linear() const
+  {
+    return !large_rotation;
+  }
+
+  void RigidPartConditions::register_blocks(TangentPattern &pattern)
+  {
+    for (const auto &group : groups)
+      group->register_blocks(pattern);
+  }
+
+  void RigidPartConditions::add_residual(const Evaluation &evaluation,
+                                         double           *residual,
+                                         EffectResults * /*results*/) const
+  {
+    for (const auto &group : groups)
+      group->add_residual(evaluation, residual, nullptr);
+  }
+
+  void RigidPartConditions::add_tangent(const Evaluation &evaluation,
+                                        const EffectResults * /*results*/,
+                                        const TangentFactors &factors,
+                                        TangentMatrix        &matrix) const
+  {
+    for (const auto &group : groups)
+      group->add_tangent(evaluation, nullptr, factors, matrix);
+  }
+
+  double
+  RigidPartConditions::round_off_scale(const State &state,
+                                       const EffectResults * /*results*/,
+                                       const double /*largest_displacement*/,
+                                       const double /*largest_rotation*/) const
+  {
+    double largest_multiplier = 0;
+    for (const int multiplier : numbering.multipliers())
+      largest_multiplier =
+        std::max(largest_multiplier, std::abs(state.displacement[multiplier]));
+    return largest_multiplier;
+  }
+
+  void RigidPartConditions::find_rates(const State &state, double *rates) const
+  {
+    for (const auto &group : groups)
+      group->find_rates(state, rates);
+  }
+
+  double RigidPartConditions::length() const
+  {
+    double result = 0;
+    for (const auto &group : groups)
+      result = std::max(result, group->length());
+    return result;
+  }
+
+  unsigned int RigidPartConditions::n_reported() const
+  {
+    return reported.size();
+  }
+
+  unsigned int RigidPartConditions::part(const unsigned int i) const
+  {
+    return reported[i].first->part(reported[i].second);
+  }
+
+  SpaceVector RigidPartConditions::rotation(const unsigned int i,
+                                            const State       &state) const
+  {
+    return reported[i].first->rotation(reported[i].second, state);
+  }
+
+  PointMotion RigidPartConditions::motion(const unsigned int      i,
+                                          const dealii::Point<3> &point,
+                                          const State            &state) const
+  {
+    return reported[i].first->motion(reported[i].second, point, state);
+  }
+
+  RigidPartReport RigidPartConditions::report(const unsigned int i,
+                                              const State       &state) const
+  {
+    return reported[i].first->report(reported[i].second, state);
+  }
+} // namespace auxfem

@@ -1,0 +1,73 @@
+#include <auxfem/equations/effects/rigid_part_inertia.h>
+
+namespace auxfem
+{
+  RigidPartInertia::RigidPartInertia(RigidBodies bodies)
+    : bodies(std::move(bodies))
+  {}
+
+  bool RigidPartInertia::is_linear() const
+  {
+    return true;
+  }
+
+  void RigidPartInertia::register_in(StateLayout &layout)
+  {
+    kinetic_entry = layout.energies.enter(kinetic_energy_entry());
+  }
+
+  void RigidPartInertia::register_blocks(TangentPattern &pattern)
+  {
+    bool is_first = true;
+    for_each([&](const auto &body) {
+      const std::size_t block =
+        pattern.register_block(body.base.data(), body.base.size());
+      if (is_first)
+        first_block = block;
+      is_first = false;
+    });
+  }
+
+  void RigidPartInertia::add_residual(const Evaluation &evaluation,
+                                      double           *residual,
+                                      EffectResults * /*results*/) const
+  {
+    const double *a = evaluation.to.acceleration->Values();
+    for_each([&](const auto &body) {
+      constexpr unsigned int n = std::tuple_size_v<decltype(body.base)>;
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int j = 0; j < n; ++j)
+          residual[body.base[i]] += body.mass[n * i + j] * a[body.base[j]];
+    });
+  }
+
+  void RigidPartInertia::add_tangent(const Evaluation & /*evaluation*/,
+                                     const EffectResults * /*results*/,
+                                     const TangentFactors &factors,
+                                     TangentMatrix        &matrix) const
+  {
+    std::size_t number = first_block;
+    for_each([&](const auto &body) {
+      auto block = body.mass;
+      for (double &entry : block)
+        entry *= factors.mass;
+      matrix.add(number++, block.data());
+    });
+  }
+
+  void RigidPartInertia::account(const Evaluation &step,
+                                 const EffectResults * /*results*/,
+                                 EnergyAccount &account) const
+  {
+    const double *v = step.to.velocity->Values();
+    for_each([&](const auto &body) {
+      constexpr unsigned int n = std::tuple_size_v<decltype(body.base)>;
+      if (body.counted)
+        for (unsigned int i = 0; i < n; ++i)
+          for (unsigned int j = 0; j < n; ++j)
+            account.add(kinetic_entry,
+                        body.mass[n * i + j] / 2 * v[body.base[i]] *
+                          v[body.base[j]]);
+    });
+  }
+} // namespace auxfem

@@ -1,0 +1,133 @@
+#include <auxfem/equations/effects/rotary_masses.h>
+
+#include <algorithm>
+
+namespace auxfem
+{
+  RotaryMasses::RotaryMasses(const DofNumbering &numbering,
+                             const bool          large_rotation,
+                             const double        length)
+    : numbering(numbering)
+    , rotations(numbering)
+    , large_rotation(large_rotation)
+    , length(length)
+  {}
+
+  void RotaryMasses::add(const unsigned int rotation,
+                         const SpaceTensor &inertia)
+  {
+    masses.push_back({rotation, inertia});
+  }
+
+  bool RotaryMasses::empty() const
+  {
+    return masses.empty();
+  }
+
+  bool RotaryMasses::is_linear() const
+  {
+    return !large_rotation;
+  }
+
+  void RotaryMasses::register_in(StateLayout &layout)
+  {
+    kinetic_entry = layout.energies.enter(kinetic_energy_entry());
+  }
+
+  void RotaryMasses::register_blocks(TangentPattern &pattern)
+  {
+    for (unsigned int i = 0; i < masses.size(); ++i)
+      {
+        const std::size_t block = pattern.register_block(
+          numbering.spatial_rotations()[masses[i].rotation].data(),
+          3);
+        if (i == 0)
+          first_block = block;
+      }
+  }
+
+  RotaryInertia::Motion RotaryMasses::motion(const Mass  &mass,
+                                             const State &state) const
+  {
+    return {rotations.values(*state.velocity, mass.rotation),
+            rotations.values(*state.acceleration, mass.rotation)};
+  }
+
+  void RotaryMasses::add_residual(const Evaluation &evaluation,
+                                  double           *residual,
+                                  EffectResults * /*results*/) const
+  {
+    for (const Mass &mass : masses)
+      {
+        const RotaryInertia::Motion now      = motion(mass, evaluation.to);
+        const SpaceVector           inertial = mass.inertia * now.acceleration;
+        const SpaceVector           torque   = large_rotation
+                      ? RotaryInertia::torque(mass.inertia,
+                                  evaluation.to.rotations[mass.rotation],
+                                  now)
+                      : inertial;
+        const std::array<int, 3>   &spins =
+          numbering.spatial_rotations()[mass.rotation];
+        for (unsigned int c = 0; c < 3; ++c)
+          residual[spins[c]] += torque[c];
+      }
+  }
+
+  void RotaryMasses::add_tangent(const Evaluation &evaluation,
+                                 const EffectResults * /*results*/,
+                                 const TangentFactors &factors,
+                                 TangentMatrix        &matrix) const
+  {
+    for (unsigned int i = 0; i < masses.size(); ++i)
+      {
+        SpaceTensor block = factors.mass * masses[i].inertia;
+        if (large_rotation)
+          {
+            const unsigned int           rotation = masses[i].rotation;
+            const RotaryInertia::Tangent tangent =
+              RotaryInertia::tangent(masses[i].inertia,
+                                     evaluation.to.rotations[rotation],
+                                     motion(masses[i], evaluation.to));
+            block = factors.stiffness * tangent.by_spin +
+              (factors.damping * tangent.by_velocity +
+               factors.mass * tangent.by_acceleration) *
+                rotations.turn_by_spin(evaluation, rotation);
+          }
+        double values[9];
+        for (unsigned int r = 0; r < 3; ++r)
+          for (unsigned int c = 0; c < 3; ++c)
+            values[3 * r + c] = block[r][c];
+        matrix.add(first_block + i, values);
+      }
+  }
+
+  double RotaryMasses::round_off_scale(const State &state,
+                                       const EffectResults * /*results*/,
+                                       const double /*largest_displacement*/,
+                                       const double /*largest_rotation*/) const
+  {
+    // A body that spins freely has torques that cancel, and no others.
+    double largest_torque = 0;
+    for (const Mass &mass : masses)
+      {
+        const RotaryInertia::Motion now = motion(mass, state);
+        largest_torque                  = std::max(largest_torque,
+                                  (mass.inertia * now.acceleration).norm() +
+                                    now.velocity.norm() *
+                                      (mass.inertia * now.velocity).norm());
+      }
+    return largest_torque / length;
+  }
+
+  void RotaryMasses::account(const Evaluation &step,
+                             const EffectResults * /*results*/,
+                             EnergyAccount &account) const
+  {
+    for (const Mass &mass : masses)
+      if (numbering.is_owned(numbering.spatial_rotations()[mass.rotation][0]))
+        account.add(
+          kinetic_entry,
+          RotaryInertia::kinetic_energy(mass.inertia,
+                                        motion(mass, step.to).velocity));
+  }
+} // namespace auxfem

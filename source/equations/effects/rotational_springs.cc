@@ -1,0 +1,94 @@
+#include <auxfem/equations/effects/rotational_springs.h>
+
+#include <algorithm>
+
+namespace auxfem
+{
+  RotationalSprings::RotationalSprings(const DofNumbering &numbering)
+    : numbering(numbering)
+  {}
+
+  void RotationalSprings::add(const int    first,
+                              const int    second,
+                              const double stiffness)
+  {
+    springs.push_back({{first, second}, stiffness});
+  }
+
+  double RotationalSprings::angle(const Spring &spring, const double *u)
+  {
+    const int base = spring.unknowns[0];
+    return u[spring.unknowns[1]] - (base >= 0 ? u[base] : 0.);
+  }
+
+  bool RotationalSprings::is_linear() const
+  {
+    return true;
+  }
+
+  void RotationalSprings::register_in(StateLayout &layout)
+  {
+    strain_entry = layout.energies.enter(strain_energy_entry());
+  }
+
+  void RotationalSprings::register_blocks(TangentPattern &pattern)
+  {
+    for (unsigned int i = 0; i < springs.size(); ++i)
+      {
+        const std::size_t block =
+          pattern.register_block(springs[i].unknowns, 2);
+        if (i == 0)
+          first_block = block;
+      }
+  }
+
+  void RotationalSprings::add_residual(const Evaluation &evaluation,
+                                       double           *residual,
+                                       EffectResults * /*results*/) const
+  {
+    const double *u = evaluation.to.displacement.Values();
+    for (const Spring &spring : springs)
+      {
+        const double moment = spring.stiffness * angle(spring, u);
+        if (spring.unknowns[0] >= 0)
+          residual[spring.unknowns[0]] -= moment;
+        residual[spring.unknowns[1]] += moment;
+      }
+  }
+
+  void RotationalSprings::add_tangent(const Evaluation & /*evaluation*/,
+                                      const EffectResults * /*results*/,
+                                      const TangentFactors &factors,
+                                      TangentMatrix        &matrix) const
+  {
+    for (unsigned int i = 0; i < springs.size(); ++i)
+      {
+        const double k        = factors.stiffness * springs[i].stiffness;
+        const double block[4] = {k, -k, -k, k};
+        matrix.add(first_block + i, block);
+      }
+  }
+
+  void RotationalSprings::account(const Evaluation &step,
+                                  const EffectResults * /*results*/,
+                                  EnergyAccount &account) const
+  {
+    const double *u = step.to.displacement.Values();
+    for (const Spring &spring : springs)
+      if (numbering.is_owned(spring.unknowns[1]))
+        account.add(strain_entry,
+                    spring.stiffness / 2 * angle(spring, u) * angle(spring, u));
+  }
+
+  double
+  RotationalSprings::round_off_scale(const State & /*state*/,
+                                     const EffectResults * /*results*/,
+                                     const double /*largest_displacement*/,
+                                     const double largest_rotation) const
+  {
+    double stiffest = 0;
+    for (const Spring &spring : springs)
+      stiffest = std::max(stiffest, spring.stiffness);
+    return stiffest * largest_rotation;
+  }
+} // namespace auxfem

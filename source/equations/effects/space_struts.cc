@@ -1,0 +1,372 @@
+#include <auxfem/elements/beam_3d_damping.h>
+#include <auxfem/equations/effects/beam_dispatch.h>
+#include <auxfem/equations/effects/beam_forces.h>
+#include <auxfem/equations/node_rotations.h>
+
+namespace auxfem
+{
+  namespace
+  {
+    /** Beam3D with large rotations for BeamForces. */
+    template <int p, bool damped>
+    struct TurningMotion
+    {
+      static constexpr int order = p;
+      Beam3D::Node         nodes[order + 1];
+      Beam3D::NodeVelocity velocities[damped ? order + 1 : 1];
+      /** Rotation vectors added up over the steps. */
+      SpaceVector turns[order + 1];
+    };
+
+    /** Unknowns and velocities of the small-displacement form. */
+    template <int p, bool damped>
+    struct SmallMotion
+    {
+      static constexpr int n = Beam3D::n_components * (p + 1);
+      double               u[n];
+      double               v[damped ? n : 1];
+    };
+
+    /** Beam3D for BeamForces. */
+    template <int p, bool large_rotation, bool damped>
+    struct SpaceBeam
+    {
+      static constexpr int  order        = p;
+      static constexpr int  n_components = Beam3D::n_components;
+      static constexpr int  n            = n_components * (order + 1);
+      static constexpr bool is_linear    = !large_rotation;
+      static constexpr bool is_damped    = damped;
+
+      using Frame = Beam3D::Frame;
+      struct Stiffness
+      {
+        Beam3D::Stiffness elastic;
+        double            damping_time; ///< s
+      };
+      using Motion = std::conditional_t<large_rotation,
+                                        TurningMotion<p, damped>,
+                                        SmallMotion<p, damped>>;
+
+      static Motion motion(const DofNumbering &numbering,
+                           const int          *unknowns,
+                           const State        &state)
+      {
+        Motion        motion;
+        const double *u = state.displacement.Values(),
+                     *v = damped ? state.velocity->Values() : nullptr;
+        if constexpr (large_rotation)
+          for (int a = 0; a <= order; ++a)
+            {
+              const int        *node = unknowns + n_components * a;
+              const Quaternion &rotation =
+                state.rotations[numbering.spatial_rotation(node[3])];
+              motion.nodes[a] = {vector_at(u, node), rotation};
+              motion.turns[a] = vector_at(u, node + 3);
+              if constexpr (damped)
+                motion.velocities[a] = {vector_at(v, node),
+                                        rotated(rotation,
+                                                vector_at(v, node + 3))};
+            }
+        else
+          for (int i = 0; i < n; ++i)
+            {
+              motion.u[i] = u[unknowns[i]];
+              if constexpr (damped)
+                motion.v[i] = v[unknowns[i]];
+            }
+        return motion;
+      }
+
+      static BeamEnergy internal_force(const BeamShape<order> &shape,
+                                       const Frame            *frames,
+                                       const double            jacobian,
+                                       const Stiffness        &stiffness,
+                                       const Motion           &motion,
+                                       double                 *force)
+      {
+        BeamEnergy energy;
+        if constexpr (large_rotation)
+          {
+            const Beam3D::ElementKinematics<order> element(shape,
+                                                           frames,
+                                                           jacobian,
+                                                           motion.nodes);
+            energy.strain = Beam3D::internal_force(shape,
+                                                   element,
+                                                   jacobian,
+                                                   stiffness.elastic,
+                                                   force);
+            if constexpr (damped)
+              energy.dissipation =
+                Beam3D::add_damping_force(shape,
+                                          element,
+                                          jacobian,
+                                          stiffness.elastic,
+                                          stiffness.damping_time,
+                                          motion.velocities,
+                                          force);
+          }
+        else
+          {
+            energy.strain = Beam3D::small_displacement_force(shape,
+                                                             frames,
+                                                             jacobian,
+                                                             stiffness.elastic,
+                                                             motion.u,
+                                                             force);
+            if constexpr (damped)
+              {
+                double viscous[n];
+                // Twice the energy of rates is the power of their forces.
+                energy.dissipation = 2 * stiffness.damping_time *
+                  Beam3D::small_displacement_force(shape,
+                                                   frames,
+                                                   jacobian,
+                                                   stiffness.elastic,
+                                                   motion.v,
+                                                   viscous);
+                for (int i = 0; i < n; ++i)
+                  force[i] += stiffness.damping_time * viscous[i];
+              }
+          }
+        return energy;
+      }
+
+      static void tangent(const BeamShape<order> &shape,
+                          const Frame            *frames,
+                          const double            jacobian,
+                          const Stiffness        &stiffness,
+                          const DofNumbering     &numbering,
+                          const int              *unknowns,
+                          const Evaluation       &evaluation,
+                          const TangentFactors   &factors,
+                          double                 *block)
+      {
+        if constexpr (large_rotation)
+          {
+            const Motion of_nodes = motion(numbering, unknowns, evaluation.to);
+            const Beam3D::ElementKinematics<order> element(shape,
+                                                           frames,
+                                                           jacobian,
+                                                           of_nodes.nodes);
+            Beam3D::tangent(shape,
+                            element,
+                            jacobian,
+                            stiffness.elastic,
+                            factors.stiffness,
+                            block);
+            if constexpr (damped)
+              Beam3D::add_damping_tangent(shape,
+                                          element,
+                                          jacobian,
+                                          stiffness.elastic,
+                                          stiffness.damping_time,
+                                          of_nodes.velocities,
+                                          factors.stiffness,
+                                          factors.damping,
+                                          angular_velocity_by_spin(numbering,
+                                                                   unknowns,
+                                                                   evaluation,
+                                                                   of_nodes,
+                                                                   factors)
+                                            .data(),
+                                          block);
+          }
+        else
+          Beam3D::small_displacement_tangent(
+            shape,
+            frames,
+            jacobian,
+            stiffness.elastic,
+            factors.stiffness +
+              (damped ? stiffness.damping_time * factors.damping : 0.),
+            block);
+      }
+
+      static Stiffness stiffness(const Section &section,
+                                 const double   rigid_in_shear_over)
+      {
+        Beam3D::Stiffness elastic = {section.axial_stiffness(),
+                                     section.shear_stiffness_2(),
+                                     section.shear_stiffness_3(),
+                                     section.torsion_stiffness(),
+                                     section.bending_stiffness_2(),
+                                     section.bending_stiffness_3()};
+        if (rigid_in_shear_over > 0)
+          {
+            const double factor = 12 * rigid_shear_factor /
+              (rigid_in_shear_over * rigid_in_shear_over);
+            elastic.shear_2 =
+              std::max(elastic.shear_2, factor * elastic.bending_3);
+            elastic.shear_3 =
+              std::max(elastic.shear_3, factor * elastic.bending_2);
+          }
+        return {elastic, section.stiffness_proportional_damping};
+      }
+
+      static double largest_stiffness(const Stiffness &stiffness)
+      {
+        return std::max({stiffness.elastic.axial,
+                         stiffness.elastic.shear_2,
+                         stiffness.elastic.shear_3});
+      }
+
+      static Frame frame(const SpaceVector                &tangent,
+                         const SpaceVector                &slope,
+                         const std::optional<SpaceVector> &reference)
+      {
+        return {section_frame(tangent, reference), slope};
+      }
+
+      static void section_forces(const BeamShape<order> &shape,
+                                 const Frame            *frames,
+                                 const double            jacobian,
+                                 const Stiffness        &stiffness,
+                                 const Motion           &motion,
+                                 SectionForces          *elastic,
+                                 SectionForces          *viscous)
+      {
+        if constexpr (large_rotation)
+          {
+            const Beam3D::ElementKinematics<order> element(shape,
+                                                           frames,
+                                                           jacobian,
+                                                           motion.nodes);
+            for (int g = 0; g < order; ++g)
+              {
+                const Beam3D::Kinematics &point = element.points[g];
+                elastic[g] = forces(stiffness, point.strains);
+                if constexpr (damped)
+                  {
+                    const Beam3D::Rates rates =
+                      Beam3D::rates(shape,
+                                    g,
+                                    1 / jacobian,
+                                    point,
+                                    motion.velocities);
+                    viscous[g] =
+                      forces(stiffness,
+                             {stiffness.damping_time * rates.gamma * point.axes,
+                              stiffness.damping_time * rates.kappa *
+                                point.axes});
+                  }
+              }
+          }
+        else
+          for (int g = 0; g < order; ++g)
+            {
+              elastic[g] = forces(stiffness,
+                                  Beam3D::small_displacement_strains(shape,
+                                                                     g,
+                                                                     frames,
+                                                                     jacobian,
+                                                                     motion.u));
+              if constexpr (damped)
+                {
+                  Beam3D::Strains rates =
+                    Beam3D::small_displacement_strains(shape,
+                                                       g,
+                                                       frames,
+                                                       jacobian,
+                                                       motion.v);
+                  rates.gamma *= stiffness.damping_time;
+                  rates.kappa *= stiffness.damping_time;
+                  viscous[g] = forces(stiffness, rates);
+                }
+            }
+      }
+
+      static SpaceVector rotation(const double *shape_values,
+                                  const Motion &motion)
+      {
+        SpaceVector sum;
+        if constexpr (large_rotation)
+          {
+            for (int a = 0; a <= order; ++a)
+              sum += shape_values[a] * motion.turns[a];
+            return rotation_vector_near(
+              Beam3D::RelativeRotations<order>(motion.nodes).at(shape_values),
+              sum);
+          }
+        else
+          for (int a = 0; a <= order; ++a)
+            for (int c = 0; c < 3; ++c)
+              sum[c] += shape_values[a] * motion.u[n_components * a + 3 + c];
+        return sum;
+      }
+
+      static SpaceTensor axes(const SpaceVector                &tangent,
+                              const std::optional<SpaceVector> &reference,
+                              const SpaceVector                &rotation)
+      {
+        const SpaceTensor at_rest = section_frame(tangent, reference);
+        return large_rotation ? rotated(exponential(rotation), at_rest)
+                              : at_rest;
+      }
+
+      /** Strain energy per length (J/m) of elastic section forces. */
+      static double energy_density(const Stiffness     &stiffness,
+                                   const SectionForces &forces)
+      {
+        const Beam3D::Stiffness &s = stiffness.elastic;
+        const double             k[] =
+          {s.axial, s.shear_2, s.shear_3, s.torsion, s.bending_2, s.bending_3};
+        double sum = 0;
+        for (unsigned int i = 0; i < forces.size(); ++i)
+          sum += forces[i] * forces[i] / k[i] / 2;
+        return sum;
+      }
+
+    private:
+      static SectionForces forces(const Stiffness       &stiffness,
+                                  const Beam3D::Strains &strains)
+      {
+        const SpaceVector force  = Beam3D::section_force(stiffness.elastic,
+                                                        strains.gamma),
+                          moment = Beam3D::section_moment(stiffness.elastic,
+                                                          strains.kappa);
+        return {
+          {force[0], force[1], force[2], moment[0], moment[1], moment[2]}};
+      }
+
+      /** omega = P W: it turns with the section, and W follows the step. */
+      static std::array<SpaceTensor, order + 1>
+      angular_velocity_by_spin(const DofNumbering   &numbering,
+                               const int            *unknowns,
+                               const Evaluation     &evaluation,
+                               const Motion         &motion,
+                               const TangentFactors &factors)
+      {
+        const NodeRotations                rotations(numbering);
+        std::array<SpaceTensor, order + 1> by_spin;
+        for (int a = 0; a <= order; ++a)
+          {
+            const int i =
+              numbering.spatial_rotation(unknowns[n_components * a + 3]);
+            by_spin[a] = -factors.stiffness *
+                cross_product_tensor(motion.velocities[a].angular) +
+              factors.damping *
+                rotated(evaluation.to.rotations[i],
+                        rotations.turn_by_spin(evaluation, i));
+          }
+        return by_spin;
+      }
+    };
+  } // namespace
+
+  std::unique_ptr<StrutForces>
+  make_space_struts(const Lattice              &lattice,
+                    const DofNumbering         &numbering,
+                    const std::vector<Section> &sections,
+                    const StrutModel           &model)
+  {
+    return dispatch_order<largest_space_order>(
+      numbering.order(),
+      [&](auto order) {
+        return make_struts_of_order<SpaceBeam, order>(lattice,
+                                                      numbering,
+                                                      sections,
+                                                      model);
+      });
+  }
+} // namespace auxfem

@@ -1,0 +1,184 @@
+#include <auxfem/equations/effects/beam_dispatch.h>
+#include <auxfem/equations/effects/strut_inertia.h>
+
+namespace auxfem
+{
+  namespace
+  {
+    /**
+     * Consistent mass M of struts in the plane, translational rho A and rotary
+     * rho I, and with damping the force alpha M v. Constant.
+     */
+    template <int order, bool damped>
+    class PlaneStrutInertia : public Effect
+    {
+    public:
+      PlaneStrutInertia(const Lattice              &lattice,
+                        const DofNumbering         &numbering,
+                        const std::vector<Section> &sections,
+                        const bool                  rotary_inertia)
+        : numbering(numbering)
+      {
+        for (const DofNumbering::Element &element : numbering.elements())
+          {
+            const Strut   &strut    = lattice.struts[element.place.strut];
+            const Section &section  = sections[strut.section];
+            const double   jacobian = lattice.length(strut) *
+              (element.place.end - element.place.begin) / 2;
+            elements.push_back(
+              {section.mass_per_length() * jacobian,
+               rotary_inertia
+                 ? section.rotary_inertia_per_length()[2] * jacobian
+                 : 0.,
+               section.mass_proportional_damping,
+               numbering.is_owned(element)});
+          }
+      }
+
+      bool is_linear() const override
+      {
+        return true;
+      }
+
+      void add_residual(const Evaluation &evaluation,
+                        double           *residual,
+                        EffectResults * /*results*/) const override
+      {
+        const double *a = evaluation.to.acceleration->Values();
+        const double *v = evaluation.to.velocity->Values();
+        double        local[n];
+        for (unsigned int e = 0; e < elements.size(); ++e)
+          {
+            const int *unknowns = numbering.element_unknowns(e);
+            for (int i = 0; i < n; ++i)
+              local[i] = damped
+                ? a[unknowns[i]] + elements[e].damping * v[unknowns[i]]
+                : a[unknowns[i]];
+            for (int i = 0; i <= order; ++i)
+              {
+                double sum[3] = {0, 0, 0};
+                for (int j = 0; j <= order; ++j)
+                  for (int c = 0; c < 3; ++c)
+                    sum[c] += shape.mass[i][j] * local[3 * j + c];
+                residual[unknowns[3 * i]] += elements[e].mass * sum[0];
+                residual[unknowns[3 * i + 1]] += elements[e].mass * sum[1];
+                residual[unknowns[3 * i + 2]] += elements[e].rotary * sum[2];
+              }
+          }
+      }
+
+      void add_tangent(const Evaluation & /*evaluation*/,
+                       const EffectResults * /*results*/,
+                       const TangentFactors &factors,
+                       TangentMatrix        &matrix) const override
+      {
+        double block[n * n] = {};
+        for (unsigned int e = 0; e < elements.size(); ++e)
+          {
+            const double factor = factors.mass +
+              (damped ? elements[e].damping * factors.damping : 0.);
+            if (factor == 0)
+              continue;
+            for (int i = 0; i <= order; ++i)
+              for (int j = 0; j <= order; ++j)
+                for (int c = 0; c < 3; ++c)
+                  block[(3 * i + c) * n + 3 * j + c] = factor *
+                    shape.mass[i][j] *
+                    (c < 2 ? elements[e].mass : elements[e].rotary);
+            matrix.add(e, block);
+          }
+      }
+
+      void register_in(StateLayout &layout) override
+      {
+        kinetic_entry = layout.energies.enter(kinetic_energy_entry());
+        if (damped)
+          damping_entry = layout.energies.enter(mass_damping_entry());
+      }
+
+      void account(const Evaluation &step,
+                   const EffectResults * /*results*/,
+                   EnergyAccount &account) const override
+      {
+        account.add(kinetic_entry,
+                    sum_v_M_v(step.to, [](const Element &) { return 0.5; }));
+        if (damped)
+          account.add_power(damping_entry,
+                            sum_v_M_v(step.to, [](const Element &e) {
+                              return e.damping;
+                            }));
+      }
+
+    private:
+      static constexpr int n = 3 * (order + 1);
+
+      struct Element
+      {
+        double mass;    ///< rho A times half the length (kg)
+        double rotary;  ///< rho I times half the length (kg m2)
+        double damping; ///< alpha (1/s)
+        bool   counted;
+      };
+
+      template <class Weight>
+      double sum_v_M_v(const State &state, const Weight &weight) const
+      {
+        const double *v   = state.velocity->Values();
+        double        sum = 0;
+        for (unsigned int e = 0; e < elements.size(); ++e)
+          if (elements[e].counted)
+            {
+              const int *unknowns = numbering.element_unknowns(e);
+              double     linear = 0, rotary = 0;
+              for (int i = 0; i <= order; ++i)
+                {
+                  double weighted[3] = {0, 0, 0};
+                  for (int j = 0; j <= order; ++j)
+                    for (int c = 0; c < 3; ++c)
+                      weighted[c] += shape.mass[i][j] * v[unknowns[3 * j + c]];
+                  linear += v[unknowns[3 * i]] * weighted[0] +
+                    v[unknowns[3 * i + 1]] * weighted[1];
+                  rotary += v[unknowns[3 * i + 2]] * weighted[2];
+                }
+              sum += weight(elements[e]) *
+                (elements[e].mass * linear + elements[e].rotary * rotary);
+            }
+        return sum;
+      }
+
+      const DofNumbering    &numbering;
+      const BeamShape<order> shape;
+      std::vector<Element>   elements;
+      unsigned int           kinetic_entry = 0, damping_entry = 0;
+    };
+  } // namespace
+
+  EnergyEntry mass_damping_entry()
+  {
+    return {EnergyKind::dissipated,
+            "mass_damping_dissipated",
+            "energy lost by mass-proportional damping of the struts since the "
+            "start"};
+  }
+
+  std::unique_ptr<Effect>
+  make_strut_inertia(const Lattice              &lattice,
+                     const DofNumbering         &numbering,
+                     const std::vector<Section> &sections,
+                     const InertiaModel         &model)
+  {
+    if (lattice.dimension == 3)
+      return make_space_strut_inertia(lattice, numbering, sections, model);
+    const auto make = [&](auto order, auto damped) -> std::unique_ptr<Effect> {
+      return std::make_unique<PlaneStrutInertia<order, damped>>(
+        lattice,
+        numbering,
+        sections,
+        model.rotary_inertia);
+    };
+    return dispatch_order(numbering.order(), [&](auto order) {
+      return model.damping ? make(order, std::true_type())
+                           : make(order, std::false_type());
+    });
+  }
+} // namespace auxfem

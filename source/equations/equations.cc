@@ -1,0 +1,267 @@
+#include <auxfem/equations/equations.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace auxfem
+{
+  namespace
+  {
+    /** Sum of squares in some rows; four sums, as one would wait for itself. */
+    double sum_of_squares(const double *values, const std::vector<int> &rows)
+    {
+      double            sums[4]   = {0, 0, 0, 0};
+      const std::size_t n         = rows.size();
+      const std::size_t n_in_four = n - n % 4;
+      for (std::size_t i = 0; i < n_in_four; i += 4)
+        for (unsigned int k = 0; k < 4; ++k)
+          sums[k] += values[rows[i + k]] * values[rows[i + k]];
+      for (std::size_t i = n_in_four; i < n; ++i)
+        sums[0] += values[rows[i]] * values[rows[i]];
+      return sums[0] + sums[1] + sums[2] + sums[3];
+    }
+
+    double largest(const double *values, const std::vector<int> &rows)
+    {
+      double result = 0;
+      for (const int row : rows)
+        result = std::max(result, std::abs(values[row]));
+      return result;
+    }
+
+    /**
+     * Multipliers have no inertia: their rates, by-products of the time scheme,
+     * must not enter its next prediction.
+     */
+    void hold_multipliers(const DofNumbering &numbering, State &state)
+    {
+      for (const int multiplier : numbering.multipliers())
+        for (std::optional<Vector> *rate : {&state.velocity,
+                                            &state.acceleration,
+                                            &state.algorithmic_acceleration})
+          if (*rate)
+            (**rate)[multiplier] = 0;
+    }
+  } // namespace
+
+  ConnectorReport ConnectorGroup::report(const unsigned int       i,
+                                         const State             &state,
+                                         const EvaluationResults &results) const
+  {
+    return forces->report(i, state, results.of_effects[effect].get());
+  }
+
+  const LatticeModel &Equations::model() const
+  {
+    return structure;
+  }
+
+  const StateLayout &Equations::layout() const
+  {
+    return state_layout;
+  }
+
+  const TangentPattern &Equations::pattern() const
+  {
+    return tangent_pattern;
+  }
+
+  const ReportingEffects &Equations::reporting() const
+  {
+    return reporting_effects;
+  }
+
+  bool Equations::is_linear() const
+  {
+    return std::all_of(effects.begin(), effects.end(), [](const auto &effect) {
+      return effect->is_linear();
+    });
+  }
+
+  State Equations::initial_state() const
+  {
+    State state(structure.numbering.local_map(), state_layout);
+    for (const auto &[unknown, velocity] : initial_velocities)
+      (*state.velocity)[unknown] = velocity;
+    return state;
+  }
+
+  EvaluationResults Equations::make_results() const
+  {
+    EvaluationResults results;
+    results.of_effects.reserve(effects.size());
+    for (const auto &effect : effects)
+      results.of_effects.push_back(effect->make_results());
+    return results;
+  }
+
+  void Equations::residual(const Evaluation  &evaluation,
+                           EvaluationResults &results) const
+  {
+    double *residual = evaluation.to.residual.Values();
+    std::fill(residual, residual + structure.numbering.n_local(), 0.);
+    // Sums of squares of forces and moments: of internal forces, of internal
+    // and inertia forces, and of the residual in free rows; then of conditions.
+    std::vector<double> sums(7, 0.);
+    const OwnedRows    &rows = structure.rows;
+    const auto add = [&](const unsigned int begin, const unsigned int end) {
+      for (unsigned int i = begin; i < end; ++i)
+        effects[i]->add_residual(evaluation,
+                                 residual,
+                                 results.of_effects[i].get());
+    };
+    const auto sum_all_rows = [&](double *sum) {
+      sum[0] = sum_of_squares(residual, rows.free_translations) +
+        sum_of_squares(residual, rows.prescribed_translations);
+      sum[1] = sum_of_squares(residual, rows.free_rotations) +
+        sum_of_squares(residual, rows.prescribed_rotations);
+    };
+    add(0, n_internal);
+    sum_all_rows(&sums[0]);
+    if (n_balanced > n_internal)
+      {
+        add(n_internal, n_balanced);
+        sum_all_rows(&sums[2]);
+      }
+    add(n_balanced, effects.size());
+    sums[4] = sum_of_squares(residual, rows.free_translations);
+    sums[5] = sum_of_squares(residual, rows.free_rotations);
+    sums[6] = sum_of_squares(residual, rows.multipliers);
+    sums    = sum_over_ranks(structure, sums);
+
+    results.force        = std::sqrt(sums[4]);
+    results.moment       = std::sqrt(sums[5]);
+    results.condition    = std::sqrt(sums[6]);
+    const double length  = structure.mean_strut_length,
+                 forces  = std::max(sums[0], sums[2]),
+                 moments = std::max(sums[1], sums[3]);
+    results.force_scale =
+      std::sqrt(std::max(forces, moments / (length * length)));
+  }
+
+  void Equations::tangent(const Evaluation        &evaluation,
+                          const EvaluationResults &results,
+                          const TangentFactors    &factors,
+                          TangentMatrix           &matrix) const
+  {
+    matrix.reset();
+    for (unsigned int i = 0; i < effects.size(); ++i)
+      effects[i]->add_tangent(evaluation,
+                              results.of_effects[i].get(),
+                              factors,
+                              matrix);
+  }
+
+  Vector Equations::load_derivative(const Evaluation &evaluation) const
+  {
+    Vector derivative(structure.numbering.local_map());
+    for (const auto &effect : effects)
+      effect->add_load_derivative(evaluation, derivative.Values());
+    return derivative;
+  }
+
+  void Equations::accept(const Evaluation        &evaluation,
+                         const EvaluationResults &results) const
+  {
+    hold_multipliers(structure.numbering, evaluation.to);
+    EnergyAccount account(evaluation);
+    for (unsigned int i = 0; i < effects.size(); ++i)
+      effects[i]->account(evaluation, results.of_effects[i].get(), account);
+    evaluation.to.energies.amounts() =
+      sum_over_ranks(structure, account.close());
+  }
+
+  void Equations::update_pattern(const State &accepted)
+  {
+    bool changed = false;
+    for (const auto &effect : effects)
+      changed = effect->update_couplings(accepted) || changed;
+    if (!changed)
+      return;
+    tangent_pattern.clear();
+    register_blocks();
+  }
+
+  double Equations::round_off_floor(const State             &state,
+                                    const EvaluationResults &results) const
+  {
+    const auto [displacement, rotation] =
+      largest_motion(structure, state.displacement);
+    double mine = 0, scale_of_row = 0;
+    for (unsigned int i = 0; i < effects.size(); ++i)
+      mine = std::max(mine,
+                      effects[i]->round_off_scale(state,
+                                                  results.of_effects[i].get(),
+                                                  displacement,
+                                                  rotation));
+    const DofNumbering &numbering = structure.numbering;
+    numbering.communicator().MaxAll(&mine, &scale_of_row, 1);
+    // A row sums a few roundings of a few products each.
+    const double safety = 4;
+    return safety * std::numeric_limits<double>::epsilon() * scale_of_row *
+      std::sqrt(double(numbering.n_unknowns()));
+  }
+
+  std::pair<double, double> largest_motion(const LatticeModel &model,
+                                           const Vector       &motion)
+  {
+    const OwnedRows &rows   = model.rows;
+    const double    *values = motion.Values();
+    double mine[2]          = {std::max(largest(values, rows.free_translations),
+                               largest(values, rows.prescribed_translations)),
+                               std::max(largest(values, rows.free_rotations),
+                               largest(values, rows.prescribed_rotations))};
+    if (model.numbering.n_ranks() == 1)
+      return {mine[0], mine[1]};
+    double all[2];
+    model.numbering.communicator().MaxAll(mine, all, 2);
+    return {all[0], all[1]};
+  }
+
+  double condition_tolerance(const Equations &equations, const State &state)
+  {
+    const std::vector<const Conditions *> &conditions =
+      equations.reporting().conditions;
+    if (conditions.empty())
+      return 0;
+    const LatticeModel &model  = equations.model();
+    double              length = model.mean_strut_length;
+    for (const Conditions *of_kind : conditions)
+      length = std::max(length, of_kind->length());
+    // A condition sums a few products of displacements and lengths.
+    const double safety = 16;
+    return safety * std::numeric_limits<double>::epsilon() *
+      (length + largest_motion(model, state.displacement).first) *
+      std::sqrt(double(model.numbering.n_multipliers()));
+  }
+
+  std::string worst_unknown(const LatticeModel &model, const State &state)
+  {
+    std::vector<double> sizes(model.numbering.n_owned(), 0.);
+    const auto measure = [&](const std::vector<int> &of, const double unit) {
+      for (const int row : of)
+        {
+          const double size = std::abs(state.residual[row]) / unit;
+          sizes[row] =
+            std::isfinite(size) ? size : std::numeric_limits<double>::max();
+        }
+    };
+    measure(model.rows.free_translations, 1.);
+    measure(model.rows.free_rotations, model.mean_strut_length);
+    return model.numbering.describe_largest(sizes);
+  }
+
+  std::vector<double> sum_over_ranks(const LatticeModel        &model,
+                                     const std::vector<double> &mine)
+  {
+    if (model.numbering.n_ranks() == 1)
+      return mine;
+    std::vector<double> all(mine.size());
+    // Epetra reads the values only, but asks for ones it may write.
+    model.numbering.communicator().SumAll(const_cast<double *>(mine.data()),
+                                          all.data(),
+                                          mine.size());
+    return all;
+  }
+} // namespace auxfem

@@ -1,0 +1,110 @@
+#include <auxfem/equations/effects/rotational_springs.h>
+#include <auxfem/equations/effects/space_springs.h>
+#include <auxfem/equations/make_couplings.h>
+
+namespace auxfem
+{
+  namespace
+  {
+    /** Local numbers of the rotation about x, y, z; -1: not there. */
+    std::array<int, 3> spins(const DofNumbering &numbering,
+                             const Turning      &turning)
+    {
+      std::array<int, 3> unknowns;
+      for (unsigned int c = 0; c < 3; ++c)
+        unknowns[c] = numbering.rotation_unknown(turning, first_rotation + c);
+      return unknowns;
+    }
+
+    /** Calls @p add(number, stiffness, base, end) for springs kept on this rank.
+     */
+    template <class Add>
+    void for_each_spring(const std::vector<JointRelease> &releases,
+                         const DofNumbering              &numbering,
+                         const Add                       &add)
+    {
+      unsigned int number = 0;
+      for (const JointRelease &release : releases)
+        if (release.definition->type ==
+            JointDefinition::Type::rotational_spring)
+          for (const TurningPair &pair : release.pairs)
+            {
+              const std::array<int, 3> base = spins(numbering, pair.base),
+                                       end  = spins(numbering, pair.end);
+              if (end[2] >= 0 &&
+                  (base[2] >= 0 || pair.base.what == Turning::What::ground))
+                add(number, release.definition->stiffness, base, end);
+              ++number;
+            }
+    }
+  } // namespace
+
+  std::unique_ptr<Effect>
+  make_rotational_springs(const std::vector<JointRelease> &releases,
+                          const DofNumbering              &numbering,
+                          const bool                       large_rotation)
+  {
+    bool is_used = false;
+    if (large_rotation && !numbering.spatial_rotations().empty())
+      {
+        auto springs = std::make_unique<SpaceSprings>(numbering);
+        for_each_spring(releases,
+                        numbering,
+                        [&](const unsigned int number,
+                            const double       stiffness,
+                            const auto        &base,
+                            const auto        &end) {
+                          springs->add(base[0] < 0
+                                         ? -1
+                                         : numbering.spatial_rotation(base[0]),
+                                       numbering.spatial_rotation(end[0]),
+                                       stiffness,
+                                       number);
+                          is_used = true;
+                        });
+        return is_used ? std::move(springs) : nullptr;
+      }
+    auto springs = std::make_unique<RotationalSprings>(numbering);
+    for_each_spring(releases,
+                    numbering,
+                    [&](const unsigned int /*number*/,
+                        const double stiffness,
+                        const auto  &base,
+                        const auto  &end) {
+                      for (unsigned int c = 0; c < 3; ++c)
+                        if (end[c] >= 0)
+                          springs->add(base[c], end[c], stiffness);
+                      is_used = true;
+                    });
+    return is_used ? std::move(springs) : nullptr;
+  }
+
+  std::unique_ptr<RevoluteHinges>
+  make_revolute_hinges(const std::vector<JointRelease> &releases,
+                       const DofNumbering              &numbering,
+                       const bool                       large_rotation,
+                       const double                     length)
+  {
+    std::unique_ptr<RevoluteHinges> hinges;
+    unsigned int                    number = 0;
+    for (const JointRelease &release : releases)
+      if (release.definition->type == JointDefinition::Type::revolute)
+        for (const TurningPair &pair : release.pairs)
+          {
+            if (!hinges)
+              hinges = std::make_unique<RevoluteHinges>(numbering,
+                                                        large_rotation,
+                                                        length);
+            const std::array<int, 2> multipliers = {
+              {numbering.hinge_multiplier(number, 0),
+               numbering.hinge_multiplier(number, 1)}};
+            ++number;
+            if (multipliers[0] >= 0)
+              hinges->add(spins(numbering, pair.base),
+                          spins(numbering, pair.end),
+                          multipliers,
+                          release.definition->axis);
+          }
+    return hinges;
+  }
+} // namespace auxfem

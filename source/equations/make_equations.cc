@@ -1,0 +1,167 @@
+#include <auxfem/equations/effects/rigid_part_inertia.h>
+#include <auxfem/equations/effects/strut_inertia.h>
+#include <auxfem/equations/equations.h>
+#include <auxfem/model/initial_velocities.h>
+#include <auxfem/equations/make_couplings.h>
+#include <auxfem/equations/make_loads.h>
+#include <auxfem/equations/make_masses.h>
+#include <auxfem/equations/prescribed_motion.h>
+
+#include <algorithm>
+
+// Which effects a scene calls for.
+
+namespace auxfem
+{
+  namespace
+  {
+    /** Whether a damping of struts is simulated and a section has it. */
+    bool has_damping(const LatticeModel &model, double Section::*damping)
+    {
+      return model.simulated.strut_damping &&
+        std::any_of(model.sections.begin(),
+                    model.sections.end(),
+                    [damping](const Section &section) {
+                      return section.*damping > 0;
+                    });
+    }
+
+    StateLayout layout_of_scheme(const Scene &scene, const LatticeModel &model)
+    {
+      StateLayout layout;
+      layout.velocity = layout.acceleration = model.simulated.inertia;
+      layout.algorithmic_acceleration =
+        scene.time.implicit_scheme().uses_algorithmic_acceleration();
+      layout.n_rotations = model.n_large_rotations();
+      return layout;
+    }
+  } // namespace
+
+  Equations::Equations(const Scene &scene, const LatticeModel &model)
+    : structure(model)
+    , state_layout(layout_of_scheme(scene, model))
+    , tangent_pattern(model.numbering)
+  {
+    make_internal_forces(scene);
+    make_conditions(scene);
+    n_internal = effects.size();
+    if (model.simulated.inertia)
+      make_inertia(scene);
+    n_balanced = effects.size();
+    make_loads(scene);
+    for (const auto &effect : effects)
+      effect->register_in(state_layout);
+    register_blocks();
+    if (model.simulated.inertia)
+      initial_velocities =
+        auxfem::initial_velocities(scene, model.lattice, model.numbering);
+  }
+
+  void Equations::register_blocks()
+  {
+    for (const auto &effect : effects)
+      effect->register_blocks(tangent_pattern);
+  }
+
+  void Equations::make_internal_forces(const Scene &scene)
+  {
+    const SimulatedEffects &simulated = structure.simulated;
+    if (structure.lattice.n_elastic_struts() > 0)
+      {
+        const StrutModel beams{
+          simulated.large_rotation,
+          simulated.shear_flexibility,
+          has_damping(structure, &Section::stiffness_proportional_damping)};
+        auto struts              = StrutForces::make(structure.lattice,
+                                        structure.numbering,
+                                        structure.sections,
+                                        beams);
+        reporting_effects.struts = struts.get();
+        effects.push_back(std::move(struts));
+      }
+    if (auto springs = make_rotational_springs(structure.releases,
+                                               structure.numbering,
+                                               simulated.large_rotation))
+      effects.push_back(std::move(springs));
+
+    for (unsigned int group = 0; group < scene.connectors.size(); ++group)
+      {
+        ConnectorDefinition definition = scene.connectors[group];
+        if (!simulated.connector_viscosity && definition.law->is_viscous())
+          definition.law =
+            make_spring_law(definition.law->long_time_stiffness());
+        auto forces =
+          std::make_unique<ConnectorForces>(definition,
+                                            structure.connector_pairs[group],
+                                            structure.lattice,
+                                            structure.numbering,
+                                            simulated.large_rotation);
+        reporting_effects.connectors.push_back(
+          {forces.get(), static_cast<unsigned int>(effects.size())});
+        effects.push_back(std::move(forces));
+      }
+  }
+
+  void Equations::make_conditions(const Scene &scene)
+  {
+    const SimulatedEffects &simulated = structure.simulated;
+    if (!structure.lattice.rigid_parts.empty())
+      {
+        auto of_parts =
+          std::make_unique<RigidPartConditions>(structure.bodies,
+                                                structure.lattice,
+                                                structure.numbering,
+                                                simulated.large_rotation,
+                                                simulated.gravity
+                                                  ? scene.gravity
+                                                  : dealii::Tensor<1, 3>());
+        reporting_effects.rigid_parts = of_parts.get();
+        reporting_effects.conditions.push_back(of_parts.get());
+        effects.push_back(std::move(of_parts));
+      }
+    if (auto hinges = make_revolute_hinges(structure.releases,
+                                           structure.numbering,
+                                           simulated.large_rotation,
+                                           structure.mean_strut_length))
+      {
+        reporting_effects.conditions.push_back(hinges.get());
+        effects.push_back(std::move(hinges));
+      }
+  }
+
+  void Equations::make_inertia(const Scene &scene)
+  {
+    const SimulatedEffects &simulated = structure.simulated;
+    const RigidBodies      &bodies    = structure.bodies;
+    if (!bodies.in_plane.empty() || !bodies.bars.empty())
+      effects.push_back(std::make_unique<RigidPartInertia>(bodies));
+    if (reporting_effects.struts)
+      effects.push_back(make_strut_inertia(
+        structure.lattice,
+        structure.numbering,
+        structure.sections,
+        {simulated.large_rotation,
+         simulated.rotary_inertia,
+         has_damping(structure, &Section::mass_proportional_damping)}));
+    for (auto &masses : make_masses(scene,
+                                    structure.lattice,
+                                    structure.numbering,
+                                    bodies,
+                                    simulated.large_rotation,
+                                    structure.mean_strut_length))
+      effects.push_back(std::move(masses));
+  }
+
+  void Equations::make_loads(const Scene &scene)
+  {
+    for (auto &loads : auxfem::make_loads(scene,
+                                          structure.lattice,
+                                          structure.numbering,
+                                          structure.sections,
+                                          structure.bodies,
+                                          structure.simulated))
+      effects.push_back(std::move(loads));
+    if (auto supports = make_support_work(structure))
+      effects.push_back(std::move(supports));
+  }
+} // namespace auxfem

@@ -1,0 +1,87 @@
+#include <auxfem/mesh/sets.h>
+#include <auxfem/parameters/errors.h>
+#include <auxfem/equations/effects/point_masses.h>
+#include <auxfem/equations/effects/rotary_masses.h>
+#include <auxfem/equations/make_masses.h>
+
+namespace auxfem
+{
+  namespace
+  {
+    /** Mass or moment of inertia that acts on a component of motion. */
+    double share(const MassDefinition &mass, const unsigned int component)
+    {
+      return component < first_rotation
+        ? mass.mass
+        : mass.rotary_inertia[component - first_rotation];
+    }
+
+    void refuse_missing_rotation(const MassDefinition &mass,
+                                 const DofNumbering   &numbering,
+                                 const unsigned int    joint)
+    {
+      if (mass.rotary_inertia.norm() > 0 &&
+          !numbering.joint_has(joint, rotation_z))
+        throw InputError(
+          mass.path + "/Rotary inertia: " + numbering.why_no_rotation(joint));
+    }
+
+    SpaceTensor along_global_axes(const SpaceVector &values)
+    {
+      SpaceTensor result;
+      for (unsigned int c = 0; c < 3; ++c)
+        result[c][c] = values[c];
+      return result;
+    }
+  } // namespace
+
+  std::vector<std::unique_ptr<Effect>>
+  make_masses(const Scene        &scene,
+              const Lattice      &lattice,
+              const DofNumbering &numbering,
+              const RigidBodies  &bodies,
+              const bool          large_rotation,
+              const double        length)
+  {
+    auto points = std::make_unique<PointMasses>(numbering);
+    auto rotary =
+      std::make_unique<RotaryMasses>(numbering, large_rotation, length);
+    const bool is_spatial = lattice.dimension == 3;
+    for (const MassDefinition &mass : scene.masses)
+      for (const unsigned int joint : select_joints(lattice,
+                                                    mass.joints,
+                                                    scene.context,
+                                                    mass.path + "/Joints"))
+        {
+          refuse_missing_rotation(mass, numbering, joint);
+          for (const unsigned int c : numbering.components())
+            {
+              const int unknown = numbering.joint_unknown(joint, c);
+              if (unknown < 0 || share(mass, c) == 0 ||
+                  (is_spatial && c >= first_rotation))
+                continue;
+              points->add(unknown, share(mass, c));
+            }
+          const int spin = numbering.joint_unknown(joint, rotation_z);
+          if (is_spatial && spin >= 0 && mass.rotary_inertia.norm() > 0)
+            rotary->add(numbering.spatial_rotation(spin),
+                        along_global_axes(mass.rotary_inertia));
+        }
+    for (const TurningBody &body : bodies.turning)
+      {
+        const RigidPart &part = lattice.rigid_parts[body.part];
+        if (part.mass == 0)
+          continue;
+        for (const int unknown : body.centre)
+          points->add(unknown, part.mass);
+        rotary->add(numbering.spatial_rotation(body.rotation[0]),
+                    part.rotary_inertia);
+      }
+    std::vector<std::unique_ptr<Effect>> effects;
+    if (!points->empty())
+      effects.push_back(std::move(points));
+    if (!rotary->empty())
+      effects.push_back(std::move(rotary));
+    return effects;
+  }
+} // namespace auxfem

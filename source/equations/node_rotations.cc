@@ -1,0 +1,94 @@
+#include <auxfem/equations/node_rotations.h>
+
+namespace auxfem
+{
+  NodeRotations::NodeRotations(const DofNumbering &numbering)
+    : numbering(numbering)
+  {}
+
+  void NodeRotations::follow(const Evaluation &evaluation) const
+  {
+    for (unsigned int i = 0; i < evaluation.to.rotations.size(); ++i)
+      evaluation.to.rotations[i] =
+        normalized(evaluation.from.rotations[i] *
+                   exponential(material_turn(evaluation, i)));
+  }
+
+  void NodeRotations::turn(const Evaluation &evaluation,
+                           Vector           &increment) const
+  {
+    // Of a tiny spin the difference of two rotation vectors would keep no
+    // digits, and divided by dt^2 these matter; the square of it is round-off.
+    constexpr double tiny = 1e-8;
+    for (unsigned int i = 0; i < evaluation.to.rotations.size(); ++i)
+      {
+        const SpaceVector spin     = values(increment, i);
+        Quaternion       &rotation = evaluation.to.rotations[i];
+        const SpaceVector before   = material_turn(evaluation, i),
+                          material = rotated(conjugate(rotation), spin);
+        rotation                   = normalized(exponential(spin) * rotation);
+        set_values(spin.norm() < tiny
+                     ? inverse_tangent_operator(before) * material
+                     : rotation_vector_near(
+                         conjugate(evaluation.from.rotations[i]) * rotation,
+                         before + material) -
+                       before,
+                   i,
+                   increment);
+      }
+  }
+
+  void NodeRotations::make_material(const State &state, Vector &vector) const
+  {
+    for (unsigned int i = 0; i < state.rotations.size(); ++i)
+      set_values(rotated(conjugate(state.rotations[i]), values(vector, i)),
+                 i,
+                 vector);
+  }
+
+  SpaceVector NodeRotations::spatial_turn(const Evaluation  &evaluation,
+                                          const unsigned int i) const
+  {
+    return rotated(evaluation.from.rotations[i], material_turn(evaluation, i));
+  }
+
+  SpaceVector NodeRotations::material_turn(const Evaluation  &evaluation,
+                                           const unsigned int i) const
+  {
+    return values(evaluation.to.displacement, i) -
+      values(evaluation.from.displacement, i);
+  }
+
+  void NodeRotations::set_material_turn(const Evaluation  &evaluation,
+                                        const unsigned int i,
+                                        const SpaceVector &turn) const
+  {
+    set_values(values(evaluation.from.displacement, i) + turn,
+               i,
+               evaluation.to.displacement);
+  }
+
+  SpaceTensor NodeRotations::turn_by_spin(const Evaluation  &evaluation,
+                                          const unsigned int i) const
+  {
+    // T^-1 P^T is the transpose of P T^-T.
+    return transpose(rotated(evaluation.to.rotations[i],
+                             transpose(inverse_tangent_operator(
+                               material_turn(evaluation, i)))));
+  }
+
+  SpaceVector NodeRotations::values(const Vector      &vector,
+                                    const unsigned int i) const
+  {
+    return vector_at(vector.Values(), numbering.spatial_rotations()[i].data());
+  }
+
+  void NodeRotations::set_values(const SpaceVector &values,
+                                 const unsigned int i,
+                                 Vector            &vector) const
+  {
+    const std::array<int, 3> &spins = numbering.spatial_rotations()[i];
+    for (unsigned int c = 0; c < 3; ++c)
+      vector[spins[c]] = values[c];
+  }
+} // namespace auxfem

@@ -1,0 +1,250 @@
+#include <auxfem/equations/node_rotations.h>
+#include <auxfem/equations/prescribed_motion.h>
+
+#include <algorithm>
+
+namespace auxfem
+{
+  namespace
+  {
+    /** Value and first two derivatives of the courses of a support. */
+    struct Course
+    {
+      Course(const Support &support, const double time, const double dt)
+      {
+        for (unsigned int c = 0; c < n_motion_components; ++c)
+          if (!support.motion[c].is_zero())
+            jets[c] = support.motion[c].jet(time, dt);
+      }
+
+      /** Derivative number @p derivative of the rotation vector. */
+      SpaceVector rotation(const unsigned int derivative) const
+      {
+        return SpaceVector({jets[first_rotation][derivative],
+                            jets[first_rotation + 1][derivative],
+                            jets[first_rotation + 2][derivative]});
+      }
+
+      std::array<std::array<double, 3>, n_motion_components> jets = {};
+    };
+
+    /** The rotation vector of a support (rad). */
+    SpaceVector rotation_of(const Support &support, const double time)
+    {
+      SpaceVector rotation;
+      for (unsigned int c = 0; c < 3; ++c)
+        rotation[c] = support.motion[first_rotation + c].value(time);
+      return rotation;
+    }
+
+    /** @p material without what it has, in the global frame, about fixed axes. */
+    SpaceVector without_fixed(const SpaceVector         &material,
+                              const Quaternion          &rotation,
+                              const std::array<bool, 3> &fixed)
+    {
+      SpaceVector spatial = rotated(rotation, material);
+      for (unsigned int c = 0; c < 3; ++c)
+        if (fixed[c])
+          spatial[c] = 0;
+      return rotated(conjugate(rotation), spatial);
+    }
+
+    /** Moves a rotation as a whole along @p course. */
+    void prescribe(const NodeRotations &rotations,
+                   const unsigned int   i,
+                   const Course        &course,
+                   const Evaluation    &evaluation)
+    {
+      const Quaternion  rotation = exponential(course.rotation(0));
+      const SpaceVector turned =
+        rotated(conjugate(evaluation.from.rotations[i]),
+                course.rotation(0) -
+                  rotations.values(evaluation.from.displacement, i));
+      rotations.set_material_turn(
+        evaluation,
+        i,
+        rotation_vector_near(conjugate(evaluation.from.rotations[i]) * rotation,
+                             turned));
+      const AngularMotion motion = angular_motion(course.rotation(0),
+                                                  course.rotation(1),
+                                                  course.rotation(2));
+      if (evaluation.to.velocity)
+        rotations.set_values(motion.velocity, i, *evaluation.to.velocity);
+      if (evaluation.to.acceleration)
+        rotations.set_values(motion.acceleration,
+                             i,
+                             *evaluation.to.acceleration);
+    }
+
+    /** Holds a rotation about some axes. */
+    void hold(const NodeRotations       &rotations,
+              const unsigned int         i,
+              const std::array<bool, 3> &fixed,
+              const Evaluation          &evaluation)
+    {
+      const Quaternion &before = evaluation.from.rotations[i];
+      const SpaceVector turn =
+        without_fixed(rotations.material_turn(evaluation, i), before, fixed);
+      rotations.set_material_turn(evaluation, i, turn);
+      const Quaternion after = before * exponential(turn);
+      for (std::optional<Vector> *rate :
+           {&evaluation.to.velocity, &evaluation.to.acceleration})
+        if (*rate)
+          rotations.set_values(without_fixed(rotations.values(**rate, i),
+                                             after,
+                                             fixed),
+                               i,
+                               **rate);
+    }
+  } // namespace
+
+  void prescribe_motion(const LatticeModel &model,
+                        const Evaluation   &evaluation,
+                        const double        dt)
+  {
+    const NodeRotations rotations(model.numbering);
+    State              &state = evaluation.to;
+    for (const Support &support : model.supports)
+      {
+        const Course course(support, state.time, dt);
+        for (const Support::PrescribedUnknown &prescribed : support.unknowns)
+          {
+            if (support.moves_as_rotation(prescribed))
+              continue;
+            const auto &jet = course.jets[prescribed.component];
+            state.displacement[prescribed.unknown] = jet[0];
+            if (state.velocity)
+              (*state.velocity)[prescribed.unknown] = jet[1];
+            if (state.acceleration)
+              (*state.acceleration)[prescribed.unknown] = jet[2];
+          }
+        for (const Support::PrescribedRotation &prescribed : support.rotations)
+          if (prescribed.is_whole())
+            prescribe(rotations, prescribed.rotation, course, evaluation);
+          else
+            hold(rotations,
+                 prescribed.rotation,
+                 prescribed.fixed,
+                 evaluation);
+      }
+    rotations.follow(evaluation);
+  }
+
+  void find_right_side(const LatticeModel &model,
+                       const Evaluation   &evaluation,
+                       double             *right_side)
+  {
+    const State        &state     = evaluation.to;
+    const DofNumbering &numbering = model.numbering;
+    const NodeRotations rotations(numbering);
+    for (unsigned int i = 0; i < numbering.n_owned(); ++i)
+      right_side[i] = -state.residual[i];
+    for (const Support &support : model.supports)
+      {
+        std::array<double, n_motion_components> positions;
+        for (unsigned int c = 0; c < n_motion_components; ++c)
+          positions[c] = support.motion[c].value(state.time);
+        for (const Support::PrescribedUnknown &prescribed : support.unknowns)
+          if (numbering.is_owned(prescribed.unknown) &&
+              !support.moves_as_rotation(prescribed))
+            right_side[prescribed.unknown] = positions[prescribed.component] -
+              state.displacement[prescribed.unknown];
+        for (const Support::PrescribedRotation &prescribed : support.rotations)
+          {
+            const unsigned int        i       = prescribed.rotation;
+            const SpaceVector         missing = prescribed.is_whole()
+                      ? rotation_vector(exponential(rotation_of(support, state.time)) *
+                                conjugate(state.rotations[i]))
+                      : -rotations.spatial_turn(evaluation, i);
+            const std::array<int, 3> &spins = numbering.spatial_rotations()[i];
+            for (unsigned int c = 0; c < 3; ++c)
+              if (prescribed.fixed[c] && numbering.is_owned(spins[c]))
+                right_side[spins[c]] = missing[c];
+          }
+      }
+  }
+
+  namespace
+  {
+    class SupportWork : public Effect
+    {
+    public:
+      explicit SupportWork(const LatticeModel &model)
+        : model(model)
+        , rotations(model.numbering)
+        , entries(model.supports.size(), 0)
+      {}
+
+      bool is_linear() const override
+      {
+        return true;
+      }
+
+      void register_in(StateLayout &layout) override
+      {
+        for (unsigned int s = 0; s < entries.size(); ++s)
+          if (!model.supports[s].is_at_rest())
+            entries[s] = layout.energies.enter(
+              {EnergyKind::work,
+               model.supports[s].name + ".support_work",
+               "work of the support's prescribed motion since the start"});
+      }
+
+      void add_residual(const Evaluation & /*evaluation*/,
+                        double * /*residual*/,
+                        EffectResults * /*results*/) const override
+      {}
+
+      void account(const Evaluation &step,
+                   const EffectResults * /*results*/,
+                   EnergyAccount &account) const override
+      {
+        for (unsigned int s = 0; s < entries.size(); ++s)
+          if (!model.supports[s].is_at_rest())
+            account.add_in_step(entries[s], work(model.supports[s], step));
+      }
+
+    private:
+      /** By the mean of the support's forces over the step. */
+      double work(const Support &support, const Evaluation &step) const
+      {
+        const DofNumbering &numbering  = model.numbering;
+        const auto          mean_force = [&](const int unknown) {
+          return (step.from.residual[unknown] + step.to.residual[unknown]) / 2;
+        };
+        double sum = 0;
+        for (const Support::PrescribedUnknown &prescribed : support.unknowns)
+          if (const int i = prescribed.unknown;
+              numbering.is_owned(i) && !support.moves_as_rotation(prescribed))
+            sum += mean_force(i) *
+              (step.to.displacement[i] - step.from.displacement[i]);
+        for (const Support::PrescribedRotation &prescribed : support.rotations)
+          {
+            const std::array<int, 3> &spins =
+              numbering.spatial_rotations()[prescribed.rotation];
+            const SpaceVector turn =
+              rotations.spatial_turn(step, prescribed.rotation);
+            for (unsigned int c = 0; c < 3; ++c)
+              if (prescribed.fixed[c] && numbering.is_owned(spins[c]))
+                sum += mean_force(spins[c]) * turn[c];
+          }
+        return sum;
+      }
+
+      const LatticeModel       &model;
+      const NodeRotations       rotations;
+      std::vector<unsigned int> entries; ///< by support
+    };
+  } // namespace
+
+  std::unique_ptr<Effect> make_support_work(const LatticeModel &model)
+  {
+    if (std::all_of(model.supports.begin(),
+                    model.supports.end(),
+                    [](const Support &support) {
+                      return support.is_at_rest();
+                    }))
+      return nullptr;
+    return std::make_unique<SupportWork>(model);
+  }
+} // namespace auxfem

@@ -1,0 +1,229 @@
+#include <auxfem/mesh/sets.h>
+#include <auxfem/parameters/errors.h>
+#include <auxfem/model/joint_releases.h>
+
+#include <algorithm>
+
+namespace auxfem
+{
+  namespace
+  {
+    using Type = JointDefinition::Type;
+    using What = Turning::What;
+
+    /** Ends of struts, elastic or rigid, by joint. */
+    std::vector<std::vector<StrutEnd>> ends_by_joint(const Lattice &lattice,
+                                                     const bool     rigid)
+    {
+      std::vector<std::vector<StrutEnd>> ends_at(lattice.joints.size());
+      for (unsigned int s = 0; s < lattice.struts.size(); ++s)
+        for (unsigned int end = 0;
+             end < 2 && lattice.struts[s].is_rigid() == rigid;
+             ++end)
+          ends_at[lattice.struts[s].joints[end]].push_back({s, end});
+      return ends_at;
+    }
+
+    /** A rigid part of which @p joint is a joint; nullptr if there is none. */
+    const RigidPart *rigid_part_at(const Lattice     &lattice,
+                                   const unsigned int joint)
+    {
+      for (const RigidPart &part : lattice.rigid_parts)
+        if (std::count(part.joints.begin(), part.joints.end(), joint) > 0)
+          return &part;
+      return nullptr;
+    }
+
+    /** A rigid part in the plane has no rotation that the spring of a lone
+     * strut could act on. */
+    void refuse_spring_to_rigid_part(const JointDefinition &definition,
+                                     const Lattice         &lattice,
+                                     const unsigned int     joint)
+    {
+      if (rigid_part_at(lattice, joint))
+        throw InputError(
+          definition.path + "/Joints: a rigid part is hinged at joint " +
+          std::to_string(joint) +
+          ", and a rotational spring cannot act on it. Take the joint out, "
+          "or put a short elastic strut clamped to the part between.");
+    }
+
+    [[noreturn]] void refuse_bar(const JointDefinition &definition,
+                                 const unsigned int     joint)
+    {
+      throw InputError(
+        definition.path + "/Joints: the rigid part at joint " +
+        std::to_string(joint) +
+        " lies on one line, so it has no rotation that a spring or a revolute "
+        "hinge could act on. Leave its struts or the joint out, or set Elastic "
+        "struts = clamped for the part, which gives it a rotation.");
+    }
+
+    /** The rigid parts of the chosen rigid struts that end at a joint. */
+    std::vector<unsigned int>
+    chosen_rigid_parts(const JointDefinition       &definition,
+                       const Lattice               &lattice,
+                       const std::vector<StrutEnd> &ends,
+                       const std::vector<bool>     &chosen,
+                       const unsigned int           joint)
+    {
+      std::vector<unsigned int> parts;
+      for (const StrutEnd &end : ends)
+        {
+          const unsigned int part = lattice.struts[end.strut].rigid_part;
+          if (!chosen[end.strut] ||
+              std::count(parts.begin(), parts.end(), part) > 0)
+            continue;
+          if (lattice.rigid_parts[part].has_rotation)
+            parts.push_back(part);
+          else if (definition.type == Type::revolute)
+            refuse_bar(definition, joint);
+        }
+      return parts;
+    }
+
+    /** What turns at a joint, in order. */
+    std::vector<Turning> turning_ends(const JointRelease::AtJoint &at)
+    {
+      std::vector<Turning> turning;
+      for (const StrutEnd &end : at.ends)
+        turning.push_back({What::strut_end, end.strut, end.end});
+      for (const unsigned int part : at.rigid_parts)
+        turning.push_back({What::rigid_part, part, 0});
+      return turning;
+    }
+
+    /** What the @p ends at a joint turn against. */
+    Turning base_of(const JointRelease::AtJoint &at,
+                    const std::vector<Turning>  &ends,
+                    const Turning               &of_joint,
+                    const JointDefinition       &definition,
+                    const Lattice               &lattice)
+    {
+      if (of_joint.what != What::ground &&
+          std::count(ends.begin(), ends.end(), of_joint) == 0)
+        return of_joint;
+      if (ends.size() > 1)
+        return ends.front();
+      // A lone part turns against the ground, a strut not if a part is there.
+      if (lattice.dimension == 3 && ends.front().what == What::strut_end &&
+          rigid_part_at(lattice, at.joint))
+        refuse_bar(definition, at.joint);
+      return {};
+    }
+
+    /** The releases of all `Joints/NAME`, without pairs. */
+    std::vector<JointRelease> chosen_ends(const Scene   &scene,
+                                          const Lattice &lattice)
+    {
+      const std::vector<std::vector<StrutEnd>> ends_at =
+                                                 ends_by_joint(lattice, false),
+                                               rigid_ends_at =
+                                                 ends_by_joint(lattice, true);
+
+      std::vector<JointRelease> releases;
+      for (const JointDefinition &definition : scene.joints)
+        {
+          std::vector<bool> chosen(lattice.struts.size(), false);
+          for (const unsigned int s :
+               select_struts(lattice,
+                             definition.struts,
+                             scene.context,
+                             definition.path + "/Struts"))
+            chosen[s] = true;
+          JointRelease release{&definition, {}, {}};
+          for (const unsigned int joint :
+               select_joints(lattice,
+                             definition.joints,
+                             scene.context,
+                             definition.path + "/Joints"))
+            {
+              JointRelease::AtJoint at{joint, {}, {}};
+              for (const StrutEnd &end : ends_at[joint])
+                if (chosen[end.strut])
+                  at.ends.push_back(end);
+              if (lattice.dimension == 3 && definition.type != Type::hinge)
+                at.rigid_parts = chosen_rigid_parts(definition,
+                                                    lattice,
+                                                    rigid_ends_at[joint],
+                                                    chosen,
+                                                    joint);
+              // Elsewhere it acts between elastic struts.
+              if (lattice.dimension == 2 &&
+                  definition.type == Type::rotational_spring &&
+                  ends_at[joint].size() < 2)
+                refuse_spring_to_rigid_part(definition, lattice, joint);
+              if (at.ends.empty() && at.rigid_parts.empty())
+                throw InputError(definition.path + ": no elastic strut of '" +
+                                 definition.struts + "' ends at joint " +
+                                 std::to_string(joint) +
+                                 ". Name struts that end at all these joints.");
+              release.joints.push_back(at);
+            }
+          releases.push_back(release);
+        }
+      return releases;
+    }
+
+
+    std::vector<std::array<bool, 2>>
+    released_ends(const std::vector<JointRelease> &releases,
+                  const Lattice                   &lattice)
+    {
+      std::vector<std::array<bool, 2>> released(lattice.struts.size(),
+                                                {{false, false}});
+      for (const JointRelease &release : releases)
+        for (const JointRelease::AtJoint &at : release.joints)
+          for (const StrutEnd &end : at.ends)
+            released[end.strut][end.end] = true;
+      return released;
+    }
+
+    /** What springs and revolute hinges couple. */
+    void find_pairs(std::vector<JointRelease> &releases, const Lattice &lattice)
+    {
+      const std::vector<Turning> of_joint =
+        joint_rotations(lattice, released_ends(releases, lattice));
+      for (JointRelease &release : releases)
+        {
+          const JointDefinition &definition = *release.definition;
+          if (definition.type == Type::hinge)
+            continue;
+          for (const JointRelease::AtJoint &at : release.joints)
+            {
+              const std::vector<Turning> ends = turning_ends(at);
+              const Turning              base =
+                base_of(at, ends, of_joint[at.joint], definition, lattice);
+              for (const Turning &end : ends)
+                if (!(end == base))
+                  release.pairs.push_back({at.joint, base, end});
+            }
+        }
+    }
+  } // namespace
+
+  std::vector<JointRelease> joint_releases(const Scene   &scene,
+                                           const Lattice &lattice)
+  {
+    std::vector<JointRelease> releases = chosen_ends(scene, lattice);
+    find_pairs(releases, lattice);
+    return releases;
+  }
+
+  Ties ties_of(const std::vector<JointRelease> &releases,
+               const Lattice                   &lattice)
+  {
+    Ties ties;
+    ties.released = released_ends(releases, lattice);
+    for (const JointRelease &release : releases)
+      {
+        auto &coupled = release.definition->type == Type::revolute
+          ? ties.hinged
+          : ties.sprung;
+        coupled.insert(coupled.end(),
+                       release.pairs.begin(),
+                       release.pairs.end());
+      }
+    return ties;
+  }
+} // namespace auxfem

@@ -1,0 +1,130 @@
+#include <auxfem/analysis/consistent_rates.h>
+
+#include <gtest/gtest.h>
+#include <mesh/cell_from_text.h>
+#include <equations/equations_on_ranks.h>
+
+using namespace auxfem;
+using namespace auxfem::testing_support;
+
+namespace
+{
+  void start(SystemOnRanks &of_scene, State &state)
+  {
+    const std::unique_ptr<TangentMatrix> matrix =
+      of_scene.system.make_tangent();
+    LinearSolver solver(of_scene.scene.solver, *matrix, of_scene.system);
+    ConsistentRates(of_scene.system, *matrix, solver).start(state, 1e-3);
+  }
+
+  /** Acceleration at t = 0 of a dynamic scene by the name of the unknown. */
+  std::map<UnknownName, double>
+  initial_acceleration(const std::string              &text,
+                       const std::vector<std::string> &overrides = {})
+  {
+    SystemOnRanks of_scene(text, overrides, MPI_COMM_SELF);
+    State         state = of_scene.system.initial_state();
+    start(of_scene, state);
+    return by_name(of_scene.system, *state.acceleration);
+  }
+
+  const std::string falling = frame_scene("0 0; 3 4; 5 4",
+                                          "0 1; 1 2",
+                                          "subsection Gravity\n"
+                                          "  set Acceleration y = -9\n"
+                                          "end\n"
+                                          "subsection Masses\n"
+                                          "  subsection weight\n"
+                                          "    set Joints = 1\n"
+                                          "    set Mass = 4\n"
+                                          "  end\n"
+                                          "end\n");
+} // namespace
+
+TEST(ConsistentRates, AFreeFrameFallsAtTheAccelerationOfGravity)
+{
+  for (const auto &[name, acceleration] : initial_acceleration(falling))
+    // Round-off times the condition of the mass matrix, about 100.
+    EXPECT_NEAR(acceleration, std::get<3>(name) == 1 ? -9. : 0., 1e-12);
+}
+
+TEST(ConsistentRates, InitialAccelerationIsFoundWithoutRotaryInertia)
+{
+  for (const auto &[name, acceleration] :
+       initial_acceleration(falling, {"Effects/Rotary inertia=off"}))
+    // The stiffness that stands in for rotations is 1e-7 of the mass: digits
+    // go by its inverse.
+    EXPECT_NEAR(acceleration, std::get<3>(name) == 1 ? -9. : 0., 1e-8);
+}
+
+TEST(ConsistentRates, AShakenBaseAcceleratesAsPrescribed)
+{
+  const auto acceleration =
+    initial_acceleration(frame_scene("0 0; 1 0",
+                                     "0 1",
+                                     "subsection Supports\n"
+                                     "  subsection base\n"
+                                     "    set Joints = 0\n"
+                                     "    set Type = prescribed\n"
+                                     "    set Displacement x = 2 * t^2\n"
+                                     "  end\n"
+                                     "end\n"));
+  // Fourth-order differences of t^2 over 1e-3 s: round-off over 1e-6.
+  EXPECT_NEAR(acceleration.at({true, 0, 0., 0}), 4., 1e-8);
+  EXPECT_NEAR(acceleration.at({true, 0, 0., 1}), 0., 1e-12);
+}
+
+namespace
+{
+  /** A rigid bar from (0, 0) to (1, 0), turned about its end by 3 rad/s. */
+  std::string turning_bar(const std::string &speed_apart)
+  {
+    return "subsection Lattice\n"
+           "  set Cell = frame\n"
+           "  set Joints = 0 0; 1 0\n"
+           "  set Struts = 0 1\n"
+           "end\n"
+           "subsection Rigid parts\n"
+           "  subsection bar\n"
+           "    set Struts = 0\n"
+           "    set Mass = 2\n"
+           "  end\n"
+           "end\n"
+           "subsection Initial velocities\n"
+           "  subsection spin\n"
+           "    set Joints = all\n"
+           "    set Velocity y = 1.5\n"
+           "    set Angular velocity z = 3\n"
+           "  end\n"
+           "  subsection stretch\n"
+           "    set Joints = 1\n"
+           "    set Velocity x = " +
+      speed_apart +
+      "\n    set Velocity y = 3\n"
+      "  end\n"
+      "end\n";
+  }
+} // namespace
+
+TEST(ConsistentRates, VelocitiesAreRoundedToThoseOfRigidParts)
+{
+  SystemOnRanks of_scene(turning_bar("2e-6"), {}, MPI_COMM_SELF);
+  State         state = of_scene.system.initial_state();
+  start(of_scene, state);
+  const auto &dofs = of_scene.dofs();
+  // The momentum stays, the ends share it.
+  for (unsigned int joint = 0; joint < 2; ++joint)
+    EXPECT_NEAR((*state.velocity)[dofs.joint_unknown(joint, 0)], 1e-6, 1e-18);
+  EXPECT_NEAR((*state.velocity)[dofs.joint_unknown(1, 1)], 3, 1e-14);
+  // Centripetal, the free bar turns about its middle.
+  EXPECT_NEAR((*state.acceleration)[dofs.joint_unknown(0, 0)], 4.5, 1e-13);
+  EXPECT_NEAR((*state.acceleration)[dofs.joint_unknown(1, 0)], -4.5, 1e-13);
+}
+
+TEST(ConsistentRates, VelocitiesThatNoRigidPartCanHaveAreRefused)
+{
+  SystemOnRanks     of_scene(turning_bar("2e-4"), {}, MPI_COMM_SELF);
+  State             state   = of_scene.system.initial_state();
+  const std::string message = input_error_of([&] { start(of_scene, state); });
+  EXPECT_TRUE(contains(message, "move apart with 0.0002 m/s")) << message;
+}

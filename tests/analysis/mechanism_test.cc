@@ -1,0 +1,225 @@
+#include <auxfem/analysis/inverse_iteration.h>
+
+#include <gtest/gtest.h>
+#include <mesh/cell_from_text.h>
+
+#include <limits>
+
+#include "system_on_ranks.h"
+
+using namespace auxfem;
+using namespace auxfem::testing_support;
+
+namespace
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+
+  std::string refusal_with(const std::string              &solver_type,
+                           const std::string              &text,
+                           const std::vector<std::string> &overrides,
+                           const double                    dt)
+  {
+    std::vector<std::string> all = overrides;
+    all.push_back("Solver/Type=" + solver_type);
+    SystemOnRanks of_scene(text, all, MPI_COMM_SELF);
+    const auto    matrix = of_scene.system.make_tangent();
+    LinearSolver  solver(of_scene.scene.solver, *matrix, of_scene.system);
+    return input_error_of([&] {
+      refuse_mechanism(of_scene.system,
+                       of_scene.system.initial_state(),
+                       dt,
+                       *matrix,
+                       solver);
+    });
+  }
+
+  /**
+   * What refuse_mechanism() has against a scene; empty if nothing. An iterative
+   * solver must come to the same verdict, be it by another of several modes.
+   */
+  std::string refusal_of(const std::string              &text,
+                         const std::vector<std::string> &overrides = {},
+                         const double                    dt        = infinity)
+  {
+    const std::string refusal = refusal_with("auto", text, overrides, dt);
+    EXPECT_EQ(refusal_with("gmres", text, overrides, dt).empty(),
+              refusal.empty());
+    return refusal;
+  }
+
+  /** A square of four struts, joints 0..3 counterclockwise from the origin. */
+  std::string square(const std::string &further)
+  {
+    return frame_scene("0 0; 1 0; 1 1; 0 1", "0 1; 1 2; 2 3; 3 0", further) +
+      "subsection Time\n  set Scheme = static\nend\n";
+  }
+
+  const std::string hinges = "subsection Joints\n"
+                             "  subsection corners\n"
+                             "    set Joints = all\n"
+                             "  end\n"
+                             "end\n";
+
+  const std::string two_pins = "subsection Supports\n"
+                               "  subsection ground\n"
+                               "    set Joints = 0, 1\n"
+                               "    set Type = pin\n"
+                               "  end\n"
+                               "end\n";
+
+  std::string brace(const std::string &stiffness)
+  {
+    return "subsection Connectors\n"
+           "  subsection brace\n"
+           "    set Law = spring\n"
+           "    set Spring stiffness = " +
+      stiffness +
+      "\n    set Between = 0 2\n"
+      "  end\n"
+      "end\n";
+  }
+} // namespace
+
+TEST(Mechanism, AHingedSquareIsRefusedNamingAMovingJoint)
+{
+  const std::string message = refusal_of(square(hinges + two_pins));
+  EXPECT_TRUE(contains(message, "horizontal displacement of joint 2") ||
+              contains(message, "horizontal displacement of joint 3"))
+    << message;
+  EXPECT_TRUE(contains(message, "Supports")) << message;
+}
+
+TEST(Mechanism, ABracedHingedSquareStands)
+{
+  EXPECT_EQ(refusal_of(square(hinges + two_pins + brace("1"))), "");
+}
+
+TEST(Mechanism, ASoftBraceHoldsASquareToo)
+{
+  // A million times softer than the struts, still far above round-off.
+  EXPECT_EQ(refusal_of(square(hinges + two_pins + brace("1e-6"))), "");
+}
+
+TEST(Mechanism, ADashpotHoldsASquareForAStepButNotForEver)
+{
+  const std::string text = square(hinges + two_pins +
+                                  "subsection Connectors\n"
+                                  "  subsection brace\n"
+                                  "    set Law = dashpot\n"
+                                  "    set Damping coefficient = 1\n"
+                                  "    set Between = 0 2\n"
+                                  "  end\n"
+                                  "end\n");
+  EXPECT_EQ(refusal_of(text, {}, 0.1), "");
+  EXPECT_NE(refusal_of(text), "");
+}
+
+TEST(Mechanism, ARigidSquareOnTwoPinsStands)
+{
+  EXPECT_EQ(refusal_of(square(two_pins)), "");
+}
+
+TEST(Mechanism, AHingedSquareWithRotationalSpringsStands)
+{
+  EXPECT_EQ(refusal_of(square("subsection Joints\n"
+                              "  subsection corners\n"
+                              "    set Joints = all\n"
+                              "    set Type = rotational spring\n"
+                              "    set Stiffness = 0.01\n"
+                              "  end\n"
+                              "end\n" +
+                              two_pins)),
+            "");
+}
+
+TEST(Mechanism, AStructureWithoutSupportsIsRefused)
+{
+  EXPECT_TRUE(contains(refusal_of(square("")), "not supported"));
+}
+
+TEST(Mechanism, OnePinLeavesARotation)
+{
+  EXPECT_NE(refusal_of(square("subsection Supports\n"
+                              "  subsection ground\n"
+                              "    set Joints = 0\n"
+                              "    set Type = pin\n"
+                              "  end\n"
+                              "end\n")),
+            "");
+}
+
+TEST(Mechanism, APieceOfItsOwnIsFound)
+{
+  // The second strut touches nothing.
+  const std::string message = refusal_of(frame_scene("0 0; 1 0; 3 0; 4 0",
+                                                     "0 1; 2 3",
+                                                     "subsection Supports\n"
+                                                     "  subsection wall\n"
+                                                     "    set Joints = 0\n"
+                                                     "    set Type = clamp\n"
+                                                     "  end\n"
+                                                     "end\n"),
+                                         {"Time/Scheme=static"});
+  EXPECT_TRUE(contains(message, "joint 2") || contains(message, "joint 3") ||
+              contains(message, "strut 1"))
+    << message;
+}
+
+TEST(Mechanism, ASlenderCantileverOfManyElementsStands)
+{
+  // Bending a million times softer than stretching, in 64 elements.
+  EXPECT_EQ(refusal_of(frame_scene("0 0; 1 0",
+                                   "0 1",
+                                   "subsection Supports\n"
+                                   "  subsection wall\n"
+                                   "    set Joints = 0\n"
+                                   "    set Type = clamp\n"
+                                   "  end\n"
+                                   "end\n"),
+                       {"Time/Scheme=static",
+                        "Discretization/Global refinements=6",
+                        "Sections/band/Second moment of area=3e-6"}),
+            "");
+}
+
+TEST(Mechanism, ALargeStarArrayOnItsFoundationStands)
+{
+  EXPECT_EQ(refusal_of(star_with_everything(6, 6), {"Time/Scheme=static"}), "");
+}
+
+TEST(Mechanism, UnitsDoNotMatter)
+{
+  // The same square in millimetres and steel.
+  const std::vector<std::string> steel = {
+    "Lattice/Joints=0 0; 1e-3 0; 1e-3 1e-3; 0 1e-3",
+    "Sections/band/Young's modulus=200e9",
+    "Sections/band/Area=1e-8",
+    "Sections/band/Shear area=1e-8",
+    "Sections/band/Second moment of area=1e-17"};
+  EXPECT_EQ(refusal_of(square(two_pins), steel), "");
+  EXPECT_NE(refusal_of(square(hinges + two_pins), steel), "");
+}
+
+TEST(Mechanism, ABodyInSpaceThatTurnsAboutItsHingeIsRefused)
+{
+  const std::string door     = "set Dimension = 3\nsubsection Lattice\n"
+                               "  set Cell = frame\n"
+                               "  set Joints = 0 0 0; 1 0 0; 1 1 0\n"
+                               "  set Struts = 0 1; 1 2\nend\n"
+                               "subsection Rigid parts\n  subsection door\n"
+                               "    set Struts = all\n    set Mass = 1\n"
+                               "  end\nend\n"
+                               "subsection Supports\n  subsection pivot\n"
+                               "    set Joints = 0\n    set Type = pin\n"
+                               "  end\nend\n"
+                               "subsection Joints\n  subsection hinge\n"
+                               "    set Joints = 0\n";
+  const std::string revolute = "    set Type = revolute\n"
+                               "    set Axis = 0 1 0\n  end\nend\n",
+                    spring   = "    set Type = rotational spring\n"
+                               "    set Stiffness = 3\n  end\nend\n";
+  // Its conditions need a direct solver.
+  EXPECT_NE(refusal_with("auto", door + revolute, {}, infinity), "");
+  // A spring to the ground holds it.
+  EXPECT_EQ(refusal_with("auto", door + spring, {}, infinity), "");
+}

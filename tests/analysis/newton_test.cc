@@ -1,0 +1,209 @@
+#include <auxfem/analysis/newton.h>
+#include <auxfem/time/alpha_family.h>
+#include <auxfem/time/static.h>
+
+#include <gtest/gtest.h>
+#include <mesh/cell_from_text.h>
+#include <equations/equations_on_ranks.h>
+
+#include <cstdio>
+
+using namespace auxfem;
+using namespace auxfem::testing_support;
+
+namespace
+{
+  const std::string in_statics = "  set Scheme = static\n";
+
+  /** One static step of a scene from rest. */
+  struct StaticStep
+  {
+    StaticStep(const std::string              &text,
+               const NewtonParameters         &parameters,
+               const std::vector<std::string> &overrides = {})
+      : of_scene(text, overrides, MPI_COMM_SELF)
+      , newton(of_scene.system, parameters, of_scene.scene.solver)
+      , from(of_scene.system.initial_state())
+      , to(from)
+    {}
+
+    Newton::Result solve()
+    {
+      to.time = from.time + 1.;
+      const Step step{from, to, 1.};
+      scheme.predict(step.from, step.dt, step.to);
+      of_scene.system.begin_step(step);
+      return newton.solve(scheme, step);
+    }
+
+    double tip(const unsigned int component) const
+    {
+      return to.displacement[of_scene.dofs().joint_unknown(1, component)];
+    }
+
+    SystemOnRanks of_scene;
+    Newton        newton;
+    QuasiStatic   scheme;
+    State         from, to;
+  };
+
+  NewtonParameters full_newton()
+  {
+    NewtonParameters parameters;
+    parameters.keep_factorization = false;
+    return parameters;
+  }
+} // namespace
+
+TEST(Newton, ConvergesQuadraticallyWithAFreshFactorization)
+{
+  std::vector<double> residuals;
+  for (unsigned int n = 0; n <= 12; ++n)
+    {
+      NewtonParameters parameters   = full_newton();
+      parameters.maximum_iterations = n;
+      parameters.tolerance          = 1e-11;
+      const Newton::Result of_n =
+        StaticStep(cantilever("0.5", in_statics), parameters).solve();
+      residuals.push_back(of_n.relative_residual);
+      EXPECT_EQ(of_n.factorizations, of_n.iterations);
+      if (of_n.converged)
+        break;
+    }
+  std::printf("iteration  relative residual  over square of the last\n");
+  unsigned int n_checked = 0;
+  // The first residual has no force to be compared with.
+  for (unsigned int n = 2; n < residuals.size(); ++n)
+    {
+      const double ratio = residuals[n] / (residuals[n - 1] * residuals[n - 1]);
+      std::printf("%9u  %17.3e  %23.2f\n", n, residuals[n], ratio);
+      // Bounded where convergence has set in and round-off (1e-15) is far; a
+      // wrong tangent leaves a fixed fraction of each residual.
+      if (residuals[n - 1] < 0.1 && residuals[n] > 1e-14)
+        {
+          EXPECT_LT(ratio, 5.);
+          ++n_checked;
+        }
+    }
+  EXPECT_LT(residuals.back(), 1e-11);
+  EXPECT_GE(n_checked, 2u);
+}
+
+TEST(Newton, KeptFactorizationFindsTheSameWithFewerFactorizations)
+{
+  NewtonParameters kept;
+  StaticStep       with_kept(cantilever("0.1", in_statics), kept),
+    with_fresh(cantilever("0.1", in_statics), full_newton());
+  const Newton::Result result = with_kept.solve(), fresh = with_fresh.solve();
+  ASSERT_TRUE(result.converged);
+  ASSERT_TRUE(fresh.converged);
+  EXPECT_LT(result.factorizations, fresh.factorizations);
+  for (const unsigned int c : {0, 1, 2})
+    // Both have residuals below 1e-8 of the force.
+    EXPECT_NEAR(with_kept.tip(c), with_fresh.tip(c), 1e-8);
+}
+
+TEST(Newton, ALinearSceneNeedsOneFactorizationInAll)
+{
+  StaticStep           linear(cantilever("0.5 * t", in_statics),
+                    {},
+                    {"Effects/Large rotation=off"});
+  const Newton::Result first = linear.solve();
+  EXPECT_TRUE(first.converged);
+  EXPECT_EQ(first.iterations, 1u);
+  EXPECT_EQ(first.factorizations, 1u);
+  // P L^3 / (3 EI) + P L / (kGA) with G = E / 2.5: exact at order 3.
+  const double at_one = 0.5 * (1 / 2.1 + 1 / 2.);
+  EXPECT_NEAR(linear.tip(1), at_one, 1e-13);
+
+  linear.from                 = linear.to;
+  const Newton::Result second = linear.solve();
+  EXPECT_TRUE(second.converged);
+  EXPECT_EQ(second.factorizations, 0u);
+  EXPECT_NEAR(linear.tip(1), 2 * at_one, 1e-13);
+}
+
+TEST(Newton, NoLoadNeedsNoForceScale)
+{
+  StaticStep           unloaded(cantilever("0", in_statics), {});
+  const Newton::Result result = unloaded.solve();
+  EXPECT_TRUE(result.converged);
+  EXPECT_EQ(unloaded.tip(1), 0.);
+}
+
+TEST(Newton, PrescribedUnknownsMoveToTheirPlaceInOneIteration)
+{
+  StaticStep moved(frame_scene("0 0; 1 0",
+                               "0 1",
+                               "subsection Supports\n"
+                               "  subsection wall\n"
+                               "    set Joints = 0\n"
+                               "    set Type = clamp\n"
+                               "  end\n"
+                               "  subsection grip\n"
+                               "    set Joints = 1\n"
+                               "    set Type = prescribed\n"
+                               "    set Displacement x = 0.01\n"
+                               "    set Displacement y = 0.2\n"
+                               "    set Rotation z = -0.3\n"
+                               "  end\n"
+                               "end\n"
+                               "subsection Time\n"
+                               "  set Scheme = static\n"
+                               "end\n"),
+                   {});
+  EXPECT_TRUE(moved.solve().converged);
+  // Increments are exact but for the solution's round-off.
+  EXPECT_NEAR(moved.tip(0), 0.01, 1e-15);
+  EXPECT_NEAR(moved.tip(1), 0.2, 1e-15);
+  EXPECT_NEAR(moved.tip(rotation_z), -0.3, 1e-15);
+}
+
+TEST(Newton, GivesUpAfterTheLargestNumberOfIterations)
+{
+  NewtonParameters parameters;
+  parameters.maximum_iterations = 2;
+  const Newton::Result result =
+    StaticStep(cantilever("2", in_statics), parameters).solve();
+  EXPECT_FALSE(result.converged);
+  EXPECT_EQ(result.iterations, 2u);
+  EXPECT_GT(result.relative_residual, parameters.tolerance);
+  EXPECT_NE(result.reason.find("2 iterations"), std::string::npos)
+    << result.reason;
+}
+
+TEST(Newton, AStructureWithoutResistanceIsReported)
+{
+  // The joint in the middle of two hinged struts in
+  // line has no resistance across.
+  StaticStep           hinged(frame_scene("0 0; 1 0; 2 0",
+                                "0 1; 1 2",
+                                "subsection Joints\n"
+                                          "  subsection all of them\n"
+                                          "    set Joints = all\n"
+                                          "  end\n"
+                                          "end\n"
+                                          "subsection Loads\n"
+                                          "  subsection push\n"
+                                          "    set Joints = 1\n"
+                                          "    set Force y = 1\n"
+                                          "  end\n"
+                                          "end\n"
+                                          "subsection Supports\n"
+                                          "  subsection ends\n"
+                                          "    set Joints = 0, 2\n"
+                                          "    set Type = pin\n"
+                                          "  end\n"
+                                          "end\n"
+                                          "subsection Time\n"
+                                          "  set Scheme = static\n"
+                                          "end\n"),
+                    {});
+  const Newton::Result result = hinged.solve();
+  EXPECT_FALSE(result.converged);
+  // Which of the two is found depends on a rounding.
+  EXPECT_TRUE(result.reason == "the tangent is singular" ||
+              result.reason ==
+                "an iteration turned a section by more than half a turn")
+    << result.reason;
+}

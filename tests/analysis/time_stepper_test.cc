@@ -1,0 +1,290 @@
+#include <auxfem/parameters/errors.h>
+
+#include <gtest/gtest.h>
+#include <support/scene_run.h>
+#include <equations/equations_on_ranks.h>
+
+using namespace auxfem;
+using namespace auxfem::testing_support;
+
+namespace
+{
+  /**
+   * A shallow toggle of two hinged bars (EA = 3, span 2, rise 0.3) with @p force
+   * down on its apex, joint 1. It snaps through at 0.029 N.
+   */
+  std::string toggle(const std::string &force, const std::string &time)
+  {
+    return frame_scene("0 0; 1 0.3; 2 0",
+                       "0 1; 1 2",
+                       "subsection Joints\n"
+                       "  subsection hinges\n"
+                       "    set Joints = all\n"
+                       "  end\n"
+                       "end\n"
+                       "subsection Supports\n"
+                       "  subsection ends\n"
+                       "    set Joints = 0, 2\n"
+                       "    set Type = pin\n"
+                       "  end\n"
+                       "end\n"
+                       "subsection Loads\n"
+                       "  subsection apex\n"
+                       "    set Joints = 1\n"
+                       "    set Force y = -(" +
+                         force + ")\n  end\nend\nsubsection Time\n" + time +
+                         "end\n");
+  }
+
+  std::string error_of(SceneRun &run)
+  {
+    try
+      {
+        run.run();
+      }
+    catch (const ComputationError &error)
+      {
+        return error.what();
+      }
+    return "";
+  }
+
+  void expect_same(const Vector &a, const Vector &b)
+  {
+    ASSERT_EQ(a.MyLength(), b.MyLength());
+    for (int i = 0; i < a.MyLength(); ++i)
+      EXPECT_EQ(a[i], b[i]);
+  }
+} // namespace
+
+TEST(TimeStepper, TimesAreMultiplesOfTheStep)
+{
+  SceneRun run(cantilever("0.01 * t",
+                          "set Scheme = newmark\n"
+                          "set End time = 1\n"
+                          "set Time step = 0.1\n"));
+  EXPECT_EQ(run.scene.time.n_steps(), 10u);
+  run.run([&run] {
+    // Sums of ten times 0.1 would differ in the last digits.
+    EXPECT_EQ(run.state.time, run.state.step * 0.1);
+  });
+  EXPECT_EQ(run.state.step, 10u);
+  EXPECT_EQ(run.state.time, 1.);
+}
+
+TEST(TimeStepper, TheLastStepIsShorterIfTheEndTimeAsksForIt)
+{
+  SceneRun run(cantilever("0.01 * t",
+                          "set Scheme = newmark\n"
+                          "set End time = 1.05\n"
+                          "set Time step = 0.1\n"));
+  EXPECT_EQ(run.scene.time.n_steps(), 11u);
+  std::vector<double> lengths;
+  while (run.state.step < run.scene.time.n_steps())
+    lengths.push_back(run.stepper.advance(run.state).dt);
+  EXPECT_EQ(run.state.time, 1.05);
+  for (unsigned int i = 0; i < 10; ++i)
+    EXPECT_EQ(lengths[i], 0.1);
+  EXPECT_NEAR(lengths[10], 0.05, 1e-15);
+}
+
+TEST(TimeStepper, RoundOffInTheNumberOfStepsAddsNone)
+{
+  // 0.3 / 0.1 is a little below 3, 0.7 / 0.1 a little below 7, 0.6 / 0.2
+  // below 3.
+  for (const auto &[end, step, n] : {std::tuple("0.3", "0.1", 3u),
+                                     std::tuple("0.7", "0.1", 7u),
+                                     std::tuple("0.6", "0.2", 3u)})
+    {
+      SceneRun run(cantilever("0",
+                              std::string("set Scheme = static\n") +
+                                "set End time = " + end +
+                                "\nset Time step = " + step + "\n"));
+      EXPECT_EQ(run.scene.time.n_steps(), n);
+      run.run();
+      EXPECT_EQ(run.state.time, std::stod(end));
+    }
+}
+
+TEST(TimeStepper, ALinearSceneWithAConstantStepIsFactorizedOnce)
+{
+  SceneRun run(cantilever("0.3 * t",
+                          "set Scheme = generalized-alpha\n"
+                          "set End time = 3\n"
+                          "set Time step = 0.1\n"),
+               {"Effects/Large rotation=off"});
+  run.run();
+  EXPECT_EQ(run.factorizations, 1u);
+  EXPECT_EQ(run.iterations, 30u);
+}
+
+TEST(TimeStepper, AStepThatFailsIsUndoneAndDoneInParts)
+{
+  const std::string time = "set Scheme = static\n"
+                           "set End time = 1\n"
+                           "set Time step = 1\n";
+  SceneRun          coarse(cantilever("2 * t", time),
+                  {"Newton/Maximum iterations=4",
+                            "Newton/Factorization=every iteration"});
+  const StepReport  report = coarse.stepper.advance(coarse.state);
+  EXPECT_GT(report.retries, 0u);
+  EXPECT_GT(report.substeps, 1u);
+  EXPECT_LT(report.dt, 1.);
+  EXPECT_EQ(coarse.state.step, 1u);
+  EXPECT_EQ(coarse.state.time, 1.);
+
+  // The same equilibrium as in a hundred steps.
+  SceneRun fine(cantilever("2 * t", time), {"Time/Time step=0.01"});
+  fine.run();
+  for (const unsigned int c : {0u, 1u, rotation_z})
+    // Residuals of 1e-8 of the force, at flexibilities of about one.
+    EXPECT_NEAR(coarse.motion(1, c), fine.motion(1, c), 1e-7);
+}
+
+TEST(TimeStepper, WorkOfAStepInPartsIsTheSumOfItsParts)
+{
+  // With few iterations some steps are divided; the balance of a linear path
+  // in the load does not notice.
+  SceneRun     run(cantilever("2 * t",
+                          "set Scheme = static\n"
+                              "set End time = 1\n"
+                              "set Time step = 0.25\n"),
+               {"Newton/Maximum iterations=3",
+                    "Newton/Factorization=every iteration"});
+  unsigned int substeps = 0;
+  while (run.state.step < run.scene.time.n_steps())
+    substeps += run.stepper.advance(run.state).substeps;
+  EXPECT_GT(substeps, 4u);
+  const Energies &energies = run.state.energies;
+  // The trapezoidal rule for the work over some ten steps of a smooth path.
+  EXPECT_NEAR(energies.strain, energies.external, 0.01 * energies.external);
+}
+
+TEST(TimeStepper, AToggleIsFollowedToItsLimitLoadInEverSmallerSteps)
+{
+  // Von Mises truss: the largest force lies where the bars are inclined by
+  // cos^3 = cos(at rest); beyond, equilibrium exists after the snap only, which
+  // a few iterations do not reach.
+  const double cosine = 1 / std::sqrt(1.09), c = std::cbrt(cosine);
+  const double limit = 2 * 3 * std::sqrt(1 - c * c) * (1 - cosine / c);
+  SceneRun     run(toggle(std::to_string(2 * limit) + " * t",
+                      "set Scheme = static\n"
+                          "set End time = 1\n"
+                          "set Time step = 0.15\n"
+                          "set Smallest time step = 1e-4\n"),
+               {"Discretization/Order=1", "Newton/Maximum iterations=6"});
+  unsigned int retries = 0;
+  while (run.state.step < 3)
+    retries += run.stepper.advance(run.state).retries;
+  EXPECT_NEAR(run.state.time, 0.45, 1e-15);
+  const std::string error = error_of(run);
+  EXPECT_NE(error.find("Smallest time step"), std::string::npos) << error;
+  EXPECT_NE(error.find("joint 1"), std::string::npos) << error;
+  // Up to the limit, and no further; the smallest step is 2e-4 of it.
+  EXPECT_LE(run.state.time, 0.5);
+  EXPECT_GE(run.state.time, 0.5 - 1e-3);
+  EXPECT_GT(retries, 0u);
+  EXPECT_GT(run.motion(1, 1), std::sqrt(1 / (c * c) - 1) - 0.3 - 1e-3);
+}
+
+TEST(TimeStepper, AfterAFailureTheStateIsTheLastAcceptedOne)
+{
+  // From t = 0.16 on the force is far beyond what five iterations reach.
+  const std::string text = cantilever("if(t > 0.16, 50, 0.1 * t)",
+                                      "set Scheme = static\n"
+                                      "set End time = 1\n"
+                                      "set Time step = 0.1\n"
+                                      "set Smallest time step = 0.02\n");
+  SceneRun          run(text, {"Newton/Maximum iterations=5"});
+  run.stepper.advance(run.state);
+  EXPECT_EQ(run.state.step, 1u);
+  const std::string error = error_of(run);
+  EXPECT_NE(error.find("did not converge"), std::string::npos) << error;
+  EXPECT_NE(error.find("joint 1"), std::string::npos) << error;
+
+  // 0.2 fails, 0.15 succeeds, 0.2 and 0.175 from there fail.
+  EXPECT_EQ(run.state.step, 1u);
+  EXPECT_NEAR(run.state.time, 0.15, 1e-15);
+  SceneRun until_there(text,
+                       {"Newton/Maximum iterations=5", "Time/End time=0.15"});
+  until_there.run();
+  for (const unsigned int c : {0u, 1u, rotation_z})
+    EXPECT_NEAR(run.motion(1, c), until_there.motion(1, c), 1e-12);
+  EXPECT_NEAR(run.state.energies.strain,
+              until_there.state.energies.strain,
+              1e-12);
+}
+
+TEST(TimeStepper, AFailedFirstStepLeavesTheStartUntouched)
+{
+  for (const char *scheme : {"static", "newmark", "generalized-alpha"})
+    {
+      SceneRun    run(cantilever("if(t > 0, 1e4, 0)",
+                              std::string("set Scheme = ") + scheme +
+                                "\nset End time = 10\n"
+                                   "set Time step = 10\n"
+                                   "set Smallest time step = 6\n"),
+                   {"Newton/Maximum iterations=2"});
+      const State before = run.state;
+      EXPECT_NE(error_of(run), "") << scheme;
+      EXPECT_EQ(run.state.time, 0.);
+      EXPECT_EQ(run.state.step, 0u);
+      expect_same(run.state.displacement, before.displacement);
+      expect_same(run.state.residual, before.residual);
+      if (before.velocity)
+        expect_same(*run.state.velocity, *before.velocity);
+      if (before.acceleration)
+        expect_same(*run.state.acceleration, *before.acceleration);
+      EXPECT_EQ(run.state.history, before.history);
+    }
+}
+
+TEST(TimeStepper, AStaticStartIsAnEquilibriumAtRest)
+{
+  SceneRun     run(cantilever("0.3",
+                          "set Scheme = newmark\n"
+                              "set End time = 1\n"
+                              "set Time step = 0.05\n"
+                              "set Start from = static equilibrium\n"));
+  const double tip = run.motion(1, 1);
+  EXPECT_GT(tip, 0.1);
+  EXPECT_EQ(run.state.time, 0.);
+  EXPECT_EQ(run.state.energies.external, 0.);
+  EXPECT_GT(run.state.energies.strain, 0.);
+  run.run([&] {
+    // Out of balance by 1e-8 of the force, with flexibilities of about one.
+    EXPECT_NEAR(run.motion(1, 1), tip, 1e-7);
+    EXPECT_NEAR(run.balance(), 0., 1e-8);
+  });
+}
+
+TEST(TimeStepper, ASmoothMotionKeepsItsEnergy)
+{
+  // Average acceleration with small steps on a swinging cantilever under large
+  // rotations and a viscous connector: work = energy + losses to second order.
+  const auto largest_error = [](const std::string &step) {
+    SceneRun run(cantilever("0.4 * sin(t)^2",
+                            "set Scheme = newmark\n"
+                            "set End time = 4\n"
+                            "set Time step = " +
+                              step + "\n") +
+                   "subsection Connectors\n"
+                   "  subsection damper\n"
+                   "    set Law = maxwell\n"
+                   "    set Spring stiffness = 0.3\n"
+                   "    set Damping coefficient = 0.2\n"
+                   "    set Between = ground: 1\n"
+                   "    set Ground offset = 0 1\n"
+                   "  end\n"
+                   "end\n",
+                 {"Sections/band/Stiffness-proportional damping=0.1",
+                  "Sections/band/Mass-proportional damping=0.2"});
+    double   largest = 0;
+    run.run([&] { largest = std::max(largest, std::abs(run.balance())); });
+    EXPECT_GT(run.state.energies.dissipated, 0.01);
+    return largest;
+  };
+  const double coarse = largest_error("0.02"), fine = largest_error("0.01");
+  EXPECT_LT(coarse, 1e-3);
+  EXPECT_NEAR(std::log2(coarse / fine), 2., 0.3);
+}

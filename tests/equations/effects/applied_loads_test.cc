@@ -1,0 +1,83 @@
+#include <auxfem/equations/effects/applied_loads.h>
+
+#include <gtest/gtest.h>
+#include <equations/equations_on_ranks.h>
+
+using namespace auxfem;
+using namespace auxfem::testing_support;
+
+namespace
+{
+  TimeFunction course(const std::string &text)
+  {
+    return TimeFunction(text, "Force", SceneContext());
+  }
+
+  /** Two loads: 3 t on unknowns 1 and 2 (weights 1 and -2), and 5 on 2. */
+  struct LoadsAlone
+  {
+    explicit LoadsAlone(const bool raised_from_zero = false)
+      : of_scene(frame_scene("0 0; 1 0", "0 1", ""), {}, MPI_COMM_SELF)
+      , loads(of_scene.dofs(), raised_from_zero)
+      , from(of_scene.system.initial_state())
+      , to(from)
+    {
+      const unsigned int growing = loads.add_load(course("3 * t"));
+      loads.add_weight(growing, 1, 1.);
+      loads.add_weight(growing, 2, -2.);
+      loads.add_weight(loads.add_load(course("5")), 2, 1.);
+      from.time = 0.5;
+      to.time   = 1.5;
+    }
+
+    SystemOnRanks of_scene;
+    AppliedLoads  loads;
+    State         from, to;
+  };
+} // namespace
+
+TEST(AppliedLoads, ResidualIsMinusTheForceAtTheEndOfTheStep)
+{
+  LoadsAlone          applied;
+  std::vector<double> residual(applied.of_scene.dofs().n_local(), 0.);
+  const Step          step{applied.from, applied.to, 1.};
+  applied.loads.begin_step(step);
+  applied.loads.add_residual(step, residual.data());
+  for (unsigned int i = 0; i < residual.size(); ++i)
+    EXPECT_EQ(residual[i], i == 1 ? -4.5 : i == 2 ? 9. - 5. : 0.);
+}
+
+TEST(AppliedLoads, WorkIsTheMeanForceTimesTheDisplacement)
+{
+  LoadsAlone applied;
+  const Step step{applied.from, applied.to, 1.};
+  applied.from.displacement[1] = 0.25;
+  applied.to.displacement[1]   = 0.75;
+  applied.to.displacement[2]   = 0.125;
+  applied.to.external_work     = 10;
+  applied.loads.begin_step(step);
+  applied.loads.accept(step);
+  // Means: 3 N and 5 N; exact in binary numbers.
+  EXPECT_EQ(applied.to.external_work, 10 + 3 * (0.5 - 2 * 0.125) + 5 * 0.125);
+}
+
+TEST(AppliedLoads, LoadsRaisedFromZeroDoLessWorkInTheFirstStep)
+{
+  for (const bool raised : {false, true})
+    {
+      LoadsAlone applied(raised);
+      const Step step{applied.from, applied.to, 1.};
+      applied.from.time          = 0;
+      applied.to.displacement[2] = 0.125;
+      applied.loads.begin_step(step);
+      applied.loads.accept(step);
+      // 3 t grows to 4.5 anyway; 5 acts from the start or grows as well.
+      EXPECT_EQ(applied.to.external_work,
+                (-2 * 4.5 / 2 + (raised ? 2.5 : 5.)) * 0.125);
+    }
+}
+
+TEST(AppliedLoads, DeadLoadsAreLinear)
+{
+  EXPECT_TRUE(LoadsAlone().loads.is_linear());
+}

@@ -1,0 +1,113 @@
+#include <auxfem/equations/effects/following_loads.h>
+
+#include <equations/effects/space_effect.h>
+
+using namespace auxfem;
+using namespace auxfem::testing_support;
+
+namespace
+{
+  /** Force (3, -2, 1.5) and moment (0.7, 5, -4) that turn with joint 1. */
+  std::array<TimeFunction, n_motion_components>
+  components(const SceneContext &context)
+  {
+    std::array<TimeFunction, n_motion_components> result;
+    const char *texts[] = {"3", "-2", "1.5", "0.7", "5", "-4"};
+    for (unsigned int c = 0; c < n_motion_components; ++c)
+      result[c] = TimeFunction(texts[c], "load", context);
+    return result;
+  }
+
+  struct LoadInSpace : SpaceEffect
+  {
+    LoadInSpace()
+      : SpaceEffect(space_frame("0 0 0; 1 0 0.3; 1.5 0.9 0.2", "0 1; 1 2", ""),
+                    true)
+      , loads(of_scene.lattice, of_scene.dofs(), false)
+    {
+      loads.add(components(of_scene.scene.context), 1);
+      loads.begin_step({from, to, 1.});
+    }
+
+    FollowingLoads loads;
+  };
+} // namespace
+
+TEST(FollowingLoads, TurnWithTheJointInSpace)
+{
+  LoadInSpace               one;
+  const auto               &dofs = one.of_scene.dofs();
+  const std::vector<double> rows = one.residual(one.loads, one.to, 1.);
+  const Quaternion         &P =
+    one.to.rotations[dofs.spatial_rotation(dofs.joint_unknown(1, rotation_z))];
+  const SpaceVector force  = rotated(P, SpaceVector({3, -2, 1.5})),
+                    moment = rotated(P, SpaceVector({0.7, 5, -4}));
+  double others            = 0;
+  for (const double row : rows)
+    others += row * row;
+  for (unsigned int c = 0; c < 3; ++c)
+    {
+      EXPECT_NEAR(rows[dofs.joint_unknown(1, c)], -force[c], 1e-14);
+      EXPECT_NEAR(rows[dofs.joint_unknown(1, 3 + c)], -moment[c], 1e-14);
+    }
+  EXPECT_NEAR(others, force.norm_square() + moment.norm_square(), 1e-12);
+}
+
+TEST(FollowingLoads, TurnWithTheJointInThePlane)
+{
+  const SystemOnRanks of_scene(frame_scene("0 0; 1 0", "0 1", ""),
+                               {},
+                               MPI_COMM_SELF);
+  const auto         &dofs = of_scene.dofs();
+  FollowingLoads      loads(of_scene.lattice, dofs, false);
+  loads.add(components(of_scene.scene.context), 1);
+  State        from = of_scene.system.initial_state(), to = from;
+  const double angle                                 = 0.7;
+  to.displacement[dofs.joint_unknown(1, rotation_z)] = angle;
+  std::vector<double> rows(dofs.n_local(), 0.);
+  loads.begin_step({from, to, 1.});
+  loads.add_residual({from, to, 1.}, rows.data());
+  EXPECT_NEAR(-rows[dofs.joint_unknown(1, 0)],
+              3 * std::cos(angle) + 2 * std::sin(angle),
+              1e-14);
+  EXPECT_NEAR(-rows[dofs.joint_unknown(1, 1)],
+              3 * std::sin(angle) - 2 * std::cos(angle),
+              1e-14);
+  EXPECT_NEAR(-rows[dofs.joint_unknown(1, rotation_z)], -4, 1e-14);
+}
+
+TEST(FollowingLoads, TangentIsThatOfDifferences)
+{
+  LoadInSpace one;
+  one.expect_tangent(one.loads, {1., 3., 5.});
+}
+
+TEST(FollowingLoads, WorkOfASmallStepIsThatOfTheLoadAlongIt)
+{
+  LoadInSpace one;
+  const auto &dofs = one.of_scene.dofs();
+  one.from         = one.to;
+  one.to           = one.moved(one.irregular(2.2), 1e-4);
+  // `moved` counts turns from the state before.
+  const Step step{one.from, one.to, 1.};
+  one.rotations.follow(step);
+  one.loads.begin_step(step);
+  const std::vector<double> rows = one.residual(one.loads, one.to, 1.);
+  one.loads.accept(step);
+  double work = 0;
+  for (unsigned int c = 0; c < n_motion_components; ++c)
+    {
+      const int i = dofs.joint_unknown(1, c);
+      if (c < 3)
+        work -= rows[i] * (one.to.displacement[i] - one.from.displacement[i]);
+    }
+  const SpaceVector turn =
+    one.rotations.spatial_turn(step,
+                               dofs.spatial_rotation(
+                                 dofs.joint_unknown(1, rotation_z)));
+  for (unsigned int c = 0; c < 3; ++c)
+    work -= rows[dofs.joint_unknown(1, 3 + c)] * turn[c];
+  // The mean of both ends of the step against its end: the square of it.
+  EXPECT_NEAR(one.to.external_work, work, 1e-6);
+  EXPECT_GT(std::abs(work), 1e-5);
+}

@@ -1,0 +1,141 @@
+#include <auxfem/parameters/errors.h>
+#include <auxfem/equations/effects/revolute_hinges.h>
+
+#include <mesh/cell_from_text.h>
+#include <support/scene_run.h>
+#include <equations/effects/space_effect.h>
+
+using namespace auxfem;
+using namespace auxfem::testing_support;
+
+namespace
+{
+  std::string revolute(const std::string &joints,
+                       const std::string &struts,
+                       const std::string &axis)
+  {
+    return "subsection Joints\n  subsection hinge\n    set Joints = " + joints +
+      "\n    set Struts = " + struts +
+      "\n    set Type = revolute\n    set Axis = " + axis + "\n  end\nend\n";
+  }
+
+  std::string clamp(const std::string &joints)
+  {
+    return "subsection Supports\n  subsection wall\n    set Joints = " +
+      joints + "\n    set Type = clamp\n  end\nend\n";
+  }
+
+  /** Three struts at joint 1, two of them on one hinge against the third. */
+  const std::string forked =
+    space_frame("0 0 0; 1 0 0; 1.5 0.9 0.2; 1.8 -0.3 0.8",
+                "0 1; 1 2; 1 3",
+                revolute("1", "1, 2", "1 2 -0.5"));
+
+  /** The hinge conditions of the forked alone. */
+  struct ForkHinges : SpaceEffect
+  {
+    explicit ForkHinges(const bool large_rotation)
+      : SpaceEffect(forked, large_rotation)
+      , hinges(of_scene.dofs(), large_rotation, 0.7)
+    {
+      const auto spins = [&](const unsigned int strut, const unsigned int end) {
+        std::array<int, 3> unknowns;
+        for (unsigned int c = 0; c < 3; ++c)
+          unknowns[c] = of_scene.dofs().end_rotation(strut, end, 3 + c);
+        return unknowns;
+      };
+      for (unsigned int h = 0; h < 2; ++h)
+        hinges.add(spins(0, 1),
+                   spins(1 + h, 0),
+                   {{of_scene.dofs().hinge_multiplier(h, 0),
+                     of_scene.dofs().hinge_multiplier(h, 1)}},
+                   of_scene.scene.joints[0].axis);
+    }
+
+    RevoluteHinges hinges;
+  };
+} // namespace
+
+TEST(RevoluteHinges, EveryReleasedStrutHasTwoConditions)
+{
+  const SystemOnRanks of_scene(forked, {}, MPI_COMM_SELF);
+  const auto         &dofs = of_scene.dofs();
+  EXPECT_EQ(dofs.n_multipliers(), 4u);
+  EXPECT_TRUE(of_scene.system.has_conditions());
+  EXPECT_EQ(dofs.describe(dofs.hinge_multiplier(1, 0)),
+            "condition of the revolute hinge at joint 1");
+}
+
+TEST(RevoluteHinges, TangentIsThatOfDifferences)
+{
+  for (const bool large_rotation : {true, false})
+    {
+      ForkHinges forked(large_rotation);
+      forked.expect_tangent(forked.hinges, {1., 3., 5.});
+      EXPECT_EQ(forked.hinges.is_linear(), !large_rotation);
+    }
+}
+
+TEST(RevoluteHinges, MomentsAreDerivativesOfTheConditions)
+{
+  for (const bool large_rotation : {true, false})
+    {
+      ForkHinges forked(large_rotation);
+      forked.expect_forces_by_conditions(forked.hinges);
+    }
+}
+
+TEST(RevoluteHinges, RatesAreThoseOfTheConditions)
+{
+  for (const bool large_rotation : {true, false})
+    {
+      ForkHinges forked(large_rotation);
+      forked.expect_time_derivatives(forked.hinges);
+    }
+}
+
+TEST(RevoluteHinges, AStrutTurnsAboutTheAxisAlone)
+{
+  // A cantilever along x, hinged about z half way, its outer half held along z
+  // by bending and torsion only: across z the hinge transmits moments, about z
+  // it needs the roller's force.
+  const std::string further = revolute("1", "1", "0 0 1") + clamp("0") +
+    "subsection Supports\n  subsection rest\n    set Joints = 2\n"
+    "    set Type = prescribed\n    set Displacement y = 0\n  end\nend\n"
+    "subsection Loads\n  subsection tip\n    set Joints = 2\n"
+    "    set Force z = 1e-6\n    set Force y = 5\n  end\nend\n"
+    "subsection Time\n  set Scheme = static\n  set End time = 1\n"
+    "  set Time step = 1\nend\n";
+  SceneRun run(space_frame("0 0 0; 1 0 0; 2 0 0", "0 1; 1 2", further),
+               {"Discretization/Order=3"});
+  run.run();
+  const auto &dofs = run.system.numbering();
+  // The strut without hinge: F L^3 / (3 EI) + F L / (kGA).
+  const double pi = std::acos(-1.), EI = 1000 * pi * 1e-4 / 4,
+               kGA = 0.9 * pi * 1e-2 * 1000 / 2.6;
+  EXPECT_NEAR(run.state.displacement[dofs.joint_unknown(2, 2)],
+              1e-6 * 8 / (3 * EI) + 1e-6 * 2 / kGA,
+              // The deflection of 3e-5 m, squared, of itself.
+              1e-12);
+  // Both sides of the hinge are parallel but for the turn about z.
+  for (const unsigned int c : {3u, 4u})
+    EXPECT_NEAR(run.state.displacement[dofs.end_rotation(0, 1, c)],
+                run.state.displacement[dofs.end_rotation(1, 0, c)],
+                1e-12);
+}
+
+TEST(RevoluteHinges, ABarHasNoRotationToBeHinged)
+{
+  const std::string message = input_error_of([] {
+    const SystemOnRanks of_scene(
+      space_frame("0 0 0; 1 0 0; 2 0 0",
+                  "0 1; 1 2",
+                  "subsection Rigid parts\n  subsection bar\n"
+                  "    set Struts = 1\n    set Mass = 1\n  end\nend\n" +
+                    revolute("1", "all", "0 0 1")),
+      {},
+      MPI_COMM_SELF);
+  });
+  EXPECT_TRUE(contains(message, "Joints/hinge/Joints")) << message;
+  EXPECT_TRUE(contains(message, "lies on one line")) << message;
+}

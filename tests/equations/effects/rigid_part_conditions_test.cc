@@ -1,0 +1,334 @@
+#include <auxfem/equations/effects/rigid_part_conditions.h>
+
+#include <gtest/gtest.h>
+#include <support/scene_run.h>
+#include <equations/equations_on_ranks.h>
+
+#include <cmath>
+
+using namespace auxfem;
+using namespace auxfem::testing_support;
+
+namespace
+{
+  /**
+   * A rigid part of 4 joints, three of them off its base line, with elastic
+   * struts to joint 4, clamped to it at joints 2 and 3.
+   */
+  const std::string plate = frame_scene("0 0; 2 0.3; 1.6 1.1; 0.2 1.4; 3 2",
+                                        "0 1; 1 2; 0 3; 2 4; 3 4",
+                                        "subsection Rigid parts\n"
+                                        "  subsection plate\n"
+                                        "    set Struts = 0, 1, 2\n"
+                                        "    set Mass = 3\n"
+                                        "    set Elastic struts = clamped\n"
+                                        "  end\n"
+                                        "end\n"
+                                        "subsection Discretization\n"
+                                        "  set Order = 1\n"
+                                        "end\n");
+
+  /** The conditions of the plate alone, in an irregular motion. */
+  struct PlateConditions
+  {
+    explicit PlateConditions(const bool large_rotation)
+      : of_scene(plate, {}, MPI_COMM_SELF)
+      , conditions(rigid_bodies(of_scene.lattice, of_scene.dofs()),
+                   of_scene.lattice,
+                   of_scene.dofs(),
+                   large_rotation,
+                   {})
+      , matrix(of_scene.dofs())
+      , from(of_scene.system.initial_state())
+      , to(from)
+      , n(of_scene.dofs().n_unknowns())
+    {
+      conditions.register_blocks(matrix);
+      matrix.finalize();
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          to.displacement[i]    = 1.5 * std::sin(1 + 2.3 * i);
+          (*to.velocity)[i]     = 0.8 * std::sin(2 + 1.7 * i);
+          (*to.acceleration)[i] = 1.1 * std::sin(3 + 1.1 * i);
+        }
+    }
+
+    bool is_multiplier(const unsigned int i) const
+    {
+      return of_scene.dofs().kind(i) == UnknownKind::multiplier;
+    }
+
+    std::vector<double> residual(const double dt)
+    {
+      std::vector<double> rows(n, 0.);
+      conditions.add_residual({from, to, dt}, rows.data());
+      return rows;
+    }
+
+    /** lambda . g at the present motion with displacement @p i at @p value. */
+    double virtual_work(const unsigned int i, const double value)
+    {
+      const double kept                = to.displacement[i];
+      to.displacement[i]               = value;
+      const std::vector<double> rows   = residual(1.);
+      double                    result = 0;
+      for (unsigned int k = 0; k < n; ++k)
+        if (is_multiplier(k))
+          result += to.displacement[k] * rows[k];
+      to.displacement[i] = kept;
+      return result;
+    }
+
+    std::vector<double> tangent_times(const std::vector<double> &direction)
+    {
+      matrix.reset();
+      conditions.add_tangent({from, to, 1.}, {1., 3., 5.}, matrix);
+      Epetra_Vector x(of_scene.dofs().owned_map()), y(x);
+      std::copy(direction.begin(), direction.end(), x.Values());
+      matrix.matrix().Multiply(false, x, y);
+      return {y.Values(), y.Values() + n};
+    }
+
+    std::vector<double> direction() const
+    {
+      std::vector<double> result;
+      for (unsigned int i = 0; i < n; ++i)
+        result.push_back(std::sin(0.5 + 1.9 * i));
+      return result;
+    }
+
+    void move(const std::vector<double> &direction, const double size)
+    {
+      for (unsigned int i = 0; i < n; ++i)
+        to.displacement[i] += size * direction[i];
+    }
+
+    SystemOnRanks       of_scene;
+    RigidPartConditions conditions;
+    TangentMatrix       matrix;
+    State               from, to;
+    const unsigned int  n;
+  };
+
+  /** A bar of 2 m and 3 kg from joint 0, at the origin, to @p end. */
+  std::string bar(const std::string &end, const std::string &further)
+  {
+    return "subsection Lattice\n  set Cell = frame\n  set Joints = 0 0; " +
+      end +
+      "\n  set Struts = 0 1\nend\n"
+      "subsection Rigid parts\n"
+      "  subsection bar\n"
+      "    set Struts = all\n"
+      "    set Mass = 3\n"
+      "  end\n"
+      "end\n" +
+      further;
+  }
+
+  const std::string pivot = "subsection Supports\n"
+                            "  subsection pivot\n"
+                            "    set Joints = 0\n"
+                            "    set Type = pin\n"
+                            "  end\n"
+                            "end\n";
+
+  const std::string gravity = "subsection Gravity\n"
+                              "  set Acceleration y = -9.81\n"
+                              "end\n";
+} // namespace
+
+TEST(RigidPartConditions, ThePlateHasAConditionForEachThatItsJointsLose)
+{
+  PlateConditions plate(true);
+  unsigned int    n_multipliers = 0;
+  for (unsigned int i = 0; i < plate.n; ++i)
+    n_multipliers += plate.is_multiplier(i);
+  // 4 joints keep 3 of 8 freedoms, two sections turn along.
+  EXPECT_EQ(n_multipliers, 7u);
+}
+
+TEST(RigidPartConditions, ForcesAreDerivativesOfTheConditions)
+{
+  for (const bool large_rotation : {true, false})
+    {
+      PlateConditions           plate(large_rotation);
+      const std::vector<double> rows = plate.residual(1.);
+      const double              h    = 1e-5;
+      for (unsigned int i = 0; i < plate.n; ++i)
+        {
+          if (plate.is_multiplier(i))
+            continue;
+          const double here = plate.to.displacement[i];
+          // Third derivatives of about 5 m and N: h^2; round-off 1e-15 / h.
+          EXPECT_NEAR(rows[i],
+                      (plate.virtual_work(i, here + h) -
+                       plate.virtual_work(i, here - h)) /
+                        (2 * h),
+                      2e-9)
+            << plate.of_scene.dofs().describe(i);
+        }
+    }
+}
+
+TEST(RigidPartConditions, TangentIsThatOfDifferencesAtALargeRotation)
+{
+  for (const bool large_rotation : {true, false})
+    {
+      PlateConditions           plate(large_rotation);
+      const std::vector<double> direction = plate.direction(),
+                                product   = plate.tangent_times(direction);
+      const double h                      = 1e-5;
+      plate.move(direction, h);
+      const std::vector<double> forward = plate.residual(1.);
+      plate.move(direction, -2 * h);
+      const std::vector<double> backward = plate.residual(1.);
+      double                    size     = 0;
+      for (const double value : product)
+        size = std::max(size, std::abs(value));
+      for (unsigned int i = 0; i < plate.n; ++i)
+        EXPECT_NEAR(product[i],
+                    (forward[i] - backward[i]) / (2 * h),
+                    1e-8 * size)
+          << plate.of_scene.dofs().describe(i);
+    }
+}
+
+TEST(RigidPartConditions, AtRestInTimeTheRowsAreSecondDerivatives)
+{
+  for (const bool large_rotation : {true, false})
+    {
+      PlateConditions           plate(large_rotation);
+      const std::vector<double> rows = plate.residual(0.);
+      const Vector              u    = plate.to.displacement;
+      const auto                at   = [&](const double t) {
+        for (unsigned int i = 0; i < plate.n; ++i)
+          plate.to.displacement[i] = u[i] + t * (*plate.to.velocity)[i] +
+            t * t / 2 * (*plate.to.acceleration)[i];
+        return plate.residual(1.);
+      };
+      const double h       = 1e-3;
+      const auto   forward = at(h), here = at(0), backward = at(-h);
+      for (unsigned int i = 0; i < plate.n; ++i)
+        // Fourth derivatives of about 10: h^2; round-off 1e-15 / h^2.
+        if (plate.is_multiplier(i))
+          {
+            EXPECT_NEAR(rows[i],
+                        (forward[i] - 2 * here[i] + backward[i]) / (h * h),
+                        1e-5)
+              << plate.of_scene.dofs().describe(i);
+          }
+    }
+}
+
+TEST(RigidPartConditions, SmallDisplacementsAreLinear)
+{
+  PlateConditions plate(false);
+  EXPECT_TRUE(plate.conditions.is_linear());
+  EXPECT_FALSE(PlateConditions(true).conditions.is_linear());
+  // A linear residual without constant is its tangent times the unknowns.
+  const std::vector<double> unknowns(plate.to.displacement.Values(),
+                                     plate.to.displacement.Values() + plate.n);
+  const std::vector<double> product = plate.tangent_times(unknowns),
+                            rows    = plate.residual(1.);
+  for (unsigned int i = 0; i < plate.n; ++i)
+    EXPECT_NEAR(product[i], rows[i], 1e-13);
+}
+
+TEST(RigidPartConditions, AFiniteRigidMotionMeetsThem)
+{
+  PlateConditions plate(true);
+  plate.to.displacement.PutScalar(0.);
+  const double angle = 2.2;
+  for (unsigned int joint = 0; joint < 4; ++joint)
+    {
+      const dealii::Point<3> x = plate.of_scene.lattice.joints[joint];
+      const auto set           = [&](const unsigned int c, const double value) {
+        plate.to.displacement[plate.of_scene.dofs().joint_unknown(joint, c)] =
+          value;
+      };
+      set(0, std::cos(angle) * x[0] - std::sin(angle) * x[1] - x[0] + 5);
+      set(1, std::sin(angle) * x[0] + std::cos(angle) * x[1] - x[1] - 4);
+      if (plate.of_scene.dofs().joint_has(joint, rotation_z))
+        set(rotation_z, angle);
+    }
+  for (const double row : plate.residual(1.))
+    EXPECT_NEAR(row, 0, 1e-14);
+  EXPECT_NEAR(plate.conditions.rotation(0, plate.to)[2], angle, 1e-14);
+
+  // Whole turns of the sections are no other motion.
+  for (const unsigned int joint : {2u, 3u})
+    plate.to
+      .displacement[plate.of_scene.dofs().joint_unknown(joint, rotation_z)] +=
+      2 * std::acos(-1.);
+  for (const double row : plate.residual(1.))
+    EXPECT_NEAR(row, 0, 1e-14);
+}
+
+TEST(RigidPartConditions, RatesAreThoseOfTheConditions)
+{
+  for (const bool large_rotation : {true, false})
+    {
+      PlateConditions plate(large_rotation);
+      const Vector    u  = plate.to.displacement;
+      const auto      at = [&](const double t) {
+        for (unsigned int i = 0; i < plate.n; ++i)
+          plate.to.displacement[i] = u[i] + t * (*plate.to.velocity)[i];
+        return plate.residual(1.);
+      };
+      const double h       = 1e-5;
+      const auto   forward = at(h), backward = at(-h);
+      plate.to.displacement = u;
+      std::vector<double> rates(plate.n, 0.);
+      plate.conditions.find_rates(plate.to, rates.data());
+      for (unsigned int i = 0; i < plate.n; ++i)
+        EXPECT_NEAR(rates[i],
+                    plate.is_multiplier(i)
+                      ? (forward[i] - backward[i]) / (2 * h)
+                      : 0.,
+                    1e-8);
+    }
+}
+
+TEST(RigidPartConditions, AHangingBarIsHeldByItsWeight)
+{
+  const SceneRun        run(bar("0 -2", pivot + gravity));
+  const RigidPartReport report = run.system.rigid_parts()->report(0, run.state);
+  ASSERT_EQ(report.forces.size(), 2u);
+  EXPECT_NEAR(report.forces[0][0], 0, 1e-13);
+  EXPECT_NEAR(report.forces[0][1], 3 * 9.81, 1e-13);
+  EXPECT_NEAR(report.forces[1].norm(), 0, 1e-13);
+  EXPECT_NEAR(run.reaction("pivot", 1), 3 * 9.81, 1e-13);
+}
+
+TEST(RigidPartConditions, AHorizontalBarFallsOffItsHinge)
+{
+  // Released: angular acceleration 3 g / (2 L), hinge force m g / 4.
+  const SceneRun        run(bar("2 0", pivot + gravity));
+  const RigidPartReport report = run.system.rigid_parts()->report(0, run.state);
+  EXPECT_NEAR(report.forces[0][0], 0, 1e-13);
+  EXPECT_NEAR(report.forces[0][1], 3 * 9.81 / 4, 1e-13);
+  EXPECT_NEAR(report.forces[1].norm(), 0, 1e-13);
+}
+
+TEST(RigidPartConditions, ATurningBarIsHeldByTheCentripetalForce)
+{
+  // 3 kg, their centre at 1 m, 5 rad/s.
+  const SceneRun        run(bar("2 0",
+                         pivot +
+                           "subsection Initial velocities\n"
+                                  "  subsection spin\n"
+                                  "    set Joints = all\n"
+                                  "    set Velocity y = 5\n"
+                                  "    set Angular velocity z = 5\n"
+                                  "  end\n"
+                                  "end\n"));
+  const RigidPartReport report = run.system.rigid_parts()->report(0, run.state);
+  EXPECT_NEAR(report.forces[0][0], -3 * 25., 1e-12);
+  EXPECT_NEAR(report.forces[0][1], 0, 1e-12);
+  EXPECT_NEAR(report.forces[1].norm(), 0, 1e-12);
+  EXPECT_NEAR(run.system.rigid_parts()
+                ->motion(0, run.lattice.joints[1], run.state)
+                .velocity[1],
+              10,
+              1e-14);
+}

@@ -1,0 +1,79 @@
+#include <auxfem/equations/effects/rotational_springs.h>
+
+#include <gtest/gtest.h>
+#include <equations/equations_on_ranks.h>
+
+using namespace auxfem;
+using namespace auxfem::testing_support;
+
+namespace
+{
+  /** A spring of 3 N m/rad between the rotations of joints 0 and 1. */
+  struct SpringAlone
+  {
+    SpringAlone()
+      : of_scene(frame_scene("0 0; 1 0", "0 1", ""), {}, MPI_COMM_SELF)
+      , first(of_scene.dofs().joint_unknown(0, rotation_z))
+      , second(of_scene.dofs().joint_unknown(1, rotation_z))
+      , springs(of_scene.dofs())
+      , from(of_scene.system.initial_state())
+      , to(from)
+    {
+      springs.add(first, second, 3.);
+      to.displacement[first]  = 0.25;
+      to.displacement[second] = 20.75;
+    }
+
+    SystemOnRanks     of_scene;
+    int               first, second;
+    RotationalSprings springs;
+    State             from, to;
+  };
+} // namespace
+
+TEST(RotationalSprings, MomentIsStiffnessTimesRelativeRotation)
+{
+  SpringAlone         one;
+  std::vector<double> residual(one.of_scene.dofs().n_local(), 0.);
+  one.springs.add_residual({one.from, one.to, 1.}, residual.data());
+  // Also after several turns.
+  EXPECT_EQ(residual[one.first], -3 * 20.5);
+  EXPECT_EQ(residual[one.second], 3 * 20.5);
+  for (unsigned int i = 0; i < residual.size(); ++i)
+    if (int(i) != one.first && int(i) != one.second)
+      {
+        EXPECT_EQ(residual[i], 0.);
+      }
+}
+
+TEST(RotationalSprings, EnergyIsHalfOfMomentTimesRotation)
+{
+  SpringAlone one;
+  Energies    energies;
+  one.springs.add_energies(one.to, energies);
+  EXPECT_EQ(energies.strain, 1.5 * 20.5 * 20.5);
+}
+
+TEST(RotationalSprings, TangentIsTheStiffnessTimesItsFactor)
+{
+  SpringAlone   one;
+  TangentMatrix matrix(one.of_scene.dofs());
+  one.springs.register_blocks(matrix);
+  matrix.finalize();
+  matrix.reset();
+  one.springs.add_tangent({one.from, one.to, 1.}, {0.5, 7., 9.}, matrix);
+
+  EXPECT_TRUE(one.springs.is_linear());
+  Epetra_Vector unit(one.of_scene.dofs().owned_map()), column(unit);
+  unit[one.second] = 1;
+  matrix.matrix().Multiply(false, unit, column);
+  EXPECT_EQ(column[one.second], 1.5);
+  EXPECT_EQ(column[one.first], -1.5);
+  double sum = 0;
+  column.Norm1(&sum);
+  EXPECT_EQ(sum, 3.);
+  unit.PutScalar(1.);
+  matrix.matrix().Multiply(false, unit, column);
+  column.Norm1(&sum);
+  EXPECT_EQ(sum, 0.);
+}

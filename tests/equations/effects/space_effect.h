@@ -1,0 +1,201 @@
+#ifndef auxfem_tests_system_effects_space_effect_h
+#define auxfem_tests_system_effects_space_effect_h
+
+#include <auxfem/equations/conditions.h>
+#include <auxfem/equations/node_rotations.h>
+
+#include <gtest/gtest.h>
+#include <equations/equations_on_ranks.h>
+
+#include <cmath>
+
+namespace auxfem
+{
+  namespace testing_support
+  {
+    /** Circular struts of 1 m in space, with @p further subsections. */
+    inline std::string space_frame(const std::string &joints,
+                                   const std::string &struts,
+                                   const std::string &further)
+    {
+      return "set Dimension = 3\nsubsection Lattice\n  set Cell = frame\n"
+             "  set Joints = " +
+        joints + "\n  set Struts = " + struts + R"(
+end
+subsection Sections
+  subsection rod
+    set Shape = circle
+    set Radius = 0.1
+    set Young's modulus = 1000
+    set Density = 2
+  end
+end
+subsection Discretization
+  set Order = 1
+end
+)" + further;
+    }
+
+    /** A scene in space far from rest, on which single effects are tried. */
+    struct SpaceEffect
+    {
+      explicit SpaceEffect(const std::string &text, const bool large_rotation)
+        : of_scene(text,
+                   large_rotation
+                     ? std::vector<std::string>()
+                     : std::vector<std::string>{"Effects/Large rotation=off"},
+                   MPI_COMM_SELF)
+        , rotations(of_scene.dofs())
+        , from(of_scene.system.initial_state())
+        , to(from)
+        , n(of_scene.dofs().n_unknowns())
+      {
+        to = moved(irregular(0.4), 1.5);
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            (*to.velocity)[i]     = 0.8 * std::sin(2 + 1.7 * i);
+            (*to.acceleration)[i] = 1.1 * std::sin(3 + 1.1 * i);
+          }
+      }
+
+      bool is_multiplier(const unsigned int i) const
+      {
+        return of_scene.dofs().kind(i) == UnknownKind::multiplier;
+      }
+
+      std::vector<double> irregular(const double phase) const
+      {
+        std::vector<double> result;
+        for (unsigned int i = 0; i < n; ++i)
+          result.push_back(std::sin(phase + 1.9 * i));
+        return result;
+      }
+
+      std::vector<double>
+      residual(Effect &effect, const State &at, const double dt)
+      {
+        State               state = at;
+        std::vector<double> rows(n, 0.);
+        effect.add_residual({from, state, dt}, rows.data());
+        return rows;
+      }
+
+      /** `to` after an increment, spins in the rows of rotations. */
+      State moved(const std::vector<double> &direction,
+                  const double               size,
+                  const TangentFactors      &factors = {1., 0., 0.}) const
+      {
+        State  state = to;
+        Vector increment(to.displacement);
+        for (unsigned int i = 0; i < n; ++i)
+          increment[i] = size * direction[i];
+        rotations.turn({from, state, 1.}, increment);
+        state.displacement.Update(1., increment, 1.);
+        state.velocity->Update(factors.damping, increment, 1.);
+        state.acceleration->Update(factors.mass, increment, 1.);
+        return state;
+      }
+
+      /** `to` after the time @p t with its velocities and accelerations. */
+      State at_time(const double t) const
+      {
+        State  state = to;
+        Vector turn(to.displacement);
+        turn.Update(t, *to.velocity, t * t / 2, *to.acceleration, 0.);
+        for (unsigned int i = 0; i < state.rotations.size(); ++i)
+          state.rotations[i] =
+            state.rotations[i] * exponential(rotations.values(turn, i));
+        state.displacement.Update(1., turn, 1.);
+        return state;
+      }
+
+      /** Expects the tangent of @p effect to be that of differences. */
+      void expect_tangent(Effect &effect, const TangentFactors &factors)
+      {
+        TangentMatrix matrix(of_scene.dofs());
+        effect.register_blocks(matrix);
+        matrix.finalize();
+        const std::vector<double> direction = irregular(0.9);
+        residual(effect, to, 1.);
+        matrix.reset();
+        effect.add_tangent({from, to, 1.}, factors, matrix);
+        Epetra_Vector x(of_scene.dofs().owned_map()), y(x);
+        std::copy(direction.begin(), direction.end(), x.Values());
+        matrix.matrix().Multiply(false, x, y);
+
+        const double h     = 1e-5;
+        const auto forward = residual(effect, moved(direction, h, factors), 1.),
+                   backward =
+                     residual(effect, moved(direction, -h, factors), 1.);
+        double size = 0;
+        for (unsigned int i = 0; i < n; ++i)
+          size = std::max(size, std::abs(y[i]));
+        EXPECT_GT(size, 0.1);
+        for (unsigned int i = 0; i < n; ++i)
+          // h^2 and round-off 1e-15 / h.
+          EXPECT_NEAR(y[i], (forward[i] - backward[i]) / (2 * h), 1e-8 * size)
+            << of_scene.dofs().describe(i);
+      }
+
+      /** Expects forces of multipliers to be derivatives of the conditions. */
+      void expect_forces_by_conditions(Effect &conditions)
+      {
+        const std::vector<double> rows = residual(conditions, to, 1.);
+        const double              h    = 1e-5;
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            if (is_multiplier(i))
+              continue;
+            std::vector<double> direction(n, 0.);
+            direction[i]       = 1;
+            const auto forward = residual(conditions, moved(direction, h), 1.),
+                       backward =
+                         residual(conditions, moved(direction, -h), 1.);
+            double work = 0;
+            for (unsigned int k = 0; k < n; ++k)
+              if (is_multiplier(k))
+                work += to.displacement[k] * (forward[k] - backward[k]);
+            EXPECT_NEAR(rows[i], work / (2 * h), 1e-8)
+              << of_scene.dofs().describe(i);
+          }
+      }
+
+      /** Expects first and second derivatives in time to be those of
+       * differences. */
+      void expect_time_derivatives(Conditions &conditions)
+      {
+        const double        small = 1e-5, long_step = 1e-3;
+        std::vector<double> rates(n, 0.);
+        conditions.find_rates(to, rates.data());
+        const auto second   = residual(conditions, to, 0.),
+                   here     = residual(conditions, to, 1.),
+                   forward  = residual(conditions, at_time(small), 1.),
+                   backward = residual(conditions, at_time(-small), 1.),
+                   later    = residual(conditions, at_time(long_step), 1.),
+                   before   = residual(conditions, at_time(-long_step), 1.);
+        for (unsigned int i = 0; i < n; ++i)
+          if (is_multiplier(i))
+            {
+              EXPECT_NEAR(rates[i],
+                          (forward[i] - backward[i]) / (2 * small),
+                          1e-8);
+              // Fourth derivatives of about 10: h^2; round-off 1e-15 / h^2.
+              EXPECT_NEAR(second[i],
+                          (later[i] - 2 * here[i] + before[i]) /
+                            (long_step * long_step),
+                          1e-5)
+                << of_scene.dofs().describe(i);
+            }
+          else
+            EXPECT_EQ(rates[i], 0);
+      }
+
+      SystemOnRanks       of_scene;
+      const NodeRotations rotations;
+      State               from, to;
+      const unsigned int  n;
+    };
+  } // namespace testing_support
+} // namespace auxfem
+
+#endif

@@ -1,0 +1,129 @@
+#include <auxfem/equations/effects/strut_inertia.h>
+
+#include <gtest/gtest.h>
+#include <equations/equations_on_ranks.h>
+
+#include <map>
+
+using namespace auxfem;
+using namespace auxfem::testing_support;
+
+namespace
+{
+  // rho A = 1.5 kg/m, rho I = 0.35 kg m.
+  constexpr double mass_per_length = 1.5, rotary_per_length = 0.35;
+
+  /** A strut of 5 m from (0, 0) to (3, 4). */
+  const std::string oblique_strut = frame_scene("0 0; 3 4", "0 1", "");
+
+  /** The inertia of a scene's struts alone. */
+  struct InertiaAlone
+  {
+    InertiaAlone(const std::string              &text,
+                 const std::vector<std::string> &overrides,
+                 const bool                      rotary  = true,
+                 const bool                      damping = false)
+      : of_scene(text, overrides, MPI_COMM_SELF)
+      , inertia(make_strut_inertia(of_scene.lattice,
+                                   of_scene.dofs(),
+                                   of_scene.system.sections(),
+                                   {/*large_rotation=*/true, rotary, damping}))
+      , from(of_scene.system.initial_state())
+      , to(from)
+      , residual(of_scene.dofs().n_local(), 0.)
+    {}
+
+    /** Moves all points as a rigid body that turns about (0, 0). */
+    void turn(const double angular, Vector &motion) const
+    {
+      const auto names = name_unknowns(of_scene.system);
+      for (unsigned int i = 0; i < names.size(); ++i)
+        {
+          const std::map<unsigned int, double> values = {
+            {0, -angular * names[i].position[1]},
+            {1, angular * names[i].position[0]},
+            {rotation_z, angular}};
+          motion[i] = values.at(std::get<3>(names[i].name));
+        }
+    }
+
+    SystemOnRanks           of_scene;
+    std::unique_ptr<Effect> inertia;
+    State                   from, to;
+    std::vector<double>     residual;
+  };
+
+  const std::vector<std::string> orders = {"1", "2", "3", "4", "5", "6"};
+} // namespace
+
+TEST(StrutInertia, KineticEnergyOfATurningStrutIsExact)
+{
+  // L^3 / 3 about the end, and the cross-sections' own turning.
+  const double moment = mass_per_length * 125. / 3 + rotary_per_length * 5;
+  for (const std::string &order : orders)
+    {
+      InertiaAlone one(oblique_strut, {"Discretization/Order=" + order});
+      one.turn(2., *one.to.velocity);
+      Energies energies;
+      one.inertia->add_energies(one.to, energies);
+      // Some 50 roundings.
+      EXPECT_NEAR(energies.kinetic, 0.5 * moment * 4, 1e-14 * 100 * moment);
+    }
+}
+
+TEST(StrutInertia, ForcesOfAnAcceleratedStrutSumToItsMass)
+{
+  for (const std::string &order : orders)
+    {
+      InertiaAlone one(oblique_strut,
+                       {"Discretization/Order=" + order,
+                        "Discretization/Global refinements=2"});
+      const auto   names = name_unknowns(one.of_scene.system);
+      for (unsigned int i = 0; i < names.size(); ++i)
+        (*one.to.acceleration)[i] = std::get<3>(names[i].name) == 1 ? 2. : 0.;
+      one.inertia->add_residual({one.from, one.to, 1.}, one.residual.data());
+      double sums[n_motion_components] = {};
+      for (unsigned int i = 0; i < names.size(); ++i)
+        sums[std::get<3>(names[i].name)] += one.residual[i];
+      EXPECT_NEAR(sums[0], 0., 1e-13);
+      EXPECT_NEAR(sums[1], 2 * mass_per_length * 5, 1e-13);
+      EXPECT_NEAR(sums[rotation_z], 0., 1e-13);
+    }
+}
+
+TEST(StrutInertia, RotaryInertiaCanBeLeftOut)
+{
+  InertiaAlone one(oblique_strut, {}, /*rotary=*/false);
+  one.turn(2., *one.to.velocity);
+  Energies energies;
+  one.inertia->add_energies(one.to, energies);
+  EXPECT_NEAR(energies.kinetic, 0.5 * mass_per_length * 125. / 3 * 4, 1e-11);
+}
+
+TEST(StrutInertia, MassProportionalDampingIsAForceOnTheVelocity)
+{
+  const std::vector<std::string> damped = {
+    "Sections/band/Mass-proportional damping=0.7"};
+  InertiaAlone by_velocity(oblique_strut, damped, true, true),
+    by_acceleration(oblique_strut, damped, true, true);
+  fill_by_place(by_velocity.of_scene.system, 1., *by_velocity.to.velocity);
+  fill_by_place(by_acceleration.of_scene.system,
+                0.7,
+                *by_acceleration.to.acceleration);
+  by_velocity.inertia->add_residual({by_velocity.from, by_velocity.to, 1.},
+                                    by_velocity.residual.data());
+  by_acceleration.inertia->add_residual({by_acceleration.from,
+                                         by_acceleration.to,
+                                         1.},
+                                        by_acceleration.residual.data());
+  for (unsigned int i = 0; i < by_velocity.residual.size(); ++i)
+    EXPECT_NEAR(by_velocity.residual[i], by_acceleration.residual[i], 1e-14);
+
+  // The power lost is a v.M v, twice a times the kinetic energy.
+  Energies energies;
+  by_velocity.inertia->add_energies(by_velocity.to, energies);
+  by_velocity.inertia->accept({by_velocity.from, by_velocity.to, 1.});
+  EXPECT_NEAR(by_velocity.to.strut_damping_power,
+              2 * 0.7 * energies.kinetic,
+              1e-13);
+}

@@ -1,0 +1,219 @@
+#include <auxfem/equations/effects/rigid_part_conditions.h>
+
+#include <mesh/cell_from_text.h>
+#include <support/scene_run.h>
+#include <equations/effects/space_effect.h>
+
+#include <array>
+
+using namespace auxfem;
+using namespace auxfem::testing_support;
+
+namespace
+{
+  std::string rigid(const std::string &struts,
+                    const double       mass,
+                    const std::string &further)
+  {
+    return "subsection Rigid parts\n  subsection body\n    set Struts = " +
+      struts + "\n    set Mass = " + std::to_string(mass) + "\n" + further +
+      "  end\nend\n";
+  }
+
+  const std::string clamped = "    set Elastic struts = clamped\n";
+
+  /**
+   * A body of joints 0 to 3, a bar of three joints from joint 3 on, and elastic
+   * struts to joint 4, clamped to the body.
+   */
+  const std::string body_and_bar =
+    space_frame("0 0 0; 2 0.3 0.1; 1.6 1.1 -0.4; 0.2 1.4 0.9; 3 2 0.5; "
+                "0.7 2.4 1.4; 1.2 3.4 1.9",
+                "0 1; 1 2; 0 3; 2 4; 3 4; 3 5; 5 6",
+                rigid("0, 1, 2", 3, clamped) +
+                  "subsection Rigid parts\n  subsection bar\n"
+                  "    set Struts = 5, 6\n    set Mass = 2\n  end\nend\n");
+
+  struct BodyAndBar : SpaceEffect
+  {
+    explicit BodyAndBar(const bool large_rotation)
+      : SpaceEffect(body_and_bar, large_rotation)
+      , conditions(rigid_bodies(of_scene.lattice, of_scene.dofs()),
+                   of_scene.lattice,
+                   of_scene.dofs(),
+                   large_rotation,
+                   {})
+    {}
+
+    RigidPartConditions conditions;
+  };
+
+  const std::string gravity = "subsection Gravity\n"
+                              "  set Acceleration z = -9.81\n"
+                              "end\n";
+} // namespace
+
+TEST(TurningParts, ConditionsAreThreeAJointAndThoseOfABar)
+{
+  const SystemOnRanks of_scene(body_and_bar, {}, MPI_COMM_SELF);
+  EXPECT_TRUE(of_scene.lattice.rigid_parts.at(0).has_rotation);
+  EXPECT_FALSE(of_scene.lattice.rigid_parts.at(1).has_rotation);
+  EXPECT_EQ(of_scene.dofs().n_multipliers(0), 12u);
+  // 3 joints keep 5 of 9 freedoms.
+  EXPECT_EQ(of_scene.dofs().n_multipliers(1), 4u);
+}
+
+TEST(TurningParts, ClampedStrutsHaveTheRotationOfTheBody)
+{
+  const SystemOnRanks of_scene(body_and_bar, {}, MPI_COMM_SELF);
+  const auto         &dofs = of_scene.dofs();
+  for (unsigned int c = 3; c < 6; ++c)
+    {
+      EXPECT_EQ(dofs.end_rotation(3, 0, c), dofs.rigid_part_unknown(0, c));
+      EXPECT_EQ(dofs.end_rotation(4, 0, c), dofs.rigid_part_unknown(0, c));
+      EXPECT_EQ(dofs.joint_unknown(1, c), dofs.rigid_part_unknown(0, c));
+      EXPECT_NE(dofs.joint_unknown(4, c), dofs.rigid_part_unknown(0, c));
+      EXPECT_FALSE(dofs.joint_has(6, c));
+    }
+  EXPECT_EQ(dofs.describe(dofs.rigid_part_unknown(0, 4)),
+            "rotation about y of the rigid part of joints 0 1 2 3");
+}
+
+TEST(TurningParts, TangentIsThatOfDifferences)
+{
+  for (const bool large_rotation : {true, false})
+    {
+      BodyAndBar parts(large_rotation);
+      parts.expect_tangent(parts.conditions, {1., 3., 5.});
+      EXPECT_EQ(parts.conditions.is_linear(), !large_rotation);
+    }
+}
+
+TEST(TurningParts, ForcesAreDerivativesOfTheConditions)
+{
+  for (const bool large_rotation : {true, false})
+    {
+      BodyAndBar parts(large_rotation);
+      parts.expect_forces_by_conditions(parts.conditions);
+    }
+}
+
+TEST(TurningParts, RatesAreThoseOfTheConditions)
+{
+  for (const bool large_rotation : {true, false})
+    {
+      BodyAndBar parts(large_rotation);
+      parts.expect_time_derivatives(parts.conditions);
+    }
+}
+
+TEST(TurningParts, MotionOfItsJointsIsThatOfTheBody)
+{
+  BodyAndBar  parts(true);
+  const auto &dofs = parts.of_scene.dofs();
+  // Joints where the conditions want them.
+  const auto rows = parts.residual(parts.conditions, parts.to, 1.);
+  for (unsigned int k = 0; k < 4; ++k)
+    {
+      const unsigned int joint =
+        parts.of_scene.lattice.rigid_parts[0].joints[k];
+      const PointMotion motion =
+        parts.conditions.motion(0,
+                                parts.of_scene.lattice.joints[joint],
+                                parts.to);
+      for (unsigned int c = 0; c < 3; ++c)
+        EXPECT_NEAR(motion.displacement[c],
+                    parts.to.displacement[dofs.joint_unknown(joint, c)] -
+                      rows[dofs.multiplier(0, 3 * k + c)],
+                    1e-13);
+    }
+}
+
+TEST(TurningParts, AHangingBodyIsHeldByItsWeight)
+{
+  // A tripod of three legs of 2 m, hung up at its ends.
+  SceneRun run(
+    "set Dimension = 3\nsubsection Lattice\n  set Cell = frame\n"
+    "  set Joints = 0 0 0; 1 0 1; -1 1 1; -1 -1 1\n"
+    "  set Struts = 0 1; 0 2; 0 3\nend\n" +
+    rigid("all", 3, "") +
+    "subsection Supports\n  subsection ceiling\n    set Joints = 1\n"
+    "    set Type = pin\n  end\n"
+    "  subsection slide\n    set Joints = 2\n    set Type = prescribed\n"
+    "    set Displacement z = 0\n    set Displacement x = 0\n  end\n"
+    "  subsection rest\n    set Joints = 3\n    set Type = prescribed\n"
+    "    set Displacement z = 0\n  end\nend\n" +
+    gravity +
+    "subsection Time\n  set Scheme = static\n  set End time = 1\n"
+    "  set Time step = 1\nend\n");
+  run.run();
+  const auto   report  = run.system.rigid_parts()->report(0, run.state);
+  const auto  &part    = run.lattice.rigid_parts[0];
+  const double lengths = std::sqrt(2.) + 2 * std::sqrt(3.);
+  // Moments about y: the centre of mass is at x = (sqrt 2 - 2 sqrt 3) / 2 of
+  // all lengths; supports at 1 and -1.
+  const double centre = (std::sqrt(2.) - 2 * std::sqrt(3.)) / 2 / lengths;
+  const double weight = 3 * 9.81;
+  for (unsigned int k = 0; k < 4; ++k)
+    {
+      const unsigned int joint    = part.joints[k];
+      const double       expected = joint == 0 ? 0.
+              : joint == 1                     ? weight * (1 + centre) / 2
+                                               : weight * (1 - centre) / 4;
+      EXPECT_NEAR(report.forces[k][2], expected, 1e-11) << joint;
+      EXPECT_NEAR(report.forces[k][0], 0, 1e-11);
+      EXPECT_NEAR(report.forces[k][1], 0, 1e-11);
+    }
+}
+
+TEST(TurningParts, LoadsOnRigidStrutsAndMomentsActAtTheirPlace)
+{
+  // An L in the x-y plane, only its leg along y loaded, and a moment about z;
+  // free in space.
+  for (const char *large_rotation : {"on", "off"})
+    {
+      SceneRun    run("set Dimension = 3\nsubsection Lattice\n"
+                      "  set Cell = frame\n"
+                      "  set Joints = 0 0 0; 2 0 0; 2 1 0\n"
+                      "  set Struts = 0 1; 1 2\nend\n" +
+                     rigid("all", 6, "    set Rotary inertia = 2 3 4\n") +
+                     "subsection Loads\n  subsection line\n"
+                        "    set Type = line\n    set Struts = 1\n"
+                        "    set Force per length z = 12\n  end\n"
+                        "  subsection turn\n    set Joints = 0\n"
+                        "    set Moment z = 8\n  end\nend\n"
+                        "subsection Time\n  set End time = 1\n"
+                        "  set Time step = 0.1\nend\n",
+                   {std::string("Effects/Large rotation=") + large_rotation});
+      const auto &dofs = run.system.numbering();
+      const auto &part = run.lattice.rigid_parts[0];
+      // The resultant of 12 N acts at (2, 0.5).
+      const double x          = 2 - part.centre_of_mass[0],
+                   y          = 0.5 - part.centre_of_mass[1];
+      const auto acceleration = [&](const unsigned int c) {
+        return (*run.state.acceleration)[dofs.rigid_part_unknown(0, c)];
+      };
+      EXPECT_NEAR(acceleration(2), 12. / 6, 1e-13);
+      EXPECT_NEAR(acceleration(3), 12 * y / 2, 1e-13);
+      EXPECT_NEAR(acceleration(4), -12 * x / 3, 1e-13);
+      EXPECT_NEAR(acceleration(5), 8. / 4, 1e-13);
+    }
+}
+
+TEST(TurningParts, TwoClampingBodiesAtAJointAreRefused)
+{
+  const std::string message = input_error_of([] {
+    const SystemOnRanks of_scene(
+      space_frame("0 0 0; 1 0 0; 2 0 1; 1 1 0",
+                  "0 1; 1 2; 1 3",
+                  rigid("0", 1, clamped) +
+                    "subsection Rigid parts\n  subsection other\n"
+                    "    set Struts = 1\n" +
+                    clamped + "  end\nend\n"),
+      {},
+      MPI_COMM_SELF);
+  });
+  EXPECT_TRUE(contains(message, "Rigid parts/other/Elastic struts = clamped"))
+    << message;
+  EXPECT_TRUE(contains(message, "joint 1")) << message;
+}

@@ -1,0 +1,226 @@
+#include <auxfem/equations/make_loads.h>
+
+#include <deal.II/base/numbers.h>
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "system_on_ranks.h"
+
+using namespace auxfem;
+using namespace auxfem::testing_support;
+
+namespace
+{
+  /** An L of two struts, 2 m along x and 1.5 m along y, and a half circle of
+   * radius 1. */
+  std::string three_struts(const std::string &further)
+  {
+    return frame_scene("0 0; 2 0; 2 1.5; 2 3.5", "0 1; 1 2; 2 3 1", further);
+  }
+
+  constexpr double total_length = 2 + 1.5 + dealii::numbers::PI;
+
+  /** Applied forces at time @p t on the unloaded lattice, and their sums. */
+  struct AppliedForces
+  {
+    AppliedForces(const std::string              &text,
+                  const double                    t,
+                  const std::vector<std::string> &overrides = {})
+      : of_scene(text, complete(overrides), MPI_COMM_SELF)
+      , forces(of_scene.dofs().local_map())
+    {
+      State from = of_scene.system.initial_state(), to = from;
+      to.time = t;
+      const Step step{from, to, t};
+      of_scene.system.begin_step(step);
+      of_scene.system.residual(step);
+      const auto names = name_unknowns(of_scene.system);
+      for (unsigned int i = 0; i < names.size(); ++i)
+        {
+          const unsigned int c = std::get<3>(names[i].name);
+          forces[i]            = -to.residual[i];
+          sum[c] += forces[i];
+          if (c < first_rotation)
+            moment += forces[i] *
+              (c == 0 ? -names[i].position[1] : names[i].position[0]);
+        }
+    }
+
+    static std::vector<std::string> complete(std::vector<std::string> overrides)
+    {
+      overrides.push_back("Time/Scheme=static");
+      return overrides;
+    }
+
+    SystemOnRanks of_scene;
+    Vector        forces;
+    double        sum[n_motion_components] = {};
+    double        moment                   = 0; ///< of the forces about (0, 0)
+  };
+
+  // Sums of some 50 numbers of about 10, of expressions in t as well.
+  constexpr double round_off = 1e-13;
+} // namespace
+
+TEST(MakeLoads, AJointLoadActsOnItsJointOnlyAndFollowsTime)
+{
+  const AppliedForces applied(three_struts("subsection Loads\n"
+                                           "  subsection push\n"
+                                           "    set Joints = 2\n"
+                                           "    set Force x = 3 * t\n"
+                                           "    set Force y = -2\n"
+                                           "    set Moment z = t^2\n"
+                                           "  end\n"
+                                           "end\n"),
+                              0.5);
+  const auto         &dofs        = applied.of_scene.dofs();
+  const double        expected[3] = {1.5, -2., 0.25};
+  for (unsigned int c = 0; c < 3; ++c)
+    {
+      EXPECT_DOUBLE_EQ(
+        applied.forces[dofs.joint_unknown(2, dofs.components()[c])],
+        expected[c]);
+      EXPECT_DOUBLE_EQ(applied.sum[dofs.components()[c]], expected[c]);
+    }
+}
+
+TEST(MakeLoads, LoadsOfOneJointAddUp)
+{
+  const AppliedForces applied(
+    three_struts("subsection Loads\n"
+                 "  subsection push\n    set Joints = 2\n    set Force x = 3\n"
+                 "  end\n"
+                 "  subsection pull\n    set Joints = 1, 2\n"
+                 "    set Force x = 0.5\n  end\n"
+                 "end\n"),
+    1.);
+  const auto &dofs = applied.of_scene.dofs();
+  EXPECT_DOUBLE_EQ(applied.forces[dofs.joint_unknown(2, 0)], 3.5);
+  EXPECT_DOUBLE_EQ(applied.forces[dofs.joint_unknown(1, 0)], 0.5);
+}
+
+TEST(MakeLoads, ALineLoadSumsToForcePerLengthTimesLength)
+{
+  const std::string text = three_struts("subsection Loads\n"
+                                        "  subsection wind\n"
+                                        "    set Type = line\n"
+                                        "    set Struts = all\n"
+                                        "    set Force per length x = 4 * t\n"
+                                        "    set Force per length y = -1\n"
+                                        "  end\n"
+                                        "end\n");
+  for (const char *order : {"1", "2", "3", "4", "5", "6"})
+    for (const char *refinements : {"0", "2"})
+      {
+        const AppliedForces applied(
+          text,
+          0.5,
+          {std::string("Discretization/Order=") + order,
+           std::string("Discretization/Global refinements=") + refinements});
+        EXPECT_NEAR(applied.sum[0], 2 * total_length, round_off);
+        EXPECT_NEAR(applied.sum[1], -total_length, round_off);
+        EXPECT_NEAR(applied.sum[2], 0., round_off);
+      }
+}
+
+TEST(MakeLoads, ALineLoadActsInTheMiddleOfItsStrut)
+{
+  const AppliedForces applied(three_struts("subsection Loads\n"
+                                           "  subsection wind\n"
+                                           "    set Type = line\n"
+                                           "    set Struts = 1\n"
+                                           "    set Force per length x = 4\n"
+                                           "  end\n"
+                                           "end\n"),
+                              1.);
+  EXPECT_NEAR(applied.sum[0], 4 * 1.5, round_off);
+  EXPECT_NEAR(applied.moment, -4 * 1.5 * 0.75, round_off);
+  EXPECT_EQ(applied.forces[applied.of_scene.dofs().joint_unknown(0, 0)], 0.);
+}
+
+TEST(MakeLoads, GravityPullsStrutsAndPointMasses)
+{
+  const std::string   text = three_struts("subsection Gravity\n"
+                                          "  set Acceleration x = 2\n"
+                                          "  set Acceleration y = -10\n"
+                                          "end\n"
+                                          "subsection Masses\n"
+                                          "  subsection weights\n"
+                                          "    set Joints = 1, 3\n"
+                                          "    set Mass = 0.4\n"
+                                          "    set Rotary inertia = 5\n"
+                                          "  end\n"
+                                          "end\n");
+  const double        mass = 0.5 * 3 * total_length + 2 * 0.4;
+  const AppliedForces applied(text, 1.);
+  EXPECT_NEAR(applied.sum[0], 2 * mass, 10 * round_off);
+  EXPECT_NEAR(applied.sum[1], -10 * mass, 10 * round_off);
+  EXPECT_NEAR(applied.sum[2], 0., round_off);
+
+  const AppliedForces off(text, 1., {"Effects/Gravity=off"});
+  EXPECT_EQ(off.sum[1], 0.);
+}
+
+TEST(MakeLoads, ASceneWithoutLoadsHasNone)
+{
+  const SystemOnRanks of_scene(three_struts(""), {}, MPI_COMM_SELF);
+  EXPECT_TRUE(make_loads(of_scene.scene,
+                         of_scene.lattice,
+                         of_scene.dofs(),
+                         of_scene.system.sections(),
+                         {},
+                         decide_effects(of_scene.scene))
+                .empty());
+}
+
+TEST(MakeLoads, InitialVelocitiesAreThoseOfARigidBody)
+{
+  const SystemOnRanks of_scene(three_struts("subsection Initial velocities\n"
+                                            "  subsection spin\n"
+                                            "    set Joints = all\n"
+                                            "    set Velocity x = 3\n"
+                                            "    set Velocity y = -1\n"
+                                            "    set Angular velocity z = 2\n"
+                                            "  end\n"
+                                            "end\n"),
+                               {"Discretization/Order=4",
+                                "Discretization/Global refinements=1"},
+                               MPI_COMM_SELF);
+  const State         state = of_scene.system.initial_state();
+  const double centre[2]    = {(0. + 2 + 2 + 2) / 4, (0. + 0 + 1.5 + 3.5) / 4};
+  const auto   names        = name_unknowns(of_scene.system);
+  for (unsigned int i = 0; i < names.size(); ++i)
+    {
+      const double x = names[i].position[0] - centre[0],
+                   y = names[i].position[1] - centre[1];
+      const std::map<unsigned int, double> expected = {{0, 3 - 2 * y},
+                                                       {1, -1 + 2 * x},
+                                                       {rotation_z, 2.}};
+      EXPECT_NEAR((*state.velocity)[i],
+                  expected.at(std::get<3>(names[i].name)),
+                  round_off);
+    }
+  EXPECT_EQ(state.displacement[5], 0.);
+}
+
+TEST(MakeLoads, StrutsMoveAlongOnlyIfBothEndsDo)
+{
+  const SystemOnRanks of_scene(three_struts("subsection Initial velocities\n"
+                                            "  subsection impact\n"
+                                            "    set Joints = 0, 1\n"
+                                            "    set Velocity y = -1\n"
+                                            "  end\n"
+                                            "end\n"),
+                               {},
+                               MPI_COMM_SELF);
+  const State         state = of_scene.system.initial_state();
+  const auto          names = name_unknowns(of_scene.system);
+  for (unsigned int i = 0; i < names.size(); ++i)
+    {
+      const auto &[at_joint, index, fraction, component] = names[i].name;
+      const bool moves = at_joint ? index <= 1 : index == 0;
+      EXPECT_EQ((*state.velocity)[i], moves && component == 1 ? -1. : 0.);
+    }
+}

@@ -1,0 +1,86 @@
+#include <auxfem/equations/make_masses.h>
+
+#include <gtest/gtest.h>
+#include <equations/effects/space_effect.h>
+
+#include <support/messages.h>
+
+using namespace auxfem;
+using namespace auxfem::testing_support;
+
+namespace
+{
+  /** 0.4 kg on joint 1; 0.5 kg with rotary inertia on joints 1 and 2. */
+  const std::string masses = "subsection Masses\n"
+                             "  subsection first\n"
+                             "    set Joints = 1\n"
+                             "    set Mass = 0.4\n"
+                             "  end\n"
+                             "  subsection second\n"
+                             "    set Joints = 1, 2\n"
+                             "    set Mass = 0.5\n"
+                             "    set Rotary inertia = 0.1\n"
+                             "  end\n"
+                             "end\n";
+
+  /** Inertia forces of the masses alone under acceleration 1 everywhere. */
+  std::vector<double> under_unit_acceleration(const SystemOnRanks &of_scene)
+  {
+    State from = of_scene.system.initial_state(), to = from;
+    to.acceleration->PutScalar(1.);
+    std::vector<double> residual(of_scene.dofs().n_local(), 0.);
+    for (const auto &effect : make_masses(of_scene.scene,
+                                          of_scene.lattice,
+                                          of_scene.dofs(),
+                                          {},
+                                          /*large_rotation=*/true,
+                                          1.))
+      effect->add_residual({from, to, 1.}, residual.data());
+    return residual;
+  }
+} // namespace
+
+TEST(MakeMasses, ThoseOfOneJointAddUpInThePlane)
+{
+  const SystemOnRanks       of_scene(frame_scene("0 0; 2 0; 2 1.5",
+                                           "0 1; 1 2",
+                                           masses),
+                               {},
+                               MPI_COMM_SELF);
+  const auto               &dofs = of_scene.dofs();
+  const std::vector<double> sums = under_unit_acceleration(of_scene);
+  EXPECT_DOUBLE_EQ(sums[dofs.joint_unknown(1, 0)], 0.9);
+  EXPECT_DOUBLE_EQ(sums[dofs.joint_unknown(1, 1)], 0.9);
+  EXPECT_DOUBLE_EQ(sums[dofs.joint_unknown(1, rotation_z)], 0.1);
+  EXPECT_DOUBLE_EQ(sums[dofs.joint_unknown(2, 0)], 0.5);
+  EXPECT_EQ(sums[dofs.joint_unknown(0, 0)], 0.);
+}
+
+TEST(MakeMasses, ThoseOfOneJointAddUpInSpace)
+{
+  const SystemOnRanks       of_scene(space_frame("0 0 0; 2 0 1; 2 1.5 0",
+                                           "0 1; 1 2",
+                                           masses),
+                               {},
+                               MPI_COMM_SELF);
+  const auto               &dofs = of_scene.dofs();
+  const std::vector<double> sums = under_unit_acceleration(of_scene);
+  for (unsigned int c = 0; c < 3; ++c)
+    {
+      EXPECT_DOUBLE_EQ(sums[dofs.joint_unknown(1, c)], 0.9);
+      EXPECT_DOUBLE_EQ(sums[dofs.joint_unknown(1, first_rotation + c)], 0.1);
+    }
+}
+
+TEST(MakeMasses, RotaryInertiaNeedsARotation)
+{
+  // A joint on which no strut ends has displacements only.
+  const std::string lonely =
+    frame_scene("0 0; 2 0; 5 5",
+                "0 1",
+                "subsection Masses\n  subsection lump\n    set Joints = 2\n"
+                "    set Mass = 1\n    set Rotary inertia = 0.1\n  end\nend\n");
+  expect_parts(input_error_of(
+                 [&] { SystemOnRanks(lonely, {}, MPI_COMM_SELF); }),
+               {"Masses/lump/Rotary inertia", "joint 2", "no rotation"});
+}

@@ -1,0 +1,365 @@
+#include <auxfem/analysis/time_stepper.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <gtest/gtest.h>
+
+#include "system_on_ranks.h"
+
+using namespace auxfem;
+using namespace auxfem::testing_support;
+
+// The same scene on all ranks and on each rank alone. With one rank all the
+// tests compare a computation with itself; they say something with two.
+
+namespace
+{
+  /** A system and a state with irregular motion, residual and tangent there. */
+  struct Evaluated
+  {
+    Evaluated(const std::string &text, const MPI_Comm communicator)
+      : on_ranks(text, {}, communicator)
+      , from(on_ranks.system.initial_state())
+      , to(from)
+      , matrix(on_ranks.system.make_tangent())
+      , product(on_ranks.dofs().owned_map())
+    {
+      System &system = on_ranks.system;
+      to.time        = 0.3;
+      fill_by_place(system, 0.1, from.displacement);
+      fill_by_place(system, 0.5, to.displacement);
+      fill_by_place(system, 0.7, *to.velocity);
+      fill_by_place(system, 1.1, *to.acceleration);
+      const Step step{from, to, 0.3};
+      system.rotations().follow(step);
+      system.begin_step(step);
+      norm = system.residual(step);
+      system.tangent(step, {1., 3., 5.}, *matrix);
+
+      Vector        direction(on_ranks.dofs().local_map());
+      Epetra_Vector owned(on_ranks.dofs().owned_map());
+      fill_by_place(system, 1., direction);
+      for (int i = 0; i < owned.MyLength(); ++i)
+        owned[i] = direction[i];
+      matrix->matrix().Multiply(false, owned, product);
+    }
+
+    SystemOnRanks                  on_ranks;
+    State                          from, to;
+    std::unique_ptr<TangentMatrix> matrix;
+    Epetra_Vector                  product;
+    ResidualNorm                   norm;
+  };
+
+  /** Compares this rank's own values with those of the same unknowns alone. */
+  void expect_equal(const System        &system,
+                    const Epetra_Vector &values,
+                    const System        &alone,
+                    const Epetra_Vector &values_alone,
+                    const double         relative_tolerance)
+  {
+    double scale = 0;
+    values_alone.NormInf(&scale);
+    ASSERT_GT(scale, 0);
+    const auto reference = by_name(alone, values_alone);
+    for (const auto &[name, value] : by_name(system, values))
+      EXPECT_NEAR(value, reference.at(name), relative_tolerance * scale)
+        << (std::get<0>(name) ? "joint " : "strut ") << std::get<1>(name)
+        << ", component " << std::get<3>(name);
+  }
+} // namespace
+
+namespace
+{
+  void compare_evaluated(const std::string &text)
+  {
+    const Evaluated all(text, MPI_COMM_WORLD), alone(text, MPI_COMM_SELF);
+    ASSERT_EQ(all.on_ranks.dofs().n_unknowns(),
+              alone.on_ranks.dofs().n_unknowns());
+    // Rows are summed in another order: some roundings.
+    const double tolerance = 1e-13;
+    expect_equal(all.on_ranks.system,
+                 all.to.residual,
+                 alone.on_ranks.system,
+                 alone.to.residual,
+                 tolerance);
+    expect_equal(all.on_ranks.system,
+                 all.product,
+                 alone.on_ranks.system,
+                 alone.product,
+                 tolerance);
+    EXPECT_NEAR(all.norm.force, alone.norm.force, tolerance * alone.norm.force);
+    EXPECT_NEAR(all.norm.moment,
+                alone.norm.moment,
+                tolerance * alone.norm.moment);
+    EXPECT_NEAR(all.on_ranks.system.force_scale(),
+                alone.on_ranks.system.force_scale(),
+                tolerance * alone.on_ranks.system.force_scale());
+    EXPECT_EQ(all.on_ranks.dofs().n_free(), alone.on_ranks.dofs().n_free());
+    EXPECT_EQ(all.on_ranks.system.worst_unknown(all.to),
+              alone.on_ranks.system.worst_unknown(alone.to));
+  }
+} // namespace
+
+TEST(Ranks, ResidualAndTangentAreThoseOfOneRank)
+{
+  compare_evaluated(star_with_everything(3, 3));
+}
+
+TEST(Ranks, ResidualAndTangentInSpaceAreThoseOfOneRank)
+{
+  compare_evaluated(space_star_with_everything());
+}
+
+namespace
+{
+  /** A scene advanced to its end. */
+  struct Advanced
+  {
+    Advanced(const std::string              &text,
+             const std::vector<std::string> &overrides,
+             const MPI_Comm                  communicator)
+      : on_ranks(text, overrides, communicator)
+      , stepper(on_ranks.system, on_ranks.scene)
+      , state(on_ranks.system.initial_state())
+    {
+      stepper.start(state);
+      while (state.step < on_ranks.scene.time.n_steps())
+        iterations += stepper.advance(state).iterations;
+    }
+
+    SystemOnRanks on_ranks;
+    TimeStepper   stepper;
+    State         state;
+    unsigned int  iterations = 0;
+  };
+
+  /** Force, extension and lost energy of this rank's connectors by place. */
+  std::map<std::string, std::array<double, 3>>
+  connector_reports(const Advanced &run)
+  {
+    std::map<std::string, std::array<double, 3>> reports;
+    for (const ConnectorForces *group : run.on_ranks.system.connectors())
+      for (unsigned int i = 0; i < group->n_reported(); ++i)
+        {
+          const ConnectorReport report = group->report(i, run.state);
+          std::ostringstream    name;
+          name << group->name() << ' ' << report.ends[0] << ' '
+               << report.ends[1];
+          reports[name.str()] = {
+            {report.force, report.extension, report.dissipated}};
+        }
+    return reports;
+  }
+
+  std::vector<double> as_list(const Energies &e)
+  {
+    return {e.kinetic, e.strain, e.stored, e.dissipated, e.external};
+  }
+
+  /**
+   * Stars with everything, whose stubs are rigid and clamped to their edges;
+   * a few edges are rigid bars.
+   */
+  std::string stars_with_rigid_parts()
+  {
+    std::string text    = star_with_everything(3, 3);
+    const auto  replace = [&text](const std::string &from,
+                                 const std::string &to) {
+      const std::size_t place = text.find(from);
+      EXPECT_NE(place, std::string::npos);
+      text.replace(place, from.size(), to);
+    };
+    // No elastic strut is left at the top that could be released, none at the
+    // bottom that could be clamped, and at some tips none a spring could act
+    // on.
+    replace("  subsection hinges\n"
+            "    set Joints = top\n"
+            "    set Type = hinge\n"
+            "  end\n",
+            "");
+    replace("    set Type = rotational spring\n    set Stiffness = 0.8\n",
+            "    set Type = hinge\n");
+    replace("set Type = clamp", "set Type = pin");
+    return text + R"(
+subsection Rigid parts
+  subsection stubs
+    set Struts = stubs
+    set Mass = 0.4
+    set Elastic struts = clamped
+  end
+  subsection bars
+    set Struts = 0, 13, 37, 50
+    set Parts = single struts
+    set Mass = 0.2
+  end
+end
+)";
+  }
+
+  /** From rest: rigid parts cannot follow a jump of velocities. */
+  const std::string slow_shaker =
+    "Supports/shaker/Displacement x=0.02 * (1 - cos(3 * t))";
+
+  /** Runs the same scene on all ranks and alone and compares everything. */
+  void compare_runs(const std::vector<std::string> &overrides,
+                    const std::string &text = star_with_everything(3, 3))
+  {
+    const Advanced all(text, overrides, MPI_COMM_WORLD);
+    const Advanced alone(text, overrides, MPI_COMM_SELF);
+    EXPECT_EQ(all.iterations, alone.iterations);
+    EXPECT_EQ(all.state.time, alone.state.time);
+
+    // Round-off through some ten steps of a few iterations each.
+    const double  tolerance = 1e-10;
+    const System &system    = all.on_ranks.system,
+                 &reference = alone.on_ranks.system;
+    expect_equal(system,
+                 all.state.displacement,
+                 reference,
+                 alone.state.displacement,
+                 tolerance);
+    if (all.state.velocity)
+      expect_equal(system,
+                   *all.state.velocity,
+                   reference,
+                   *alone.state.velocity,
+                   tolerance);
+    if (all.state.acceleration)
+      expect_equal(system,
+                   *all.state.acceleration,
+                   reference,
+                   *alone.state.acceleration,
+                   tolerance);
+
+    const auto mine = connector_reports(all), whole = connector_reports(alone);
+    for (const auto &[name, values] : mine)
+      for (unsigned int k = 0; k < 3; ++k)
+        EXPECT_NEAR(values[k], whole.at(name)[k], tolerance) << name;
+    EXPECT_EQ(dealii::Utilities::MPI::sum(mine.size(), MPI_COMM_WORLD),
+              whole.size());
+
+    const auto energies = as_list(all.state.energies),
+               wanted   = as_list(alone.state.energies);
+    for (unsigned int k = 0; k < energies.size(); ++k)
+      EXPECT_NEAR(energies[k], wanted[k], tolerance * wanted[3]);
+  }
+} // namespace
+
+TEST(Ranks, DynamicRunIsThatOfOneRankWithKlu)
+{
+  compare_runs({"Solver/Type=klu"});
+}
+
+TEST(Ranks, DynamicRunIsThatOfOneRankWithMumps)
+{
+  compare_runs({"Solver/Type=mumps", "Time/Scheme=generalized-alpha"});
+}
+
+TEST(Ranks, ImpactInSpaceIsThatOfOneRank)
+{
+  compare_runs({"Solver/Type=klu", "Time/Scheme=generalized-alpha"},
+               space_star_with_everything());
+  compare_runs({"Solver/Type=mumps", "Time/Scheme=newmark"},
+               space_star_with_everything());
+}
+
+TEST(Ranks, StaticRunIsThatOfOneRank)
+{
+  compare_runs({"Time/Scheme=static", "Discretization/Order=3"});
+}
+
+TEST(Ranks, RigidAndElasticStrutsMoveAsOnOneRank)
+{
+  compare_runs({"Time/Scheme=generalized-alpha", slow_shaker},
+               stars_with_rigid_parts());
+  compare_runs({"Time/Scheme=static"}, stars_with_rigid_parts());
+  compare_runs({"Solver/Type=klu", "Effects/Large rotation=off", slow_shaker},
+               stars_with_rigid_parts());
+}
+
+TEST(Ranks, RigidPartsAreReportedOnceAndAlike)
+{
+  const std::string text = stars_with_rigid_parts();
+  const Advanced    all(text, {slow_shaker}, MPI_COMM_WORLD),
+    alone(text, {slow_shaker}, MPI_COMM_SELF);
+  const RigidPartConditions &parts     = *all.on_ranks.system.rigid_parts(),
+                            &reference = *alone.on_ranks.system.rigid_parts();
+  EXPECT_EQ(dealii::Utilities::MPI::sum(parts.n_reported(), MPI_COMM_WORLD),
+            alone.on_ranks.lattice.rigid_parts.size());
+  for (unsigned int i = 0; i < parts.n_reported(); ++i)
+    {
+      // One rank reports on all parts, in their order.
+      const unsigned int    part   = parts.part(i);
+      const RigidPartReport report = parts.report(i, all.state),
+                            wanted = reference.report(part, alone.state);
+      ASSERT_EQ(wanted.part, part);
+      for (unsigned int k = 0; k < report.forces.size(); ++k)
+        EXPECT_LT((report.forces[k] - wanted.forces[k]).norm(), 1e-10);
+      EXPECT_LT((parts.rotation(i, all.state) -
+                 reference.rotation(part, alone.state))
+                  .norm(),
+                1e-10);
+    }
+}
+
+TEST(Ranks, RigidPartsAloneMoveAsOnOneRank)
+{
+  // A chain of six bars: no finite element anywhere.
+  const std::string chain = R"(
+subsection Lattice
+  set Cell = frame
+  set Joints = 0 0; 1 0.2; 2 0; 3 0.1; 4 0; 5 0; 6 0.3
+  set Struts = 0 1; 1 2; 2 3; 3 4; 4 5; 5 6
+end
+subsection Rigid parts
+  subsection bars
+    set Struts = all
+    set Parts = single struts
+    set Mass = 0.5
+  end
+end
+subsection Supports
+  subsection pivot
+    set Joints = 0
+    set Type = pin
+  end
+end
+subsection Connectors
+  subsection anchor
+    set Law = kelvin-voigt
+    set Spring stiffness = 3
+    set Damping coefficient = 0.4
+    set Between = 1 5; 0 6
+  end
+end
+subsection Gravity
+  set Acceleration y = -1
+end
+subsection Time
+  set Scheme = generalized-alpha
+  set End time = 0.5
+  set Time step = 0.05
+end
+)";
+  compare_runs({}, chain);
+  compare_runs({"Solver/Type=klu"}, chain);
+}
+
+TEST(Ranks, GhostsOfAnAcceptedStateHaveTheValuesOfTheirOwners)
+{
+  const Advanced all(star_with_everything(3, 3), {}, MPI_COMM_WORLD);
+  const auto    &dofs = all.on_ranks.dofs();
+  for (const Vector *vector : {&all.state.displacement,
+                               &*all.state.velocity,
+                               &*all.state.acceleration})
+    {
+      Epetra_Vector owned(dofs.owned_map()), local(dofs.local_map());
+      for (unsigned int i = 0; i < dofs.n_owned(); ++i)
+        owned[i] = (*vector)[i];
+      local.Import(owned, dofs.importer(), Insert);
+      // Each rank adds the same increments in the same order.
+      for (unsigned int i = 0; i < dofs.n_local(); ++i)
+        EXPECT_EQ(local[i], (*vector)[i]);
+    }
+}

@@ -1,0 +1,139 @@
+#include <auxfem/model/joint_releases.h>
+
+#include <mesh/cell_from_text.h>
+#include <equations/effects/space_effect.h>
+
+using namespace auxfem;
+using namespace auxfem::testing_support;
+
+namespace
+{
+  using What = Turning::What;
+
+  std::string definition(const std::string &name,
+                         const std::string &joint,
+                         const std::string &struts,
+                         const std::string &type)
+  {
+    return "subsection Joints\n  subsection " + name +
+      "\n    set Joints = " + joint + "\n    set Struts = " + struts +
+      "\n    set Type = " + type + "\n  end\nend\n";
+  }
+
+  const std::string revolute = "revolute\n    set Axis = 0 0 1",
+                    spring   = "rotational spring\n    set Stiffness = 2";
+
+  std::string rigid(const std::string &name, const std::string &struts)
+  {
+    return "subsection Rigid parts\n  subsection " + name +
+      "\n    set Struts = " + struts + "\n    set Mass = 1\n  end\nend\n";
+  }
+
+  /**
+   * Three struts from joint 0, the last two of which go on at right angles, so
+   * that they may be bodies; two struts that meet at joint 6.
+   */
+  std::string tripod(const std::string &further)
+  {
+    return space_frame("0 0 0; 1 0 0; 0 1 0; 0 0 1; 1 1 0; 0 1 1; -1 0 0",
+                       "0 1; 0 2; 0 3; 2 4; 3 5; 0 6",
+                       further);
+  }
+
+  /** Base and end of each pair, in words. */
+  std::vector<std::string> pairs(const std::string &further)
+  {
+    const Scene   scene   = read_scene_from_text(tripod(further), "test.prm");
+    const Lattice lattice = build_lattice(scene);
+    std::vector<JointRelease> releases = joint_releases(scene, lattice);
+    Ties                      ties;
+    ties.released.assign(lattice.struts.size(), {{false, false}});
+    couple(releases, lattice, ties);
+    const auto words = [](const Turning &turning) -> std::string {
+      const std::string number = std::to_string(turning.index);
+      switch (turning.what)
+        {
+          case What::joint:
+            return "joint " + number;
+          case What::strut_end:
+            return "strut " + number;
+          case What::rigid_part:
+            return "part " + number;
+          default:
+            return "ground";
+        }
+    };
+    std::vector<std::string> result;
+    for (const JointRelease &release : releases)
+      for (const TurningPair &pair : release.pairs)
+        result.push_back(words(pair.base) + " - " + words(pair.end));
+    return result;
+  }
+
+  using Words = std::vector<std::string>;
+} // namespace
+
+TEST(JointReleases, AHingeInSpaceReleasesAllThreeRotations)
+{
+  const SystemOnRanks of_scene(tripod(definition("hinge", "0", "1", "hinge")),
+                               {},
+                               MPI_COMM_SELF);
+  const auto         &dofs = of_scene.dofs();
+  for (unsigned int c = 3; c < 6; ++c)
+    {
+      EXPECT_NE(dofs.end_rotation(1, 0, c), dofs.joint_unknown(0, c));
+      EXPECT_EQ(dofs.end_rotation(2, 0, c), dofs.joint_unknown(0, c));
+      EXPECT_EQ(dofs.kind(dofs.end_rotation(1, 0, c)), UnknownKind::rotation);
+    }
+  EXPECT_NE(dofs.spatial_rotation(dofs.end_rotation(1, 0, 3)),
+            dofs.spatial_rotation(dofs.joint_unknown(0, 3)));
+  EXPECT_EQ(dofs.n_multipliers(), 0u);
+}
+
+TEST(JointReleases, EndsTurnAgainstTheJoint)
+{
+  EXPECT_EQ(pairs(definition("hinge", "0", "1, 2", revolute)),
+            (Words{"joint 0 - strut 1", "joint 0 - strut 2"}));
+}
+
+TEST(JointReleases, AllEndsTurnAgainstTheFirst)
+{
+  EXPECT_EQ(
+    pairs(definition("spring", "0", "all", spring)),
+    (Words{"strut 0 - strut 1", "strut 0 - strut 2", "strut 0 - strut 5"}));
+}
+
+TEST(JointReleases, ALoneEndTurnsAgainstTheGround)
+{
+  EXPECT_EQ(pairs(definition("hinge", "1", "0", revolute)),
+            (Words{"ground - strut 0"}));
+}
+
+TEST(JointReleases, ABodyTurnsAgainstTheGroundABodyOrTheStrutsThere)
+{
+  const std::string one = rigid("one", "1, 3"), other = rigid("other", "2, 4");
+  // Alone at its joint.
+  EXPECT_EQ(pairs(one + definition("hinge", "4", "3", revolute)),
+            (Words{"ground - part 0"}));
+  // Elastic struts 0 and 5 are rigidly connected at joint 0.
+  EXPECT_EQ(pairs(one + definition("hinge", "0", "1", revolute)),
+            (Words{"joint 0 - part 0"}));
+  // All elastic ones are released, and the joint turns with the only body.
+  EXPECT_EQ(
+    pairs(one + definition("hinge", "0", "0, 2, 5", revolute)),
+    (Words{"part 0 - strut 0", "part 0 - strut 2", "part 0 - strut 5"}));
+  // Two bodies.
+  EXPECT_EQ(pairs(one + other + definition("hinge", "0", "1, 2", revolute)),
+            (Words{"joint 0 - part 0", "joint 0 - part 1"}));
+  EXPECT_EQ(pairs(one + other + definition("free", "0", "0, 5", "hinge") +
+                  definition("hinge", "0", "1, 2", revolute)),
+            (Words{"part 0 - part 1"}));
+}
+
+TEST(JointReleases, ASpringThatOnlyABarCouldHoldIsRefused)
+{
+  const std::string message = input_error_of(
+    [] { pairs(rigid("bar", "3") + definition("spring", "2", "1", spring)); });
+  EXPECT_TRUE(contains(message, "Joints/spring/Joints")) << message;
+  EXPECT_TRUE(contains(message, "lies on one line")) << message;
+}

@@ -1,0 +1,83 @@
+#include <auxfem/time/static.h>
+
+#include <gtest/gtest.h>
+#include <equations/equations_on_ranks.h>
+
+using namespace auxfem;
+using namespace auxfem::testing_support;
+
+namespace
+{
+  struct ViscousStates
+  {
+    ViscousStates()
+      : of_scene(frame_scene("0 0; 1 0", "0 1", ""), {}, MPI_COMM_SELF)
+      , layout{true, false, false, 0, 0}
+      , from(of_scene.dofs().local_map(), layout)
+      , to(from)
+      , increment(of_scene.dofs().local_map())
+    {
+      fill_by_place(of_scene.system, 0.3, from.displacement);
+      fill_by_place(of_scene.system, 1.7, *from.velocity);
+      fill_by_place(of_scene.system, 0.2, increment);
+    }
+
+    SystemOnRanks of_scene;
+    StateLayout   layout;
+    State         from, to;
+    Vector        increment;
+  };
+} // namespace
+
+TEST(QuasiStatic, VelocityIsTheBackwardDifference)
+{
+  const QuasiStatic scheme;
+  ViscousStates     states;
+  const double      dt = 0.25;
+  scheme.predict(states.from, dt, states.to);
+  scheme.correct(states.increment, dt, states.to);
+  scheme.correct(states.increment, dt, states.to);
+  for (int i = 0; i < states.increment.MyLength(); ++i)
+    {
+      EXPECT_NEAR(states.to.displacement[i],
+                  states.from.displacement[i] + 2 * states.increment[i],
+                  1e-15);
+      // A few roundings of numbers below 2.
+      EXPECT_NEAR((*states.to.velocity)[i],
+                  (states.to.displacement[i] - states.from.displacement[i]) /
+                    dt,
+                  1e-14);
+    }
+}
+
+TEST(QuasiStatic, FactorsTellWhatACorrectionDoes)
+{
+  const TangentFactors factors = QuasiStatic().factors(0.25);
+  EXPECT_EQ(factors.stiffness, 1.);
+  EXPECT_EQ(factors.damping, 4.);
+  EXPECT_EQ(factors.mass, 0.);
+  EXPECT_FALSE(QuasiStatic().is_dynamic());
+  EXPECT_FALSE(QuasiStatic().uses_algorithmic_acceleration());
+}
+
+TEST(Equilibrium, MovesOnlyDisplacements)
+{
+  const Equilibrium scheme;
+  ViscousStates     states;
+  // There is no step: whatever is said of its length changes nothing.
+  for (const double dt : {0., 0.25})
+    {
+      scheme.predict(states.from, dt, states.to);
+      scheme.correct(states.increment, dt, states.to);
+      for (int i = 0; i < states.increment.MyLength(); ++i)
+        EXPECT_EQ(states.to.displacement[i],
+                  states.from.displacement[i] + states.increment[i]);
+      double size = 1;
+      states.to.velocity->NormInf(&size);
+      EXPECT_EQ(size, 0.);
+      EXPECT_EQ(scheme.factors(dt).stiffness, 1.);
+      EXPECT_EQ(scheme.factors(dt).damping, 0.);
+      EXPECT_EQ(scheme.factors(dt).mass, 0.);
+    }
+  EXPECT_FALSE(scheme.is_dynamic());
+}
