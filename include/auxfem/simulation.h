@@ -16,8 +16,7 @@ namespace auxfem
   RunResult run(const Scene &scene, MPI_Comm communicator);
 
   /** The same, of which @p recorder is told in place of the folder. */
-  RunResult
-  run(const Scene &scene, MPI_Comm communicator, Recorder &recorder);
+  RunResult run(const Scene &scene, MPI_Comm communicator, Recorder &recorder);
 
   /**
    * The dry run of --check: builds everything, prints counts and effects,

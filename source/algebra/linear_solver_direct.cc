@@ -1,5 +1,5 @@
-#include <auxfem/parameters/errors.h>
 #include <auxfem/algebra/linear_solver_method.h>
+#include <auxfem/parameters/errors.h>
 
 #include <Amesos_BaseSolver.h>
 #include <Epetra_LinearProblem.h>

@@ -1,6 +1,6 @@
-#include <auxfem/parameters/errors.h>
 #include <auxfem/algebra/linear_solver_method.h>
 #include <auxfem/algebra/strut_condensation.h>
+#include <auxfem/parameters/errors.h>
 
 #include <Ifpack_Preconditioner.h>
 #include <Teuchos_ParameterList.hpp>

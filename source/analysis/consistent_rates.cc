@@ -1,7 +1,7 @@
 #include <auxfem/analysis/consistent_rates.h>
-#include <auxfem/parameters/errors.h>
 #include <auxfem/equations/node_rotations.h>
 #include <auxfem/equations/prescribed_motion.h>
+#include <auxfem/parameters/errors.h>
 
 #include <algorithm>
 #include <cmath>

@@ -89,8 +89,8 @@ namespace auxfem
 
   RunResult LatticeRun::run(Recorder &recorder)
   {
-    bool has_begun = false;
-    const auto begin = [&]() {
+    bool       has_begun = false;
+    const auto begin     = [&]() {
       recorder.begin(equations);
       has_begun = true;
     };

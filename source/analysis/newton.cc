@@ -27,8 +27,8 @@ namespace auxfem
   {}
 
   Newton::Result Newton::solve(const ImplicitScheme &scheme,
-                               const Evaluation  &evaluation,
-                               EvaluationResults &results)
+                               const Evaluation     &evaluation,
+                               EvaluationResults    &results)
   {
     Result result;
     solver.residual(evaluation, results);
@@ -93,7 +93,7 @@ namespace auxfem
     kept.reset();
   }
 
-  bool Newton::prepare(const ImplicitScheme &scheme,
+  bool Newton::prepare(const ImplicitScheme    &scheme,
                        const Evaluation        &evaluation,
                        const EvaluationResults &results,
                        const double             reduction)
@@ -110,14 +110,12 @@ namespace auxfem
     solver.assemble(evaluation, results, scheme.factors(evaluation.dt));
     if (!solver.factorize())
       return false;
-    kept = Kept{evaluation.kind,
-                evaluation.dt,
-                solver.matrix().version()};
+    kept = Kept{evaluation.kind, evaluation.dt, solver.matrix().version()};
     return true;
   }
 
   std::string Newton::iterate(const ImplicitScheme &scheme,
-                              const Evaluation &evaluation)
+                              const Evaluation     &evaluation)
   {
     const LatticeModel &model = solver.model();
     find_right_side(model, evaluation, solver.right_side().Values());

@@ -11,9 +11,8 @@ namespace auxfem
                                 Recorder      &recorder)
     {
       RunResult result;
-      on_first_rank(communicator, [&]() {
-        result = run_reduced_cell(scene, recorder);
-      });
+      on_first_rank(communicator,
+                    [&]() { result = run_reduced_cell(scene, recorder); });
       return result;
     }
 

@@ -1,6 +1,6 @@
 #include <auxfem/analysis/time_stepper.h>
-#include <auxfem/parameters/errors.h>
 #include <auxfem/equations/prescribed_motion.h>
+#include <auxfem/parameters/errors.h>
 #include <auxfem/time/static.h>
 
 #include <cmath>
@@ -24,7 +24,10 @@ namespace auxfem
     , newton(tangent_solver, scene.newton)
     , trial(initial_solution())
     , rotations(equations.model().numbering)
-    , control(make_constant_steps(scene.time))
+    , control(make_constant_steps(parameters.step,
+                                  parameters.smallest_step > 0
+                                    ? parameters.smallest_step
+                                    : parameters.step / 1024))
   {
     if (!equations.reporting().conditions.empty() &&
         scheme.carries_on_alternating_errors())
@@ -78,8 +81,7 @@ namespace auxfem
     if (state.velocity)
       {
         *trial.state.velocity = *state.velocity;
-        rotations.make_material(trial.state,
-                                                  *trial.state.velocity);
+        rotations.make_material(trial.state, *trial.state.velocity);
       }
     state = trial.state;
   }
@@ -122,8 +124,7 @@ namespace auxfem
       ? Evaluation::step(state, trial.state, planned.dt)
       : Evaluation::static_step(state, trial.state, planned.dt);
     predict(step);
-    const Newton::Result result =
-      newton.solve(scheme, step, trial.results);
+    const Newton::Result result = newton.solve(scheme, step, trial.results);
     report.iterations += result.iterations;
     report.relative_residual = result.relative_residual;
     if (!result.converged)

@@ -5,14 +5,14 @@ namespace auxfem
 {
   AnalysisEntry transient_entry()
   {
-    return {"transient",
-            "Motion of a lattice with inertia from t = 0 to the end time, by an "
-            "implicit time scheme.",
-            [](const Scene &scene) {
-              return scene.model == Model::lattice &&
-                scene.time.scheme->is_dynamic();
-            },
-            run_lattice,
-            check_lattice};
+    return {
+      "transient",
+      "Motion of a lattice with inertia from t = 0 to the end time, by an "
+      "implicit time scheme.",
+      [](const Scene &scene) {
+        return scene.model == Model::lattice && scene.time.scheme->is_dynamic();
+      },
+      run_lattice,
+      check_lattice};
   }
 } // namespace auxfem

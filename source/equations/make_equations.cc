@@ -1,11 +1,11 @@
 #include <auxfem/equations/effects/rigid_part_inertia.h>
 #include <auxfem/equations/effects/strut_inertia.h>
 #include <auxfem/equations/equations.h>
-#include <auxfem/model/initial_velocities.h>
 #include <auxfem/equations/make_couplings.h>
 #include <auxfem/equations/make_loads.h>
 #include <auxfem/equations/make_masses.h>
 #include <auxfem/equations/prescribed_motion.h>
+#include <auxfem/model/initial_velocities.h>
 
 #include <algorithm>
 

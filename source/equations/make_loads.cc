@@ -1,9 +1,9 @@
-#include <auxfem/mesh/sets.h>
-#include <auxfem/parameters/errors.h>
 #include <auxfem/equations/effects/applied_loads.h>
 #include <auxfem/equations/effects/following_loads.h>
-#include <auxfem/model/line_rule.h>
 #include <auxfem/equations/make_loads.h>
+#include <auxfem/mesh/sets.h>
+#include <auxfem/model/line_rule.h>
+#include <auxfem/parameters/errors.h>
 
 #include <algorithm>
 #include <cstdio>

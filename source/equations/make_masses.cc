@@ -1,8 +1,8 @@
-#include <auxfem/mesh/sets.h>
-#include <auxfem/parameters/errors.h>
 #include <auxfem/equations/effects/point_masses.h>
 #include <auxfem/equations/effects/rotary_masses.h>
 #include <auxfem/equations/make_masses.h>
+#include <auxfem/mesh/sets.h>
+#include <auxfem/parameters/errors.h>
 
 namespace auxfem
 {

@@ -122,10 +122,7 @@ namespace auxfem
           if (prescribed.is_whole())
             prescribe(rotations, prescribed.rotation, course, evaluation);
           else
-            hold(rotations,
-                 prescribed.rotation,
-                 prescribed.fixed,
-                 evaluation);
+            hold(rotations, prescribed.rotation, prescribed.fixed, evaluation);
       }
     rotations.follow(evaluation);
   }

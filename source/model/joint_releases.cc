@@ -1,6 +1,6 @@
 #include <auxfem/mesh/sets.h>
-#include <auxfem/parameters/errors.h>
 #include <auxfem/model/joint_releases.h>
+#include <auxfem/parameters/errors.h>
 
 #include <algorithm>
 

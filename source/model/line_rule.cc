@@ -1,5 +1,5 @@
+#include <auxfem/elements/beam_dispatch.h>
 #include <auxfem/elements/beam_shape.h>
-#include <auxfem/equations/effects/beam_dispatch.h>
 #include <auxfem/model/line_rule.h>
 
 namespace auxfem

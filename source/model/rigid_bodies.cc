@@ -1,5 +1,5 @@
-#include <auxfem/parameters/errors.h>
 #include <auxfem/model/rigid_bodies.h>
+#include <auxfem/parameters/errors.h>
 
 #include <deal.II/base/symmetric_tensor.h>
 

@@ -34,9 +34,11 @@ namespace auxfem
     /** Whether an entry has a column of its own beside that of its kind. */
     bool has_own_column(const EnergyEntry &entry)
     {
-      return std::none_of(kinds().begin(), kinds().end(), [&](const auto &kind) {
-        return kind.name == entry.name;
-      });
+      return std::none_of(kinds().begin(),
+                          kinds().end(),
+                          [&](const auto &kind) {
+                            return kind.name == entry.name;
+                          });
     }
 
     std::string balance_meaning(const EnergyLedger &ledger)
@@ -107,9 +109,8 @@ namespace auxfem
   JsonObject json_of_energies(const EnergyRecord &record)
   {
     JsonObject                object;
-    const std::vector<Column> columns =
-      energy_columns(record.latest.ledger());
-    const std::vector<double> values = energy_values(record);
+    const std::vector<Column> columns = energy_columns(record.latest.ledger());
+    const std::vector<double> values  = energy_values(record);
     for (unsigned int i = 0; i < columns.size(); ++i)
       object.add(columns[i].name, values[i]);
     object.add("largest", record.largest_energy);

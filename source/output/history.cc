@@ -29,9 +29,9 @@ namespace auxfem
     }
   } // namespace
 
-  History::History(const Scene       &scene,
-                   const Equations      &equations,
-                   const MPI_Comm     communicator)
+  History::History(const Scene     &scene,
+                   const Equations &equations,
+                   const MPI_Comm   communicator)
     : equations(equations)
     , communicator(communicator)
     , part_rotations(equations)
@@ -114,14 +114,16 @@ namespace auxfem
     UnknownSum sum{quantity, {}, 1. / joints.size()};
     for (const unsigned int joint : joints)
       {
-        const int unknown = equations.model().numbering.joint_unknown(joint, component);
+        const int unknown =
+          equations.model().numbering.joint_unknown(joint, component);
         if (equations.model().numbering.is_owned(unknown))
           sum.unknowns.push_back(unknown);
       }
     sums.push_back(std::move(sum));
-    column_list.push_back({probe.name + "." + column.name,
-                       column.unit,
-                       "mean " + column.meaning + " of the probe's joints"});
+    column_list.push_back(
+      {probe.name + "." + column.name,
+       column.unit,
+       "mean " + column.meaning + " of the probe's joints"});
   }
 
   void History::define_support(const Support &support)
@@ -136,15 +138,18 @@ namespace auxfem
             sum.unknowns.push_back(prescribed.unknown);
         sums.push_back(std::move(sum));
         column_list.push_back(
-          reaction_column(support.name, component, equations.model().lattice.dimension));
+          reaction_column(support.name,
+                          component,
+                          equations.model().lattice.dimension));
       }
   }
 
   void History::define_connectors(const ConnectorForces &group)
   {
-    column_list.push_back({group.name() + ".force",
-                       "N",
-                       "sum of the connectors' forces, positive in tension"});
+    column_list.push_back(
+      {group.name() + ".force",
+       "N",
+       "sum of the connectors' forces, positive in tension"});
     column_list.push_back(
       {group.name() + ".extension", "m", "sum of the connectors' extensions"});
   }
@@ -172,7 +177,7 @@ namespace auxfem
   }
 
   unsigned int History::add_connector_sums(const Solution &solution,
-                                           unsigned int column)
+                                           unsigned int    column)
   {
     for (const ConnectorGroup &group : equations.reporting().connectors)
       {

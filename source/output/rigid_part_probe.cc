@@ -72,10 +72,12 @@ namespace auxfem
     }
   } // namespace
 
-  RigidPartRotations::RigidPartRotations(const Equations &equations) : equations(equations)
+  RigidPartRotations::RigidPartRotations(const Equations &equations)
+    : equations(equations)
   {
     if (equations.reporting().rigid_parts)
-      rotations.assign(equations.reporting().rigid_parts->n_reported(), SpaceVector());
+      rotations.assign(equations.reporting().rigid_parts->n_reported(),
+                       SpaceVector());
   }
 
   void RigidPartRotations::follow(const State &state)
@@ -83,7 +85,8 @@ namespace auxfem
     const double turn = 2 * dealii::numbers::PI;
     for (unsigned int i = 0; i < rotations.size(); ++i)
       {
-        const SpaceVector now = equations.reporting().rigid_parts->rotation(i, state);
+        const SpaceVector now =
+          equations.reporting().rigid_parts->rotation(i, state);
         if (equations.model().lattice.dimension == 2)
           rotations[i][2] =
             now[2] + turn * std::round((rotations[i][2] - now[2]) / turn);
@@ -111,7 +114,7 @@ namespace auxfem
 
   RigidPartProbe::RigidPartProbe(const ProbeDefinition &definition,
                                  const Scene           &scene,
-                                 const Equations          &equations)
+                                 const Equations       &equations)
     : name(definition.name)
     , equations(equations)
   {

@@ -81,7 +81,9 @@ namespace auxfem
     });
     const Counts counts = count(equations);
     if (console)
-      console->print(overview_text(scene, counts, equations.model().simulated.decisions) + '\n');
+      console->print(
+        overview_text(scene, counts, equations.model().simulated.decisions) +
+        '\n');
     this->equations = &equations;
     history.emplace(scene, equations, communicator);
     on_first_rank(communicator, [&]() {
@@ -164,7 +166,7 @@ namespace auxfem
     }
 
     Summary summary;
-    summary.counts             = XX = seconds;
+    summary.counts = XX = seconds;
     summary.resources =
       gather_resources(since(start), summary.totals.wall, communicator);
     summary.energies = history->energies();
@@ -215,7 +217,9 @@ namespace auxfem
   {
     const Counts counts = count(equations);
     if (equations.model().numbering.rank() == 0)
-      std::cout << overview_text(scene, counts, equations.model().simulated.decisions)
+      std::cout << overview_text(scene,
+                                 counts,
+                                 equations.model().simulated.decisions)
                 << std::endl;
   }
 } // namespace auxfem

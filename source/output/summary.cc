@@ -265,8 +265,7 @@ namespace auxfem
     object.add("wall_seconds", wall_json(summary.resources));
     object.add("cpu_seconds", summary.resources.cpu_seconds);
     object.add("peak_memory_bytes", memory);
-    object.add("energies_joule",
-               json_of_energies(summary.energies));
+    object.add("energies_joule", json_of_energies(summary.energies));
     object.add("largest_rotation_radian", summary.largest_rotation);
     if (summary.strain.along(1))
       object.add("largest_effective_strain", json(summary.strain));

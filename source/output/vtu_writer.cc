@@ -70,7 +70,7 @@ namespace auxfem
   } // namespace
 
   VtuWriter::VtuWriter(const Scene       &scene,
-                       const Equations      &equations,
+                       const Equations   &equations,
                        const std::string &folder,
                        const MPI_Comm     communicator)
     : equations(equations)
@@ -150,7 +150,7 @@ namespace auxfem
 
         const unsigned int number = element.place.strut;
         const Strut       &strut  = equations.model().lattice.struts[number];
-        const float        radius = equations.model().sections[strut.section].radius;
+        const float radius = equations.model().sections[strut.section].radius;
 
         points.clear();
         values.clear();
@@ -187,7 +187,7 @@ namespace auxfem
   std::vector<std::vector<dealii::Point<3>>>
   VtuWriter::rigid_part_lines(const RigidPart &part) const
   {
-    const Lattice                             &lattice = equations.model().lattice;
+    const Lattice &lattice = equations.model().lattice;
     std::vector<std::vector<dealii::Point<3>>> lines;
     for (const unsigned int number : part.struts)
       {
@@ -254,7 +254,9 @@ namespace auxfem
 
     LineGraphics       graphics(connector_fields);
     std::vector<float> values;
-    for (unsigned int group = 0; group < equations.reporting().connectors.size(); ++group)
+    for (unsigned int group = 0;
+         group < equations.reporting().connectors.size();
+         ++group)
       {
         const ConnectorGroup &connectors =
           equations.reporting().connectors[group];

@@ -147,11 +147,11 @@ namespace auxfem
                          cell.extension_rate(motion),
                          y.data() + first_internal,
                          ignored.data());
-        Energies energies = cell_energies();
-        energies[cell_kinetic] = cell.kinetic_energy(motion);
-        energies[cell_stored] = connector.stored;
+        Energies energies         = cell_energies();
+        energies[cell_kinetic]    = cell.kinetic_energy(motion);
+        energies[cell_stored]     = connector.stored;
         energies[cell_dissipated] = y[lost_energy()];
-        energies[cell_work] = y[work_of_load()];
+        energies[cell_work]       = y[work_of_load()];
         return {time,
                 cell.angle(motion.position[0]),
                 extension,

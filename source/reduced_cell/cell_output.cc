@@ -88,8 +88,7 @@ namespace auxfem
 
   std::string CellOutput::summary(const RunResult &result) const
   {
-    JsonObject object =
-      json_of_run(scene, result.exit_state, result.time);
+    JsonObject object = json_of_run(scene, result.exit_state, result.time);
     object.add("model", "reduced cell");
     object.add("scheme", scene.time.scheme->name());
     object.add("connector_groups", names_of_groups(scene.connectors));
@@ -101,8 +100,7 @@ namespace auxfem
     wall.add("total",
              std::chrono::duration<double>(Clock::now() - start).count());
     object.add("wall_seconds", wall);
-    object.add("energies_joule",
-               json_of_energies(energies));
+    object.add("energies_joule", json_of_energies(energies));
     if (latest)
       {
         object.add("theta_radian", latest->angle);
@@ -118,8 +116,7 @@ namespace auxfem
   {
     if (latest && latest->time != latest_row->time)
       write_row(*latest);
-    replace_file(scene.output.directory + "/summary.json",
-                 summary(result));
+    replace_file(scene.output.directory + "/summary.json", summary(result));
 
     std::ostringstream text;
     text << (result.completed() ? "Completed" : "Stopped early");

@@ -10,7 +10,7 @@ namespace auxfem
   {
     const std::unique_ptr<CellScheme> scheme = make_cell_scheme(scene);
     RunResult                         result;
-    const auto record = [&](const CellSample &sample) {
+    const auto                        record = [&](const CellSample &sample) {
       result.time = sample.time;
       recorder.cell(sample);
     };

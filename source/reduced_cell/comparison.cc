@@ -61,8 +61,8 @@ namespace auxfem
       try
         {
           return compute_history(read_scene_from_text(scene.all_parameters,
-                                                     scene.file,
-                                                     {"Time/Scheme=" + name}));
+                                                      scene.file,
+                                                      {"Time/Scheme=" + name}));
         }
       catch (const InputError &error)
         {
@@ -85,8 +85,8 @@ namespace auxfem
 
     ComparisonRow make_row(const Scene       &scene,
                            const std::string &scheme,
-                           const CellHistory  &history,
-                           const CellHistory  &reference)
+                           const CellHistory &history,
+                           const CellHistory &reference)
     {
       ComparisonRow row;
       row.name         = std::filesystem::path(scene.file).stem();
@@ -163,7 +163,7 @@ namespace auxfem
   std::vector<ComparisonRow> compare_schemes(const Scene &scene)
   {
     std::vector<ComparisonRow> rows;
-    CellHistory                 reference;
+    CellHistory                reference;
     for (const std::string &scheme : compared_schemes())
       {
         const CellHistory history = history_with(scheme, scene);

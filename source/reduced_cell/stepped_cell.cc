@@ -71,7 +71,7 @@ namespace auxfem
     const ConnectorEnergy of_connector =
       law.energy(connector_motion, committed.data(), trial.data());
     energies[cell_kinetic] = cell.kinetic_energy(motion);
-    energies[cell_stored] = of_connector.stored;
+    energies[cell_stored]  = of_connector.stored;
     energies[cell_dissipated] += of_connector.dissipated;
     energies[cell_work] -= (load_before + load_now) / 2 *
       (connector_motion.extension - connector_motion.previous_extension);

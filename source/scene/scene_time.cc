@@ -1,5 +1,5 @@
+#include <auxfem/elements/strut_order.h>
 #include <auxfem/scene/scene_sections.h>
-#include <auxfem/scene/strut_order.h>
 
 #include <limits>
 #include <string>

@@ -1,4 +1,3 @@
-#include <auxfem/scene/scene.h>
 #include <auxfem/time/step_control.h>
 
 #include <cmath>
@@ -73,12 +72,9 @@ namespace auxfem
     };
   } // namespace
 
-  std::unique_ptr<StepControl>
-  make_constant_steps(const TimeParameters &parameters)
+  std::unique_ptr<StepControl> make_constant_steps(const double step,
+                                                   const double smallest)
   {
-    return std::make_unique<ConstantSteps>(parameters.step,
-                                           parameters.smallest_step > 0
-                                             ? parameters.smallest_step
-                                             : parameters.step / 1024);
+    return std::make_unique<ConstantSteps>(step, smallest);
   }
 } // namespace auxfem

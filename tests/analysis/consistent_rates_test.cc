@@ -1,8 +1,8 @@
 #include <auxfem/analysis/consistent_rates.h>
 
+#include <equations/equations_on_ranks.h>
 #include <gtest/gtest.h>
 #include <mesh/cell_from_text.h>
-#include <equations/equations_on_ranks.h>
 
 using namespace auxfem;
 using namespace auxfem::testing_support;

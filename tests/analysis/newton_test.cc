@@ -2,9 +2,9 @@
 #include <auxfem/time/alpha_family.h>
 #include <auxfem/time/static.h>
 
+#include <equations/equations_on_ranks.h>
 #include <gtest/gtest.h>
 #include <mesh/cell_from_text.h>
-#include <equations/equations_on_ranks.h>
 
 #include <cstdio>
 

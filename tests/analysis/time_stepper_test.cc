@@ -1,8 +1,8 @@
 #include <auxfem/parameters/errors.h>
 
+#include <equations/equations_on_ranks.h>
 #include <gtest/gtest.h>
 #include <support/scene_run.h>
-#include <equations/equations_on_ranks.h>
 
 using namespace auxfem;
 using namespace auxfem::testing_support;

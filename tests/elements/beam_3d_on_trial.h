@@ -2,7 +2,7 @@
 #define auxfem_tests_elements_beam_3d_on_trial_h
 
 #include <auxfem/elements/beam_3d_tangent.h>
-#include <auxfem/equations/effects/beam_dispatch.h>
+#include <auxfem/elements/beam_dispatch.h>
 
 #include <elements/beam_on_trial.h>
 

@@ -2,7 +2,7 @@
 #define auxfem_tests_elements_beam_on_trial_h
 
 #include <auxfem/elements/beam_2d.h>
-#include <auxfem/equations/effects/beam_dispatch.h>
+#include <auxfem/elements/beam_dispatch.h>
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 #ifndef auxfem_tests_system_system_on_ranks_h
 #define auxfem_tests_system_system_on_ranks_h
 
-#include <auxfem/model/build_lattice.h>
 #include <auxfem/equations/equations.h>
+#include <auxfem/model/build_lattice.h>
 
 #include <deal.II/fe/fe_q.h>
 

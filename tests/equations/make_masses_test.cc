@@ -1,7 +1,7 @@
 #include <auxfem/equations/make_masses.h>
 
-#include <gtest/gtest.h>
 #include <equations/effects/space_effect.h>
+#include <gtest/gtest.h>
 
 #include <support/messages.h>
 

@@ -1,7 +1,7 @@
 #include <auxfem/model/joint_releases.h>
 
-#include <mesh/cell_from_text.h>
 #include <equations/effects/space_effect.h>
+#include <mesh/cell_from_text.h>
 
 using namespace auxfem;
 using namespace auxfem::testing_support;

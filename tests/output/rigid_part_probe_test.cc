@@ -3,10 +3,10 @@
 
 #include <deal.II/base/numbers.h>
 
+#include <equations/equations_on_ranks.h>
 #include <gtest/gtest.h>
 #include <mesh/cell_from_text.h>
 #include <support/scene_run.h>
-#include <equations/equations_on_ranks.h>
 
 #include <cmath>
 

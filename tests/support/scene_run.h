@@ -95,8 +95,9 @@ namespace auxfem
       ConnectorReport connector(const unsigned int group,
                                 const unsigned int i) const
       {
-        return equations.reporting().connectors[group].report(
-          i, state, computation.solution.results);
+        return equations.reporting()
+          .connectors[group]
+          .report(i, state, computation.solution.results);
       }
 
       /** Error of the energy balance now (J). */

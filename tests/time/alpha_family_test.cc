@@ -1,7 +1,7 @@
 #include <auxfem/time/alpha_family.h>
 
-#include <gtest/gtest.h>
 #include <equations/equations_on_ranks.h>
+#include <gtest/gtest.h>
 
 #include <array>
 

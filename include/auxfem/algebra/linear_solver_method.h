@@ -1,9 +1,9 @@
 #ifndef auxfem_algebra_linear_solver_method_h
 #define auxfem_algebra_linear_solver_method_h
 
+#include <auxfem/algebra/tangent_matrix.h>
 #include <auxfem/model/lattice_model.h>
 #include <auxfem/scene/scene.h>
-#include <auxfem/algebra/tangent_matrix.h>
 
 #include <Epetra_Vector.h>
 

@@ -27,7 +27,8 @@ namespace auxfem
                      MPI_Comm     communicator,
                      Recorder    &recorder);
 
-    /** The dry run: builds everything, prints counts and effects. Collective. */
+    /** The dry run: builds everything, prints counts and effects. Collective.
+     */
     void (*check)(const Scene &scene, MPI_Comm communicator);
   };
 

@@ -43,11 +43,11 @@ namespace auxfem
      */
     RunResult run(Recorder &recorder);
 
-    const Scene     &scene;
-    const Lattice    lattice;
+    const Scene       &scene;
+    const Lattice      lattice;
     const LatticeModel model;
-    Equations        equations;
-    Solution         solution;
+    Equations          equations;
+    Solution           solution;
 
     /** All that has been done so far. */
     const Work &work() const;

@@ -40,8 +40,8 @@ namespace auxfem
      * State::largest_force too.
      */
     Result solve(const ImplicitScheme &scheme,
-                 const Evaluation  &evaluation,
-                 EvaluationResults &results);
+                 const Evaluation     &evaluation,
+                 EvaluationResults    &results);
 
     /** Forgets the factorization (the state jumped). */
     void drop_factorization();
@@ -56,7 +56,7 @@ namespace auxfem
     };
 
     /** Factorizes unless the kept factorization serves; false if singular. */
-    bool   prepare(const ImplicitScheme &scheme,
+    bool   prepare(const ImplicitScheme    &scheme,
                    const Evaluation        &evaluation,
                    const EvaluationResults &results,
                    double                   reduction);
@@ -64,7 +64,8 @@ namespace auxfem
                             const State             &state) const;
     double in_force_units(const EvaluationResults &results) const;
     /** Solves for the increment and applies it; empty, or why it failed. */
-    std::string iterate(const ImplicitScheme &scheme, const Evaluation &evaluation);
+    std::string iterate(const ImplicitScheme &scheme,
+                        const Evaluation     &evaluation);
 
     TangentSolver         &solver;
     const NewtonParameters parameters;

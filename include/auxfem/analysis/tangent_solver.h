@@ -1,8 +1,8 @@
 #ifndef auxfem_analysis_tangent_solver_h
 #define auxfem_analysis_tangent_solver_h
 
-#include <auxfem/equations/equations.h>
 #include <auxfem/algebra/linear_solver.h>
+#include <auxfem/equations/equations.h>
 #include <auxfem/time/step_report.h>
 
 namespace auxfem

@@ -55,14 +55,14 @@ namespace auxfem
     bool              reject(const std::string &reason);
     [[noreturn]] void give_up(const State &state, double dt) const;
 
-    Equations           &equations;
-    const TimeParameters parameters;
+    Equations            &equations;
+    const TimeParameters  parameters;
     const ImplicitScheme &scheme;
-    Work                &work;
-    TangentSolver        tangent_solver;
-    Newton               newton;
-    Solution             trial;
-    const NodeRotations  rotations;
+    Work                 &work;
+    TangentSolver         tangent_solver;
+    Newton                newton;
+    Solution              trial;
+    const NodeRotations   rotations;
     /** With the mass matrix; only where rates are restored after each step. */
     struct RateSolver
     {

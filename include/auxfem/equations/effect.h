@@ -1,8 +1,8 @@
 #ifndef auxfem_equations_effect_h
 #define auxfem_equations_effect_h
 
-#include <auxfem/equations/evaluation.h>
 #include <auxfem/algebra/tangent_matrix.h>
+#include <auxfem/equations/evaluation.h>
 #include <auxfem/time/time_scheme.h>
 
 namespace auxfem

@@ -1,10 +1,10 @@
 #ifndef auxfem_equations_equations_h
 #define auxfem_equations_equations_h
 
-#include <auxfem/model/lattice_model.h>
 #include <auxfem/equations/effects/connector_forces.h>
 #include <auxfem/equations/effects/rigid_part_conditions.h>
 #include <auxfem/equations/effects/struts.h>
+#include <auxfem/model/lattice_model.h>
 
 #include <memory>
 #include <vector>

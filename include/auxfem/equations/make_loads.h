@@ -1,11 +1,11 @@
 #ifndef auxfem_equations_make_loads_h
 #define auxfem_equations_make_loads_h
 
-#include <auxfem/model/numbering.h>
-#include <auxfem/scene/scene.h>
 #include <auxfem/equations/effect.h>
 #include <auxfem/model/effect_decisions.h>
+#include <auxfem/model/numbering.h>
 #include <auxfem/model/rigid_bodies.h>
+#include <auxfem/scene/scene.h>
 
 #include <memory>
 #include <vector>

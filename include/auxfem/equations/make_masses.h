@@ -1,10 +1,10 @@
 #ifndef auxfem_equations_make_masses_h
 #define auxfem_equations_make_masses_h
 
-#include <auxfem/model/numbering.h>
-#include <auxfem/scene/scene.h>
 #include <auxfem/equations/effect.h>
+#include <auxfem/model/numbering.h>
 #include <auxfem/model/rigid_bodies.h>
+#include <auxfem/scene/scene.h>
 
 #include <memory>
 #include <vector>

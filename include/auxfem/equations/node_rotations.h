@@ -2,8 +2,8 @@
 #define auxfem_equations_node_rotations_h
 
 #include <auxfem/elements/rotation_rates.h>
-#include <auxfem/model/numbering.h>
 #include <auxfem/equations/effect.h>
+#include <auxfem/model/numbering.h>
 
 namespace auxfem
 {

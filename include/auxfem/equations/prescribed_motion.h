@@ -1,8 +1,8 @@
 #ifndef auxfem_equations_prescribed_motion_h
 #define auxfem_equations_prescribed_motion_h
 
-#include <auxfem/model/lattice_model.h>
 #include <auxfem/equations/effect.h>
+#include <auxfem/model/lattice_model.h>
 
 namespace auxfem
 {

@@ -1,10 +1,10 @@
 #ifndef auxfem_model_lattice_model_h
 #define auxfem_model_lattice_model_h
 
-#include <auxfem/model/supports.h>
 #include <auxfem/model/effect_decisions.h>
 #include <auxfem/model/joint_releases.h>
 #include <auxfem/model/rigid_bodies.h>
+#include <auxfem/model/supports.h>
 
 namespace auxfem
 {
@@ -40,7 +40,7 @@ namespace auxfem
     const std::vector<std::vector<JointPair>> connector_pairs;
     const DofNumbering                        numbering;
     /** Owned rows by what is measured in them. */
-    const OwnedRows rows;
+    const OwnedRows            rows;
     const std::vector<Support> supports;
     const RigidBodies          bodies;
 

@@ -1,8 +1,8 @@
 #ifndef auxfem_output_effective_strains_h
 #define auxfem_output_effective_strains_h
 
-#include <auxfem/output/csv_table.h>
 #include <auxfem/model/lattice_model.h>
+#include <auxfem/output/csv_table.h>
 
 #include <optional>
 #include <string>

@@ -1,12 +1,12 @@
 #ifndef auxfem_output_history_h
 #define auxfem_output_history_h
 
-#include <auxfem/output/energy_record.h>
+#include <auxfem/equations/equations.h>
 #include <auxfem/output/effective_strains.h>
+#include <auxfem/output/energy_record.h>
 #include <auxfem/output/rigid_part_probe.h>
 #include <auxfem/output/rotation_vectors.h>
 #include <auxfem/scene/scene.h>
-#include <auxfem/equations/equations.h>
 
 #include <optional>
 
@@ -37,9 +37,9 @@ namespace auxfem
      * Collective.
      * @param equations must outlive the history.
      */
-    History(const Scene       &scene,
-            const Equations      &equations,
-            MPI_Comm           communicator);
+    History(const Scene     &scene,
+            const Equations &equations,
+            MPI_Comm         communicator);
 
     const std::vector<Column> &columns() const;
 
@@ -93,11 +93,12 @@ namespace auxfem
     /** Sums of this rank from column @p column on; returns the column after them. */
     unsigned int add_unknown_sums(const State &state, unsigned int column);
     unsigned int add_rigid_part_values(const State &state, unsigned int column);
-    unsigned int add_connector_sums(const Solution &solution, unsigned int column);
+    unsigned int add_connector_sums(const Solution &solution,
+                                    unsigned int    column);
     unsigned int add_strains(const State &state, unsigned int column);
     double value(Quantity quantity, const State &state, int unknown) const;
 
-    const Equations               &equations;
+    const Equations            &equations;
     MPI_Comm                    communicator;
     std::vector<Column>         column_list;
     std::vector<UnknownSum>     sums;

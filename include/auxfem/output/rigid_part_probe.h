@@ -1,9 +1,9 @@
 #ifndef auxfem_output_rigid_part_probe_h
 #define auxfem_output_rigid_part_probe_h
 
+#include <auxfem/equations/equations.h>
 #include <auxfem/output/csv_table.h>
 #include <auxfem/scene/scene.h>
-#include <auxfem/equations/equations.h>
 
 namespace auxfem
 {
@@ -24,7 +24,7 @@ namespace auxfem
     const std::vector<SpaceVector> &values() const;
 
   private:
-    const Equations            &equations;
+    const Equations         &equations;
     std::vector<SpaceVector> rotations;
   };
 
@@ -49,7 +49,7 @@ namespace auxfem
      */
     RigidPartProbe(const ProbeDefinition &definition,
                    const Scene           &scene,
-                   const Equations          &equations);
+                   const Equations       &equations);
 
     /** Throws InputError as the constructor. */
     static void check(const ProbeDefinition &definition,
@@ -76,7 +76,7 @@ namespace auxfem
     bool              has_forces;
     unsigned int      n_dimensions;
     unsigned int      n_parts; ///< on all ranks
-    const Equations     &equations;
+    const Equations  &equations;
     std::vector<Part> parts; ///< of this rank
   };
 } // namespace auxfem

@@ -36,7 +36,7 @@ namespace auxfem
       SpaceVector entries; ///< of State::displacement
     };
 
-    const LatticeModel         &model;
+    const LatticeModel   &model;
     std::vector<Rotation> rotations;
   };
 } // namespace auxfem

@@ -1,9 +1,9 @@
 #ifndef auxfem_output_run_output_h
 #define auxfem_output_run_output_h
 
+#include <auxfem/output/recorder.h>
 #include <auxfem/output/summary.h>
 #include <auxfem/scene/scene.h>
-#include <auxfem/output/recorder.h>
 #include <auxfem/time/step_report.h>
 
 #include <memory>

@@ -1,10 +1,10 @@
 #ifndef auxfem_output_summary_h
 #define auxfem_output_summary_h
 
+#include <auxfem/equations/equations.h>
 #include <auxfem/output/history.h>
 #include <auxfem/output/json.h>
 #include <auxfem/scene/scene.h>
-#include <auxfem/equations/equations.h>
 #include <auxfem/time/step_report.h>
 
 namespace auxfem

@@ -1,10 +1,10 @@
 #ifndef auxfem_output_vtu_writer_h
 #define auxfem_output_vtu_writer_h
 
-#include <auxfem/output/line_graphics.h>
-#include <auxfem/scene/scene.h>
 #include <auxfem/equations/equations.h>
 #include <auxfem/equations/solution.h>
+#include <auxfem/output/line_graphics.h>
+#include <auxfem/scene/scene.h>
 
 #include <optional>
 
@@ -38,7 +38,7 @@ namespace auxfem
      * @param scene, equations must outlive the writer.
      */
     VtuWriter(const Scene       &scene,
-              const Equations      &equations,
+              const Equations   &equations,
               const std::string &folder,
               MPI_Comm           communicator);
 
@@ -70,7 +70,7 @@ namespace auxfem
     std::vector<std::vector<dealii::Point<3>>>
     rigid_part_lines(const RigidPart &part) const;
 
-    const Equations      &equations;
+    const Equations   &equations;
     const unsigned int n_segments;
 
     std::vector<std::string>      set_names;

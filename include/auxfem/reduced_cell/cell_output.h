@@ -2,9 +2,9 @@
 #define auxfem_reduced_cell_cell_output_h
 
 #include <auxfem/output/console.h>
-#include <auxfem/output/recorder.h>
 #include <auxfem/output/csv_table.h>
 #include <auxfem/output/history.h>
+#include <auxfem/output/recorder.h>
 #include <auxfem/reduced_cell/cell_scheme.h>
 
 #include <chrono>

@@ -1,9 +1,8 @@
 #ifndef auxfem_reduced_cell_cell_run_h
 #define auxfem_reduced_cell_cell_run_h
 
-#include <auxfem/reduced_cell/cell_scheme.h>
-
 #include <auxfem/output/recorder.h>
+#include <auxfem/reduced_cell/cell_scheme.h>
 
 namespace auxfem
 {

@@ -5,8 +5,6 @@
 
 namespace auxfem
 {
-  struct TimeParameters;
-
   /** A step to be tried. */
   struct PlannedStep
   {
@@ -41,11 +39,11 @@ namespace auxfem
   };
 
   /**
-   * Steps of `Time step`; where one fails it is done in halves, these in halves
-   * again, down to `Smallest time step`.
+   * Steps of the length @p step (s); where one fails it is done in halves, these
+   * in halves again, down to @p smallest (s).
    */
-  std::unique_ptr<StepControl>
-  make_constant_steps(const TimeParameters &parameters);
+  std::unique_ptr<StepControl> make_constant_steps(double step,
+                                                   double smallest);
 } // namespace auxfem
 
 #endif

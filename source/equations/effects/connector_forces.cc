@@ -1,5 +1,5 @@
-#include <auxfem/parameters/errors.h>
 #include <auxfem/equations/effects/connector_forces.h>
+#include <auxfem/parameters/errors.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 #include <auxfem/elements/beam_2d.h>
-#include <auxfem/equations/effects/beam_dispatch.h>
+#include <auxfem/elements/beam_dispatch.h>
 #include <auxfem/equations/effects/beam_forces.h>
 
 #include <cmath>

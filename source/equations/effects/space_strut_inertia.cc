@@ -1,5 +1,5 @@
+#include <auxfem/elements/beam_dispatch.h>
 #include <auxfem/elements/rotary_inertia.h>
-#include <auxfem/equations/effects/beam_dispatch.h>
 #include <auxfem/equations/effects/strut_inertia.h>
 #include <auxfem/equations/node_rotations.h>
 

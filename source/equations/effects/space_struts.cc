@@ -1,5 +1,5 @@
 #include <auxfem/elements/beam_3d_damping.h>
-#include <auxfem/equations/effects/beam_dispatch.h>
+#include <auxfem/elements/beam_dispatch.h>
 #include <auxfem/equations/effects/beam_forces.h>
 #include <auxfem/equations/node_rotations.h>
 

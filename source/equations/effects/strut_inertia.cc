@@ -1,4 +1,4 @@
-#include <auxfem/equations/effects/beam_dispatch.h>
+#include <auxfem/elements/beam_dispatch.h>
 #include <auxfem/equations/effects/strut_inertia.h>
 
 namespace auxfem

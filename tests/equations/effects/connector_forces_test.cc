@@ -1,9 +1,9 @@
-#include <auxfem/mesh/sets.h>
 #include <auxfem/equations/effects/connector_forces.h>
+#include <auxfem/mesh/sets.h>
 
+#include <equations/equations_on_ranks.h>
 #include <gtest/gtest.h>
 #include <mesh/cell_from_text.h>
-#include <equations/equations_on_ranks.h>
 
 using namespace auxfem;
 using namespace auxfem::testing_support;

@@ -1,9 +1,9 @@
-#include <auxfem/parameters/errors.h>
 #include <auxfem/equations/effects/revolute_hinges.h>
+#include <auxfem/parameters/errors.h>
 
+#include <equations/effects/space_effect.h>
 #include <mesh/cell_from_text.h>
 #include <support/scene_run.h>
-#include <equations/effects/space_effect.h>
 
 using namespace auxfem;
 using namespace auxfem::testing_support;

@@ -1,8 +1,8 @@
 #include <auxfem/equations/effects/rigid_part_conditions.h>
 
+#include <equations/equations_on_ranks.h>
 #include <gtest/gtest.h>
 #include <support/scene_run.h>
-#include <equations/equations_on_ranks.h>
 
 #include <cmath>
 

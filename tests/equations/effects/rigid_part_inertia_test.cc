@@ -1,7 +1,7 @@
 #include <auxfem/equations/effects/rigid_part_inertia.h>
 
-#include <gtest/gtest.h>
 #include <equations/equations_on_ranks.h>
+#include <gtest/gtest.h>
 
 using namespace auxfem;
 using namespace auxfem::testing_support;

@@ -4,8 +4,8 @@
 #include <auxfem/equations/conditions.h>
 #include <auxfem/equations/node_rotations.h>
 
-#include <gtest/gtest.h>
 #include <equations/equations_on_ranks.h>
+#include <gtest/gtest.h>
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 #include <auxfem/equations/effects/space_springs.h>
 
-#include <support/scene_run.h>
 #include <equations/effects/space_effect.h>
+#include <support/scene_run.h>
 
 using namespace auxfem;
 using namespace auxfem::testing_support;

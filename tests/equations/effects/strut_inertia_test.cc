@@ -1,7 +1,7 @@
 #include <auxfem/equations/effects/strut_inertia.h>
 
-#include <gtest/gtest.h>
 #include <equations/equations_on_ranks.h>
+#include <gtest/gtest.h>
 
 #include <map>
 

@@ -1,8 +1,8 @@
 #include <auxfem/equations/effects/rigid_part_conditions.h>
 
+#include <equations/effects/space_effect.h>
 #include <mesh/cell_from_text.h>
 #include <support/scene_run.h>
-#include <equations/effects/space_effect.h>
 
 #include <array>
 

@@ -1,8 +1,8 @@
 #ifndef auxfem_equations_effects_applied_loads_h
 #define auxfem_equations_effects_applied_loads_h
 
-#include <auxfem/loads/time_function.h>
 #include <auxfem/equations/node_rotations.h>
+#include <auxfem/loads/time_function.h>
 
 namespace auxfem
 {

@@ -2,8 +2,8 @@
 #define auxfem_equations_effects_connector_forces_h
 
 #include <auxfem/connectors/connector_law.h>
-#include <auxfem/scene/scene.h>
 #include <auxfem/equations/effect.h>
+#include <auxfem/scene/scene.h>
 
 namespace auxfem
 {

@@ -1,9 +1,9 @@
 #ifndef auxfem_equations_effects_following_loads_h
 #define auxfem_equations_effects_following_loads_h
 
+#include <auxfem/equations/node_rotations.h>
 #include <auxfem/loads/time_function.h>
 #include <auxfem/mesh/motion_components.h>
-#include <auxfem/equations/node_rotations.h>
 
 namespace auxfem
 {

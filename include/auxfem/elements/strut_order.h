@@ -1,5 +1,5 @@
-#ifndef auxfem_scene_strut_order_h
-#define auxfem_scene_strut_order_h
+#ifndef auxfem_elements_strut_order_h
+#define auxfem_elements_strut_order_h
 
 namespace auxfem
 {

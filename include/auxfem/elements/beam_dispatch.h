@@ -1,7 +1,7 @@
-#ifndef auxfem_equations_effects_beam_dispatch_h
-#define auxfem_equations_effects_beam_dispatch_h
+#ifndef auxfem_elements_beam_dispatch_h
+#define auxfem_elements_beam_dispatch_h
 
-#include <auxfem/scene/strut_order.h>
+#include <auxfem/elements/strut_order.h>
 
 #include <deal.II/base/exceptions.h>
 
