@@ -1,3 +1,4 @@
+#include <auxfem/analysis/time_stepper.h>
 #include <auxfem/model/build_lattice.h>
 #include <auxfem/output/first_rank.h>
 #include <auxfem/output/run_output.h>
@@ -8,7 +9,6 @@
 #include <auxfem/system/mechanism.h>
 #include <auxfem/system/overconstrained.h>
 #include <auxfem/time/stopwatch.h>
-#include <auxfem/time/time_stepper.h>
 
 #include <limits>
 

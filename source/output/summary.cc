@@ -289,18 +289,6 @@ namespace auxfem
     return object.text() + '\n';
   }
 
-  namespace
-  {
-    /**
-     * Whether errors of rigid parts are carried on from step to step. Newmark's
-     * method has its rates restored after each step instead.
-     */
-    bool carries_on_errors_of_rigid_parts(const TimeParameters &time)
-    {
-      return time.scheme == "generalized-alpha" && time.spectral_radius > 0.9;
-    }
-  } // namespace
-
   std::string overview_text(const Scene                       &scene,
                             const Counts                      &counts,
                             const std::vector<EffectDecision> &decisions)
@@ -339,10 +327,15 @@ namespace auxfem
 
     list_effects(stream, "Simulated", decisions, true);
     list_effects(stream, "Left out", decisions, false);
-    if (counts.conditions > 0 && carries_on_errors_of_rigid_parts(scene.time))
-      stream << "\nNote\n  Errors of rigid parts grow with the angle these "
-                "turn; Scheme = newmark, or a Spectral radius\n  of at most "
-                "0.9, is stable.\n";
+    const std::optional<std::string> note =
+      scene.time.scheme->note_on_rigid_parts();
+    if (counts.conditions > 0 && note)
+      {
+        stream << "\nNote\n";
+        for (const std::string &part :
+             dealii::Utilities::break_text_into_lines(*note, 93))
+          stream << "  " << part << '\n';
+      }
     std::string text = stream.str();
     text.pop_back();
     return text;

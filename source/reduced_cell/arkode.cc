@@ -180,10 +180,23 @@ namespace auxfem
       Ode                 ode;
       unsigned long       step = 0, evaluations = 0, evaluations_of_step = 0;
     };
+
+    const std::string word = "arkode";
+
+    std::unique_ptr<TimeScheme> make_arkode(dealii::ParameterHandler & /*prm*/,
+                                            const SceneContext & /*context*/)
+    {
+      return std::make_unique<CellMethodOf<ArkodeScheme>>(word);
+    }
   } // namespace
 
-  std::unique_ptr<CellScheme> make_arkode_scheme(const Scene &scene)
+  TimeSchemeEntry arkode_entry()
   {
-    return std::make_unique<ArkodeScheme>(scene);
+    return {
+      {word,
+       "explicit Runge-Kutta with error control (SUNDIALS ARKODE), the reference",
+       nullptr,
+       &make_arkode},
+      {Model::reduced_cell}};
   }
 } // namespace auxfem

@@ -148,10 +148,24 @@ namespace auxfem
 
       const PrintedConnector connector;
     };
+
+    const std::string word = "as printed";
+
+    std::unique_ptr<TimeScheme>
+    make_as_printed(dealii::ParameterHandler & /*prm*/,
+                    const SceneContext & /*context*/)
+    {
+      return std::make_unique<CellMethodOf<PrintedScheme>>(word);
+    }
   } // namespace
 
-  std::unique_ptr<CellScheme> make_printed_scheme(const Scene &scene)
+  TimeSchemeEntry as_printed_entry()
   {
-    return std::make_unique<PrintedScheme>(scene);
+    return {
+      {word,
+       "the paper's equations (18), (20) and scheme (24), (25) with their slips",
+       nullptr,
+       &make_as_printed},
+      {Model::reduced_cell}};
   }
 } // namespace auxfem

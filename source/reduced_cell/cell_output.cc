@@ -27,9 +27,9 @@ namespace auxfem
 
   std::string cell_overview_text(const Scene &scene)
   {
-    const ReducedCellDefinition &cell  = *scene.reduced_cell;
-    const CellSchemeEntry       &entry = cell_scheme_entry(scene);
-    std::ostringstream           text;
+    const ReducedCellDefinition &cell = *scene.reduced_cell;
+    const TimeSchemeEntry &entry = time_scheme_entry(scene.time.scheme->name());
+    std::ostringstream     text;
     text
       << heading_text(scene) << "\n\n"
       << "  Reduced cell: bars of " << cell.bar_length << " m and "
@@ -92,7 +92,7 @@ namespace auxfem
     JsonObject object =
       json_of_run(scene, exit_state, latest ? latest->time : 0.);
     object.add("model", "reduced cell");
-    object.add("scheme", scene.time.scheme);
+    object.add("scheme", scene.time.scheme->name());
     object.add("connector_groups", names_of_groups(scene.connectors));
     JsonObject counts;
     counts.add("steps", n_samples > 0 ? n_samples - 1 : 0);

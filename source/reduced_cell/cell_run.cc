@@ -23,8 +23,7 @@ namespace auxfem
   void run_reduced_cell(const Scene &scene)
   {
     CellOutput                        output(scene);
-    const std::unique_ptr<CellScheme> scheme =
-      cell_scheme_entry(scene).make(scene);
+    const std::unique_ptr<CellScheme> scheme = make_cell_scheme(scene);
     output.begin();
     try
       {
@@ -42,7 +41,7 @@ namespace auxfem
 
   void check_reduced_cell(const Scene &scene)
   {
-    cell_scheme_entry(scene).make(scene);
+    make_cell_scheme(scene);
     std::cout << cell_overview_text(scene) << std::flush;
   }
 
@@ -51,8 +50,7 @@ namespace auxfem
     CellCourse course;
     try
       {
-        const std::unique_ptr<CellScheme> scheme =
-          cell_scheme_entry(scene).make(scene);
+        const std::unique_ptr<CellScheme> scheme = make_cell_scheme(scene);
         follow(scene, *scheme, [&course](const CellSample &sample) {
           course.samples.push_back(sample);
         });

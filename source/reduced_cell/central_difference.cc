@@ -45,10 +45,23 @@ namespace auxfem
         return cell.accept(motion);
       }
     };
+
+    const std::string word = "central difference";
+
+    std::unique_ptr<TimeScheme>
+    make_central_difference(dealii::ParameterHandler & /*prm*/,
+                            const SceneContext & /*context*/)
+    {
+      return std::make_unique<CellMethodOf<CentralDifference>>(word);
+    }
   } // namespace
 
-  std::unique_ptr<CellScheme> make_central_difference(const Scene &scene)
+  TimeSchemeEntry central_difference_entry()
   {
-    return std::make_unique<CentralDifference>(scene);
+    return {{word,
+             "central differences on two interlaced grids",
+             nullptr,
+             &make_central_difference},
+            {Model::reduced_cell}};
   }
 } // namespace auxfem

@@ -55,13 +55,40 @@ namespace auxfem
       return record.relative(record.largest_balance);
     }
 
-    ComparisonRow make_row(const Scene      &scene,
-                           const CellCourse &course,
-                           const CellCourse &reference)
+    /** The course of @p scene with the scheme @p name in place of its own. */
+    CellCourse course_with(const std::string &name, const Scene &scene)
+    {
+      try
+        {
+          return compute_course(read_scene_from_text(scene.all_parameters,
+                                                     scene.file,
+                                                     {"Time/Scheme=" + name}));
+        }
+      catch (const InputError &error)
+        {
+          return {{}, error.what()};
+        }
+    }
+
+    /** All schemes that a reduced cell may have, that of the reference first.
+     */
+    std::vector<std::string> compared_schemes()
+    {
+      std::vector<std::string> names = {arkode_entry().name};
+      for (const TimeSchemeEntry &entry : time_scheme_registry())
+        if (entry.serves(Model::reduced_cell) && entry.name != names.front())
+          names.push_back(entry.name);
+      return names;
+    }
+
+    ComparisonRow make_row(const Scene       &scene,
+                           const std::string &scheme,
+                           const CellCourse  &course,
+                           const CellCourse  &reference)
     {
       ComparisonRow row;
       row.name         = std::filesystem::path(scene.file).stem();
-      row.scheme       = scene.time.scheme;
+      row.scheme       = scheme;
       row.exit_state   = course.exit_state;
       const bool began = !course.samples.empty();
       row.angle        = began ? course.samples.back().angle : unknown;
@@ -135,14 +162,12 @@ namespace auxfem
   {
     std::vector<ComparisonRow> rows;
     CellCourse                 reference;
-    for (const CellSchemeEntry &entry : cell_scheme_registry())
+    for (const std::string &scheme : compared_schemes())
       {
-        Scene variant       = scene;
-        variant.time.scheme = entry.name;
-        CellCourse course   = compute_course(variant);
+        const CellCourse course = course_with(scheme, scene);
         if (rows.empty())
           reference = course;
-        rows.push_back(make_row(variant, course, reference));
+        rows.push_back(make_row(scene, scheme, course, reference));
       }
     return rows;
   }

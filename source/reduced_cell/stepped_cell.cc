@@ -14,7 +14,7 @@ namespace auxfem
       const double          even = time.n_steps() * time.step;
       if (std::abs(even - time.end_time) > 1e-6 * time.step)
         throw InputError(
-          "Time/Scheme = " + time.scheme +
+          "Time/Scheme = " + time.scheme->name() +
           " needs equal steps, but Time/End time is no multiple of Time/Time "
           "step. Change one of them");
     }

@@ -52,26 +52,9 @@ namespace auxfem
                              " s. Increase it, or reduce the time step"));
     }
 
-    void check_newmark(const Scene &scene, Mistakes &mistakes)
-    {
-      const TimeParameters &time = scene.time;
-      // beta = gamma / 2 must pass although the decimals of both are rounded
-      const bool stable =
-        time.gamma >= 0.5 && 2 * time.beta >= time.gamma * (1 - 1e-12);
-      if (time.scheme == "newmark" && !stable)
-        mistakes.add(message(scene,
-                             "Time/Newmark beta = ",
-                             time.beta,
-                             " and Time/Newmark gamma = ",
-                             time.gamma,
-                             " are not unconditionally stable, which needs "
-                             "2 beta >= gamma >= 1/2. Use e.g. beta = 0.25 and "
-                             "gamma = 0.5"));
-    }
-
     void check_inertia(const Scene &scene, Mistakes &mistakes)
     {
-      const bool statics = (scene.time.scheme == "static");
+      const bool statics = !scene.time.scheme->is_dynamic();
       if (statics && scene.effects.inertia == Switch::on)
         mistakes.add(message(scene,
                              "Effects/Inertia = on contradicts Time/Scheme = "
@@ -80,7 +63,7 @@ namespace auxfem
       if (!statics && scene.effects.inertia == Switch::off)
         mistakes.add(message(scene,
                              "Effects/Inertia = off with Time/Scheme = ",
-                             scene.time.scheme,
+                             scene.time.scheme->name(),
                              ": without inertia there is no motion to "
                              "integrate. Set Time/Scheme = static"));
       if (statics && !scene.initial_velocities.empty())
@@ -92,7 +75,7 @@ namespace auxfem
 
     void check_density(const Scene &scene, Mistakes &mistakes)
     {
-      const bool statics = (scene.time.scheme == "static");
+      const bool statics = !scene.time.scheme->is_dynamic();
       const bool weight =
         scene.gravity.norm() > 0 && scene.effects.gravity != Switch::off;
       if (statics && !weight)
@@ -104,29 +87,20 @@ namespace auxfem
                                "/Density must be given, because there is ",
                                statics ? "weight (Gravity)"
                                        : "inertia (Time/Scheme = " +
-                                   scene.time.scheme + ")",
+                                   scene.time.scheme->name() + ")",
                                ". Allowed: a number >= 0 in kg/m3, 0 for "
                                "massless struts"));
     }
 
-    const std::vector<std::string> lattice_only      = {"static"};
-    const std::vector<std::string> reduced_cell_only = {"central difference",
-                                                        "as printed",
-                                                        "arkode"};
-
     void check_scheme(const Scene &scene, Mistakes &mistakes)
     {
-      const bool is_lattice = scene.model == Model::lattice;
-      const std::vector<std::string> &of_others =
-        is_lattice ? reduced_cell_only : lattice_only;
-      const std::string &scheme = scene.time.scheme;
-      if (std::find(of_others.begin(), of_others.end(), scheme) !=
-          of_others.end())
+      const std::string &scheme = scene.time.scheme->name();
+      if (!time_scheme_entry(scheme).serves(scene.model))
         mistakes.add(message(
           scene,
           "Time/Scheme = ",
           scheme,
-          is_lattice
+          scene.model == Model::lattice
             ? " integrates the reduced cell only (Model = reduced cell)"
             : ": without inertia the cell of rigid parts is a mechanism, no "
               "equilibrium determines its angle",
@@ -219,7 +193,6 @@ namespace auxfem
       check_reduced_cell(scene, mistakes);
     check_smallest_step(scene, mistakes);
     check_order(scene, mistakes);
-    check_newmark(scene, mistakes);
     check_inertia(scene, mistakes);
     check_density(scene, mistakes);
     check_column_names(scene, mistakes);

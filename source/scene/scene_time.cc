@@ -111,48 +111,29 @@ namespace auxfem
 
     // Time
 
-    const Choice scheme = {
-      "Scheme",
-      "newmark",
-      {"newmark",
-       "hht",
-       "generalized-alpha",
-       "static",
-       "central difference",
-       "as printed",
-       "arkode"},
-      "Time integrator; newmark, hht (Hilber-Hughes-Taylor) and "
-      "generalized-alpha (Chung-Hulbert) are of second order, the last two "
-      "damp high frequencies; static: equilibrium at every step, time is a "
-      "load parameter, lattices only. For the reduced cell only: central "
-      "difference on two interlaced grids; as printed: the paper's equations "
-      "and scheme with their slips; arkode: explicit Runge-Kutta with error "
-      "control, the reference."};
-    const Quantity newmark_beta = {
-      "Newmark beta",
-      "0.25",
-      "1",
-      Range::closed(0, 1),
-      "Parameter beta of Scheme = newmark; 2 beta >= gamma."};
-    const Quantity newmark_gamma = {
-      "Newmark gamma",
-      "0.5",
-      "1",
-      Range::closed(0, 1),
-      "Parameter gamma of Scheme = newmark; 1/2 or more, more damps."};
-    const Quantity hht_alpha = {
-      "HHT alpha",
-      "-0.05",
-      "1",
-      Range::closed(-1. / 3., 0),
-      "Parameter alpha of Scheme = hht; 0 is undamped."};
-    const Quantity spectral_radius = {
-      "Spectral radius",
-      "0.8",
-      "1",
-      Range::closed(0, 1),
-      "Spectral radius at infinite frequency of Scheme = generalized-alpha; 1 "
-      "is undamped."};
+    std::string models_of(const TimeSchemeEntry &entry)
+    {
+      return !entry.serves(Model::reduced_cell) ? " (lattices only)"
+        : !entry.serves(Model::lattice)         ? " (reduced cell only)"
+                                                : "";
+    }
+
+    Choice scheme_choice()
+    {
+      Choice choice{"Scheme",
+                    time_scheme_registry().front().name,
+                    {},
+                    "Time integrator."};
+      for (const TimeSchemeEntry &entry : time_scheme_registry())
+        {
+          choice.sentence += (choice.choices.empty() ? " " : "; ") +
+            entry.name + ": " + entry.description + models_of(entry);
+          choice.choices.push_back(entry.name);
+        }
+      choice.sentence += '.';
+      return choice;
+    }
+
     const Quantity end_time      = {"End time",
                                     "1 s",
                                     "s",
@@ -185,11 +166,10 @@ namespace auxfem
 
     void declare_time(ParameterHandler &prm)
     {
-      declare(prm, scheme);
-      declare(prm, newmark_beta);
-      declare(prm, newmark_gamma);
-      declare(prm, hht_alpha);
-      declare(prm, spectral_radius);
+      declare(prm, scheme_choice());
+      for (const TimeSchemeEntry &entry : time_scheme_registry())
+        if (entry.declare)
+          entry.declare(prm);
       declare(prm, end_time);
       declare(prm, step);
       declare(prm, smallest_step);
@@ -199,19 +179,17 @@ namespace auxfem
 
     void read_time(ParameterHandler &prm,
                    const std::string &,
-                   const SceneContext &,
-                   Scene &scene)
+                   const SceneContext &context,
+                   Scene              &scene)
     {
-      scene.time.scheme          = get(prm, scheme);
-      scene.time.beta            = get(prm, newmark_beta);
-      scene.time.gamma           = get(prm, newmark_gamma);
-      scene.time.hht_alpha       = get(prm, hht_alpha);
-      scene.time.spectral_radius = get(prm, spectral_radius);
-      scene.time.end_time        = get(prm, end_time);
-      scene.time.step            = get(prm, step);
-      scene.time.smallest_step   = get(prm, smallest_step);
-      scene.time.energy_error    = get(prm, energy_error);
-      scene.time.static_start    = (get(prm, start) == "static equilibrium");
+      scene.time.end_time      = get(prm, end_time);
+      scene.time.step          = get(prm, step);
+      scene.time.smallest_step = get(prm, smallest_step);
+      scene.time.energy_error  = get(prm, energy_error);
+      scene.time.static_start  = (get(prm, start) == "static equilibrium");
+      // last: a scheme that refuses its parameters hides none of the others
+      scene.time.scheme =
+        time_scheme_entry(get(prm, scheme_choice())).make(prm, context);
     }
 
     // Newton

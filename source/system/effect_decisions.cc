@@ -41,7 +41,7 @@ namespace auxfem
                          });
     };
     const bool is_elastic = !scene.sections.empty();
-    const bool is_static  = scene.time.scheme == "static";
+    const bool is_static  = !scene.time.scheme->is_dynamic();
     const bool is_viscous = std::any_of(scene.connectors.begin(),
                                         scene.connectors.end(),
                                         [](const ConnectorDefinition &c) {
@@ -71,7 +71,7 @@ namespace auxfem
     effects.inertia           = decide("inertia",
                              set.inertia,
                              {!is_static,
-                                        "time scheme " + scene.time.scheme,
+                                        "time scheme " + scene.time.scheme->name(),
                                         "time scheme static"},
                              list);
     effects.rotary_inertia =

@@ -233,7 +233,7 @@ namespace auxfem
              const SimulatedEffects     &simulated)
   {
     const bool raised_from_zero =
-      scene.time.scheme == "static" && !scene.time.static_start;
+      !scene.time.scheme->is_dynamic() && !scene.time.static_start;
     auto dead = std::make_unique<AppliedLoads>(numbering, raised_from_zero);
     auto following =
       std::make_unique<FollowingLoads>(lattice, numbering, raised_from_zero);

@@ -2,27 +2,15 @@
 
 namespace auxfem
 {
-  AlphaFamily::AlphaFamily(const Coefficients &coefficients) : c(coefficients)
+  AlphaFamily::AlphaFamily(const std::string  &name,
+                           const Coefficients &coefficients)
+    : ImplicitScheme(name)
+    , c(coefficients)
   {}
 
-  AlphaFamily::Coefficients AlphaFamily::newmark(const double beta,
-                                                 const double gamma)
+  const AlphaFamily::Coefficients &AlphaFamily::coefficients() const
   {
-    return {0, 0, beta, gamma};
-  }
-
-  AlphaFamily::Coefficients AlphaFamily::hht(const double alpha)
-  {
-    return {0, -alpha, (1 - alpha) * (1 - alpha) / 4, 0.5 - alpha};
-  }
-
-  AlphaFamily::Coefficients
-  AlphaFamily::generalized_alpha(const double spectral_radius)
-  {
-    const double r       = spectral_radius;
-    const double alpha_m = (2 * r - 1) / (1 + r), alpha_f = r / (1 + r);
-    const double shift = alpha_f - alpha_m;
-    return {alpha_m, alpha_f, (1 + shift) * (1 + shift) / 4, 0.5 + shift};
+    return c;
   }
 
   bool AlphaFamily::carries_on_alternating_errors() const
@@ -35,21 +23,20 @@ namespace auxfem
     return c.alpha_m != 0 || c.alpha_f != 0;
   }
 
-  void AlphaFamily::predict(const Step &step) const
+  void AlphaFamily::predict(const State &from, const double dt, State &to) const
   {
     // Unchanged true acceleration; the auxiliary one follows from its
     // recurrence.
-    const int     n      = step.from.displacement.MyLength();
-    const double *u      = step.from.displacement.Values();
-    const double *v      = step.from.velocity->Values();
-    const double *dv     = step.from.acceleration->Values();
+    const int     n      = from.displacement.MyLength();
+    const double *u      = from.displacement.Values();
+    const double *v      = from.velocity->Values();
+    const double *dv     = from.acceleration->Values();
     const double *a      = uses_algorithmic_acceleration()
-           ? step.from.algorithmic_acceleration->Values()
+           ? from.algorithmic_acceleration->Values()
            : dv;
-    double       *u_new  = step.to.displacement.Values();
-    double       *v_new  = step.to.velocity->Values();
-    double       *dv_new = step.to.acceleration->Values();
-    const double  dt     = step.dt;
+    double       *u_new  = to.displacement.Values();
+    double       *v_new  = to.velocity->Values();
+    double       *dv_new = to.acceleration->Values();
     for (int i = 0; i < n; ++i)
       {
         const double a_new = (dv[i] - c.alpha_m * a[i]) / (1 - c.alpha_m);
@@ -58,7 +45,7 @@ namespace auxfem
         v_new[i]  = v[i] + dt * ((1 - c.gamma) * a[i] + c.gamma * a_new);
         dv_new[i] = dv[i];
         if (uses_algorithmic_acceleration())
-          (*step.to.algorithmic_acceleration)[i] = a_new;
+          (*to.algorithmic_acceleration)[i] = a_new;
       }
   }
 

@@ -1,39 +1,42 @@
-#include <auxfem/parameters/errors.h>
-#include <auxfem/time/alpha_family.h>
-#include <auxfem/time/quasi_static.h>
+#include <auxfem/time/schemes.h>
+
+#include <algorithm>
 
 namespace auxfem
 {
   const std::vector<TimeSchemeEntry> &time_scheme_registry()
   {
     static const std::vector<TimeSchemeEntry> registry = {
-      {"newmark",
-       [](const TimeParameters &p) -> std::unique_ptr<TimeIntegrator> {
-         return std::make_unique<AlphaFamily>(
-           AlphaFamily::newmark(p.beta, p.gamma));
-       }},
-      {"hht",
-       [](const TimeParameters &p) -> std::unique_ptr<TimeIntegrator> {
-         return std::make_unique<AlphaFamily>(AlphaFamily::hht(p.hht_alpha));
-       }},
-      {"generalized-alpha",
-       [](const TimeParameters &p) -> std::unique_ptr<TimeIntegrator> {
-         return std::make_unique<AlphaFamily>(
-           AlphaFamily::generalized_alpha(p.spectral_radius));
-       }},
-      {"static", [](const TimeParameters &) -> std::unique_ptr<TimeIntegrator> {
-         return std::make_unique<QuasiStatic>();
-       }}};
+      newmark_entry(),
+      hht_entry(),
+      generalized_alpha_entry(),
+      static_entry(),
+      central_difference_entry(),
+      as_printed_entry(),
+      arkode_entry()};
     return registry;
   }
 
-  std::unique_ptr<TimeIntegrator>
-  make_integrator(const TimeParameters &parameters)
+  bool TimeSchemeEntry::serves(const Model model) const
   {
-    for (const TimeSchemeEntry &entry : time_scheme_registry())
-      if (entry.name == parameters.scheme)
-        return entry.make(parameters);
-    throw InputError("Time/Scheme: there is no scheme '" + parameters.scheme +
-                     "'.");
+    return std::find(models.begin(), models.end(), model) != models.end();
+  }
+
+  const TimeSchemeEntry &time_scheme_entry(const std::string &name)
+  {
+    const std::vector<TimeSchemeEntry> &registry = time_scheme_registry();
+    return *std::find_if(registry.begin(),
+                         registry.end(),
+                         [&name](const TimeSchemeEntry &entry) {
+                           return entry.name == name;
+                         });
+  }
+
+  std::shared_ptr<const TimeScheme> default_time_scheme()
+  {
+    const TimeSchemeEntry   &entry = time_scheme_registry().front();
+    dealii::ParameterHandler prm;
+    entry.declare(prm);
+    return entry.make(prm, {});
   }
 } // namespace auxfem

@@ -1,10 +1,10 @@
 #ifndef auxfem_tests_support_scene_run_h
 #define auxfem_tests_support_scene_run_h
 
+#include <auxfem/analysis/time_stepper.h>
 #include <auxfem/model/build_lattice.h>
 #include <auxfem/scene/scene.h>
 #include <auxfem/system/system.h>
-#include <auxfem/time/time_stepper.h>
 
 #include <functional>
 #include <string>

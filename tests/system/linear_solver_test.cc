@@ -1,5 +1,5 @@
+#include <auxfem/analysis/time_stepper.h>
 #include <auxfem/system/linear_solver.h>
-#include <auxfem/time/time_stepper.h>
 
 #include <gtest/gtest.h>
 #include <mesh/cell_from_text.h>

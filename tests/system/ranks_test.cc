@@ -1,4 +1,4 @@
-#include <auxfem/time/time_stepper.h>
+#include <auxfem/analysis/time_stepper.h>
 
 #include <deal.II/base/mpi.h>
 

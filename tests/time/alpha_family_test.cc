@@ -93,13 +93,14 @@ TEST(AlphaFamily, SecondOrderMembersFulfilItsCondition)
 
 TEST(AlphaFamily, OnlyShiftedMembersCarryASecondAcceleration)
 {
-  EXPECT_FALSE(AlphaFamily(AlphaFamily::newmark(0.25, 0.5))
+  EXPECT_FALSE(AlphaFamily("member", AlphaFamily::newmark(0.25, 0.5))
                  .uses_algorithmic_acceleration());
-  EXPECT_TRUE(
-    AlphaFamily(AlphaFamily::hht(-0.1)).uses_algorithmic_acceleration());
-  EXPECT_TRUE(AlphaFamily(AlphaFamily::generalized_alpha(0.8))
+  EXPECT_TRUE(AlphaFamily("member", AlphaFamily::hht(-0.1))
                 .uses_algorithmic_acceleration());
-  EXPECT_TRUE(AlphaFamily(AlphaFamily::newmark(0.25, 0.5)).is_dynamic());
+  EXPECT_TRUE(AlphaFamily("member", AlphaFamily::generalized_alpha(0.8))
+                .uses_algorithmic_acceleration());
+  EXPECT_TRUE(
+    AlphaFamily("member", AlphaFamily::newmark(0.25, 0.5)).is_dynamic());
 }
 
 TEST(AlphaFamily, PredictionAndCorrectionFulfilTheFormulas)
@@ -107,9 +108,9 @@ TEST(AlphaFamily, PredictionAndCorrectionFulfilTheFormulas)
   const double dt = 0.07;
   for (const Coefficients &c : members)
     {
-      const AlphaFamily scheme(c);
+      const AlphaFamily scheme("member", c);
       BareStates        states;
-      scheme.predict({states.from, states.to, dt});
+      scheme.predict(states.from, dt, states.to);
       Vector increment(states.to.residual);
       scheme.correct(increment, dt, states.to);
       scheme.correct(increment, dt, states.to);
@@ -143,7 +144,7 @@ TEST(AlphaFamily, PredictionKeepsTheAcceleration)
   for (const Coefficients &c : members)
     {
       BareStates states;
-      AlphaFamily(c).predict({states.from, states.to, 0.07});
+      AlphaFamily("member", c).predict(states.from, 0.07, states.to);
       for (int i = 0; i < states.from.displacement.MyLength(); ++i)
         EXPECT_EQ((*states.to.acceleration)[i], (*states.from.acceleration)[i]);
     }
@@ -154,10 +155,10 @@ TEST(AlphaFamily, FactorsTellWhatACorrectionDoes)
   const double dt = 0.07;
   for (const Coefficients &c : members)
     {
-      const AlphaFamily    scheme(c);
+      const AlphaFamily    scheme("member", c);
       const TangentFactors factors = scheme.factors(dt);
       BareStates           states;
-      scheme.predict({states.from, states.to, dt});
+      scheme.predict(states.from, dt, states.to);
       const State  before = states.to;
       const Vector increment(states.to.residual);
       scheme.correct(increment, dt, states.to);
@@ -192,7 +193,7 @@ namespace
     (*states.from.velocity)[0]                 = start[1];
     (*states.from.algorithmic_acceleration)[0] = start[2];
     (*states.from.acceleration)[0]             = -k * start[0];
-    scheme.predict({states.from, states.to, 1.});
+    scheme.predict(states.from, 1., states.to);
     const TangentFactors factors = scheme.factors(1.);
     Vector               increment(states.to.displacement);
     increment.PutScalar(0);
@@ -212,7 +213,7 @@ TEST(AlphaFamily, SpectralRadiusAtInfinityIsTheOneAskedFor)
   // characteristic polynomial to (x + r)^3.
   for (const double r : {0.2, 0.5, 0.8, 1.})
     {
-      const AlphaFamily scheme(AlphaFamily::generalized_alpha(r));
+      const AlphaFamily scheme("member", AlphaFamily::generalized_alpha(r));
       const double      frequency = 3000;
       double            A[3][3];
       for (unsigned int j = 0; j < 3; ++j)

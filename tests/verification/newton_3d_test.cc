@@ -1,4 +1,4 @@
-#include <auxfem/time/quasi_static.h>
+#include <auxfem/time/static.h>
 
 #include <gtest/gtest.h>
 #include <verification/space_scene.h>
@@ -43,7 +43,7 @@ namespace
     while (!result.converged && found.size() < 20)
       {
         State             to = before;
-        const QuasiStatic integrator;
+        const QuasiStatic scheme;
         to.time = run.state.time;
         const Step       step{before, to, to.time - before.time};
         NewtonParameters parameters;
@@ -51,8 +51,8 @@ namespace
         parameters.maximum_iterations = found.size() + 1;
         parameters.keep_factorization = false;
         run.system.begin_step(step);
-        result = Newton(run.system, parameters, run.scene.solver)
-                   .solve(integrator, step);
+        result =
+          Newton(run.system, parameters, run.scene.solver).solve(scheme, step);
         found.push_back({result.relative_residual, distance(to, run.state)});
       }
     EXPECT_TRUE(result.converged) << result.reason;

@@ -11,9 +11,16 @@ namespace auxfem
 {
   struct SceneContext;
 
+  /** `Model`: what a scene is a scene of. */
+  enum class Model
+  {
+    lattice,     ///< beams, joints and connectors as finite elements
+    reduced_cell ///< one cell of rigid parts with two unknowns
+  };
+
   /**
    * One line of the explicit table of a kind (connector laws, cells, loads,
-   * time integrators): everything the program needs to offer a choice to the
+   * time schemes): everything the program needs to offer a choice to the
    * user. The parameter reference in doc/ is generated from these tables.
    */
   template <class Product>

@@ -2,7 +2,7 @@
 #define auxfem_reduced_cell_cell_scheme_h
 
 #include <auxfem/scene/scene.h>
-#include <auxfem/system/state.h>
+#include <auxfem/time/schemes.h>
 
 #include <deal.II/base/numbers.h>
 
@@ -54,32 +54,41 @@ namespace auxfem
     virtual unsigned long work() const = 0;
   };
 
-  /** One line of the table of the reduced cell's schemes. */
-  struct CellSchemeEntry
+  /** A choice of `Time/Scheme` that takes the reduced cell through time itself.
+   */
+  class CellMethod : public TimeScheme
   {
-    std::string name;
-    std::string description;
-    /** Throws InputError if the scheme cannot do the scene. */
-    std::unique_ptr<CellScheme> (*make)(const Scene &scene);
+  public:
+    using TimeScheme::TimeScheme;
+
+    /**
+     * The scheme at work on @p scene, which must outlive it. Throws InputError
+     * if it cannot do the scene.
+     */
+    virtual std::unique_ptr<CellScheme> begin(const Scene &scene) const = 0;
   };
 
-  /** All schemes of the reduced cell (reduced_cell/register.cc). */
-  const std::vector<CellSchemeEntry> &cell_scheme_registry();
+  /** The choice whose work a @p Scheme does, which is made of a scene. */
+  template <class Scheme>
+  class CellMethodOf : public CellMethod
+  {
+  public:
+    using CellMethod::CellMethod;
 
-  /** The line of @p scene's scheme in the table. */
-  const CellSchemeEntry &cell_scheme_entry(const Scene &scene);
+    std::unique_ptr<CellScheme> begin(const Scene &scene) const override
+    {
+      return std::make_unique<Scheme>(scene);
+    }
+  };
 
-  /** @name Makers of the table, one per file; only register.cc needs them. */
-  ///@{
-  /** Newmark, HHT and generalized-alpha, as for lattices. */
-  std::unique_ptr<CellScheme> make_alpha_cell_scheme(const Scene &scene);
-  /** The paper's grids with a consistent second difference. */
-  std::unique_ptr<CellScheme> make_central_difference(const Scene &scene);
-  /** The paper's equations and scheme as they stand in it. */
-  std::unique_ptr<CellScheme> make_printed_scheme(const Scene &scene);
-  /** Runge-Kutta of high order with error control. */
-  std::unique_ptr<CellScheme> make_arkode_scheme(const Scene &scene);
-  ///@}
+  /**
+   * The scheme of @p scene, which must outlive it. Throws InputError if the
+   * scheme cannot do the scene.
+   */
+  std::unique_ptr<CellScheme> make_cell_scheme(const Scene &scene);
+
+  /** A scheme of lattices at work on the cell of @p scene. */
+  std::unique_ptr<CellScheme> make_implicit_cell_scheme(const Scene &scene);
 } // namespace auxfem
 
 #endif

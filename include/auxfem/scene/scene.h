@@ -6,6 +6,7 @@
 #include <auxfem/loads/time_function.h>
 #include <auxfem/mesh/cell.h>
 #include <auxfem/mesh/motion_components.h>
+#include <auxfem/time/schemes.h>
 
 #include <array>
 #include <cmath>
@@ -109,13 +110,6 @@ namespace auxfem
     std::string          path;
   };
 
-  /** `Model`: what the scene is a scene of. */
-  enum class Model
-  {
-    lattice,     ///< beams, joints and connectors as finite elements
-    reduced_cell ///< one cell of rigid parts with two unknowns
-  };
-
   /**
    * `Reduced cell`: the star cell of rigid parts and hinges in which a
    * connector carries the load on the upper part to the foundation (Shokri Rad
@@ -214,18 +208,11 @@ namespace auxfem
   /** `Time`: scheme and steps. */
   struct TimeParameters
   {
-    /**
-     * For lattices a name in the table of time/register.cc, for the reduced
-     * cell one in that of reduced_cell/register.cc.
-     */
-    std::string scheme          = "newmark";
-    double      beta            = 0.25;
-    double      gamma           = 0.5;
-    double      hht_alpha       = -0.05; ///< in [-1/3, 0]
-    double      spectral_radius = 0.8;   ///< at infinity, in [0, 1]
-    double      end_time        = 1;     ///< s (pseudo time for statics)
-    double      step            = 0.01;  ///< s
-    double      smallest_step   = 0;     ///< s; 0: step / 1024
+    /** Never empty; see implicit_scheme(). */
+    std::shared_ptr<const TimeScheme> scheme = default_time_scheme();
+    double end_time      = 1;    ///< s (pseudo time for statics)
+    double step          = 0.01; ///< s
+    double smallest_step = 0;    ///< s; 0: step / 1024
     /** Energy a step may create, of the largest so far. */
     double energy_error = 0.5;
     /** Start from the static equilibrium under the loads of t = 0. */
@@ -236,6 +223,16 @@ namespace auxfem
     {
       // A last step of a millionth of a step is round-off of the input.
       return static_cast<unsigned long>(std::ceil(end_time / step - 1e-6));
+    }
+
+    /**
+     * The scheme as one that advances a State: that of every lattice, and of
+     * the reduced cell unless it is one of its own. Throws std::bad_cast if it
+     * is.
+     */
+    const ImplicitScheme &implicit_scheme() const
+    {
+      return dynamic_cast<const ImplicitScheme &>(*scheme);
     }
 
     /** Time at the end of step @p n, from the count, never accumulated (s). */

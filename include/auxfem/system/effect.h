@@ -1,22 +1,11 @@
 #ifndef auxfem_system_effect_h
 #define auxfem_system_effect_h
 
-#include <auxfem/system/state.h>
 #include <auxfem/system/tangent_matrix.h>
+#include <auxfem/time/time_scheme.h>
 
 namespace auxfem
 {
-  /**
-   * What an integrator wants of the tangent: stiffness * K + damping * C +
-   * mass * M.
-   */
-  struct TangentFactors
-  {
-    double stiffness = 1;
-    double damping   = 0; ///< 1/s
-    double mass      = 0; ///< 1/s2
-  };
-
   /** A step in work: from the accepted state to the trial state. */
   struct Step
   {

@@ -1,7 +1,7 @@
 #ifndef auxfem_time_alpha_family_h
 #define auxfem_time_alpha_family_h
 
-#include <auxfem/time/time_integrator.h>
+#include <auxfem/time/time_scheme.h>
 
 namespace auxfem
 {
@@ -21,7 +21,7 @@ namespace auxfem
    * For linear systems this is the method of Chung & Hulbert (1993). With
    * alpha_m = alpha_f = 0 it is Newmark's method and a = v'.
    */
-  class AlphaFamily : public TimeIntegrator
+  class AlphaFamily : public ImplicitScheme
   {
   public:
     /** The four numbers of a member of the family. */
@@ -31,7 +31,7 @@ namespace auxfem
     };
 
     /** The member with these @p coefficients. */
-    explicit AlphaFamily(const Coefficients &coefficients);
+    AlphaFamily(const std::string &name, const Coefficients &coefficients);
 
     /** Newmark (1959); second order for gamma = 1/2 only. */
     static Coefficients newmark(double beta, double gamma);
@@ -43,7 +43,9 @@ namespace auxfem
      */
     static Coefficients generalized_alpha(double spectral_radius);
 
-    void           predict(const Step &step) const override;
+    const Coefficients &coefficients() const;
+
+    void predict(const State &from, double dt, State &to) const override;
     TangentFactors factors(double dt) const override;
     void
     correct(const Vector &increment, double dt, State &trial) const override;

@@ -1,5 +1,5 @@
+#include <auxfem/analysis/newton.h>
 #include <auxfem/parameters/errors.h>
-#include <auxfem/time/newton.h>
 #include <auxfem/time/stopwatch.h>
 
 #include <algorithm>
@@ -28,15 +28,14 @@ namespace auxfem
     , increment(system.numbering().local_map())
   {}
 
-  Newton::Result Newton::solve(const TimeIntegrator &integrator,
-                               const Step           &step)
+  Newton::Result Newton::solve(const ImplicitScheme &scheme, const Step &step)
   {
     Result       result;
     ResidualNorm norm      = timed_residual(step);
     double       size      = in_force_units(norm);
     double       reduction = std::numeric_limits<double>::infinity();
     // Prescribed unknowns may still have to move to their place.
-    bool is_in_place = integrator.is_dynamic();
+    bool is_in_place = scheme.is_dynamic();
 
     while (true)
       {
@@ -74,7 +73,7 @@ namespace auxfem
             reduction >= parameters.kept_reduction));
         if (!serves)
           {
-            if (!factorize(integrator, step))
+            if (!factorize(scheme, step))
               {
                 result.reason = "the tangent is singular";
                 return result;
@@ -95,7 +94,7 @@ namespace auxfem
             return result;
           }
         system.rotations().turn(step, increment);
-        integrator.correct(increment, step.dt, step.to);
+        scheme.correct(increment, step.dt, step.to);
         is_in_place = true;
         ++result.iterations;
 
@@ -132,11 +131,11 @@ namespace auxfem
     return system.residual(step);
   }
 
-  bool Newton::factorize(const TimeIntegrator &integrator, const Step &step)
+  bool Newton::factorize(const ImplicitScheme &scheme, const Step &step)
   {
     {
       const Stopwatch watch(phase_times.tangent);
-      system.tangent(step, integrator.factors(step.dt), *matrix);
+      system.tangent(step, scheme.factors(step.dt), *matrix);
     }
     const Stopwatch watch(phase_times.factorize);
     factorized_dt = linear_solver.factorize() ? step.dt : -1;

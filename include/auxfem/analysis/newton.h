@@ -1,10 +1,10 @@
-#ifndef auxfem_time_newton_h
-#define auxfem_time_newton_h
+#ifndef auxfem_analysis_newton_h
+#define auxfem_analysis_newton_h
 
 #include <auxfem/system/linear_solver.h>
 #include <auxfem/system/system.h>
 #include <auxfem/time/step_report.h>
-#include <auxfem/time/time_integrator.h>
+#include <auxfem/time/time_scheme.h>
 
 namespace auxfem
 {
@@ -40,8 +40,8 @@ namespace auxfem
       std::string reason;
     };
 
-    /** Solves step.to, which the integrator has predicted. */
-    Result solve(const TimeIntegrator &integrator, const Step &step);
+    /** Solves step.to, which the scheme has predicted. */
+    Result solve(const ImplicitScheme &scheme, const Step &step);
 
     /** Forgets the factorization (the state jumped). */
     void drop_factorization();
@@ -52,7 +52,7 @@ namespace auxfem
 
   private:
     ResidualNorm timed_residual(const Step &step);
-    bool         factorize(const TimeIntegrator &integrator, const Step &step);
+    bool         factorize(const ImplicitScheme &scheme, const Step &step);
     /** Returns the number of iterations of the linear solver. */
     unsigned int solve_increment(const Step &step);
     bool   meets_conditions(const ResidualNorm &norm, const State &state) const;

@@ -1,5 +1,5 @@
+#include <auxfem/analysis/consistent_rates.h>
 #include <auxfem/parameters/errors.h>
-#include <auxfem/time/consistent_rates.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
+#include <auxfem/analysis/time_stepper.h>
 #include <auxfem/parameters/errors.h>
-#include <auxfem/time/quasi_static.h>
-#include <auxfem/time/time_stepper.h>
+#include <auxfem/time/static.h>
 
 #include <cmath>
 #include <limits>
@@ -10,24 +10,24 @@ namespace auxfem
 {
   namespace
   {
-    std::unique_ptr<TimeIntegrator> prepare(System               &system,
-                                            const TimeParameters &parameters)
+    const ImplicitScheme &prepare(System               &system,
+                                  const TimeParameters &parameters)
     {
-      auto integrator = make_integrator(parameters);
-      if (integrator->uses_algorithmic_acceleration())
+      const ImplicitScheme &scheme = parameters.implicit_scheme();
+      if (scheme.uses_algorithmic_acceleration())
         system.use_algorithmic_acceleration();
-      return integrator;
+      return scheme;
     }
   } // namespace
 
   TimeStepper::TimeStepper(System &system, const Scene &scene)
     : system(system)
     , parameters(scene.time)
-    , integrator(prepare(system, scene.time))
+    , scheme(prepare(system, parameters))
     , solver(system, scene.newton, scene.solver)
     , trial(system.initial_state())
   {
-    if (system.has_conditions() && integrator->carries_on_alternating_errors())
+    if (system.has_conditions() && scheme.carries_on_alternating_errors())
       rate_solver = std::make_unique<RateSolver>(system, scene.solver);
     if (parameters.smallest_step == 0)
       parameters.smallest_step = parameters.step / 1024;
@@ -49,10 +49,10 @@ namespace auxfem
   {
     if (parameters.static_start)
       {
-        const QuasiStatic equilibrium;
+        const Equilibrium equilibrium;
         trial = state;
         const Step step{state, trial, std::numeric_limits<double>::infinity()};
-        equilibrium.predict(step);
+        equilibrium.predict(step.from, step.dt, step.to);
         system.rotations().follow(step);
         system.begin_step(step);
         const Newton::Result result = solver.solve(equilibrium, step);
@@ -70,7 +70,7 @@ namespace auxfem
           }
         state = trial;
       }
-    if (integrator->is_dynamic())
+    if (scheme.is_dynamic())
       {
         ConsistentRates(system, solver.tangent(), solver.solver())
           .start(state, parameters.step);
@@ -162,12 +162,12 @@ namespace auxfem
   {
     try
       {
-        integrator->predict(step);
+        scheme.predict(step.from, step.dt, step.to);
         system.rotations().follow(step);
-        if (integrator->is_dynamic())
+        if (scheme.is_dynamic())
           system.prescribe_motion(step, parameters.step);
         system.begin_step(step);
-        return solver.solve(*integrator, step);
+        return solver.solve(scheme, step);
       }
     catch (const ComputationError &)
       {

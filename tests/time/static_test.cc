@@ -1,9 +1,7 @@
-#include <auxfem/time/quasi_static.h>
+#include <auxfem/time/static.h>
 
 #include <gtest/gtest.h>
 #include <system/system_on_ranks.h>
-
-#include <limits>
 
 using namespace auxfem;
 using namespace auxfem::testing_support;
@@ -36,7 +34,7 @@ TEST(QuasiStatic, VelocityIsTheBackwardDifference)
   const QuasiStatic scheme;
   ViscousStates     states;
   const double      dt = 0.25;
-  scheme.predict({states.from, states.to, dt});
+  scheme.predict(states.from, dt, states.to);
   scheme.correct(states.increment, dt, states.to);
   scheme.correct(states.increment, dt, states.to);
   for (int i = 0; i < states.increment.MyLength(); ++i)
@@ -62,15 +60,24 @@ TEST(QuasiStatic, FactorsTellWhatACorrectionDoes)
   EXPECT_FALSE(QuasiStatic().uses_algorithmic_acceleration());
 }
 
-TEST(QuasiStatic, InAnInfiniteStepAllVelocitiesAreZero)
+TEST(Equilibrium, MovesOnlyDisplacements)
 {
-  const QuasiStatic scheme;
+  const Equilibrium scheme;
   ViscousStates     states;
-  const double      infinity = std::numeric_limits<double>::infinity();
-  scheme.predict({states.from, states.to, infinity});
-  scheme.correct(states.increment, infinity, states.to);
-  double size = 1;
-  states.to.velocity->NormInf(&size);
-  EXPECT_EQ(size, 0.);
-  EXPECT_EQ(scheme.factors(infinity).damping, 0.);
+  // There is no step: whatever is said of its length changes nothing.
+  for (const double dt : {0., 0.25})
+    {
+      scheme.predict(states.from, dt, states.to);
+      scheme.correct(states.increment, dt, states.to);
+      for (int i = 0; i < states.increment.MyLength(); ++i)
+        EXPECT_EQ(states.to.displacement[i],
+                  states.from.displacement[i] + states.increment[i]);
+      double size = 1;
+      states.to.velocity->NormInf(&size);
+      EXPECT_EQ(size, 0.);
+      EXPECT_EQ(scheme.factors(dt).stiffness, 1.);
+      EXPECT_EQ(scheme.factors(dt).damping, 0.);
+      EXPECT_EQ(scheme.factors(dt).mass, 0.);
+    }
+  EXPECT_FALSE(scheme.is_dynamic());
 }

@@ -1,5 +1,5 @@
-#ifndef auxfem_time_consistent_rates_h
-#define auxfem_time_consistent_rates_h
+#ifndef auxfem_analysis_consistent_rates_h
+#define auxfem_analysis_consistent_rates_h
 
 #include <auxfem/system/linear_solver.h>
 #include <auxfem/system/system.h>

@@ -1,4 +1,4 @@
-#include <auxfem/time/consistent_rates.h>
+#include <auxfem/analysis/consistent_rates.h>
 
 #include <gtest/gtest.h>
 #include <mesh/cell_from_text.h>

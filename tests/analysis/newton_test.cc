@@ -1,6 +1,6 @@
+#include <auxfem/analysis/newton.h>
 #include <auxfem/time/alpha_family.h>
-#include <auxfem/time/newton.h>
-#include <auxfem/time/quasi_static.h>
+#include <auxfem/time/static.h>
 
 #include <gtest/gtest.h>
 #include <mesh/cell_from_text.h>
@@ -31,7 +31,7 @@ namespace
     {
       to.time = from.time + 1.;
       const Step step{from, to, 1.};
-      scheme.predict(step);
+      scheme.predict(step.from, step.dt, step.to);
       of_scene.system.begin_step(step);
       return newton.solve(scheme, step);
     }

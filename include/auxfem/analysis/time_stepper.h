@@ -1,8 +1,8 @@
-#ifndef auxfem_time_time_stepper_h
-#define auxfem_time_time_stepper_h
+#ifndef auxfem_analysis_time_stepper_h
+#define auxfem_analysis_time_stepper_h
 
-#include <auxfem/time/consistent_rates.h>
-#include <auxfem/time/newton.h>
+#include <auxfem/analysis/consistent_rates.h>
+#include <auxfem/analysis/newton.h>
 
 namespace auxfem
 {
@@ -14,7 +14,7 @@ namespace auxfem
   class TimeStepper
   {
   public:
-    /** Lets @p system carry what the integrator needs. */
+    /** Lets @p system carry what the scheme needs. */
     TimeStepper(System &system, const Scene &scene);
 
     /** Number of steps to the end time. */
@@ -50,11 +50,11 @@ namespace auxfem
     bool              creates_energy(const Step &step) const;
     bool try_step(State &state, double time, double dt, StepReport &report);
 
-    System                         &system;
-    TimeParameters                  parameters;
-    std::unique_ptr<TimeIntegrator> integrator;
-    Newton                          solver;
-    State                           trial;
+    System               &system;
+    TimeParameters        parameters;
+    const ImplicitScheme &scheme;
+    Newton                solver;
+    State                 trial;
     /** With the mass matrix; only where rates are restored after each step. */
     struct RateSolver
     {

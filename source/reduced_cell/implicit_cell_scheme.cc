@@ -1,6 +1,5 @@
 #include <auxfem/parameters/errors.h>
 #include <auxfem/reduced_cell/stepped_cell.h>
-#include <auxfem/time/time_integrator.h>
 
 #include <Epetra_Map.h>
 #include <Epetra_SerialComm.h>
@@ -13,13 +12,12 @@ namespace auxfem
 {
   namespace
   {
-    State state_of_cell(const TimeIntegrator &integrator)
+    State state_of_cell(const ImplicitScheme &scheme)
     {
       StateLayout layout;
-      layout.velocity     = true;
-      layout.acceleration = true;
-      layout.algorithmic_acceleration =
-        integrator.uses_algorithmic_acceleration();
+      layout.velocity                 = true;
+      layout.acceleration             = true;
+      layout.algorithmic_acceleration = scheme.uses_algorithmic_acceleration();
       return {Epetra_Map(2, 0, Epetra_SerialComm()), layout};
     }
 
@@ -46,17 +44,17 @@ namespace auxfem
     }
 
     /**
-     * The lattices' alpha family on the two unknowns, with Newton's method and
+     * A scheme of lattices on the two unknowns, with Newton's method and
      * the exact tangent in every iteration.
      */
-    class AlphaCellScheme : public CellScheme
+    class ImplicitCellScheme : public CellScheme
     {
     public:
-      explicit AlphaCellScheme(const Scene &scene)
+      explicit ImplicitCellScheme(const Scene &scene)
         : scene(scene)
-        , integrator(make_integrator(scene.time))
+        , scheme(scene.time.implicit_scheme())
         , cell(scene)
-        , state(state_of_cell(*integrator))
+        , state(state_of_cell(scheme))
         , trial(state)
         , increment(state.displacement.Map())
       {}
@@ -77,9 +75,8 @@ namespace auxfem
       CellSample advance() override
       {
         cell.begin_step(state.step + 1);
-        const Step step{state, trial, cell.dt()};
-        integrator->predict(step);
-        solve(step);
+        scheme.predict(state, cell.dt(), trial);
+        solve();
         equations().refuse_singular(trial.displacement[0]);
         trial.step = state.step + 1;
         state      = trial;
@@ -166,14 +163,14 @@ namespace auxfem
         return K;
       }
 
-      void solve(const Step &step)
+      void solve()
       {
-        const TangentFactors factors = integrator->factors(step.dt);
+        const TangentFactors factors = scheme.factors(cell.dt());
         for (unsigned int iteration = 0;; ++iteration)
           {
             const Evaluation now = evaluate();
             if (!std::isfinite(now.size))
-              give_up(step, "the residual is not finite");
+              give_up("the residual is not finite");
             const double scale = std::max(largest_scale, now.scale);
             // Below the last digit of its terms no residual can come.
             const double floor =
@@ -184,42 +181,41 @@ namespace auxfem
                 return;
               }
             if (iteration == scene.newton.maximum_iterations)
-              give_up(step,
-                      "Newton's method has not converged in " +
-                        std::to_string(iteration) + " iterations");
+              give_up("Newton's method has not converged in " +
+                      std::to_string(iteration) + " iterations");
             const CellMatrix K = tangent(now, factors);
             if (determinant(K) == 0)
-              give_up(step, "the tangent is singular");
+              give_up("the tangent is singular");
             const CellVector solution = invert(K) * (-now.residual);
             increment[0]              = solution[0];
             increment[1]              = solution[1];
-            integrator->correct(increment, step.dt, trial);
+            scheme.correct(increment, cell.dt(), trial);
             ++iterations;
           }
       }
 
-      [[noreturn]] void give_up(const Step &step, const std::string &reason)
+      [[noreturn]] void give_up(const std::string &reason)
       {
         std::ostringstream message;
-        message << "The step from t = " << scene.time.time_at(step.from.step)
-                << " s with dt = " << step.dt << " s failed: " << reason
+        message << "The step from t = " << scene.time.time_at(state.step)
+                << " s with dt = " << cell.dt() << " s failed: " << reason
                 << ".\nAll steps until then are in the output folder. Reduce "
                    "Time/Time step.";
         throw ComputationError(message.str());
       }
 
-      const Scene                          &scene;
-      const std::unique_ptr<TimeIntegrator> integrator;
-      SteppedCell                           cell;
-      State                                 state, trial;
-      Vector                                increment;
-      double                                largest_scale = 0; ///< N
-      unsigned long                         iterations    = 0;
+      const Scene          &scene;
+      const ImplicitScheme &scheme;
+      SteppedCell           cell;
+      State                 state, trial;
+      Vector                increment;
+      double                largest_scale = 0; ///< N
+      unsigned long         iterations    = 0;
     };
   } // namespace
 
-  std::unique_ptr<CellScheme> make_alpha_cell_scheme(const Scene &scene)
+  std::unique_ptr<CellScheme> make_implicit_cell_scheme(const Scene &scene)
   {
-    return std::make_unique<AlphaCellScheme>(scene);
+    return std::make_unique<ImplicitCellScheme>(scene);
   }
 } // namespace auxfem

@@ -1,5 +1,5 @@
-#ifndef auxfem_system_state_h
-#define auxfem_system_state_h
+#ifndef auxfem_time_state_h
+#define auxfem_time_state_h
 
 #include <auxfem/elements/rotation.h>
 

@@ -1,4 +1,4 @@
-#include <auxfem/system/state.h>
+#include <auxfem/time/state.h>
 
 namespace auxfem
 {

@@ -1,0 +1,90 @@
+#ifndef auxfem_time_time_scheme_h
+#define auxfem_time_time_scheme_h
+
+#include <auxfem/time/state.h>
+
+#include <optional>
+#include <string>
+
+namespace auxfem
+{
+  /**
+   * What a scheme wants of the tangent: stiffness * K + damping * C +
+   * mass * M.
+   */
+  struct TangentFactors
+  {
+    double stiffness = 1;
+    double damping   = 0; ///< 1/s
+    double mass      = 0; ///< 1/s2
+  };
+
+  /**
+   * What the user chose as `Time/Scheme`, with its parameters. It says of
+   * itself whatever the rest of the program decides by the scheme, so that no
+   * name is compared anywhere.
+   */
+  class TimeScheme
+  {
+  public:
+    /** @param name is that of its line in the table, as the user writes it. */
+    explicit TimeScheme(const std::string &name);
+
+    virtual ~TimeScheme() = default;
+
+    /** The word in `Time/Scheme`. */
+    const std::string &name() const;
+
+    /** Whether motion and time are related by inertia at all. */
+    virtual bool is_dynamic() const;
+
+    /**
+     * What a user who computes rigid parts should know of the scheme; nothing
+     * if there is nothing to say.
+     */
+    virtual std::optional<std::string> note_on_rigid_parts() const;
+
+  private:
+    const std::string scheme_name;
+  };
+
+  /**
+   * A rule that ties displacement, velocity and acceleration at the end of a
+   * step to those at its start and one unknown increment. It knows nothing of
+   * elements: it predicts, says how the increment enters the tangent, and
+   * corrects.
+   */
+  class ImplicitScheme : public TimeScheme
+  {
+  public:
+    using TimeScheme::TimeScheme;
+
+    /**
+     * Fills @p to (all but time and residual) with a first guess of the state
+     * @p dt (s) after @p from.
+     */
+    virtual void predict(const State &from, double dt, State &to) const = 0;
+
+    /**
+     * How an increment of displacement changes displacement, velocity and
+     * acceleration in a step of length @p dt (s).
+     */
+    virtual TangentFactors factors(double dt) const = 0;
+
+    /** Adds the increment (values at all local unknowns) to the trial state. */
+    virtual void
+    correct(const Vector &increment, double dt, State &trial) const = 0;
+
+    /**
+     * Whether errors of velocity and acceleration that change sign from step to
+     * step are neither damped nor fed back by an algorithmic acceleration, so
+     * that restoring consistent rates after a step removes them.
+     */
+    virtual bool carries_on_alternating_errors() const;
+
+    /** Whether the state must carry the algorithmic acceleration. */
+    virtual bool uses_algorithmic_acceleration() const;
+  };
+} // namespace auxfem
+
+#endif

@@ -1,0 +1,45 @@
+#include <auxfem/parameters/declare.h>
+#include <auxfem/time/alpha_family.h>
+#include <auxfem/time/schemes.h>
+
+namespace auxfem
+{
+  namespace
+  {
+    const std::string word = "hht";
+
+    const Quantity alpha_entry = {
+      "HHT alpha",
+      "-0.05",
+      "1",
+      Range::closed(-1. / 3., 0),
+      "Parameter alpha of Scheme = hht; 0 is undamped."};
+
+    void declare_hht(dealii::ParameterHandler &prm)
+    {
+      declare(prm, alpha_entry);
+    }
+
+    std::unique_ptr<TimeScheme> make_hht(dealii::ParameterHandler &prm,
+                                         const SceneContext & /*context*/)
+    {
+      return std::make_unique<AlphaFamily>(word,
+                                           AlphaFamily::hht(
+                                             get(prm, alpha_entry)));
+    }
+  } // namespace
+
+  AlphaFamily::Coefficients AlphaFamily::hht(const double alpha)
+  {
+    return {0, -alpha, (1 - alpha) * (1 - alpha) / 4, 0.5 - alpha};
+  }
+
+  TimeSchemeEntry hht_entry()
+  {
+    return {{word,
+             "Hilber-Hughes-Taylor, of second order, damps high frequencies",
+             &declare_hht,
+             &make_hht},
+            {Model::lattice, Model::reduced_cell}};
+  }
+} // namespace auxfem

@@ -1,0 +1,32 @@
+#include <auxfem/time/time_scheme.h>
+
+namespace auxfem
+{
+  TimeScheme::TimeScheme(const std::string &name) : scheme_name(name)
+  {}
+
+  const std::string &TimeScheme::name() const
+  {
+    return scheme_name;
+  }
+
+  bool TimeScheme::is_dynamic() const
+  {
+    return true;
+  }
+
+  std::optional<std::string> TimeScheme::note_on_rigid_parts() const
+  {
+    return {};
+  }
+
+  bool ImplicitScheme::carries_on_alternating_errors() const
+  {
+    return false;
+  }
+
+  bool ImplicitScheme::uses_algorithmic_acceleration() const
+  {
+    return false;
+  }
+} // namespace auxfem
