@@ -1,3 +1,4 @@
+#include <auxfem/elements/rotation_rates.h>
 #include <auxfem/mesh/sets.h>
 #include <auxfem/model/rigid_parts.h>
 #include <auxfem/output/rigid_part_probe.h>

@@ -166,7 +166,9 @@ namespace auxfem
     }
 
     Summary summary;
-    summary.counts = XX = seconds;
+    summary.counts             = count(*equations);
+    summary.totals             = result.work;
+    summary.totals.wall.output = seconds;
     summary.resources =
       gather_resources(since(start), summary.totals.wall, communicator);
     summary.energies = history->energies();

@@ -130,7 +130,8 @@ namespace auxfem
           {
             const double unknown = std::numeric_limits<double>::quiet_NaN();
             now.upper_rise = now.lower_rise = unknown;
-            now.energies = {unknown, unknown, unknown, unknown, unknown};
+            for (double &energy : now.energies.amounts())
+              energy = unknown;
           }
         return now;
       }

@@ -1,12 +1,11 @@
 #include <auxfem/algebra/linear_solver.h>
 #include <auxfem/analysis/time_stepper.h>
 
+#include <equations/equations_on_ranks.h>
 #include <gtest/gtest.h>
 #include <mesh/cell_from_text.h>
 
 #include <limits>
-
-#include "system_on_ranks.h"
 
 using namespace auxfem;
 using namespace auxfem::testing_support;
@@ -19,7 +18,7 @@ namespace
     explicit SolvableSystem(const std::string              &type,
                             const std::vector<std::string> &overrides = {})
       : of_scene(star_with_everything(3, 2), with_type(type, overrides))
-      , matrix(of_scene.system.make_tangent())
+      , matrix(of_scene.make_tangent())
       , solver(of_scene.scene.solver, *matrix, of_scene.system)
     {}
 
@@ -32,13 +31,12 @@ namespace
 
     void fill(const double size)
     {
-      State from = of_scene.system.initial_state(), to = from;
+      State from = of_scene.equations.initial_state(), to = from;
       fill_by_place(of_scene.system, size, to.displacement);
-      const Step step{from, to, 0.3};
-      of_scene.system.begin_step(step);
-      of_scene.system.residual(step);
+      const Evaluation step = Evaluation::step(from, to, 0.3);
+      of_scene.residual(step);
       // With this much mass the matrix is definite at any displacement.
-      of_scene.system.tangent(step, {1., 5., 100.}, *matrix);
+      of_scene.tangent(step, {1., 5., 100.}, *matrix);
     }
 
     void set_right_side()
@@ -60,7 +58,7 @@ namespace
       return size;
     }
 
-    SystemOnRanks                  of_scene;
+    EquationsOnRanks               of_scene;
     std::unique_ptr<TangentMatrix> matrix;
     LinearSolver                   solver;
   };
@@ -71,9 +69,9 @@ namespace
   std::map<UnknownName, double>
   after_steps(const std::vector<std::string> &overrides)
   {
-    SystemOnRanks of_scene(star_with_everything(3, 2), overrides);
-    TimeStepper   stepper(of_scene.system, of_scene.scene);
-    State         state = of_scene.system.initial_state();
+    EquationsOnRanks of_scene(star_with_everything(3, 2), overrides);
+    TimeStepper      stepper(of_scene.system, of_scene.scene);
+    State            state = of_scene.equations.initial_state();
     stepper.start(state);
     for (unsigned int i = 0; i < 3; ++i)
       stepper.advance(state);
@@ -134,14 +132,13 @@ subsection Solver
   set Type = gmres
 end
 )";
-    SystemOnRanks of_scene(scene, overrides);
-    const auto    matrix = of_scene.system.make_tangent();
-    LinearSolver  solver(of_scene.scene.solver, *matrix, of_scene.system);
-    State         from = of_scene.system.initial_state(), to = from;
-    const Step    step{from, to, dt};
-    of_scene.system.begin_step(step);
-    of_scene.system.residual(step);
-    of_scene.system.tangent(step, {1., 2 / dt, 4 / dt / dt}, *matrix);
+    EquationsOnRanks of_scene(scene, overrides);
+    const auto       matrix = of_scene.make_tangent();
+    LinearSolver     solver(of_scene.scene.solver, *matrix, of_scene.system);
+    State            from = of_scene.equations.initial_state(), to = from;
+    const Evaluation step = Evaluation::step(from, to, dt);
+    of_scene.residual(step);
+    of_scene.tangent(step, {1., 2 / dt, 4 / dt / dt}, *matrix);
     EXPECT_TRUE(solver.factorize());
     for (unsigned int joint = 0; joint < of_scene.lattice.joints.size();
          ++joint)
@@ -240,7 +237,7 @@ TEST(LinearSolver, TooFewIterationsAreAFailure)
 TEST(LinearSolver, IterationsRefuseRigidParts)
 {
   const std::string words = input_error_of([] {
-    SystemOnRanks of_scene(frame_scene("0 0; 1 0; 2 0", "0 1; 1 2", R"(
+    EquationsOnRanks of_scene(frame_scene("0 0; 1 0; 2 0", "0 1; 1 2", R"(
 subsection Rigid parts
   subsection bar
     set Struts = 1
@@ -248,9 +245,9 @@ subsection Rigid parts
   end
 end
 )"),
-                           {"Solver/Type=gmres"});
-    const auto    matrix = of_scene.system.make_tangent();
-    LinearSolver  solver(of_scene.scene.solver, *matrix, of_scene.system);
+                              {"Solver/Type=gmres"});
+    const auto       matrix = of_scene.make_tangent();
+    LinearSolver     solver(of_scene.scene.solver, *matrix, of_scene.system);
   });
   expect_parts(words, {"Solver/Type = gmres", "rigid parts", "`auto`"});
 }

@@ -1,11 +1,10 @@
 #include <auxfem/algebra/strut_condensation.h>
 
+#include <equations/equations_on_ranks.h>
 #include <gtest/gtest.h>
 #include <mesh/cell_from_text.h>
 
 #include <Amesos.h>
-
-#include "system_on_ranks.h"
 
 using namespace auxfem;
 using namespace auxfem::testing_support;
@@ -76,27 +75,26 @@ end
     explicit CondensedSystem(const std::string              &text,
                              const std::vector<std::string> &overrides = {})
       : of_scene(text, overrides)
-      , matrix(of_scene.system.make_tangent())
+      , matrix(of_scene.make_tangent())
       , blocks(of_scene.system)
       , condensation(of_scene.dofs(), blocks, *matrix, length())
     {}
 
     double length() const
     {
-      return of_scene.system.length_scale();
+      return of_scene.model.mean_strut_length;
     }
 
     /** The tangent with the factors of stiffness and mass. */
     void fill(const double mass)
     {
-      State      from = of_scene.system.initial_state(), to = from;
-      const Step step{from, to, 1.};
-      of_scene.system.begin_step(step);
-      of_scene.system.residual(step);
-      of_scene.system.tangent(step, {1., 0., mass}, *matrix);
+      State            from = of_scene.equations.initial_state(), to = from;
+      const Evaluation step = Evaluation::step(from, to, 1.);
+      of_scene.residual(step);
+      of_scene.tangent(step, {1., 0., mass}, *matrix);
     }
 
-    SystemOnRanks                  of_scene;
+    EquationsOnRanks               of_scene;
     std::unique_ptr<TangentMatrix> matrix;
     JointBlocks                    blocks;
     StrutCondensation              condensation;
@@ -180,11 +178,11 @@ TEST(StrutCondensation, CondensedSolutionFulfilsAllEquations)
 
 TEST(JointBlocks, EveryUnknownAtAJointHasItsOwnRow)
 {
-  const SystemOnRanks of_scene(star_with_everything(3, 2));
-  const DofNumbering &dofs = of_scene.dofs();
-  const JointBlocks   blocks(of_scene.system);
-  const auto          names = name_unknowns(of_scene.system);
-  std::vector<int>    used(blocks.map().NumMyElements(), 0);
+  const EquationsOnRanks of_scene(star_with_everything(3, 2));
+  const DofNumbering    &dofs = of_scene.dofs();
+  const JointBlocks      blocks(of_scene.system);
+  const auto             names = name_unknowns(of_scene.system);
+  std::vector<int>       used(blocks.map().NumMyElements(), 0);
   for (unsigned int i = 0; i < dofs.n_owned(); ++i)
     {
       const auto &[at_joint, index, fraction, component] = names[i].name;

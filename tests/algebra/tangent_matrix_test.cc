@@ -1,12 +1,11 @@
 #include <auxfem/algebra/tangent_matrix.h>
 
+#include <equations/equations_on_ranks.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <random>
 #include <set>
-
-#include "system_on_ranks.h"
 
 using namespace auxfem;
 using namespace auxfem::testing_support;
@@ -120,9 +119,9 @@ namespace
       matrix.finalize();
     }
 
-    SystemOnRanks of_scene;
-    RandomBlocks  blocks;
-    TangentMatrix matrix;
+    EquationsOnRanks of_scene;
+    RandomBlocks     blocks;
+    TangentMatrix    matrix;
   };
 } // namespace
 

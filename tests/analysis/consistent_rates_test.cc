@@ -9,10 +9,9 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  void start(SystemOnRanks &of_scene, State &state)
+  void start(EquationsOnRanks &of_scene, State &state)
   {
-    const std::unique_ptr<TangentMatrix> matrix =
-      of_scene.system.make_tangent();
+    const std::unique_ptr<TangentMatrix> matrix = of_scene.make_tangent();
     LinearSolver solver(of_scene.scene.solver, *matrix, of_scene.system);
     ConsistentRates(of_scene.system, *matrix, solver).start(state, 1e-3);
   }
@@ -22,8 +21,8 @@ namespace
   initial_acceleration(const std::string              &text,
                        const std::vector<std::string> &overrides = {})
   {
-    SystemOnRanks of_scene(text, overrides, MPI_COMM_SELF);
-    State         state = of_scene.system.initial_state();
+    EquationsOnRanks of_scene(text, overrides, MPI_COMM_SELF);
+    State            state = of_scene.equations.initial_state();
     start(of_scene, state);
     return by_name(of_scene.system, *state.acceleration);
   }
@@ -108,8 +107,8 @@ namespace
 
 TEST(ConsistentRates, VelocitiesAreRoundedToThoseOfRigidParts)
 {
-  SystemOnRanks of_scene(turning_bar("2e-6"), {}, MPI_COMM_SELF);
-  State         state = of_scene.system.initial_state();
+  EquationsOnRanks of_scene(turning_bar("2e-6"), {}, MPI_COMM_SELF);
+  State            state = of_scene.equations.initial_state();
   start(of_scene, state);
   const auto &dofs = of_scene.dofs();
   // The momentum stays, the ends share it.
@@ -123,8 +122,8 @@ TEST(ConsistentRates, VelocitiesAreRoundedToThoseOfRigidParts)
 
 TEST(ConsistentRates, VelocitiesThatNoRigidPartCanHaveAreRefused)
 {
-  SystemOnRanks     of_scene(turning_bar("2e-4"), {}, MPI_COMM_SELF);
-  State             state   = of_scene.system.initial_state();
+  EquationsOnRanks  of_scene(turning_bar("2e-4"), {}, MPI_COMM_SELF);
+  State             state   = of_scene.equations.initial_state();
   const std::string message = input_error_of([&] { start(of_scene, state); });
   EXPECT_TRUE(contains(message, "move apart with 0.0002 m/s")) << message;
 }

@@ -1,11 +1,10 @@
 #include <auxfem/analysis/inverse_iteration.h>
 
+#include <equations/equations_on_ranks.h>
 #include <gtest/gtest.h>
 #include <mesh/cell_from_text.h>
 
 #include <limits>
-
-#include "system_on_ranks.h"
 
 using namespace auxfem;
 using namespace auxfem::testing_support;
@@ -21,12 +20,12 @@ namespace
   {
     std::vector<std::string> all = overrides;
     all.push_back("Solver/Type=" + solver_type);
-    SystemOnRanks of_scene(text, all, MPI_COMM_SELF);
-    const auto    matrix = of_scene.system.make_tangent();
-    LinearSolver  solver(of_scene.scene.solver, *matrix, of_scene.system);
+    EquationsOnRanks of_scene(text, all, MPI_COMM_SELF);
+    const auto       matrix = of_scene.make_tangent();
+    LinearSolver     solver(of_scene.scene.solver, *matrix, of_scene.system);
     return input_error_of([&] {
       refuse_mechanism(of_scene.system,
-                       of_scene.system.initial_state(),
+                       of_scene.equations.initial_state(),
                        dt,
                        *matrix,
                        solver);

@@ -23,16 +23,15 @@ namespace
                const std::vector<std::string> &overrides = {})
       : of_scene(text, overrides, MPI_COMM_SELF)
       , newton(of_scene.system, parameters, of_scene.scene.solver)
-      , from(of_scene.system.initial_state())
+      , from(of_scene.equations.initial_state())
       , to(from)
     {}
 
     Newton::Result solve()
     {
-      to.time = from.time + 1.;
-      const Step step{from, to, 1.};
+      to.time               = from.time + 1.;
+      const Evaluation step = Evaluation::step(from, to, 1.);
       scheme.predict(step.from, step.dt, step.to);
-      of_scene.system.begin_step(step);
       return newton.solve(scheme, step);
     }
 
@@ -41,10 +40,10 @@ namespace
       return to.displacement[of_scene.dofs().joint_unknown(1, component)];
     }
 
-    SystemOnRanks of_scene;
-    Newton        newton;
-    QuasiStatic   scheme;
-    State         from, to;
+    EquationsOnRanks of_scene;
+    Newton           newton;
+    QuasiStatic      scheme;
+    State            from, to;
   };
 
   NewtonParameters full_newton()

@@ -1,9 +1,8 @@
 #include <auxfem/analysis/inverse_iteration.h>
 
+#include <equations/equations_on_ranks.h>
 #include <gtest/gtest.h>
 #include <mesh/cell_from_text.h>
-
-#include "system_on_ranks.h"
 
 using namespace auxfem;
 using namespace auxfem::testing_support;
@@ -15,12 +14,12 @@ namespace
                          const std::vector<std::string> &overrides = {},
                          const MPI_Comm communicator = MPI_COMM_WORLD)
   {
-    SystemOnRanks of_scene(text, overrides, communicator);
-    const auto    matrix = of_scene.system.make_tangent();
-    LinearSolver  solver(of_scene.scene.solver, *matrix, of_scene.system);
+    EquationsOnRanks of_scene(text, overrides, communicator);
+    const auto       matrix = of_scene.make_tangent();
+    LinearSolver     solver(of_scene.scene.solver, *matrix, of_scene.system);
     return input_error_of([&] {
       refuse_overconstrained(of_scene.system,
-                             of_scene.system.initial_state(),
+                             of_scene.equations.initial_state(),
                              *matrix,
                              solver);
     });

@@ -64,7 +64,7 @@ namespace
     while (run.state.step < run.stepper.n_steps())
       {
         const double     start  = cpu_seconds();
-        const StepReport report = run.stepper.advance(run.state);
+        const StepReport report = run.advance();
         result.cpu_seconds += cpu_seconds() - start;
         result.iterations += report.iterations;
         result.factorizations += report.factorizations;
@@ -74,7 +74,7 @@ namespace
 
     result.phases                        = run.stepper.newton().times();
     result.phases.output                 = output.seconds();
-    result.unknowns                      = run.system.numbering().n_free();
+    result.unknowns                      = run.model.numbering.n_free();
     const std::vector<unsigned int> &top = run.lattice.joint_sets.at("top");
     result.displacement                  = run.motion(top[c.cells / 2], 1);
     return result;

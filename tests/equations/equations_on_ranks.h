@@ -1,5 +1,5 @@
-#ifndef auxfem_tests_system_system_on_ranks_h
-#define auxfem_tests_system_system_on_ranks_h
+#ifndef auxfem_tests_equations_equations_on_ranks_h
+#define auxfem_tests_equations_equations_on_ranks_h
 
 #include <auxfem/equations/equations.h>
 #include <auxfem/model/build_lattice.h>
@@ -16,25 +16,50 @@ namespace auxfem
 {
   namespace testing_support
   {
-    /** A scene from `.prm` text with its lattice and system on given ranks. */
-    struct SystemOnRanks
+    /** A scene from `.prm` text with its model and equations on given ranks,
+     * and room for one evaluation. */
+    struct EquationsOnRanks
     {
-      explicit SystemOnRanks(const std::string              &prm_text,
-                             const std::vector<std::string> &overrides = {},
-                             const MPI_Comm communicator = MPI_COMM_WORLD)
+      explicit EquationsOnRanks(const std::string              &prm_text,
+                                const std::vector<std::string> &overrides = {},
+                                const MPI_Comm communicator = MPI_COMM_WORLD)
         : scene(read_scene_from_text(prm_text, "test.prm", overrides))
         , lattice(build_lattice(scene))
-        , system(scene, lattice, communicator)
+        , model(scene, lattice, communicator)
+        , equations(scene, model)
+        , results(equations.make_results())
       {}
 
       const DofNumbering &dofs() const
       {
-        return system.numbering();
+        return model.numbering;
       }
 
-      const Scene   scene;
-      const Lattice lattice;
-      System        system;
+      /** Evaluates; the results are kept for tangent(). */
+      const EvaluationResults &residual(const Evaluation &evaluation)
+      {
+        equations.residual(evaluation, results);
+        return results;
+      }
+
+      /** Of the evaluation last given to residual(). */
+      void tangent(const Evaluation     &evaluation,
+                   const TangentFactors &factors,
+                   TangentMatrix        &matrix) const
+      {
+        equations.tangent(evaluation, results, factors, matrix);
+      }
+
+      std::unique_ptr<TangentMatrix> make_tangent() const
+      {
+        return std::make_unique<TangentMatrix>(equations.pattern());
+      }
+
+      const Scene        scene;
+      const Lattice      lattice;
+      const LatticeModel model;
+      Equations          equations;
+      EvaluationResults  results;
     };
 
     /**
@@ -52,11 +77,11 @@ namespace auxfem
     };
 
     /** Unknowns of the rigid parts themselves and all multipliers. */
-    inline void name_conditions(const System              &system,
+    inline void name_conditions(const LatticeModel        &model,
                                 std::vector<NamedUnknown> &names)
     {
-      const DofNumbering &dofs       = system.numbering();
-      const Lattice      &lattice    = system.lattice();
+      const DofNumbering &dofs       = model.numbering;
+      const Lattice      &lattice    = model.lattice;
       unsigned int        number     = lattice.joints.size();
       unsigned int        n_of_parts = 0;
       for (unsigned int part = 0; part < lattice.rigid_parts.size(); ++part)
@@ -85,10 +110,10 @@ namespace auxfem
     }
 
     /** Names of all local unknowns. */
-    inline std::vector<NamedUnknown> name_unknowns(const System &system)
+    inline std::vector<NamedUnknown> name_unknowns(const LatticeModel &model)
     {
-      const DofNumbering       &dofs    = system.numbering();
-      const Lattice            &lattice = system.lattice();
+      const DofNumbering       &dofs    = model.numbering;
+      const Lattice            &lattice = model.lattice;
       std::vector<NamedUnknown> names(dofs.n_local());
       const dealii::FE_Q<1>     fe(dofs.order());
       for (unsigned int e = 0; e < dofs.elements().size(); ++e)
@@ -131,7 +156,7 @@ namespace auxfem
      * where an unknown lies and what it is, not on its number.
      */
     inline void
-    fill_by_place(const System &system, const double size, Vector &vector)
+    fill_by_place(const LatticeModel &model, const double size, Vector &vector)
     {
       const std::vector<NamedUnknown> names = name_unknowns(system);
       for (unsigned int i = 0; i < names.size(); ++i)
@@ -145,12 +170,12 @@ namespace auxfem
     }
 
     /** Values of @p vector at this rank's own unknowns, by their names. */
-    inline std::map<UnknownName, double> by_name(const System        &system,
+    inline std::map<UnknownName, double> by_name(const LatticeModel  &model,
                                                  const Epetra_Vector &vector)
     {
       const std::vector<NamedUnknown> names = name_unknowns(system);
       std::map<UnknownName, double>   values;
-      for (unsigned int i = 0; i < system.numbering().n_owned(); ++i)
+      for (unsigned int i = 0; i < model.numbering.n_owned(); ++i)
         values[names[i].name] = vector[i];
       return values;
     }

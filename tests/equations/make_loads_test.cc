@@ -2,11 +2,10 @@
 
 #include <deal.II/base/numbers.h>
 
+#include <equations/equations_on_ranks.h>
 #include <gtest/gtest.h>
 
 #include <map>
-
-#include "system_on_ranks.h"
 
 using namespace auxfem;
 using namespace auxfem::testing_support;
@@ -31,11 +30,10 @@ namespace
       : of_scene(text, complete(overrides), MPI_COMM_SELF)
       , forces(of_scene.dofs().local_map())
     {
-      State from = of_scene.system.initial_state(), to = from;
-      to.time = t;
-      const Step step{from, to, t};
-      of_scene.system.begin_step(step);
-      of_scene.system.residual(step);
+      State from = of_scene.equations.initial_state(), to = from;
+      to.time               = t;
+      const Evaluation step = Evaluation::step(from, to, t);
+      of_scene.residual(step);
       const auto names = name_unknowns(of_scene.system);
       for (unsigned int i = 0; i < names.size(); ++i)
         {
@@ -54,10 +52,10 @@ namespace
       return overrides;
     }
 
-    SystemOnRanks of_scene;
-    Vector        forces;
-    double        sum[n_motion_components] = {};
-    double        moment                   = 0; ///< of the forces about (0, 0)
+    EquationsOnRanks of_scene;
+    Vector           forces;
+    double           sum[n_motion_components] = {};
+    double           moment = 0; ///< of the forces about (0, 0)
   };
 
   // Sums of some 50 numbers of about 10, of expressions in t as well.
@@ -165,11 +163,11 @@ TEST(MakeLoads, GravityPullsStrutsAndPointMasses)
 
 TEST(MakeLoads, ASceneWithoutLoadsHasNone)
 {
-  const SystemOnRanks of_scene(three_struts(""), {}, MPI_COMM_SELF);
+  const EquationsOnRanks of_scene(three_struts(""), {}, MPI_COMM_SELF);
   EXPECT_TRUE(make_loads(of_scene.scene,
                          of_scene.lattice,
                          of_scene.dofs(),
-                         of_scene.system.sections(),
+                         of_scene.model.sections,
                          {},
                          decide_effects(of_scene.scene))
                 .empty());
@@ -177,20 +175,20 @@ TEST(MakeLoads, ASceneWithoutLoadsHasNone)
 
 TEST(MakeLoads, InitialVelocitiesAreThoseOfARigidBody)
 {
-  const SystemOnRanks of_scene(three_struts("subsection Initial velocities\n"
-                                            "  subsection spin\n"
-                                            "    set Joints = all\n"
-                                            "    set Velocity x = 3\n"
-                                            "    set Velocity y = -1\n"
-                                            "    set Angular velocity z = 2\n"
-                                            "  end\n"
-                                            "end\n"),
-                               {"Discretization/Order=4",
-                                "Discretization/Global refinements=1"},
-                               MPI_COMM_SELF);
-  const State         state = of_scene.system.initial_state();
-  const double centre[2]    = {(0. + 2 + 2 + 2) / 4, (0. + 0 + 1.5 + 3.5) / 4};
-  const auto   names        = name_unknowns(of_scene.system);
+  const EquationsOnRanks of_scene(
+    three_struts("subsection Initial velocities\n"
+                 "  subsection spin\n"
+                 "    set Joints = all\n"
+                 "    set Velocity x = 3\n"
+                 "    set Velocity y = -1\n"
+                 "    set Angular velocity z = 2\n"
+                 "  end\n"
+                 "end\n"),
+    {"Discretization/Order=4", "Discretization/Global refinements=1"},
+    MPI_COMM_SELF);
+  const State  state     = of_scene.equations.initial_state();
+  const double centre[2] = {(0. + 2 + 2 + 2) / 4, (0. + 0 + 1.5 + 3.5) / 4};
+  const auto   names     = name_unknowns(of_scene.system);
   for (unsigned int i = 0; i < names.size(); ++i)
     {
       const double x = names[i].position[0] - centre[0],
@@ -207,16 +205,16 @@ TEST(MakeLoads, InitialVelocitiesAreThoseOfARigidBody)
 
 TEST(MakeLoads, StrutsMoveAlongOnlyIfBothEndsDo)
 {
-  const SystemOnRanks of_scene(three_struts("subsection Initial velocities\n"
-                                            "  subsection impact\n"
-                                            "    set Joints = 0, 1\n"
-                                            "    set Velocity y = -1\n"
-                                            "  end\n"
-                                            "end\n"),
-                               {},
-                               MPI_COMM_SELF);
-  const State         state = of_scene.system.initial_state();
-  const auto          names = name_unknowns(of_scene.system);
+  const EquationsOnRanks of_scene(three_struts("subsection Initial velocities\n"
+                                               "  subsection impact\n"
+                                               "    set Joints = 0, 1\n"
+                                               "    set Velocity y = -1\n"
+                                               "  end\n"
+                                               "end\n"),
+                                  {},
+                                  MPI_COMM_SELF);
+  const State            state = of_scene.equations.initial_state();
+  const auto             names = name_unknowns(of_scene.system);
   for (unsigned int i = 0; i < names.size(); ++i)
     {
       const auto &[at_joint, index, fraction, component] = names[i].name;

@@ -24,9 +24,9 @@ namespace
                              "end\n";
 
   /** Inertia forces of the masses alone under acceleration 1 everywhere. */
-  std::vector<double> under_unit_acceleration(const SystemOnRanks &of_scene)
+  std::vector<double> under_unit_acceleration(const EquationsOnRanks &of_scene)
   {
-    State from = of_scene.system.initial_state(), to = from;
+    State from = of_scene.equations.initial_state(), to = from;
     to.acceleration->PutScalar(1.);
     std::vector<double> residual(of_scene.dofs().n_local(), 0.);
     for (const auto &effect : make_masses(of_scene.scene,
@@ -42,11 +42,11 @@ namespace
 
 TEST(MakeMasses, ThoseOfOneJointAddUpInThePlane)
 {
-  const SystemOnRanks       of_scene(frame_scene("0 0; 2 0; 2 1.5",
-                                           "0 1; 1 2",
-                                           masses),
-                               {},
-                               MPI_COMM_SELF);
+  const EquationsOnRanks    of_scene(frame_scene("0 0; 2 0; 2 1.5",
+                                              "0 1; 1 2",
+                                              masses),
+                                  {},
+                                  MPI_COMM_SELF);
   const auto               &dofs = of_scene.dofs();
   const std::vector<double> sums = under_unit_acceleration(of_scene);
   EXPECT_DOUBLE_EQ(sums[dofs.joint_unknown(1, 0)], 0.9);
@@ -58,11 +58,11 @@ TEST(MakeMasses, ThoseOfOneJointAddUpInThePlane)
 
 TEST(MakeMasses, ThoseOfOneJointAddUpInSpace)
 {
-  const SystemOnRanks       of_scene(space_frame("0 0 0; 2 0 1; 2 1.5 0",
-                                           "0 1; 1 2",
-                                           masses),
-                               {},
-                               MPI_COMM_SELF);
+  const EquationsOnRanks    of_scene(space_frame("0 0 0; 2 0 1; 2 1.5 0",
+                                              "0 1; 1 2",
+                                              masses),
+                                  {},
+                                  MPI_COMM_SELF);
   const auto               &dofs = of_scene.dofs();
   const std::vector<double> sums = under_unit_acceleration(of_scene);
   for (unsigned int c = 0; c < 3; ++c)
@@ -81,6 +81,6 @@ TEST(MakeMasses, RotaryInertiaNeedsARotation)
                 "subsection Masses\n  subsection lump\n    set Joints = 2\n"
                 "    set Mass = 1\n    set Rotary inertia = 0.1\n  end\nend\n");
   expect_parts(input_error_of(
-                 [&] { SystemOnRanks(lonely, {}, MPI_COMM_SELF); }),
+                 [&] { EquationsOnRanks(lonely, {}, MPI_COMM_SELF); }),
                {"Masses/lump/Rotary inertia", "joint 2", "no rotation"});
 }

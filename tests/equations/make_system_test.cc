@@ -1,7 +1,6 @@
+#include <equations/equations_on_ranks.h>
 #include <gtest/gtest.h>
 #include <mesh/cell_from_text.h>
-
-#include "system_on_ranks.h"
 
 using namespace auxfem;
 using namespace auxfem::testing_support;
@@ -17,7 +16,7 @@ namespace
   std::string refusal_of(const std::string &further)
   {
     return input_error_of(
-      [&] { SystemOnRanks(two_struts(further), {}, MPI_COMM_SELF); });
+      [&] { EquationsOnRanks(two_struts(further), {}, MPI_COMM_SELF); });
   }
 
   const std::string hinge_in_the_middle = "subsection Joints\n"
@@ -29,25 +28,25 @@ namespace
 
 TEST(MakeSystem, TwoSupportsMayHoldTheSameJointAtRest)
 {
-  const SystemOnRanks of_scene(two_struts("subsection Supports\n"
-                                          "  subsection wall\n"
-                                          "    set Joints = 0\n"
-                                          "    set Type = clamp\n"
-                                          "  end\n"
-                                          "  subsection floor\n"
-                                          "    set Joints = 0, 2\n"
-                                          "    set Type = roller x\n"
-                                          "  end\n"
-                                          "end\n"),
-                               {},
-                               MPI_COMM_SELF);
-  ASSERT_EQ(of_scene.system.supports().size(), 2u);
-  EXPECT_EQ(of_scene.system.supports()[0].name, "wall");
+  const EquationsOnRanks of_scene(two_struts("subsection Supports\n"
+                                             "  subsection wall\n"
+                                             "    set Joints = 0\n"
+                                             "    set Type = clamp\n"
+                                             "  end\n"
+                                             "  subsection floor\n"
+                                             "    set Joints = 0, 2\n"
+                                             "    set Type = roller x\n"
+                                             "  end\n"
+                                             "end\n"),
+                                  {},
+                                  MPI_COMM_SELF);
+  ASSERT_EQ(of_scene.model.supports.size(), 2u);
+  EXPECT_EQ(of_scene.model.supports[0].name, "wall");
   // The reaction is counted once, with the first.
-  EXPECT_EQ(of_scene.system.supports()[0].unknowns.size(), 3u);
-  ASSERT_EQ(of_scene.system.supports()[1].unknowns.size(), 1u);
-  EXPECT_EQ(of_scene.system.supports()[1].unknowns[0].component, 1u);
-  EXPECT_EQ(of_scene.system.supports()[1].unknowns[0].unknown,
+  EXPECT_EQ(of_scene.model.supports[0].unknowns.size(), 3u);
+  ASSERT_EQ(of_scene.model.supports[1].unknowns.size(), 1u);
+  EXPECT_EQ(of_scene.model.supports[1].unknowns[0].component, 1u);
+  EXPECT_EQ(of_scene.model.supports[1].unknowns[0].unknown,
             of_scene.dofs().joint_unknown(2, 1));
   EXPECT_EQ(of_scene.dofs().n_free(), of_scene.dofs().n_unknowns() - 4);
 }
@@ -142,7 +141,7 @@ TEST(MakeSystem, AHingeAtWhichNoneOfTheStrutsEndsIsRefused)
 
 TEST(MakeSystem, HingesAddRotationsAndCanBeSwitchedOff)
 {
-  const SystemOnRanks rigid(two_struts(""), {}, MPI_COMM_SELF),
+  const EquationsOnRanks rigid(two_struts(""), {}, MPI_COMM_SELF),
     hinged(two_struts(hinge_in_the_middle), {}, MPI_COMM_SELF),
     off(two_struts(hinge_in_the_middle), {"Effects/Hinges=off"}, MPI_COMM_SELF);
   EXPECT_EQ(hinged.dofs().n_unknowns(), rigid.dofs().n_unknowns() + 1);
@@ -155,15 +154,15 @@ TEST(MakeSystem, ASpringActsBetweenTheReleasedStrutAndTheJoint)
   // Strut 1 released against strut 0, or both: the same relative rotation.
   for (const std::string struts : {"1", "all"})
     {
-      SystemOnRanks of_scene(two_struts(
-                               "subsection Joints\n  subsection middle\n"
-                               "    set Joints = 1\n    set Struts = " +
-                               struts +
-                               "\n    set Type = rotational spring\n"
-                               "    set Stiffness = 7\n  end\nend\n"),
-                             {"Time/Scheme=static"},
-                             MPI_COMM_SELF);
-      State         from = of_scene.system.initial_state(), to = from;
+      EquationsOnRanks of_scene(two_struts(
+                                  "subsection Joints\n  subsection middle\n"
+                                  "    set Joints = 1\n    set Struts = " +
+                                  struts +
+                                  "\n    set Type = rotational spring\n"
+                                  "    set Stiffness = 7\n  end\nend\n"),
+                                {"Time/Scheme=static"},
+                                MPI_COMM_SELF);
+      State            from = of_scene.equations.initial_state(), to = from;
       // All of strut 1 turns rigidly by a tiny angle, so it has no forces.
       const double angle = 1e-9;
       const auto   names = name_unknowns(of_scene.system);
@@ -176,9 +175,8 @@ TEST(MakeSystem, ASpringActsBetweenTheReleasedStrutAndTheJoint)
             to.displacement[i] = angle;
         }
       to.displacement[of_scene.dofs().end_rotation(1, 0)] = angle;
-      const Step step{from, to, 1.};
-      of_scene.system.begin_step(step);
-      of_scene.system.residual(step);
+      const Evaluation step = Evaluation::step(from, to, 1.);
+      of_scene.residual(step);
       // Strains of 1e-18 are left of the rotation's square.
       EXPECT_NEAR(to.residual[of_scene.dofs().end_rotation(1, 0)],
                   7 * angle,
@@ -187,7 +185,7 @@ TEST(MakeSystem, ASpringActsBetweenTheReleasedStrutAndTheJoint)
                   -7 * angle,
                   1e-6 * angle);
       of_scene.system.accept(step);
-      EXPECT_NEAR(to.energies.strain,
+      EXPECT_NEAR(to.energies.strain(),
                   3.5 * angle * angle,
                   1e-6 * angle * angle);
     }
@@ -207,11 +205,12 @@ TEST(MakeSystem, AReferenceVectorAlongAStrutIsRefused)
                     reference + "\n  end\nend\n");
   };
   // The arc 1 leads along y in its middle.
-  expect_parts(input_error_of(
-                 [&] { SystemOnRanks(scene("0 1 0.05"), {}, MPI_COMM_SELF); }),
+  expect_parts(input_error_of([&] {
+                 EquationsOnRanks(scene("0 1 0.05"), {}, MPI_COMM_SELF);
+               }),
                {"Sections/blade/Reference vector",
                 "strut 1",
                 "joints 1 - 2",
                 "5 degrees"});
-  EXPECT_NO_THROW(SystemOnRanks(scene("0 0.3 1"), {}, MPI_COMM_SELF));
+  EXPECT_NO_THROW(EquationsOnRanks(scene("0 0.3 1"), {}, MPI_COMM_SELF));
 }

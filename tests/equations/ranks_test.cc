@@ -2,9 +2,8 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <equations/equations_on_ranks.h>
 #include <gtest/gtest.h>
-
-#include "system_on_ranks.h"
 
 using namespace auxfem;
 using namespace auxfem::testing_support;
@@ -19,9 +18,9 @@ namespace
   {
     Evaluated(const std::string &text, const MPI_Comm communicator)
       : on_ranks(text, {}, communicator)
-      , from(on_ranks.system.initial_state())
+      , from(on_ranks.equations.initial_state())
       , to(from)
-      , matrix(on_ranks.system.make_tangent())
+      , matrix(on_ranks.make_tangent())
       , product(on_ranks.dofs().owned_map())
     {
       System &system = on_ranks.system;
@@ -30,9 +29,8 @@ namespace
       fill_by_place(system, 0.5, to.displacement);
       fill_by_place(system, 0.7, *to.velocity);
       fill_by_place(system, 1.1, *to.acceleration);
-      const Step step{from, to, 0.3};
+      const Evaluation step = Evaluation::step(from, to, 0.3);
       system.rotations().follow(step);
-      system.begin_step(step);
       norm = system.residual(step);
       system.tangent(step, {1., 3., 5.}, *matrix);
 
@@ -44,7 +42,7 @@ namespace
       matrix->matrix().Multiply(false, owned, product);
     }
 
-    SystemOnRanks                  on_ranks;
+    EquationsOnRanks               on_ranks;
     State                          from, to;
     std::unique_ptr<TangentMatrix> matrix;
     Epetra_Vector                  product;
@@ -52,7 +50,7 @@ namespace
   };
 
   /** Compares this rank's own values with those of the same unknowns alone. */
-  void expect_equal(const System        &system,
+  void expect_equal(const LatticeModel  &model,
                     const Epetra_Vector &values,
                     const System        &alone,
                     const Epetra_Vector &values_alone,
@@ -121,17 +119,17 @@ namespace
              const MPI_Comm                  communicator)
       : on_ranks(text, overrides, communicator)
       , stepper(on_ranks.system, on_ranks.scene)
-      , state(on_ranks.system.initial_state())
+      , state(on_ranks.equations.initial_state())
     {
       stepper.start(state);
       while (state.step < on_ranks.scene.time.n_steps())
         iterations += stepper.advance(state).iterations;
     }
 
-    SystemOnRanks on_ranks;
-    TimeStepper   stepper;
-    State         state;
-    unsigned int  iterations = 0;
+    EquationsOnRanks on_ranks;
+    TimeStepper      stepper;
+    State            state;
+    unsigned int     iterations = 0;
   };
 
   /** Force, extension and lost energy of this rank's connectors by place. */
@@ -139,7 +137,8 @@ namespace
   connector_reports(const Advanced &run)
   {
     std::map<std::string, std::array<double, 3>> reports;
-    for (const ConnectorForces *group : run.on_ranks.system.connectors())
+    for (const ConnectorForces *group :
+         run.on_ranks.equations.reporting().connectors)
       for (unsigned int i = 0; i < group->n_reported(); ++i)
         {
           const ConnectorReport report = group->report(i, run.state);
@@ -211,9 +210,9 @@ end
     EXPECT_EQ(all.state.time, alone.state.time);
 
     // Round-off through some ten steps of a few iterations each.
-    const double  tolerance = 1e-10;
-    const System &system    = all.on_ranks.system,
-                 &reference = alone.on_ranks.system;
+    const double        tolerance = 1e-10;
+    const LatticeModel &model     = all.on_ranks.system,
+                       &reference = alone.on_ranks.system;
     expect_equal(system,
                  all.state.displacement,
                  reference,
@@ -283,8 +282,10 @@ TEST(Ranks, RigidPartsAreReportedOnceAndAlike)
   const std::string text = stars_with_rigid_parts();
   const Advanced    all(text, {slow_shaker}, MPI_COMM_WORLD),
     alone(text, {slow_shaker}, MPI_COMM_SELF);
-  const RigidPartConditions &parts     = *all.on_ranks.system.rigid_parts(),
-                            &reference = *alone.on_ranks.system.rigid_parts();
+  const RigidPartConditions &parts =
+                              *all.on_ranks.equations.reporting().rigid_parts,
+                            &reference =
+                              *alone.on_ranks.equations.reporting().rigid_parts;
   EXPECT_EQ(dealii::Utilities::MPI::sum(parts.n_reported(), MPI_COMM_WORLD),
             alone.on_ranks.lattice.rigid_parts.size());
   for (unsigned int i = 0; i < parts.n_reported(); ++i)

@@ -1,8 +1,7 @@
+#include <equations/equations_on_ranks.h>
 #include <gtest/gtest.h>
 
 #include <random>
-
-#include "system_on_ranks.h"
 
 using namespace auxfem;
 using namespace auxfem::testing_support;
@@ -130,7 +129,7 @@ end
   {
     explicit SpaceTrial(const std::vector<std::string> &overrides)
       : of_scene(frame_with_everything, overrides, MPI_COMM_SELF)
-      , from(of_scene.system.initial_state())
+      , from(of_scene.equations.initial_state())
       , to(from)
     {
       const NodeRotations &rotations = of_scene.system.rotations();
@@ -166,7 +165,7 @@ end
         moved.velocity->Update(factors.damping, increment, 1);
       if (moved.acceleration)
         moved.acceleration->Update(factors.mass, increment, 1);
-      of_scene.system.residual(step(moved));
+      of_scene.residual(step(moved));
       return moved.residual;
     }
 
@@ -181,10 +180,10 @@ end
         vector[i] += noise(size);
     }
 
-    std::mt19937  generator;
-    double        dt = 0.4;
-    SystemOnRanks of_scene;
-    State         from, to;
+    std::mt19937     generator;
+    double           dt = 0.4;
+    EquationsOnRanks of_scene;
+    State            from, to;
   };
 
   void check_space_tangent(const std::vector<std::string> &overrides,
@@ -194,11 +193,10 @@ end
     System    &system = trial.of_scene.system;
     const auto matrix = system.make_tangent();
     const Step step   = trial.step(trial.to);
-    system.begin_step(step);
     system.residual(step);
     system.tangent(step, factors, *matrix);
 
-    Epetra_Vector unit(system.numbering().owned_map()), column(unit);
+    Epetra_Vector unit(model.numbering.owned_map()), column(unit);
     double        worst = 0, scale = 0;
     const double  h = 1e-5;
     for (int j = 0; j < unit.MyLength(); ++j)
@@ -209,7 +207,7 @@ end
         const Vector right = trial.moved_residual(j, h, factors),
                      left  = trial.moved_residual(j, -h, factors);
         for (int i = 0; i < unit.MyLength(); ++i)
-          if (system.numbering().kind(i) != UnknownKind::prescribed)
+          if (model.numbering.kind(i) != UnknownKind::prescribed)
             {
               const double difference = (right[i] - left[i]) / (2 * h);
               worst = std::max(worst, std::abs(column[i] - difference));

@@ -1,6 +1,5 @@
+#include <equations/equations_on_ranks.h>
 #include <gtest/gtest.h>
-
-#include "system_on_ranks.h"
 
 using namespace auxfem;
 using namespace auxfem::testing_support;
@@ -12,7 +11,7 @@ namespace
   {
     explicit Trial(const std::vector<std::string> &overrides = {})
       : of_scene(star_with_everything(1, 1), overrides, MPI_COMM_SELF)
-      , from(of_scene.system.initial_state())
+      , from(of_scene.equations.initial_state())
       , to(from)
     {
       to.time = dt;
@@ -34,29 +33,28 @@ namespace
         (*moved.velocity)[i] += factors.damping * h;
       if (moved.acceleration)
         (*moved.acceleration)[i] += factors.mass * h;
-      of_scene.system.residual({from, moved, dt});
+      of_scene.residual({from, moved, dt});
       return moved.residual;
     }
 
-    double        dt = 0.4;
-    SystemOnRanks of_scene;
-    State         from, to;
+    double           dt = 0.4;
+    EquationsOnRanks of_scene;
+    State            from, to;
   };
 
   /** Compares the tangent at a trial with differences of residuals. */
   void check_tangent(const std::vector<std::string> &overrides,
                      const TangentFactors           &factors)
   {
-    Trial      trial(overrides);
-    System    &system = trial.of_scene.system;
-    const auto matrix = system.make_tangent();
-    const Step step{trial.from, trial.to, trial.dt};
-    system.begin_step(step);
+    Trial            trial(overrides);
+    System          &system = trial.of_scene.system;
+    const auto       matrix = system.make_tangent();
+    const Evaluation step   = Evaluation::step(trial.from, trial.to, trial.dt);
     system.residual(step);
     system.tangent(step, factors, *matrix);
 
-    const int     n = system.numbering().n_unknowns();
-    Epetra_Vector unit(system.numbering().owned_map()), column(unit);
+    const int     n = model.numbering.n_unknowns();
+    Epetra_Vector unit(model.numbering.owned_map()), column(unit);
     double        worst = 0, scale = 0;
     const double  h = 1e-5;
     for (int j = 0; j < n; ++j)
@@ -67,7 +65,7 @@ namespace
         const Vector right = trial.moved_residual(j, h, factors),
                      left  = trial.moved_residual(j, -h, factors);
         for (int i = 0; i < n; ++i)
-          if (system.numbering().kind(i) == UnknownKind::prescribed)
+          if (model.numbering.kind(i) == UnknownKind::prescribed)
             EXPECT_EQ(column[i], i == j ? 1. : 0.);
           else
             {
@@ -117,23 +115,23 @@ TEST(System, TangentHoldsForEveryOrder)
 
 TEST(System, ScenesWithoutLargeRotationAreLinear)
 {
-  EXPECT_FALSE(SystemOnRanks(star_with_everything(1, 1)).system.is_linear());
+  EXPECT_FALSE(
+    EquationsOnRanks(star_with_everything(1, 1)).equations.is_linear());
   EXPECT_TRUE(
-    SystemOnRanks(star_with_everything(1, 1), {"Effects/Large rotation=off"})
-      .system.is_linear());
+    EquationsOnRanks(star_with_everything(1, 1), {"Effects/Large rotation=off"})
+      .equations.is_linear());
 }
 
 TEST(System, ResidualNormLeavesPrescribedRowsOut)
 {
-  Trial      trial;
-  System    &system = trial.of_scene.system;
-  const Step step{trial.from, trial.to, trial.dt};
-  system.begin_step(step);
+  Trial              trial;
+  System            &system  = trial.of_scene.system;
+  const Evaluation   step    = Evaluation::step(trial.from, trial.to, trial.dt);
   const ResidualNorm norm    = system.residual(step);
   double             sums[2] = {0, 0};
-  for (unsigned int i = 0; i < system.numbering().n_owned(); ++i)
-    if (system.numbering().kind(i) != UnknownKind::prescribed)
-      sums[system.numbering().is_rotation(i)] +=
+  for (unsigned int i = 0; i < model.numbering.n_owned(); ++i)
+    if (model.numbering.kind(i) != UnknownKind::prescribed)
+      sums[model.numbering.is_rotation(i)] +=
         trial.to.residual[i] * trial.to.residual[i];
   EXPECT_DOUBLE_EQ(norm.force, std::sqrt(sums[0]));
   EXPECT_DOUBLE_EQ(norm.moment, std::sqrt(sums[1]));
@@ -142,9 +140,9 @@ TEST(System, ResidualNormLeavesPrescribedRowsOut)
 
 TEST(System, WorstUnknownIsFreeAndHasTheLargestResidual)
 {
-  Trial         trial;
-  const System &system = trial.of_scene.system;
-  const auto   &dofs   = system.numbering();
+  Trial               trial;
+  const LatticeModel &model = trial.of_scene.system;
+  const auto         &dofs  = model.numbering;
   trial.to.residual.PutScalar(0);
   const unsigned int joint = trial.of_scene.lattice.joint_sets.at("tips")[1];
   trial.to.residual[dofs.joint_unknown(joint, 1)] = -2;
@@ -158,34 +156,34 @@ TEST(System, WorstUnknownIsFreeAndHasTheLargestResidual)
 TEST(System, LengthScaleIsTheMeanStrutLength)
 {
   // All struts of the star have length 1; the sum of 12 of them is rounded.
-  EXPECT_NEAR(SystemOnRanks(star_with_everything(1, 1)).system.length_scale(),
-              1.,
-              1e-14);
+  EXPECT_NEAR(
+    EquationsOnRanks(star_with_everything(1, 1)).model.mean_strut_length,
+    1.,
+    1e-14);
 }
 
 TEST(System, PrescribedMotionAndRightSideFollowTheSupports)
 {
-  SystemOnRanks of_scene(star_with_everything(1, 1), {}, MPI_COMM_SELF);
-  System       &system = of_scene.system;
-  const int     shaken =
-    system.numbering().joint_unknown(of_scene.lattice.joint_sets.at("left")[0],
-                                     0);
-  const State before = system.initial_state();
-  State       state  = before;
-  state.time         = 0.2;
-  const Step    step{before, state, 0.01};
-  Epetra_Vector right_side(system.numbering().owned_map());
+  EquationsOnRanks of_scene(star_with_everything(1, 1), {}, MPI_COMM_SELF);
+  System          &system = of_scene.system;
+  const int        shaken =
+    model.numbering.joint_unknown(of_scene.lattice.joint_sets.at("left")[0], 0);
+  const State before    = system.initial_state();
+  State       state     = before;
+  state.time            = 0.2;
+  const Evaluation step = Evaluation::step(before, state, 0.01);
+  Epetra_Vector    right_side(model.numbering.owned_map());
   state.displacement[shaken] = 0.001;
   state.residual.PutScalar(7);
   system.right_side(step, right_side.Values());
   const double place = 0.02 * std::sin(3 * 0.2);
   EXPECT_NEAR(right_side[shaken], place - 0.001, 1e-16);
-  for (unsigned int i = 0; i < system.numbering().n_owned(); ++i)
+  for (unsigned int i = 0; i < model.numbering.n_owned(); ++i)
     if (int(i) != shaken)
       {
         EXPECT_EQ(right_side[i],
-                  system.numbering().kind(i) == UnknownKind::prescribed ? 0.
-                                                                        : -7.);
+                  model.numbering.kind(i) == UnknownKind::prescribed ? 0.
+                                                                     : -7.);
       }
 
   system.prescribe_motion(step, 0.01);
@@ -198,8 +196,8 @@ TEST(System, PrescribedMotionAndRightSideFollowTheSupports)
 TEST(System, WhatIsLeftOutCostsNoState)
 {
   const StateLayout whole =
-    SystemOnRanks(star_with_everything(2, 2), {}, MPI_COMM_SELF)
-      .system.layout();
+    EquationsOnRanks(star_with_everything(2, 2), {}, MPI_COMM_SELF)
+      .equations.layout();
   EXPECT_TRUE(whole.velocity);
   EXPECT_TRUE(whole.acceleration);
   EXPECT_FALSE(whole.algorithmic_acceleration);
@@ -208,52 +206,52 @@ TEST(System, WhatIsLeftOutCostsNoState)
   EXPECT_EQ(whole.n_history, 6u);
   EXPECT_EQ(whole.n_dissipated, 12u);
 
-  const StateLayout in_statics = SystemOnRanks(star_with_everything(2, 2),
-                                               {"Time/Scheme=static"},
-                                               MPI_COMM_SELF)
-                                   .system.layout();
+  const StateLayout in_statics = EquationsOnRanks(star_with_everything(2, 2),
+                                                  {"Time/Scheme=static"},
+                                                  MPI_COMM_SELF)
+                                   .equations.layout();
   EXPECT_TRUE(in_statics.velocity);
   EXPECT_FALSE(in_statics.acceleration);
 
-  const SystemOnRanks elastic(star_with_everything(2, 2),
-                              {"Time/Scheme=static",
-                               "Effects/Connector viscosity=off",
-                               "Effects/Strut damping=off"},
-                              MPI_COMM_SELF);
-  EXPECT_FALSE(elastic.system.layout().velocity);
-  EXPECT_EQ(elastic.system.layout().n_history, 0u);
-  EXPECT_EQ(elastic.system.layout().n_dissipated, 0u);
-  const State state = elastic.system.initial_state();
+  const EquationsOnRanks elastic(star_with_everything(2, 2),
+                                 {"Time/Scheme=static",
+                                  "Effects/Connector viscosity=off",
+                                  "Effects/Strut damping=off"},
+                                 MPI_COMM_SELF);
+  EXPECT_FALSE(elastic.equations.layout().velocity);
+  EXPECT_EQ(elastic.equations.layout().n_history, 0u);
+  EXPECT_EQ(elastic.equations.layout().n_dissipated, 0u);
+  const State state = elastic.equations.initial_state();
   EXPECT_FALSE(state.velocity);
   EXPECT_FALSE(state.acceleration);
   EXPECT_FALSE(state.algorithmic_acceleration);
-  EXPECT_FALSE(elastic.system.is_dynamic());
+  EXPECT_FALSE(elastic.model.simulated.inertia);
 }
 
 TEST(System, StatesCarryASecondAccelerationOnlyIfAsked)
 {
-  SystemOnRanks of_scene(star_with_everything(1, 1));
-  EXPECT_FALSE(of_scene.system.initial_state().algorithmic_acceleration);
+  EquationsOnRanks of_scene(star_with_everything(1, 1));
+  EXPECT_FALSE(of_scene.equations.initial_state().algorithmic_acceleration);
   of_scene.system.use_algorithmic_acceleration();
-  EXPECT_TRUE(of_scene.system.initial_state().algorithmic_acceleration);
+  EXPECT_TRUE(of_scene.equations.initial_state().algorithmic_acceleration);
 }
 
 TEST(System, WithoutViscosityConnectorsAreTheirLongTimeSprings)
 {
-  SystemOnRanks of_scene(star_with_everything(1, 1),
-                         {"Effects/Connector viscosity=off"},
-                         MPI_COMM_SELF);
-  State         from = of_scene.system.initial_state(), to = from;
+  EquationsOnRanks of_scene(star_with_everything(1, 1),
+                            {"Effects/Connector viscosity=off"},
+                            MPI_COMM_SELF);
+  State            from = of_scene.equations.initial_state(), to = from;
   fill_by_place(of_scene.system, 0.2, to.displacement);
   fill_by_place(of_scene.system, 5., *to.velocity);
-  const Step step{from, to, 0.1};
-  of_scene.system.begin_step(step);
-  of_scene.system.residual(step);
+  const Evaluation step = Evaluation::step(from, to, 0.1);
+  of_scene.residual(step);
   const double stiffness[4] = {0.6, 0, 0.2, 0.4};
-  ASSERT_EQ(of_scene.system.connectors().size(), 4u);
+  ASSERT_EQ(of_scene.equations.reporting().connectors.size(), 4u);
   for (unsigned int g = 0; g < 4; ++g)
     {
-      const ConnectorForces &group = *of_scene.system.connectors()[g];
+      const ConnectorForces &group =
+        *of_scene.equations.reporting().connectors[g];
       EXPECT_FALSE(group.is_viscous());
       for (unsigned int i = 0; i < group.n_reported(); ++i)
         {

@@ -1,8 +1,7 @@
 #include <auxfem/model/effect_decisions.h>
 
+#include <equations/equations_on_ranks.h>
 #include <gtest/gtest.h>
-
-#include "system_on_ranks.h"
 
 using namespace auxfem;
 using namespace auxfem::testing_support;

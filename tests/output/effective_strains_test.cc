@@ -31,14 +31,13 @@ end
                                 "test.prm");
   }
 
-  void displace(State             &state,
-                const System      &system,
-                const unsigned int joint,
-                const unsigned int component,
-                const double       value)
+  void displace(State              &state,
+                const LatticeModel &model,
+                const unsigned int  joint,
+                const unsigned int  component,
+                const double        value)
   {
-    state.displacement[system.numbering().joint_unknown(joint, component)] =
-      value;
+    state.displacement[model.numbering.joint_unknown(joint, component)] = value;
   }
 
   using Words = std::vector<std::string>;

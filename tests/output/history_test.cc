@@ -93,14 +93,14 @@ end
 
   /** Gives component @p c of joint j the value @p value(j) in @p vector. */
   template <typename Function>
-  void set_joints(Vector            &vector,
-                  const System      &system,
-                  const unsigned int c,
-                  const Function    &value)
+  void set_joints(Vector             &vector,
+                  const LatticeModel &model,
+                  const unsigned int  c,
+                  const Function     &value)
   {
-    for (unsigned int j = 0; j < system.lattice().joints.size(); ++j)
+    for (unsigned int j = 0; j < model.lattice.joints.size(); ++j)
       {
-        const int unknown = system.numbering().joint_unknown(j, c);
+        const int unknown = model.numbering.joint_unknown(j, c);
         if (unknown >= 0)
           vector[unknown] = value(j);
       }
@@ -131,14 +131,13 @@ TEST(History, RowHoldsMeansOfProbesAndSumsOfSupportsAndConnectors)
   set_joints(*to.velocity, system, 1, [](const unsigned int j) {
     return 1. * j;
   });
-  const Step step{from, to, 0.25};
-  system.begin_step(step);
+  const Evaluation step = Evaluation::step(from, to, 0.25);
   system.residual(step);
   // Known numbers in place of the true residual, free rows included.
   for (unsigned int i = 0; i < 3; ++i)
     set_joints(to.residual,
                system,
-               system.numbering().components()[i],
+               model.numbering.components()[i],
                [i](const unsigned int j) { return 10. * (i + 1) + j; });
   to.energies = {1, 2, 4, 8, 16};
   history.write(to);
@@ -203,9 +202,8 @@ TEST(History, RowInSpaceHasThreeOfEach)
   set_joints(*to.velocity, system, 2, [](const unsigned int j) {
     return 1. * j;
   });
-  const Step step{from, to, 0.25};
+  const Evaluation step = Evaluation::step(from, to, 0.25);
   system.rotations().follow(step);
-  system.begin_step(step);
   system.residual(step);
   for (unsigned int c = 0; c < n_motion_components; ++c)
     set_joints(to.residual, system, c, [c](const unsigned int j) {

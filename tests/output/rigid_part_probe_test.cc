@@ -39,7 +39,7 @@ namespace
 
   std::string refusal_of(const std::string &selection)
   {
-    const SystemOnRanks of_scene(bars, {}, MPI_COMM_SELF);
+    const EquationsOnRanks of_scene(bars, {}, MPI_COMM_SELF);
     return input_error_of([&] {
       RigidPartProbe::check(probe(selection), of_scene.scene, of_scene.lattice);
     });
@@ -62,10 +62,10 @@ TEST(RigidPartProbe, IsToldByItsFirstWord)
 
 TEST(RigidPartProbe, RotationIsCountedPastHalfTurns)
 {
-  const SystemOnRanks of_scene(bars, {}, MPI_COMM_SELF);
-  State               state = of_scene.system.initial_state();
-  RigidPartProbe      first(probe("rigid: 0"), of_scene.scene, of_scene.system);
-  RigidPartRotations  rotations(of_scene.system);
+  const EquationsOnRanks of_scene(bars, {}, MPI_COMM_SELF);
+  State                  state = of_scene.equations.initial_state();
+  RigidPartProbe     first(probe("rigid: 0"), of_scene.scene, of_scene.system);
+  RigidPartRotations rotations(of_scene.system);
   ASSERT_EQ(first.columns().size(), 1u);
   for (const double sign : {1., -1.})
     {
@@ -89,9 +89,9 @@ TEST(RigidPartProbe, RotationIsCountedPastHalfTurns)
 
 TEST(RigidPartProbe, SeveralPartsGiveTheirMeanRotation)
 {
-  const SystemOnRanks of_scene(bars, {}, MPI_COMM_SELF);
-  const auto         &dofs  = of_scene.dofs();
-  State               state = of_scene.system.initial_state();
+  const EquationsOnRanks of_scene(bars, {}, MPI_COMM_SELF);
+  const auto            &dofs  = of_scene.dofs();
+  State                  state = of_scene.equations.initial_state();
   RigidPartProbe both(probe("rigid: 0, 1"), of_scene.scene, of_scene.system);
   // Bar 0 by 0.6; bar 1 by 0.2 about its moved end.
   turn_first_bar(dofs, 0.6, state);

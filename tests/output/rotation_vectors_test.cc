@@ -48,8 +48,8 @@ end
     /** Turns all nodes by a material rotation vector (rad). */
     void turn_by(const SpaceVector &turn)
     {
-      const State before = state;
-      const Step  step{before, state, 1};
+      const State      before = state;
+      const Evaluation step   = Evaluation::step(before, state, 1);
       for (unsigned int i = 0; i < state.rotations.size(); ++i)
         system.rotations().set_material_turn(step, i, turn);
       system.rotations().follow(step);
@@ -62,7 +62,7 @@ end
       SpaceVector vector;
       for (unsigned int c = 0; c < 3; ++c)
         vector[c] =
-          vectors[system.numbering().joint_unknown(joint, first_rotation + c)];
+          vectors[model.numbering.joint_unknown(joint, first_rotation + c)];
       return vector;
     }
 
@@ -121,8 +121,7 @@ TEST_F(SmallRotationVectorsTest, AreTheEntriesOfTheDisplacement)
 {
   ASSERT_TRUE(state.rotations.empty());
   const SpaceVector entries({7, -8, 9});
-  for (unsigned int i = 0; i < system.numbering().spatial_rotations().size();
-       ++i)
+  for (unsigned int i = 0; i < model.numbering.spatial_rotations().size(); ++i)
     system.rotations().set_values(entries, i, state.displacement);
   vectors.follow(state);
   EXPECT_EQ(vector_of(0), entries);

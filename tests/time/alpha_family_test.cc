@@ -38,9 +38,9 @@ namespace
       fill_by_place(of_scene.system, 0.9, to.residual);
     }
 
-    SystemOnRanks of_scene;
-    StateLayout   layout;
-    State         from, to;
+    EquationsOnRanks of_scene;
+    StateLayout      layout;
+    State            from, to;
   };
 
   // Some ten products of numbers up to 1000.

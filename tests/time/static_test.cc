@@ -22,10 +22,10 @@ namespace
       fill_by_place(of_scene.system, 0.2, increment);
     }
 
-    SystemOnRanks of_scene;
-    StateLayout   layout;
-    State         from, to;
-    Vector        increment;
+    EquationsOnRanks of_scene;
+    StateLayout      layout;
+    State            from, to;
+    Vector           increment;
   };
 } // namespace
 

@@ -35,7 +35,7 @@ namespace
                                     scheme.steps(O, O) +
                                       "  set Largest energy error = 1e30\n",
                                     mass_and_velocity(1, 1)));
-        const int i              = run.system.numbering().joint_unknown(0, 0);
+        const int i              = run.model.numbering.joint_unknown(0, 0);
         State    &state          = run.state;
         Vector   &a              = state.algorithmic_acceleration
                          ? *state.algorithmic_acceleration

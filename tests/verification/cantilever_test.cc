@@ -65,7 +65,9 @@ namespace
           EXPECT_NEAR(run.motion(1, auxfem::rotation_z), phi, 1e-9);
         });
         // Strain energy M^2 L / (2 EI)
-        EXPECT_NEAR(run.state.energies.strain, 4 * pi * pi, 1e-9 * 4 * pi * pi);
+        EXPECT_NEAR(run.state.energies.strain(),
+                    4 * pi * pi,
+                    1e-9 * 4 * pi * pi);
         EXPECT_NEAR(run.reaction("clamp", auxfem::rotation_z), -4 * pi, 1e-9);
       }
   }

@@ -127,7 +127,7 @@ TEST(CellConvergence, EnergyBalanceAtAFineStep)
           {
             largest_error =
               std::max(largest_error, std::abs(sample.energies.balance(0)));
-            work = std::max(work, std::abs(sample.energies.external));
+            work = std::max(work, std::abs(sample.energies.external()));
           }
         std::printf("| %u | %.0f us | %.2e |\n",
                     n,

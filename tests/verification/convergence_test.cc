@@ -52,13 +52,15 @@ namespace
   Error error_of(const SceneRun &run, const RodEquation &exact)
   {
     Error       error{0, 0};
-    const auto &elements = run.system.numbering().elements();
+    const auto &elements = run.model.numbering.elements();
     for (unsigned int e = 0; e < elements.size(); ++e)
       {
         const auto  &place  = elements[e].place;
         const double length = place.end - place.begin;
         const auto   points =
-          run.system.struts()->sample(run.state, e, n_intervals + 1);
+          run.equations.reporting().struts->sample(run.state,
+                                                   e,
+                                                   n_intervals + 1);
         for (unsigned int i = 0; i <= n_intervals; ++i)
           {
             const double s = place.begin + length * i / n_intervals;

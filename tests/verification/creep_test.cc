@@ -219,8 +219,8 @@ TEST(ConnectorCycle, HasTheMaterialsModuliAndLoss)
         const unsigned long last = (n_periods - 1) * steps_a_period;
         if (run.state.step == last)
           {
-            loss_before = run.state.energies.dissipated;
-            work_before = run.state.energies.external;
+            loss_before = run.state.energies.dissipated();
+            work_before = run.state.energies.external();
           }
         if (run.state.step <= last)
           return;
@@ -236,11 +236,11 @@ TEST(ConnectorCycle, HasTheMaterialsModuliAndLoss)
       table.relative(law.name + ", K'", in_phase, law.storage, allowed);
       table.relative(law.name + ", K''", out_of_phase, law.loss, allowed);
       table.relative(law.name + ", dissipated",
-                     run.state.energies.dissipated - loss_before,
+                     run.state.energies.dissipated() - loss_before,
                      loss,
                      allowed);
       table.relative(law.name + ", work of the drive",
-                     run.state.energies.external - work_before,
+                     run.state.energies.external() - work_before,
                      loss,
                      allowed);
     }

@@ -92,8 +92,8 @@ namespace
       if (std::abs(t - 5) < dt / 2)
         {
           course.angular_at_5 = now.angular;
-          course.kinetic_at_5 = run.state.energies.kinetic;
-          course.strain_at_5  = run.state.energies.strain;
+          course.kinetic_at_5 = run.state.energies.kinetic();
+          course.strain_at_5  = run.state.energies.strain();
         }
       if (t > 5 - dt / 2)
         {

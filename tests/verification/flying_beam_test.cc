@@ -148,10 +148,13 @@ TEST(FlyingBeam, FollowsTheReferenceAndKeepsItsMomenta)
     // Waves from the jumps of the load run to and fro between both.
     const Energies &energies = run.state.energies;
     table.row(label("kinetic energy, t", t),
-              energies.kinetic,
+              energies.kinetic(),
               moment->kinetic,
               1);
-    table.row(label("strain energy, t", t), energies.strain, moment->strain, 1);
+    table.row(label("strain energy, t", t),
+              energies.strain(),
+              moment->strain,
+              1);
     ++moment;
   });
   EXPECT_EQ(moment, expected.end());

@@ -18,14 +18,13 @@ namespace auxfem
                    const TangentFactors   &factors,
                    const std::vector<int> &unknowns)
     {
-      const State before = run.state;
-      const Step  step{before, run.state, 1};
-      run.system.begin_step(step);
-      run.system.residual(step);
-      const auto tangent = run.system.make_tangent();
-      run.system.tangent(step, factors, *tangent);
+      const State      before = run.state;
+      const Evaluation step   = Evaluation::step(before, run.state, 1);
+      run.residual(step);
+      const auto tangent = run.make_tangent();
+      run.tangent(step, factors, *tangent);
 
-      std::vector<int> place(run.system.numbering().n_owned(), -1);
+      std::vector<int> place(run.model.numbering.n_owned(), -1);
       for (unsigned int i = 0; i < unknowns.size(); ++i)
         place[unknowns[i]] = i;
       dealii::LAPACKFullMatrix<double> matrix(unknowns.size(), unknowns.size());
@@ -36,7 +35,7 @@ namespace auxfem
           int    *columns;
           tangent->matrix().ExtractMyRowView(unknowns[i], n, values, columns);
           for (int k = 0; k < n; ++k)
-            if (const int column = place[run.system.numbering().local_map().LID(
+            if (const int column = place[run.model.numbering.local_map().LID(
                   tangent->matrix().GCID(columns[k]))];
                 column >= 0)
               matrix(i, column) += values[k];

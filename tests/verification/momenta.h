@@ -20,12 +20,12 @@ namespace auxfem
     public:
       explicit MomentumMeter(SceneRun &run)
         : run(run)
-        , mass(run.system.make_tangent())
-        , momentum(run.system.numbering().owned_map())
+        , mass(run.make_tangent())
+        , momentum(run.model.numbering.owned_map())
         , unknowns(node_unknowns(run))
       {
         const State before = run.state;
-        run.system.tangent({before, run.state, 0}, {0, 0, 1}, *mass);
+        run.tangent({before, run.state, 0}, {0, 0, 1}, *mass);
       }
 
       Momenta operator()()

@@ -59,9 +59,9 @@ subsection Discretization
 
   /** Free unknowns but those along the bar, whose motion has no part in
    * bending. */
-  std::vector<int> bending_unknowns(const System &system)
+  std::vector<int> bending_unknowns(const LatticeModel &model)
   {
-    const DofNumbering &numbering = system.numbering();
+    const DofNumbering &numbering = model.numbering;
     std::vector<bool>   along(numbering.n_owned(), false);
     for (unsigned int e = 0; e < numbering.elements().size(); ++e)
       for (unsigned int node = 0; node <= numbering.order(); ++node)

@@ -45,12 +45,12 @@ namespace
         State             to = before;
         const QuasiStatic scheme;
         to.time = run.state.time;
-        const Step       step{before, to, to.time - before.time};
+        const Evaluation step =
+          Evaluation::step(before, to, to.time - before.time);
         NewtonParameters parameters;
         parameters.tolerance          = 1e-10;
         parameters.maximum_iterations = found.size() + 1;
         parameters.keep_factorization = false;
-        run.system.begin_step(step);
         result =
           Newton(run.system, parameters, run.scene.solver).solve(scheme, step);
         found.push_back({result.relative_residual, distance(to, run.state)});

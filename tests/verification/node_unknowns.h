@@ -20,7 +20,7 @@ namespace auxfem
     /** Nodes of all unknowns of the struts, by local number. */
     inline std::vector<NodeUnknown> node_unknowns(const SceneRun &run)
     {
-      const DofNumbering      &numbering = run.system.numbering();
+      const DofNumbering      &numbering = run.model.numbering;
       std::vector<NodeUnknown> result(numbering.n_local());
       const auto               nodes =
         dealii::FE_Q<1>(numbering.order()).get_unit_support_points();

@@ -70,7 +70,7 @@ namespace
     run.run();
     const dealii::Vector<double> x = law.exact.at(end_time, 0, 1);
     const double                 w = 10;
-    const int                    i = run.system.numbering().joint_unknown(0, 0);
+    const int                    i = run.model.numbering.joint_unknown(0, 0);
     const double                 a = (*run.state.acceleration)[i];
     return {std::hypot(run.motion(0, 0) - x(0),
                        (run.velocity(0, 0) - x(1)) / w),
@@ -80,7 +80,7 @@ namespace
   /** Starts from rest at the displacement @p u0, into which the connector was brought suddenly. */
   void release(SceneRun &run, const OneMass &exact, const double u0)
   {
-    const int i               = run.system.numbering().joint_unknown(0, 0);
+    const int i               = run.model.numbering.joint_unknown(0, 0);
     run.state.displacement[i] = u0;
     // The connector's extension is minus the displacement.
     double stiffness = exact.stiffness;
@@ -89,7 +89,7 @@ namespace
         run.state.history[e] = -exact.elements[e].first * u0;
         stiffness += exact.elements[e].first;
       }
-    run.state.energies.stored    = stiffness / 2 * u0 * u0;
+    run.state.energies.stored()  = stiffness / 2 * u0 * u0;
     (*run.state.acceleration)[i] = exact.acceleration(exact.at(0, u0, 0));
   }
 } // namespace

@@ -73,7 +73,7 @@ TEST(RigidAndElastic, ClampedPlateIsAMomentArm)
       const Tip    tip  = motion_of(run, 1);
       const double turn = is_linear
         ? tip[2]
-        : run.system.rigid_parts()->rotation(0, run.state)[2];
+        : run.equations.reporting().rigid_parts->rotation(0, run.state)[2];
       EXPECT_NEAR(turn, tip[2], 1e-12);
       EXPECT_GT(tip[2], 0.3);
 
@@ -141,8 +141,11 @@ TEST(RigidAndElastic, AHingedBeamPassesOnNoMoment)
   EXPECT_LT(reference.motion(1, rotation_z), -0.3);
   compare(table, motion_of(run, 1), motion_of(reference, 1));
   compare(table, motion_of(run, 2), motion_of(reference, 1));
-  EXPECT_NEAR(run.system.rigid_parts()->rotation(0, run.state)[2], 0, 1e-9);
-  const auto forces = run.system.rigid_parts()->report(0, run.state).forces;
+  EXPECT_NEAR(run.equations.reporting().rigid_parts->rotation(0, run.state)[2],
+              0,
+              1e-9);
+  const auto forces =
+    run.equations.reporting().rigid_parts->report(0, run.state).forces;
   // The load at joint 1 acts through it, too.
   table.row("force of joint 1 on the beam (N)", forces[0][0], 9, 1e-8);
   table.row("force of joint 2 on the beam (N)", forces[1][0], -9, 1e-8);

@@ -174,7 +174,7 @@ namespace
   {
     SceneRun       run(heavy_top(dt, end), overrides);
     HeavyTopErrors errors;
-    EXPECT_NEAR(run.state.energies.kinetic, 5435.696790866, 1e-8);
+    EXPECT_NEAR(run.state.energies.kinetic(), 5435.696790866, 1e-8);
     run.run([&] {
       const SpaceVector W = of_part(run, *run.state.velocity, 3);
       errors.spin         = std::max(errors.spin, std::abs(W[1] - 150));

@@ -75,14 +75,17 @@ namespace
 
     double transmitted() const
     {
-      return -run.system.connectors()[0]->report(0, run.state).force;
+      return -run.equations.reporting()
+                .connectors[0]
+                ->report(0, run.state)
+                .force;
     }
 
     /** Force joint @p name exerts on the rigid part of strut set @p bar. */
     SpaceVector hinge_force(const std::string &bar,
                             const std::string &name) const
     {
-      const RigidPartConditions &parts = *run.system.rigid_parts();
+      const RigidPartConditions &parts = *run.equations.reporting().rigid_parts;
       const unsigned int         strut = run.lattice.strut_sets.at(bar).front();
       for (unsigned int i = 0; i < parts.n_reported(); ++i)
         if (parts.part(i) == run.lattice.struts[strut].rigid_part)
@@ -99,7 +102,7 @@ namespace
     {
       return (
         *run.state
-           .acceleration)[run.system.numbering().joint_unknown(joint(name), i)];
+           .acceleration)[run.model.numbering.joint_unknown(joint(name), i)];
     }
 
     /** Largest change of a bar's length (m). */
@@ -158,7 +161,7 @@ namespace
     result.theta /= largest(reference, &CellSample::angle);
     result.f2 /= largest(reference, &CellSample::transmitted);
     result.balance =
-      std::abs(cell.run.balance()) / cell.run.state.energies.external;
+      std::abs(cell.run.balance()) / cell.run.state.energies.external();
     return result;
   }
 
@@ -393,7 +396,7 @@ namespace
         for (unsigned int i = 0; i < 4; ++i)
           sum += part.mass * shares[i] *
             (*run.state.acceleration)
-              [run.system.numbering().joint_unknown(part.joints[i / 2], i % 2)];
+              [run.model.numbering.joint_unknown(part.joints[i / 2], i % 2)];
       }
     return sum;
   }
@@ -403,8 +406,7 @@ TEST(RigidArrayVerification, SupportsAndLoadsBalanceTheInertiaOfAllParts)
 {
   SceneRun run(text_of("rigid-array.prm"));
   // Upper part, lower part and rod of 12 cells, less the 4 rods on the ground.
-  EXPECT_EQ(run.system.numbering().n_free() -
-              run.system.numbering().n_multipliers(),
+  EXPECT_EQ(run.model.numbering.n_free() - run.model.numbering.n_multipliers(),
             32u);
   run.run([&] {
     const double t = run.state.time, f1 = 2500 * std::pow(t / 0.05, 3);
@@ -413,7 +415,7 @@ TEST(RigidArrayVerification, SupportsAndLoadsBalanceTheInertiaOfAllParts)
                 vertical_inertia(run),
                 1e-6 * (1 + f1));
   });
-  EXPECT_LT(std::abs(run.balance()), 1e-6 * run.state.energies.external);
+  EXPECT_LT(std::abs(run.balance()), 1e-6 * run.state.energies.external());
 }
 
 TEST(RigidArrayVerification, IsOfSecondOrderInTime)
@@ -457,10 +459,11 @@ TEST(ElasticCellVerification, ThickStripsComeDownAsOneMass)
       decay *
         ((omega * B - delta * A) * std::cos(omega * t) -
          (omega * A + delta * B) * std::sin(omega * t));
-    const double f2  = K * y + C * v;
-    const double now = -run.system.connectors()[0]->report(0, run.state).force;
-    worst            = std::max(worst, std::abs(now - f2));
-    largest          = std::max(largest, f2);
+    const double f2 = K * y + C * v;
+    const double now =
+      -run.equations.reporting().connectors[0]->report(0, run.state).force;
+    worst   = std::max(worst, std::abs(now - f2));
+    largest = std::max(largest, f2);
   });
   std::cout << "f2 of 40 mm strips, off by " << worst << " of " << largest
             << " N\n";
@@ -471,7 +474,8 @@ TEST(ElasticCellVerification, ThinStripsBendAsTheDocumentationHasIt)
 {
   SceneRun run(text_of("elastic-cell.prm"));
   run.run();
-  EXPECT_NEAR(-run.system.connectors()[0]->report(0, run.state).force,
-              2369.93,
-              0.5);
+  EXPECT_NEAR(
+    -run.equations.reporting().connectors[0]->report(0, run.state).force,
+    2369.93,
+    0.5);
 }

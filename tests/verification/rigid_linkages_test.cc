@@ -91,7 +91,7 @@ namespace
       const unsigned long step = run.state.step;
       if (step % (3 * n) != 0)
         return;
-      const int unknown = run.system.numbering().joint_unknown(2, 0);
+      const int unknown = run.model.numbering.joint_unknown(2, 0);
       found.push_back({bx + run.motion(2, 0),
                        run.velocity(2, 0),
                        (*run.state.acceleration)[unknown]});

@@ -35,8 +35,8 @@ namespace
     SceneRun run(pendulum(dt, end));
     double   before = pi / 2, crossing = 0;
     run.run([&] {
-      const double now =
-        pi / 2 + run.system.rigid_parts()->rotation(0, run.state)[2];
+      const double now = pi / 2 +
+        run.equations.reporting().rigid_parts->rotation(0, run.state)[2];
       // The angle is nearly linear where it crosses zero.
       if (before > 0 && now <= 0)
         crossing = run.state.time - dt + dt * before / (before - now);
@@ -54,7 +54,7 @@ namespace
     SceneRun              run(pendulum(dt, end));
     std::array<double, 2> error = {{0, 0}};
     run.run([&] {
-      const auto  &parts = *run.system.rigid_parts();
+      const auto  &parts = *run.equations.reporting().rigid_parts;
       const double down  = -parts.rotation(0, run.state)[2];
       const auto   force = parts.report(0, run.state).forces[0];
       // Along the bar: m g sin + m w^2 L / 2, w^2 = 3 g sin / L; across it
@@ -77,7 +77,7 @@ namespace
   std::array<double, 3> momenta(const SceneRun &run)
   {
     const NaturalBody<2> body =
-      rigid_bodies(run.lattice, run.system.numbering()).in_plane.at(0);
+      rigid_bodies(run.lattice, run.model.numbering).in_plane.at(0);
     const RigidPart      &part = run.lattice.rigid_parts.at(0);
     std::array<double, 4> p    = {};
     for (unsigned int i = 0; i < 4; ++i)
@@ -184,8 +184,9 @@ namespace
       largest = std::max(largest, std::abs(error));
     };
     run.run([&] {
-      const double now = run.system.rigid_parts()->rotation(0, run.state)[2];
-      turned           = now + 2 * pi * std::round((turned - now) / (2 * pi));
+      const double now =
+        run.equations.reporting().rigid_parts->rotation(0, run.state)[2];
+      turned = now + 2 * pi * std::round((turned - now) / (2 * pi));
       // The trapezoidal rule turns a free body evenly.
       const double steps = run.state.step;
       note(errors.rotation,

@@ -50,8 +50,7 @@ namespace
       SpaceVector rotation;
       for (unsigned int c = 0; c < 3; ++c)
         rotation[c] =
-          rotations[run.system.numbering().joint_unknown(1,
-                                                         first_rotation + c)];
+          rotations[run.model.numbering.joint_unknown(1, first_rotation + c)];
       worst_rotation =
         std::max(worst_rotation, (rotation - angle * normal).norm());
     });
@@ -106,7 +105,7 @@ TEST(RollUp3d, TwoTurnsOfTwist)
   EXPECT_LT(run.displacement(1).norm(), 1e-10);
   for (unsigned int c = 0; c < 3; ++c)
     EXPECT_NEAR(
-      rotations[run.system.numbering().joint_unknown(1, first_rotation + c)],
+      rotations[run.model.numbering.joint_unknown(1, first_rotation + c)],
       4 * pi * axis[c],
       1e-9);
 }

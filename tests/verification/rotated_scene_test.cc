@@ -167,7 +167,7 @@ namespace
   /** Spatial vectors among the unknowns, by their first one. */
   std::vector<int> first_of_vectors(const SceneRun &run)
   {
-    const DofNumbering &dofs = run.system.numbering();
+    const DofNumbering &dofs = run.model.numbering;
     std::set<int>       firsts;
     for (unsigned int e = 0; e < dofs.elements().size(); ++e)
       for (unsigned int i = 0; i < 6 * (dofs.order() + 1); i += 3)
@@ -192,7 +192,7 @@ namespace
         };
         EXPECT_LT((at(turned) - rotated(rotation, at(reference))).norm(),
                   tolerance)
-          << run.system.numbering().describe(first);
+          << run.model.numbering.describe(first);
       }
   }
 

@@ -18,15 +18,15 @@ namespace auxfem
      */
     inline double smallest_eigenvalue(SceneRun &run)
     {
-      const State state = run.state;
-      const Step  step{state, run.state, 0};
-      run.system.residual(step);
-      const auto matrix = run.system.make_tangent();
-      run.system.tangent(step, {1, 0, 0}, *matrix);
+      const State      state = run.state;
+      const Evaluation step  = Evaluation::step(state, run.state, 0);
+      run.residual(step);
+      const auto matrix = run.make_tangent();
+      run.tangent(step, {1, 0, 0}, *matrix);
       LinearSolver solver(run.scene.solver, *matrix, run.system);
       solver.factorize();
 
-      const DofNumbering &numbering = run.system.numbering();
+      const DofNumbering &numbering = run.model.numbering;
       Epetra_Vector       vector(numbering.owned_map());
       std::mt19937        generator(1);
       for (unsigned int i = 0; i < numbering.n_owned(); ++i)

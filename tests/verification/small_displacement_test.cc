@@ -276,6 +276,6 @@ namespace
     EXPECT_NEAR(run.motion(2, 0), std::cos(angle) - 1, 2e-6);
     EXPECT_NEAR(run.motion(2, 1), std::sin(angle), 2e-6);
     EXPECT_NEAR(run.motion(2, auxfem::rotation_z), angle, 2e-6);
-    EXPECT_NEAR(run.state.energies.strain, spring / 2 * angle * angle, 1e-5);
+    EXPECT_NEAR(run.state.energies.strain(), spring / 2 * angle * angle, 1e-5);
   }
 } // namespace

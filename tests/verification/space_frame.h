@@ -53,14 +53,15 @@ namespace auxfem
       SpaceVector result;
       for (unsigned int c = 0; c < 3; ++c)
         result[c] =
-          vector[run.system.numbering().rigid_part_unknown(part, first + c)];
+          vector[run.model.numbering.rigid_part_unknown(part, first + c)];
       return result;
     }
 
     /** Rotation of rigid part 0. */
     inline Quaternion rotation_of_part(const SceneRun &run)
     {
-      return exponential(run.system.rigid_parts()->rotation(0, run.state));
+      return exponential(
+        run.equations.reporting().rigid_parts->rotation(0, run.state));
     }
   } // namespace testing_support
 } // namespace auxfem

@@ -57,7 +57,7 @@ namespace
     std::vector<std::string> dynamic = overrides;
     dynamic.push_back("Time/Scheme=newmark");
     SceneRun         run(oblique_bar(height), dynamic);
-    const auto      &dofs = run.system.numbering();
+    const auto      &dofs = run.model.numbering;
     std::vector<int> unknowns;
     for (unsigned int i = 0; i < dofs.n_owned(); ++i)
       if (dofs.kind(i) != UnknownKind::prescribed)

@@ -58,8 +58,9 @@ namespace
     SceneRun run(door(dt, end));
     double   before = 0, crossing = 0, across = 0;
     run.run([&] {
-      const SpaceVector turn = run.system.rigid_parts()->rotation(0, run.state);
-      const double      now  = std::abs(turn * axis);
+      const SpaceVector turn =
+        run.equations.reporting().rigid_parts->rotation(0, run.state);
+      const double now = std::abs(turn * axis);
       across = std::max(across, dealii::cross_product_3d(turn, axis).norm());
       if (before < pi / 2 && now >= pi / 2)
         crossing =
@@ -254,7 +255,8 @@ TEST(SpaceMechanisms, ASpatialFourBarLinkageFollowsItsClosedForm)
     rocker = linkage.rocker_angle(4 * (1 - std::cos(run.state.time)), rocker);
     travel = std::max(travel, std::abs(rocker));
     // Parts are in the order of their names.
-    const SpaceVector turn = run.system.rigid_parts()->rotation(2, run.state);
+    const SpaceVector turn =
+      run.equations.reporting().rigid_parts->rotation(2, run.state);
     error = std::max(error, (turn - rocker * linkage.hinge).norm());
   });
   ComparisonTable table("Crank, coupler and rocker in space, the crank turns "
@@ -279,7 +281,7 @@ TEST(SpaceMechanisms, TheCellOfRigidPartsMovesInSpaceAsInThePlane)
                   "Connectors/damper/Direction=0 -1 0"});
   double   difference = 0, out_of_plane = 0, rotation = 0;
   plane.run([&] {
-    space.stepper.advance(space.state);
+    space.advance();
     for (unsigned int joint = 0; joint < plane.lattice.joints.size(); ++joint)
       {
         for (unsigned int c = 0; c < 2; ++c)
@@ -288,10 +290,12 @@ TEST(SpaceMechanisms, TheCellOfRigidPartsMovesInSpaceAsInThePlane)
                      std::abs(plane.motion(joint, c) - space.motion(joint, c)));
         out_of_plane = std::max(out_of_plane, std::abs(space.motion(joint, 2)));
       }
-    for (unsigned int i = 0; i < space.system.rigid_parts()->n_reported(); ++i)
+    for (unsigned int i = 0;
+         i < space.equations.reporting().rigid_parts->n_reported();
+         ++i)
       {
         const SpaceVector turn =
-          space.system.rigid_parts()->rotation(i, space.state);
+          space.equations.reporting().rigid_parts->rotation(i, space.state);
         rotation = std::max(rotation, std::hypot(turn[0], turn[1]));
       }
   });

@@ -29,12 +29,12 @@ namespace auxfem
     public:
       explicit SpaceMomentumMeter(SceneRun &run)
         : run(run)
-        , mass(run.system.make_tangent())
-        , momentum(run.system.numbering().owned_map())
+        , mass(run.make_tangent())
+        , momentum(run.model.numbering.owned_map())
       {
         const State at_rest = run.state;
-        run.system.tangent({at_rest, run.state, 0}, {0, 0, 1}, *mass);
-        const DofNumbering &dofs = run.system.numbering();
+        run.tangent({at_rest, run.state, 0}, {0, 0, 1}, *mass);
+        const DofNumbering &dofs = run.model.numbering;
         const auto          points =
           dealii::FE_Q<1>(dofs.order()).get_unit_support_points();
         for (unsigned int e = 0; e < dofs.elements().size(); ++e)
@@ -55,7 +55,7 @@ namespace auxfem
       SpaceMomenta operator()()
       {
         mass->matrix().Multiply(false, *run.state.velocity, momentum);
-        const DofNumbering &dofs = run.system.numbering();
+        const DofNumbering &dofs = run.model.numbering;
         SpaceMomenta        sum;
         for (const auto &[first, position] : nodes)
           {

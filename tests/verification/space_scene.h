@@ -113,7 +113,7 @@ namespace auxfem
       /** Of a joint since rest. */
       const Quaternion &rotation(const unsigned int joint) const
       {
-        const DofNumbering &numbering = system.numbering();
+        const DofNumbering &numbering = model.numbering;
         return state.rotations.at(numbering.spatial_rotation(
           numbering.joint_unknown(joint, first_rotation)));
       }

@@ -46,8 +46,7 @@ namespace auxfem
     {
       SpaceVector values;
       for (unsigned int c = 0; c < 3; ++c)
-        values[c] =
-          vector[run.system.numbering().joint_unknown(joint, first + c)];
+        values[c] = vector[run.model.numbering.joint_unknown(joint, first + c)];
       return values;
     }
 
@@ -55,7 +54,7 @@ namespace auxfem
     inline Quaternion rotation_of_joint(const SceneRun    &run,
                                         const unsigned int joint)
     {
-      const DofNumbering &dofs = run.system.numbering();
+      const DofNumbering &dofs = run.model.numbering;
       return run.state.rotations[dofs.spatial_rotation(
         dofs.joint_unknown(joint, first_rotation))];
     }

@@ -93,6 +93,6 @@ TEST(ToggleStepLoad, ApexFollowsTheReference)
       EXPECT_EQ(next, times.size());
       // Undamped: what the load does stays in the frame. Second order in dt;
       // axial waves of the step load (0.26 ms a period) are the least resolved.
-      EXPECT_NEAR(run.balance() / run.state.energies.external, 0, 1e-3);
+      EXPECT_NEAR(run.balance() / run.state.energies.external(), 0, 1e-3);
     }
 }

@@ -2,6 +2,7 @@
 #define auxfem_output_history_h
 
 #include <auxfem/equations/equations.h>
+#include <auxfem/equations/solution.h>
 #include <auxfem/output/effective_strains.h>
 #include <auxfem/output/energy_record.h>
 #include <auxfem/output/rigid_part_probe.h>

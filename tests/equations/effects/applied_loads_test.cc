@@ -19,7 +19,7 @@ namespace
     explicit LoadsAlone(const bool raised_from_zero = false)
       : of_scene(frame_scene("0 0; 1 0", "0 1", ""), {}, MPI_COMM_SELF)
       , loads(of_scene.dofs(), raised_from_zero)
-      , from(of_scene.system.initial_state())
+      , from(of_scene.equations.initial_state())
       , to(from)
     {
       const unsigned int growing = loads.add_load(course("3 * t"));
@@ -30,9 +30,9 @@ namespace
       to.time   = 1.5;
     }
 
-    SystemOnRanks of_scene;
-    AppliedLoads  loads;
-    State         from, to;
+    EquationsOnRanks of_scene;
+    AppliedLoads     loads;
+    State            from, to;
   };
 } // namespace
 
@@ -40,7 +40,7 @@ TEST(AppliedLoads, ResidualIsMinusTheForceAtTheEndOfTheStep)
 {
   LoadsAlone          applied;
   std::vector<double> residual(applied.of_scene.dofs().n_local(), 0.);
-  const Step          step{applied.from, applied.to, 1.};
+  const Evaluation    step = Evaluation::step(applied.from, applied.to, 1.);
   applied.loads.begin_step(step);
   applied.loads.add_residual(step, residual.data());
   for (unsigned int i = 0; i < residual.size(); ++i)
@@ -49,8 +49,8 @@ TEST(AppliedLoads, ResidualIsMinusTheForceAtTheEndOfTheStep)
 
 TEST(AppliedLoads, WorkIsTheMeanForceTimesTheDisplacement)
 {
-  LoadsAlone applied;
-  const Step step{applied.from, applied.to, 1.};
+  LoadsAlone       applied;
+  const Evaluation step        = Evaluation::step(applied.from, applied.to, 1.);
   applied.from.displacement[1] = 0.25;
   applied.to.displacement[1]   = 0.75;
   applied.to.displacement[2]   = 0.125;
@@ -65,9 +65,9 @@ TEST(AppliedLoads, LoadsRaisedFromZeroDoLessWorkInTheFirstStep)
 {
   for (const bool raised : {false, true})
     {
-      LoadsAlone applied(raised);
-      const Step step{applied.from, applied.to, 1.};
-      applied.from.time          = 0;
+      LoadsAlone       applied(raised);
+      const Evaluation step = Evaluation::step(applied.from, applied.to, 1.);
+      applied.from.time     = 0;
       applied.to.displacement[2] = 0.125;
       applied.loads.begin_step(step);
       applied.loads.accept(step);

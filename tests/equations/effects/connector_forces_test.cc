@@ -95,7 +95,7 @@ namespace
     const std::vector<double> &evaluate()
     {
       std::fill(residual.begin(), residual.end(), 0.);
-      const Step step{from, to, dt};
+      const Evaluation step = Evaluation::step(from, to, dt);
       forces.begin_step(step);
       forces.add_residual(step, residual.data());
       return residual;
@@ -113,7 +113,7 @@ namespace
     }
 
     double              dt = 0.5;
-    SystemOnRanks       of_scene;
+    EquationsOnRanks    of_scene;
     StateLayout         layout;
     ConnectorForces     forces;
     State               from, to;
@@ -355,19 +355,19 @@ TEST(ConnectorForces, AcceptedStepsKnowStoredAndLostEnergy)
   connector.forces.accept({connector.from, connector.to, connector.dt});
   Energies energies;
   connector.forces.add_energies(connector.to, energies);
-  EXPECT_NEAR(energies.stored, 2. / 2 * extension * extension, round_off);
-  EXPECT_NEAR(energies.dissipated, 3 * rate * extension, round_off);
+  EXPECT_NEAR(energies.stored(), 2. / 2 * extension * extension, round_off);
+  EXPECT_NEAR(energies.dissipated(), 3 * rate * extension, round_off);
   EXPECT_NEAR(connector.report().dissipated, 3 * rate * extension, round_off);
-  EXPECT_EQ(energies.strain, 0.);
+  EXPECT_EQ(energies.strain(), 0.);
 }
 
 TEST(ConnectorForces, ALineOfLengthZeroIsRefused)
 {
   const std::string message = input_error_of([] {
     // Two joints at one place, not connected by a strut.
-    SystemOnRanks(with_connector(spring, "set Between = 1 3\n"),
-                  {"Lattice/Joints=0 0; 3 4; 1 6; 3 4",
-                   "Lattice/Struts=0 1; 2 3"});
+    EquationsOnRanks(with_connector(spring, "set Between = 1 3\n"),
+                     {"Lattice/Joints=0 0; 3 4; 1 6; 3 4",
+                      "Lattice/Struts=0 1; 2 3"});
   });
   EXPECT_TRUE(contains(message, "Connectors/one")) << message;
   EXPECT_TRUE(contains(message, "joint 1")) << message;

@@ -55,13 +55,13 @@ TEST(FollowingLoads, TurnWithTheJointInSpace)
 
 TEST(FollowingLoads, TurnWithTheJointInThePlane)
 {
-  const SystemOnRanks of_scene(frame_scene("0 0; 1 0", "0 1", ""),
-                               {},
-                               MPI_COMM_SELF);
-  const auto         &dofs = of_scene.dofs();
-  FollowingLoads      loads(of_scene.lattice, dofs, false);
+  const EquationsOnRanks of_scene(frame_scene("0 0; 1 0", "0 1", ""),
+                                  {},
+                                  MPI_COMM_SELF);
+  const auto            &dofs = of_scene.dofs();
+  FollowingLoads         loads(of_scene.lattice, dofs, false);
   loads.add(components(of_scene.scene.context), 1);
-  State        from = of_scene.system.initial_state(), to = from;
+  State        from = of_scene.equations.initial_state(), to = from;
   const double angle                                 = 0.7;
   to.displacement[dofs.joint_unknown(1, rotation_z)] = angle;
   std::vector<double> rows(dofs.n_local(), 0.);
@@ -89,7 +89,7 @@ TEST(FollowingLoads, WorkOfASmallStepIsThatOfTheLoadAlongIt)
   one.from         = one.to;
   one.to           = one.moved(one.irregular(2.2), 1e-4);
   // `moved` counts turns from the state before.
-  const Step step{one.from, one.to, 1.};
+  const Evaluation step = Evaluation::step(one.from, one.to, 1.);
   one.rotations.follow(step);
   one.loads.begin_step(step);
   const std::vector<double> rows = one.residual(one.loads, one.to, 1.);

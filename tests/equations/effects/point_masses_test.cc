@@ -17,7 +17,7 @@ namespace
       , y(of_scene.dofs().joint_unknown(1, 1))
       , turn(of_scene.dofs().joint_unknown(1, rotation_z))
       , masses(of_scene.dofs())
-      , from(of_scene.system.initial_state())
+      , from(of_scene.equations.initial_state())
       , to(from)
     {
       masses.add(y, 2.);
@@ -26,10 +26,10 @@ namespace
       fill_by_place(of_scene.system, 4., *to.acceleration);
     }
 
-    SystemOnRanks of_scene;
-    int           y, turn;
-    PointMasses   masses;
-    State         from, to;
+    EquationsOnRanks of_scene;
+    int              y, turn;
+    PointMasses      masses;
+    State            from, to;
   };
 } // namespace
 
@@ -52,7 +52,7 @@ TEST(PointMasses, KineticEnergyIsThatOfTheMass)
   const double v     = (*one.to.velocity)[one.y],
                omega = (*one.to.velocity)[one.turn];
   one.masses.add_energies(one.to, energies);
-  EXPECT_DOUBLE_EQ(energies.kinetic, v * v + 2.5 * omega * omega);
+  EXPECT_DOUBLE_EQ(energies.kinetic(), v * v + 2.5 * omega * omega);
 }
 
 TEST(PointMasses, TangentHasTheMassOnItsDiagonal)

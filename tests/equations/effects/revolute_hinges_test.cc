@@ -58,8 +58,8 @@ namespace
 
 TEST(RevoluteHinges, EveryReleasedStrutHasTwoConditions)
 {
-  const SystemOnRanks of_scene(forked, {}, MPI_COMM_SELF);
-  const auto         &dofs = of_scene.dofs();
+  const EquationsOnRanks of_scene(forked, {}, MPI_COMM_SELF);
+  const auto            &dofs = of_scene.dofs();
   EXPECT_EQ(dofs.n_multipliers(), 4u);
   EXPECT_TRUE(of_scene.system.has_conditions());
   EXPECT_EQ(dofs.describe(dofs.hinge_multiplier(1, 0)),
@@ -109,7 +109,7 @@ TEST(RevoluteHinges, AStrutTurnsAboutTheAxisAlone)
   SceneRun run(space_frame("0 0 0; 1 0 0; 2 0 0", "0 1; 1 2", further),
                {"Discretization/Order=3"});
   run.run();
-  const auto &dofs = run.system.numbering();
+  const auto &dofs = run.model.numbering;
   // The strut without hinge: F L^3 / (3 EI) + F L / (kGA).
   const double pi = std::acos(-1.), EI = 1000 * pi * 1e-4 / 4,
                kGA = 0.9 * pi * 1e-2 * 1000 / 2.6;
@@ -127,7 +127,7 @@ TEST(RevoluteHinges, AStrutTurnsAboutTheAxisAlone)
 TEST(RevoluteHinges, ABarHasNoRotationToBeHinged)
 {
   const std::string message = input_error_of([] {
-    const SystemOnRanks of_scene(
+    const EquationsOnRanks of_scene(
       space_frame("0 0 0; 1 0 0; 2 0 0",
                   "0 1; 1 2",
                   "subsection Rigid parts\n  subsection bar\n"

@@ -39,7 +39,7 @@ namespace
                    large_rotation,
                    {})
       , matrix(of_scene.dofs())
-      , from(of_scene.system.initial_state())
+      , from(of_scene.equations.initial_state())
       , to(from)
       , n(of_scene.dofs().n_unknowns())
     {
@@ -103,7 +103,7 @@ namespace
         to.displacement[i] += size * direction[i];
     }
 
-    SystemOnRanks       of_scene;
+    EquationsOnRanks    of_scene;
     RigidPartConditions conditions;
     TangentMatrix       matrix;
     State               from, to;
@@ -292,7 +292,8 @@ TEST(RigidPartConditions, RatesAreThoseOfTheConditions)
 TEST(RigidPartConditions, AHangingBarIsHeldByItsWeight)
 {
   const SceneRun        run(bar("0 -2", pivot + gravity));
-  const RigidPartReport report = run.system.rigid_parts()->report(0, run.state);
+  const RigidPartReport report =
+    run.equations.reporting().rigid_parts->report(0, run.state);
   ASSERT_EQ(report.forces.size(), 2u);
   EXPECT_NEAR(report.forces[0][0], 0, 1e-13);
   EXPECT_NEAR(report.forces[0][1], 3 * 9.81, 1e-13);
@@ -304,7 +305,8 @@ TEST(RigidPartConditions, AHorizontalBarFallsOffItsHinge)
 {
   // Released: angular acceleration 3 g / (2 L), hinge force m g / 4.
   const SceneRun        run(bar("2 0", pivot + gravity));
-  const RigidPartReport report = run.system.rigid_parts()->report(0, run.state);
+  const RigidPartReport report =
+    run.equations.reporting().rigid_parts->report(0, run.state);
   EXPECT_NEAR(report.forces[0][0], 0, 1e-13);
   EXPECT_NEAR(report.forces[0][1], 3 * 9.81 / 4, 1e-13);
   EXPECT_NEAR(report.forces[1].norm(), 0, 1e-13);
@@ -322,12 +324,13 @@ TEST(RigidPartConditions, ATurningBarIsHeldByTheCentripetalForce)
                                   "    set Angular velocity z = 5\n"
                                   "  end\n"
                                   "end\n"));
-  const RigidPartReport report = run.system.rigid_parts()->report(0, run.state);
+  const RigidPartReport report =
+    run.equations.reporting().rigid_parts->report(0, run.state);
   EXPECT_NEAR(report.forces[0][0], -3 * 25., 1e-12);
   EXPECT_NEAR(report.forces[0][1], 0, 1e-12);
   EXPECT_NEAR(report.forces[1].norm(), 0, 1e-12);
-  EXPECT_NEAR(run.system.rigid_parts()
-                ->motion(0, run.lattice.joints[1], run.state)
+  EXPECT_NEAR(run.equations.reporting()
+                .rigid_parts->motion(0, run.lattice.joints[1], run.state)
                 .velocity[1],
               10,
               1e-14);

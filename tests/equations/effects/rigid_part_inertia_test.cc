@@ -25,7 +25,7 @@ namespace
                  MPI_COMM_SELF)
       , part(of_scene.lattice.rigid_parts.at(0))
       , inertia(rigid_bodies(of_scene.lattice, of_scene.dofs()))
-      , from(of_scene.system.initial_state())
+      , from(of_scene.equations.initial_state())
       , to(from)
     {}
 
@@ -45,7 +45,7 @@ namespace
         }
     }
 
-    SystemOnRanks    of_scene;
+    EquationsOnRanks of_scene;
     const RigidPart &part;
     RigidPartInertia inertia;
     State            from, to;
@@ -86,7 +86,7 @@ TEST(RigidPartInertia, KineticEnergyIsThatOfTheRigidBody)
   Energies energies;
   L.inertia.add_energies(L.to, energies);
   const double arm = L.part.centre_of_mass.distance_square({-1, 2, 0});
-  EXPECT_NEAR(energies.kinetic,
+  EXPECT_NEAR(energies.kinetic(),
               (4 * arm + L.part.rotary_inertia[2][2]) * 1.5 * 1.5 / 2,
               1e-12);
 }

@@ -16,7 +16,7 @@ namespace
       , first(of_scene.dofs().joint_unknown(0, rotation_z))
       , second(of_scene.dofs().joint_unknown(1, rotation_z))
       , springs(of_scene.dofs())
-      , from(of_scene.system.initial_state())
+      , from(of_scene.equations.initial_state())
       , to(from)
     {
       springs.add(first, second, 3.);
@@ -24,7 +24,7 @@ namespace
       to.displacement[second] = 20.75;
     }
 
-    SystemOnRanks     of_scene;
+    EquationsOnRanks  of_scene;
     int               first, second;
     RotationalSprings springs;
     State             from, to;
@@ -51,7 +51,7 @@ TEST(RotationalSprings, EnergyIsHalfOfMomentTimesRotation)
   SpringAlone one;
   Energies    energies;
   one.springs.add_energies(one.to, energies);
-  EXPECT_EQ(energies.strain, 1.5 * 20.5 * 20.5);
+  EXPECT_EQ(energies.strain(), 1.5 * 20.5 * 20.5);
 }
 
 TEST(RotationalSprings, TangentIsTheStiffnessTimesItsFactor)

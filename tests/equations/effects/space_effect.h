@@ -46,7 +46,7 @@ end
                      : std::vector<std::string>{"Effects/Large rotation=off"},
                    MPI_COMM_SELF)
         , rotations(of_scene.dofs())
-        , from(of_scene.system.initial_state())
+        , from(of_scene.equations.initial_state())
         , to(from)
         , n(of_scene.dofs().n_unknowns())
       {
@@ -190,7 +190,7 @@ end
             EXPECT_EQ(rates[i], 0);
       }
 
-      SystemOnRanks       of_scene;
+      EquationsOnRanks    of_scene;
       const NodeRotations rotations;
       State               from, to;
       const unsigned int  n;

@@ -45,7 +45,7 @@ end
                     large_rotation)
     {
       // Nodes of a strut must stay within half a turn of their neighbours.
-      State near      = of_scene.system.initial_state();
+      State near      = of_scene.equations.initial_state();
       to.displacement = near.displacement;
       to.rotations    = near.rotations;
       to              = moved(irregular(0.4), 0.4);
@@ -56,7 +56,7 @@ end
     {
       return StrutForces::make(of_scene.lattice,
                                of_scene.dofs(),
-                               of_scene.system.sections(),
+                               of_scene.model.sections,
                                {large_rotation, true, damping});
     }
 
@@ -65,7 +65,7 @@ end
     {
       return make_strut_inertia(of_scene.lattice,
                                 of_scene.dofs(),
-                                of_scene.system.sections(),
+                                of_scene.model.sections,
                                 {large_rotation, true, damping});
     }
   };
@@ -114,7 +114,7 @@ TEST(SpaceStruts, InertiaHasThePowerOfItsKineticEnergy)
         state.velocity->Update(time, *struts.to.acceleration, 1.);
         Energies energies;
         inertia->add_energies(state, energies);
-        return energies.kinetic;
+        return energies.kinetic();
       };
       // Moments are in the global frame, angular velocities material.
       Vector velocity = *struts.to.velocity;

@@ -26,9 +26,9 @@ namespace
       : of_scene(text, overrides, MPI_COMM_SELF)
       , inertia(make_strut_inertia(of_scene.lattice,
                                    of_scene.dofs(),
-                                   of_scene.system.sections(),
+                                   of_scene.model.sections,
                                    {/*large_rotation=*/true, rotary, damping}))
-      , from(of_scene.system.initial_state())
+      , from(of_scene.equations.initial_state())
       , to(from)
       , residual(of_scene.dofs().n_local(), 0.)
     {}
@@ -47,7 +47,7 @@ namespace
         }
     }
 
-    SystemOnRanks           of_scene;
+    EquationsOnRanks        of_scene;
     std::unique_ptr<Effect> inertia;
     State                   from, to;
     std::vector<double>     residual;
@@ -67,7 +67,7 @@ TEST(StrutInertia, KineticEnergyOfATurningStrutIsExact)
       Energies energies;
       one.inertia->add_energies(one.to, energies);
       // Some 50 roundings.
-      EXPECT_NEAR(energies.kinetic, 0.5 * moment * 4, 1e-14 * 100 * moment);
+      EXPECT_NEAR(energies.kinetic(), 0.5 * moment * 4, 1e-14 * 100 * moment);
     }
 }
 
@@ -97,7 +97,7 @@ TEST(StrutInertia, RotaryInertiaCanBeLeftOut)
   one.turn(2., *one.to.velocity);
   Energies energies;
   one.inertia->add_energies(one.to, energies);
-  EXPECT_NEAR(energies.kinetic, 0.5 * mass_per_length * 125. / 3 * 4, 1e-11);
+  EXPECT_NEAR(energies.kinetic(), 0.5 * mass_per_length * 125. / 3 * 4, 1e-11);
 }
 
 TEST(StrutInertia, MassProportionalDampingIsAForceOnTheVelocity)
@@ -124,6 +124,6 @@ TEST(StrutInertia, MassProportionalDampingIsAForceOnTheVelocity)
   by_velocity.inertia->add_energies(by_velocity.to, energies);
   by_velocity.inertia->accept({by_velocity.from, by_velocity.to, 1.});
   EXPECT_NEAR(by_velocity.to.strut_damping_power,
-              2 * 0.7 * energies.kinetic,
+              2 * 0.7 * energies.kinetic(),
               1e-13);
 }

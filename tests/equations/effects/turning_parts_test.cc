@@ -55,7 +55,7 @@ namespace
 
 TEST(TurningParts, ConditionsAreThreeAJointAndThoseOfABar)
 {
-  const SystemOnRanks of_scene(body_and_bar, {}, MPI_COMM_SELF);
+  const EquationsOnRanks of_scene(body_and_bar, {}, MPI_COMM_SELF);
   EXPECT_TRUE(of_scene.lattice.rigid_parts.at(0).has_rotation);
   EXPECT_FALSE(of_scene.lattice.rigid_parts.at(1).has_rotation);
   EXPECT_EQ(of_scene.dofs().n_multipliers(0), 12u);
@@ -65,8 +65,8 @@ TEST(TurningParts, ConditionsAreThreeAJointAndThoseOfABar)
 
 TEST(TurningParts, ClampedStrutsHaveTheRotationOfTheBody)
 {
-  const SystemOnRanks of_scene(body_and_bar, {}, MPI_COMM_SELF);
-  const auto         &dofs = of_scene.dofs();
+  const EquationsOnRanks of_scene(body_and_bar, {}, MPI_COMM_SELF);
+  const auto            &dofs = of_scene.dofs();
   for (unsigned int c = 3; c < 6; ++c)
     {
       EXPECT_EQ(dofs.end_rotation(3, 0, c), dofs.rigid_part_unknown(0, c));
@@ -147,7 +147,8 @@ TEST(TurningParts, AHangingBodyIsHeldByItsWeight)
     "subsection Time\n  set Scheme = static\n  set End time = 1\n"
     "  set Time step = 1\nend\n");
   run.run();
-  const auto   report  = run.system.rigid_parts()->report(0, run.state);
+  const auto report =
+    run.equations.reporting().rigid_parts->report(0, run.state);
   const auto  &part    = run.lattice.rigid_parts[0];
   const double lengths = std::sqrt(2.) + 2 * std::sqrt(3.);
   // Moments about y: the centre of mass is at x = (sqrt 2 - 2 sqrt 3) / 2 of
@@ -185,7 +186,7 @@ TEST(TurningParts, LoadsOnRigidStrutsAndMomentsActAtTheirPlace)
                         "subsection Time\n  set End time = 1\n"
                         "  set Time step = 0.1\nend\n",
                    {std::string("Effects/Large rotation=") + large_rotation});
-      const auto &dofs = run.system.numbering();
+      const auto &dofs = run.model.numbering;
       const auto &part = run.lattice.rigid_parts[0];
       // The resultant of 12 N acts at (2, 0.5).
       const double x          = 2 - part.centre_of_mass[0],
@@ -203,7 +204,7 @@ TEST(TurningParts, LoadsOnRigidStrutsAndMomentsActAtTheirPlace)
 TEST(TurningParts, TwoClampingBodiesAtAJointAreRefused)
 {
   const std::string message = input_error_of([] {
-    const SystemOnRanks of_scene(
+    const EquationsOnRanks of_scene(
       space_frame("0 0 0; 1 0 0; 2 0 1; 1 1 0",
                   "0 1; 1 2; 1 3",
                   rigid("0", 1, clamped) +
