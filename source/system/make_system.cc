@@ -93,10 +93,8 @@ namespace auxfem
                               std::vector<JointRelease> &releases,
                               const MPI_Comm             communicator)
   {
-    mesh = std::make_unique<StrutMesh>(graph,
-                                       scene.discretization.refinements,
-                                       communicator);
-    Ties ties;
+    const StrutMesh mesh(graph, scene.discretization.refinements, communicator);
+    Ties            ties;
     ties.released.assign(graph.struts.size(), {{false, false}});
     couple(releases, graph, ties);
     for (const ConnectorDefinition &definition : scene.connectors)
@@ -109,7 +107,7 @@ namespace auxfem
         ties.connected.insert(ties.connected.end(), pairs.begin(), pairs.end());
       }
     dofs           = std::make_unique<DofNumbering>(graph,
-                                          *mesh,
+                                          mesh,
                                           scene.discretization.order,
                                           ties,
                                           communicator);

@@ -200,7 +200,6 @@ namespace auxfem
 
     const Lattice                       &graph;
     SimulatedEffects                     simulated;
-    std::unique_ptr<StrutMesh>           mesh;
     std::unique_ptr<DofNumbering>        dofs;
     std::unique_ptr<NodeRotations>       node_rotations;
     std::vector<std::unique_ptr<Effect>> effects;
