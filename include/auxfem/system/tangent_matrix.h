@@ -27,7 +27,10 @@ namespace auxfem
      */
     std::size_t register_block(const int *unknowns, unsigned int n);
 
-    /** Makes the pattern. No block can be registered afterwards. */
+    /**
+     * Makes the pattern. No block can be registered afterwards. Throws
+     * InputError if the rows of a rank have more entries than an int can count.
+     */
     void finalize();
 
     /** All entries zero, identity in prescribed rows. */
@@ -50,6 +53,37 @@ namespace auxfem
     std::vector<double> row_sizes() const;
 
   private:
+    /** A row of a block. */
+    struct BlockRow
+    {
+      unsigned int block;
+      unsigned int row;
+    };
+
+    /** The rows of blocks that are added to each owned row of the matrix. */
+    class BlockRows
+    {
+    public:
+      explicit BlockRows(const TangentMatrix &matrix);
+
+      const BlockRow *begin(const unsigned int owned) const
+      {
+        return rows.data() + begins[owned];
+      }
+
+      const BlockRow *end(const unsigned int owned) const
+      {
+        return rows.data() + begins[owned + 1];
+      }
+
+    private:
+      std::vector<std::size_t> begins;
+      std::vector<BlockRow>    rows;
+    };
+
+    void make_matrix(const BlockRows &blocks);
+    void find_positions(const BlockRows &blocks);
+
     const DofNumbering &numbering;
 
     /** Unknowns of all blocks; emptied by finalize(). */
