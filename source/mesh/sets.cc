@@ -9,6 +9,8 @@
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
+#include <functional>
+#include <limits>
 #include <sstream>
 
 namespace auxfem
@@ -44,15 +46,6 @@ namespace auxfem
       return names.size() > limit ? text + ", ..." : text;
     }
 
-    std::vector<dealii::Point<3>> middles_of_struts(const Lattice &lattice)
-    {
-      std::vector<dealii::Point<3>> middles(lattice.struts.size());
-      dealii::Tensor<1, 3>          tangent;
-      for (std::size_t i = 0; i < middles.size(); ++i)
-        lattice.axis(lattice.struts[i], 0.5, middles[i], tangent);
-      return middles;
-    }
-
     /**
      * Selects things that have a number, a place and named sets: joints, or
      * struts at their middles.
@@ -60,15 +53,20 @@ namespace auxfem
     class Selector
     {
     public:
+      /** Place of a thing by its number (m). */
+      using Places = std::function<dealii::Point<3>(unsigned int)>;
+
       Selector(const std::string                    &noun,
                const std::map<std::string, Indices> &sets,
-               const std::vector<dealii::Point<3>>  &places,
+               const unsigned int                    n_things,
+               const Places                         &place_of,
                const Lattice                        &lattice,
                const SceneContext                   &context,
                const std::string                    &path)
         : noun(noun)
         , sets(sets)
-        , places(places)
+        , n_things(n_things)
+        , place_of(place_of)
         , lattice(lattice)
         , context(context)
         , path(path)
@@ -125,11 +123,11 @@ namespace auxfem
           throw InputError(path + ": " + quoted(word) + " in " + quoted(text) +
                            " is not the number of a " + noun + ". " +
                            allowed());
-        if (*index >= places.size())
-          throw InputError(
-            path + ": there is no " + noun + " " + trim(word) +
-            ". The lattice has " + std::to_string(places.size()) + " " + noun +
-            "s, numbered from 0 to " + std::to_string(places.size() - 1) + ".");
+        if (*index >= n_things)
+          throw InputError(path + ": there is no " + noun + " " + trim(word) +
+                           ". The lattice has " + std::to_string(n_things) +
+                           " " + noun + "s, numbered from 0 to " +
+                           std::to_string(n_things - 1) + ".");
         return *index;
       }
 
@@ -154,8 +152,8 @@ namespace auxfem
       {
         Condition condition(text, lattice, context, path);
         Indices   result;
-        for (unsigned int i = 0; i < places.size(); ++i)
-          if (condition.holds_at(places[i]))
+        for (unsigned int i = 0; i < n_things; ++i)
+          if (condition.holds_at(place_of(i)))
             result.push_back(i);
         return result;
       }
@@ -168,12 +166,16 @@ namespace auxfem
                            " in " + quoted(text) + " is not known. " +
                            allowed());
         const dealii::Point<3> place = read_place(text.substr(colon + 1), text);
-        const auto             closer = [&place](const auto &a, const auto &b) {
-          return place.distance_square(a) < place.distance_square(b);
-        };
-        const auto found =
-          std::min_element(places.begin(), places.end(), closer);
-        return {static_cast<unsigned int>(found - places.begin())};
+        unsigned int           found = 0;
+        double                 shortest = std::numeric_limits<double>::max();
+        for (unsigned int i = 0; i < n_things; ++i)
+          if (const double distance = place.distance_square(place_of(i));
+              distance < shortest)
+            {
+              shortest = distance;
+              found    = i;
+            }
+        return {found};
       }
 
       dealii::Point<3> read_place(const std::string &list,
@@ -224,7 +226,8 @@ namespace auxfem
 
       const std::string                     noun;
       const std::map<std::string, Indices> &sets;
-      const std::vector<dealii::Point<3>>  &places;
+      const unsigned int                    n_things;
+      const Places                          place_of;
       const Lattice                        &lattice;
       const SceneContext                   &context;
       const std::string                    &path;
@@ -297,12 +300,14 @@ namespace auxfem
                                           const SceneContext &context,
                                           const std::string  &path)
   {
-    return Selector("joint",
-                    lattice.joint_sets,
-                    lattice.joints,
-                    lattice,
-                    context,
-                    path)
+    return Selector(
+             "joint",
+             lattice.joint_sets,
+             lattice.joints.size(),
+             [&](const unsigned int i) { return lattice.joints[i]; },
+             lattice,
+             context,
+             path)
       .select(text);
   }
 
@@ -311,10 +316,16 @@ namespace auxfem
                                           const SceneContext &context,
                                           const std::string  &path)
   {
-    const auto middles = middles_of_struts(lattice);
+    const auto middle = [&](const unsigned int i) {
+      dealii::Point<3>     place;
+      dealii::Tensor<1, 3> tangent;
+      lattice.axis(lattice.struts[i], 0.5, place, tangent);
+      return place;
+    };
     return Selector("strut",
                     lattice.strut_sets,
-                    middles,
+                    lattice.struts.size(),
+                    middle,
                     lattice,
                     context,
                     path)

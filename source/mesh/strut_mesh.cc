@@ -8,27 +8,6 @@
 
 namespace auxfem
 {
-  using Mesh = dealii::parallel::shared::Triangulation<1, 3>;
-
-  namespace
-  {
-    void collect_places(const Mesh::cell_iterator     &cell,
-                        const StrutMesh::Place        &place,
-                        std::vector<StrutMesh::Place> &places)
-    {
-      if (cell->is_active())
-        {
-          places[cell->active_cell_index()] = place;
-          return;
-        }
-      const double middle = (place.begin + place.end) / 2;
-      collect_places(cell->child(0),
-                     {place.strut, place.begin, middle},
-                     places);
-      collect_places(cell->child(1), {place.strut, middle, place.end}, places);
-    }
-  } // namespace
-
   std::vector<unsigned int> partition_struts(const Lattice     &lattice,
                                              const unsigned int n_ranks)
   {
@@ -67,9 +46,9 @@ namespace auxfem
                        const unsigned int refinements,
                        const MPI_Comm     communicator)
     : mesh(communicator,
-           Mesh::none,
+           Triangulation::none,
            /*allow_artificial_cells=*/false,
-           Mesh::partition_custom_signal)
+           Triangulation::partition_custom_signal)
     , ranks(
         partition_struts(lattice,
                          dealii::Utilities::MPI::n_mpi_processes(communicator)))
@@ -81,41 +60,38 @@ namespace auxfem
     mesh.signals.create.connect(assign_ranks);
     mesh.signals.post_refinement.connect(assign_ranks);
 
-    std::vector<dealii::Point<3>>    vertices;
+    // Not a mesh in space: in Triangulation<1, 3> deal.II searches all cells
+    // for the next chain once for each of them.
+    std::vector<dealii::Point<1>>    vertices;
     std::vector<dealii::CellData<1>> cells;
     vertices.reserve(2 * lattice.struts.size());
     cells.reserve(lattice.struts.size());
-    for (unsigned int number = 0; number < lattice.struts.size(); ++number)
+    for (unsigned int strut = 0; strut < lattice.struts.size(); ++strut)
       {
-        const Strut &strut = lattice.struts[number];
-        if (strut.is_rigid())
+        if (lattice.struts[strut].is_rigid())
           continue;
         dealii::CellData<1> cell;
         cell.vertices    = {static_cast<unsigned int>(vertices.size()),
                             static_cast<unsigned int>(vertices.size() + 1)};
-        cell.material_id = number;
+        cell.material_id = strut;
         cells.push_back(cell);
-        for (const unsigned int joint : strut.joints)
-          vertices.push_back(lattice.joints[joint]);
+        vertices.emplace_back(strut);
+        vertices.emplace_back(strut + 1.);
       }
     if (cells.empty())
       return;
     mesh.create_triangulation(vertices, cells, dealii::SubCellData());
     mesh.refine_global(refinements);
-
-    places.resize(mesh.n_active_cells());
-    for (const auto &cell : mesh.cell_iterators_on_level(0))
-      collect_places(cell, {cell->material_id(), 0., 1.}, places);
   }
 
-  const Mesh &StrutMesh::triangulation() const
+  const StrutMesh::Triangulation &StrutMesh::triangulation() const
   {
     return mesh;
   }
 
   unsigned int StrutMesh::n_cells() const
   {
-    return places.size();
+    return mesh.n_active_cells();
   }
 
   unsigned int StrutMesh::rank(const unsigned int strut) const
@@ -123,9 +99,10 @@ namespace auxfem
     return ranks[strut];
   }
 
-  const StrutMesh::Place &
-  StrutMesh::place(const unsigned int active_cell_index) const
+  StrutMesh::Place StrutMesh::place(const Triangulation::cell_iterator &cell)
   {
-    return places[active_cell_index];
+    // Vertices are whole numbers and halves of halves between them: exact.
+    const unsigned int strut = cell->material_id();
+    return {strut, cell->vertex(0)[0] - strut, cell->vertex(1)[0] - strut};
   }
 } // namespace auxfem

@@ -35,11 +35,15 @@ namespace auxfem
     , ties(ties)
     , rotation_of_joint(joint_rotations(lattice, ties.released))
     , of_joint(lattice.joints.size())
-    , of_end(lattice.struts.size())
     , of_part(lattice.rigid_parts.size())
     , of_hinge(ties.hinged.size())
     , count(n_ranks, 0)
-  {}
+  {
+    for (unsigned int s = 0; s < lattice.struts.size(); ++s)
+      for (unsigned int end = 0; end < 2; ++end)
+        if (!lattice.struts[s].is_rigid() && ties.released[s][end])
+          of_released_end[{s, end}];
+  }
 
   const ClaimedUnknowns::Unknown *ClaimedUnknowns::claim(Unknown  &unknown,
                                                          const int rank)
@@ -54,7 +58,7 @@ namespace auxfem
     switch (turning.what)
       {
         case Turning::What::strut_end:
-          return of_end[turning.index][turning.end];
+          return of_released_end.at({turning.index, turning.end});
         case Turning::What::rigid_part:
           return of_part[turning.index].motion;
         default:
@@ -76,7 +80,7 @@ namespace auxfem
   {
     const unsigned int joint  = lattice.struts[strut].joints[end];
     Motion            &motion = component < first_rotation ? of_joint[joint]
-                 : ties.released[strut][end]               ? of_end[strut][end]
+                 : ties.released[strut][end] ? of_released_end.at({strut, end})
                                              : motion_of(rotation_of_joint[joint]);
     return claim(motion[component], rank);
   }
@@ -136,19 +140,6 @@ namespace auxfem
       std::copy(rotation.begin() + first_rotation,
                 rotation.end(),
                 motion.begin() + first_rotation);
-    return motion;
-  }
-
-  ClaimedUnknowns::Motion
-  ClaimedUnknowns::end_rotation(const unsigned int strut,
-                                const unsigned int end) const
-  {
-    if (lattice.struts[strut].is_rigid())
-      return {};
-    Motion motion = ties.released[strut][end]
-      ? of_end[strut][end]
-      : joint(lattice.struts[strut].joints[end]);
-    std::fill(motion.begin(), motion.begin() + first_rotation, Unknown());
     return motion;
   }
 } // namespace auxfem

@@ -1,5 +1,6 @@
 #include <auxfem/mesh/sets.h>
 #include <auxfem/model/joint_releases.h>
+#include <auxfem/model/rigid_parts.h>
 #include <auxfem/parameters/errors.h>
 
 #include <algorithm>
@@ -24,28 +25,17 @@ namespace auxfem
       return ends_at;
     }
 
-    /** A rigid part of which @p joint is a joint; nullptr if there is none. */
-    const RigidPart *rigid_part_at(const Lattice     &lattice,
-                                   const unsigned int joint)
-    {
-      for (const RigidPart &part : lattice.rigid_parts)
-        if (std::count(part.joints.begin(), part.joints.end(), joint) > 0)
-          return &part;
-      return nullptr;
-    }
-
     /** A rigid part in the plane has no rotation that the spring of a lone
      * strut could act on. */
-    void refuse_spring_to_rigid_part(const JointDefinition &definition,
-                                     const Lattice         &lattice,
-                                     const unsigned int     joint)
+    [[noreturn]] void
+    refuse_spring_to_rigid_part(const JointDefinition &definition,
+                                const unsigned int     joint)
     {
-      if (rigid_part_at(lattice, joint))
-        throw InputError(
-          definition.path + "/Joints: a rigid part is hinged at joint " +
-          std::to_string(joint) +
-          ", and a rotational spring cannot act on it. Take the joint out, "
-          "or put a short elastic strut clamped to the part between.");
+      throw InputError(
+        definition.path + "/Joints: a rigid part is hinged at joint " +
+        std::to_string(joint) +
+        ", and a rotational spring cannot act on it. Take the joint out, "
+        "or put a short elastic strut clamped to the part between.");
     }
 
     [[noreturn]] void refuse_bar(const JointDefinition &definition,
@@ -98,7 +88,7 @@ namespace auxfem
                     const std::vector<Turning>  &ends,
                     const Turning               &of_joint,
                     const JointDefinition       &definition,
-                    const Lattice               &lattice)
+                    const bool                   at_bar)
     {
       if (of_joint.what != What::ground &&
           std::count(ends.begin(), ends.end(), of_joint) == 0)
@@ -106,8 +96,7 @@ namespace auxfem
       if (ends.size() > 1)
         return ends.front();
       // A lone part turns against the ground, a strut not if a part is there.
-      if (lattice.dimension == 3 && ends.front().what == What::strut_end &&
-          rigid_part_at(lattice, at.joint))
+      if (at_bar && ends.front().what == What::strut_end)
         refuse_bar(definition, at.joint);
       return {};
     }
@@ -121,6 +110,7 @@ namespace auxfem
                                                rigid_ends_at =
                                                  ends_by_joint(lattice, true);
 
+      const std::vector<bool>   is_of_part = joints_of_rigid_parts(lattice);
       std::vector<JointRelease> releases;
       for (const JointDefinition &definition : scene.joints)
         {
@@ -151,16 +141,16 @@ namespace auxfem
               // Elsewhere it acts between elastic struts.
               if (lattice.dimension == 2 &&
                   definition.type == Type::rotational_spring &&
-                  ends_at[joint].size() < 2)
-                refuse_spring_to_rigid_part(definition, lattice, joint);
+                  ends_at[joint].size() < 2 && is_of_part[joint])
+                refuse_spring_to_rigid_part(definition, joint);
               if (at.ends.empty() && at.rigid_parts.empty())
                 throw InputError(definition.path + ": no elastic strut of '" +
                                  definition.struts + "' ends at joint " +
                                  std::to_string(joint) +
                                  ". Name struts that end at all these joints.");
-              release.joints.push_back(at);
+              release.joints.push_back(std::move(at));
             }
-          releases.push_back(release);
+          releases.push_back(std::move(release));
         }
       return releases;
     }
@@ -184,6 +174,7 @@ namespace auxfem
     {
       const std::vector<Turning> of_joint =
         joint_rotations(lattice, released_ends(releases, lattice));
+      const std::vector<bool> is_of_part = joints_of_rigid_parts(lattice);
       for (JointRelease &release : releases)
         {
           const JointDefinition &definition = *release.definition;
@@ -193,7 +184,11 @@ namespace auxfem
             {
               const std::vector<Turning> ends = turning_ends(at);
               const Turning              base =
-                base_of(at, ends, of_joint[at.joint], definition, lattice);
+                base_of(at,
+                        ends,
+                        of_joint[at.joint],
+                        definition,
+                        lattice.dimension == 3 && is_of_part[at.joint]);
               for (const Turning &end : ends)
                 if (!(end == base))
                   release.pairs.push_back({at.joint, base, end});

@@ -1,8 +1,8 @@
 #include <auxfem/model/claimed_unknowns.h>
+#include <auxfem/model/rigid_parts.h>
 
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_q.h>
-#include <deal.II/fe/fe_system.h>
 
 #include <algorithm>
 
@@ -10,19 +10,6 @@ namespace auxfem
 {
   namespace
   {
-    /** For local DoF i of @p fe: its place node * components + component in our order. */
-    std::vector<unsigned int>
-    node_major_order(const dealii::FiniteElement<1, 3> &fe)
-    {
-      std::vector<unsigned int> order(fe.n_dofs_per_cell());
-      for (unsigned int i = 0; i < order.size(); ++i)
-        {
-          const auto [component, node] = fe.system_to_component_index(i);
-          order[i]                     = node * fe.n_components() + component;
-        }
-      return order;
-    }
-
     /** Active cells of @p container on @p mesh, which may have none. */
     template <class Container>
     auto active_cells(const Container &container, const StrutMesh &mesh)
@@ -44,6 +31,7 @@ namespace auxfem
                         ? std::vector<unsigned int>{0, 1, rotation_z}
                         : std::vector<unsigned int>{0, 1, 2, 3, 4, 5})
     , comm(communicator)
+    , is_of_rigid_part(joints_of_rigid_parts(lattice))
   {
     number_unknowns(mesh, ties);
     collect_local(mesh, ties);
@@ -51,42 +39,37 @@ namespace auxfem
 
   void DofNumbering::number_unknowns(const StrutMesh &mesh, const Ties &ties)
   {
-    const dealii::FESystem<1, 3> fe(dealii::FE_Q<1, 3>(polynomial_order),
-                                    n_components());
-    dealii::DoFHandler<1, 3>     dof_handler(mesh.triangulation());
+    const dealii::FE_Q<1> fe(polynomial_order);
+    dealii::DoFHandler<1> nodes(mesh.triangulation());
     if (mesh.n_cells() > 0)
-      dof_handler.distribute_dofs(fe);
+      nodes.distribute_dofs(fe);
 
-    const std::vector<unsigned int> our_place = node_major_order(fe);
-    const unsigned int              n         = our_place.size();
-
-    // Every node gets the number its joint has, if it lies at one, else one of
-    // its own. Numbers are first counted apart for each rank (the rank whose
+    // Every node gets the numbers its joint has, if it lies at one, else those
+    // of its own. Numbers are first counted apart for each rank (the rank whose
     // cell touches the unknown first owns it), then shifted to rank ranges.
     using Unknown = ClaimedUnknowns::Unknown;
-    ClaimedUnknowns              claimed(lattice, ties, comm.NumProc());
-    std::vector<Unknown>         of_dof(dof_handler.n_dofs());
-    std::vector<const Unknown *> of_cell(std::size_t(mesh.n_cells()) * n);
+    ClaimedUnknowns      claimed(lattice, ties, comm.NumProc());
+    std::vector<Unknown> of_node(std::size_t(nodes.n_dofs()) * n_components());
+    std::vector<const Unknown *> of_cell;
+    of_cell.reserve(std::size_t(mesh.n_cells()) * fe.n_dofs_per_cell() *
+                    n_components());
 
-    std::vector<dealii::types::global_dof_index> dofs(n);
-    for (const auto &cell : active_cells(dof_handler, mesh))
+    std::vector<dealii::types::global_dof_index> of_this(fe.n_dofs_per_cell());
+    for (const auto &cell : active_cells(nodes, mesh))
       {
-        const unsigned int      c     = cell->active_cell_index();
-        const StrutMesh::Place &place = mesh.place(c);
-        const int               rank  = cell->subdomain_id();
-        cell->get_dof_indices(dofs);
-        std::vector<dealii::types::global_dof_index> ordered(n);
-        for (unsigned int i = 0; i < n; ++i)
-          ordered[our_place[i]] = dofs[i];
-        for (unsigned int i = 0; i < n; ++i)
+        const StrutMesh::Place place = StrutMesh::place(cell);
+        const int              rank  = cell->subdomain_id();
+        cell->get_dof_indices(of_this);
+        for (unsigned int node = 0; node < of_this.size(); ++node)
           {
-            const unsigned int node      = i / n_components(),
-                               component = node_components[i % n_components()];
-            const bool at_joint          = (node == 0 && place.begin == 0.) ||
+            const bool at_joint = (node == 0 && place.begin == 0.) ||
               (node == 1 && place.end == 1.);
-            of_cell[std::size_t(c) * n + i] = at_joint
-              ? claimed.claim_end(place.strut, node, component, rank)
-              : claimed.claim(of_dof[ordered[i]], rank);
+            Unknown *own =
+              &of_node[std::size_t(of_this[node]) * n_components()];
+            for (const unsigned int component : node_components)
+              of_cell.push_back(
+                at_joint ? claimed.claim_end(place.strut, node, component, rank)
+                         : claimed.claim(*own++, rank));
           }
       }
     claimed.claim_joints(mesh);
@@ -119,12 +102,11 @@ namespace auxfem
       std::transform(unknowns.begin(), unknowns.end(), numbers.begin(), global);
       return numbers;
     };
+    joint_numbers.reserve(lattice.joints.size());
     for (unsigned int joint = 0; joint < lattice.joints.size(); ++joint)
       joint_numbers.push_back(all_global(claimed.joint(joint)));
-    for (unsigned int s = 0; s < lattice.struts.size(); ++s)
-      end_rotation_numbers.push_back(
-        {{all_global(claimed.end_rotation(s, 0)),
-          all_global(claimed.end_rotation(s, 1))}});
+    for (const auto &[end, rotation] : claimed.released_ends())
+      released_end_numbers[end] = all_global(rotation);
     for (const ClaimedUnknowns::RigidPartClaims &part : claimed.rigid_parts())
       {
         of_rigid_part.push_back(
@@ -173,7 +155,7 @@ namespace auxfem
                                                numbers[n - 1]) -
           first_owned.begin() - 1;
         element_list.push_back(
-          {mesh.place(c), static_cast<unsigned int>(last_rank)});
+          {StrutMesh::place(cell), static_cast<unsigned int>(last_rank)});
       }
     for (const JointPair &pair : ties.connected)
       for (const unsigned int mine : {pair.first, pair.second})
@@ -340,8 +322,13 @@ namespace auxfem
                                  const unsigned int end,
                                  const unsigned int component) const
   {
-    const int global = end_rotation_numbers[strut][end][component];
-    return global < 0 ? -1 : local->LID(global);
+    if (lattice.struts[strut].is_rigid())
+      return -1;
+    const auto           released = released_end_numbers.find({strut, end});
+    const MotionNumbers &numbers  = released == released_end_numbers.end()
+       ? joint_numbers[lattice.struts[strut].joints[end]]
+       : released->second;
+    return numbers[component] < 0 ? -1 : local->LID(numbers[component]);
   }
 
   UnknownKind DofNumbering::kind(const unsigned int local_number) const

@@ -46,7 +46,7 @@ namespace auxfem
           take(joint_numbers[turning.index]);
           break;
         case Turning::What::strut_end:
-          take(end_rotation_numbers[turning.index][turning.end]);
+          take(released_end_numbers.at({turning.index, turning.end}));
           break;
         case Turning::What::rigid_part:
           take(of_rigid_part[turning.index].motion);
@@ -112,9 +112,8 @@ namespace auxfem
         mark(element_numbers[i]);
     for (const MotionNumbers &joint : joint_numbers)
       mark_all(joint);
-    for (const auto &ends : end_rotation_numbers)
-      for (const MotionNumbers &end : ends)
-        mark_all(end);
+    for (const auto &end : released_end_numbers)
+      mark_all(end.second);
     for (const RigidPartUnknowns &part : of_rigid_part)
       mark_all(part.motion);
   }
@@ -147,9 +146,8 @@ namespace auxfem
             element_numbers[i + 5]}});
     for (const MotionNumbers &joint : joint_numbers)
       add_global(joint);
-    for (const auto &ends : end_rotation_numbers)
-      for (const MotionNumbers &end : ends)
-        add_global(end);
+    for (const auto &end : released_end_numbers)
+      add_global(end.second);
     for (const RigidPartUnknowns &part : of_rigid_part)
       add_global(part.motion);
   }

@@ -110,14 +110,7 @@ namespace auxfem
 
   bool DofNumbering::is_rigid_joint(const unsigned int joint) const
   {
-    return !joint_has(joint, rotation_z) &&
-      std::any_of(lattice.rigid_parts.begin(),
-                  lattice.rigid_parts.end(),
-                  [joint](const RigidPart &part) {
-                    return std::count(part.joints.begin(),
-                                      part.joints.end(),
-                                      joint) > 0;
-                  });
+    return !joint_has(joint, rotation_z) && is_of_rigid_part[joint];
   }
 
   std::string DofNumbering::why_no_rotation(const unsigned int joint) const

@@ -105,25 +105,33 @@ namespace auxfem
         (part.clamps_struts || !lie_on_base_line(lattice, part, portions));
     }
 
-    /** Only one part can give a joint's struts its rotation. */
-    void refuse_second_clamp(const RigidPartDefinition &definition,
-                             const Scene               &scene,
-                             const Lattice             &lattice,
-                             const RigidPart           &part)
+    /**
+     * Only one part can give a joint's struts its rotation.
+     * @param clamped_to by joint: number of the part that does, or
+     * invalid_index. Gets those of @p part, which is to be the next.
+     */
+    void clamp_once(const RigidPartDefinition &definition,
+                    const Scene               &scene,
+                    const Lattice             &lattice,
+                    const RigidPart           &part,
+                    std::vector<unsigned int> &clamped_to)
     {
       if (!part.clamps_struts || lattice.dimension == 2)
         return;
-      for (const RigidPart &other : lattice.rigid_parts)
-        for (const unsigned int joint : part.joints)
-          if (other.clamps_struts &&
-              std::count(other.joints.begin(), other.joints.end(), joint) > 0)
+      for (const unsigned int joint : part.joints)
+        {
+          if (clamped_to[joint] != invalid_index)
             throw InputError(
               definition.path +
               "/Elastic struts = clamped: the elastic struts at joint " +
               std::to_string(joint) + " are clamped to a part of " +
-              scene.rigid_parts[other.definition].path +
+              scene
+                .rigid_parts[lattice.rigid_parts[clamped_to[joint]].definition]
+                .path +
               " already. Set hinged for one of the two, or make one part of "
               "them (Parts = struts that meet).");
+          clamped_to[joint] = lattice.rigid_parts.size();
+        }
     }
 
     /**
@@ -163,7 +171,8 @@ namespace auxfem
                   const unsigned int               definition_number,
                   const std::vector<unsigned int> &struts,
                   const std::vector<unsigned int> &joints,
-                  Lattice                         &lattice)
+                  Lattice                         &lattice,
+                  std::vector<unsigned int>       &clamped_to)
     {
       const RigidPartDefinition &definition =
         scene.rigid_parts[definition_number];
@@ -174,7 +183,7 @@ namespace auxfem
       part.clamps_struts = definition.clamps_struts;
       choose_base(definition, lattice, part);
       set_mass(definition, lattice, part);
-      refuse_second_clamp(definition, scene, lattice, part);
+      clamp_once(definition, scene, lattice, part, clamped_to);
       for (const unsigned int strut : struts)
         {
           lattice.struts[strut].rigid_part = lattice.rigid_parts.size();
@@ -182,7 +191,7 @@ namespace auxfem
         }
       if (!struts.empty())
         part.cell = lattice.struts[struts.front()].cell;
-      lattice.rigid_parts.push_back(part);
+      lattice.rigid_parts.push_back(std::move(part));
     }
 
     std::vector<unsigned int> joints_of(const Lattice &lattice,
@@ -240,6 +249,7 @@ namespace auxfem
 
   void make_rigid_parts(const Scene &scene, Lattice &lattice)
   {
+    std::vector<unsigned int> clamped_to(lattice.joints.size(), invalid_index);
     for (unsigned int d = 0; d < scene.rigid_parts.size(); ++d)
       {
         const RigidPartDefinition &definition = scene.rigid_parts[d];
@@ -252,7 +262,8 @@ namespace auxfem
                                    definition.joints,
                                    scene.context,
                                    definition.path + "/Joints"),
-                     lattice);
+                     lattice,
+                     clamped_to);
             continue;
           }
         const std::vector<unsigned int> struts =
@@ -268,8 +279,22 @@ namespace auxfem
         else
           groups = connected_groups(lattice, struts);
         for (const std::vector<unsigned int> &group : groups)
-          add_part(scene, d, group, joints_of(lattice, group), lattice);
+          add_part(scene,
+                   d,
+                   group,
+                   joints_of(lattice, group),
+                   lattice,
+                   clamped_to);
       }
+  }
+
+  std::vector<bool> joints_of_rigid_parts(const Lattice &lattice)
+  {
+    std::vector<bool> is_of_part(lattice.joints.size(), false);
+    for (const RigidPart &part : lattice.rigid_parts)
+      for (const unsigned int joint : part.joints)
+        is_of_part[joint] = true;
+    return is_of_part;
   }
 
   std::vector<unsigned int>

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "cell_from_text.h"
@@ -62,54 +63,62 @@ TEST(StrutMesh, EveryStrutIsAChainOfItsOwn)
 
 TEST(StrutMesh, PlacesTellWhereACellLiesAfterRefinement)
 {
-  const Lattice          lattice = stars(2, 1);
+  // So many that halves of halves need most digits of the strut's number.
+  const Lattice          lattice = stars(20, 20);
   constexpr unsigned int n_parts = 8;
   const StrutMesh        mesh(lattice, 3, MPI_COMM_WORLD);
+  ASSERT_EQ(mesh.n_cells(), n_parts * lattice.struts.size());
 
   std::vector<std::set<double>> begins(lattice.struts.size());
   for (const auto &cell : mesh.triangulation().active_cell_iterators())
     {
-      const StrutMesh::Place &place = mesh.place(cell->active_cell_index());
+      const StrutMesh::Place place = StrutMesh::place(cell);
       begins.at(place.strut).insert(place.begin);
       // Halves of halves of [0, 1] are exact.
       EXPECT_EQ(place.end - place.begin, 1. / n_parts);
-      for (const unsigned int end : {0, 1})
-        {
-          dealii::Point<3>     position;
-          dealii::Tensor<1, 3> tangent;
-          lattice.axis(lattice.struts[place.strut],
-                       end == 0 ? place.begin : place.end,
-                       position,
-                       tangent);
-          // Some roundings of coordinates below 0.1 m.
-          EXPECT_NEAR(cell->vertex(end).distance(position), 0., 1e-16);
-        }
+      EXPECT_EQ(std::fmod(place.begin * n_parts, 1.), 0.);
     }
   for (const auto &of_strut : begins)
-    EXPECT_EQ(of_strut.size(), n_parts);
+    {
+      EXPECT_EQ(of_strut.size(), n_parts);
+      EXPECT_EQ(*of_strut.begin(), 0.);
+      EXPECT_EQ(*of_strut.rbegin(), 1. - 1. / n_parts);
+    }
 }
 
-TEST(StrutMesh, StrutsInSpace)
+TEST(StrutMesh, CellsOfAStrutFollowOneAnother)
 {
-  // Struts along and against z, along a diagonal, and an arc along z.
-  const auto      cell    = cell_from_text("frame",
-                                   "set Joints = 0 0 0; 0 0 1; 1 2 -1\n"
-                                           "set Struts = 0 1; 1 0 0.2 0 1 0; 2 0; 1 2",
-                                   ".",
-                                   3);
-  const Lattice   lattice = make_array(cell->build(), {{1, 1, 1}});
+  const Lattice   lattice = stars(2, 1);
   const StrutMesh mesh(lattice, 2, MPI_COMM_WORLD);
-  ASSERT_EQ(mesh.n_cells(), 16u);
   for (const auto &cell : mesh.triangulation().active_cell_iterators())
     {
-      const StrutMesh::Place    &place = mesh.place(cell->active_cell_index());
-      const auto                &ends  = lattice.struts[place.strut].joints;
-      const auto                &start = lattice.joints[ends[0]];
-      const dealii::Tensor<1, 3> chord = lattice.joints[ends[1]] - start;
-      // Halves of halves of these whole numbers are exact.
-      EXPECT_EQ(cell->vertex(0), start + place.begin * chord);
-      EXPECT_EQ(cell->vertex(1), start + place.end * chord);
+      const StrutMesh::Place place = StrutMesh::place(cell);
+      for (const unsigned int end : {0, 1})
+        {
+          const bool at_end = end == 0 ? place.begin == 0. : place.end == 1.;
+          ASSERT_EQ(cell->at_boundary(end), at_end);
+          if (at_end)
+            continue;
+          const StrutMesh::Place next = StrutMesh::place(cell->neighbor(end));
+          EXPECT_EQ(next.strut, place.strut);
+          EXPECT_EQ(end == 0 ? next.end : next.begin,
+                    end == 0 ? place.begin : place.end);
+        }
     }
+}
+
+TEST(StrutMesh, RigidStrutsHaveNoCells)
+{
+  Lattice lattice              = stars(2, 2);
+  lattice.struts[0].rigid_part = lattice.struts[7].rigid_part = 0;
+  const StrutMesh        mesh(lattice, 1, MPI_COMM_WORLD);
+  std::set<unsigned int> struts;
+  for (const auto &cell : mesh.triangulation().active_cell_iterators())
+    struts.insert(StrutMesh::place(cell).strut);
+  EXPECT_EQ(struts.size(), lattice.struts.size() - 2);
+  EXPECT_EQ(struts.count(0), 0u);
+  EXPECT_EQ(struts.count(7), 0u);
+  EXPECT_EQ(*struts.rbegin(), lattice.struts.size() - 1);
 }
 
 TEST(StrutMesh, AnUnrefinedStrutIsOneCell)
@@ -118,7 +127,7 @@ TEST(StrutMesh, AnUnrefinedStrutIsOneCell)
   const StrutMesh mesh(lattice, 0, MPI_COMM_WORLD);
   for (const auto &cell : mesh.triangulation().active_cell_iterators())
     {
-      const StrutMesh::Place &place = mesh.place(cell->active_cell_index());
+      const StrutMesh::Place place = StrutMesh::place(cell);
       EXPECT_EQ(place.begin, 0.);
       EXPECT_EQ(place.end, 1.);
     }
@@ -184,8 +193,7 @@ TEST(StrutMesh, RefinedCellsBelongToTheRankOfTheirStrut)
   const StrutMesh                 mesh(lattice, 2, MPI_COMM_WORLD);
   const std::vector<unsigned int> ranks = partition_struts(lattice, n_ranks);
   for (const auto &cell : mesh.triangulation().active_cell_iterators())
-    EXPECT_EQ(cell->subdomain_id(),
-              ranks[mesh.place(cell->active_cell_index()).strut]);
+    EXPECT_EQ(cell->subdomain_id(), ranks[StrutMesh::place(cell).strut]);
 }
 
 TEST(StrutMesh, TooManyRanksAreRefused)

@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 #include <mesh/cell_from_text.h>
 
+#include <algorithm>
+
 using namespace auxfem;
 
 namespace
@@ -217,6 +219,48 @@ TEST(RigidParts, APartWithoutDirectionIsRefused)
   });
   for (const char *words :
        {"Rigid parts/dot", "joints 1 and 2 lie at one place"})
+    EXPECT_TRUE(contains(message, words)) << message;
+}
+
+TEST(RigidParts, JointsOfPartsAreThoseFoundBySearch)
+{
+  const Lattice lattice =
+    lattice_of(six_joints,
+               four_struts,
+               part("leg", "set Struts = 0") + part("bar", "set Joints = 4, 5"),
+               sections_for("1, 2, 3"));
+  const std::vector<bool> of_part = joints_of_rigid_parts(lattice);
+  ASSERT_EQ(of_part.size(), lattice.joints.size());
+  for (unsigned int joint = 0; joint < lattice.joints.size(); ++joint)
+    {
+      bool is_found = false;
+      for (const RigidPart &part : lattice.rigid_parts)
+        is_found = is_found ||
+          std::count(part.joints.begin(), part.joints.end(), joint) > 0;
+      EXPECT_EQ(of_part[joint], is_found) << joint;
+    }
+}
+
+TEST(RigidParts, InSpaceAJointIsClampedToOnePartOnly)
+{
+  // Two bars that meet at joint 1, and one apart.
+  const auto make = [](const std::string &first, const std::string &second) {
+    return build_lattice(read_scene_from_text(
+      "set Dimension = 3\nsubsection Lattice\n  set Cell = frame\n"
+      "  set Joints = 0 0 0; 1 0 0; 1 1 1; 2 0 0; 2 1 0\n"
+      "  set Struts = 0 1; 1 2; 3 4\nend\nsubsection Rigid parts\n" +
+        part("lone", "set Struts = 2\nset Elastic struts = clamped") +
+        part("base", "set Struts = 0\nset Elastic struts = " + first) +
+        part("arm", "set Struts = 1\nset Elastic struts = " + second) + "end\n",
+      "test.prm"));
+  };
+  EXPECT_EQ(make("clamped", "hinged").rigid_parts.size(), 3u);
+  EXPECT_EQ(make("hinged", "clamped").rigid_parts.size(), 3u);
+  const std::string message =
+    input_error_of([&] { make("clamped", "clamped"); });
+  for (const char *words : {"Rigid parts/arm/Elastic struts",
+                            "joint 1 are clamped to a part of Rigid parts/base "
+                            "already"})
     EXPECT_TRUE(contains(message, words)) << message;
 }
 

@@ -58,7 +58,11 @@ namespace auxfem
   class TangentMatrix
   {
   public:
-    /** @param pattern must outlive the object. */
+    /**
+     * Throws InputError if the rows of a rank have more entries than an int can
+     * count.
+     * @param pattern must outlive the object.
+     */
     explicit TangentMatrix(const TangentPattern &pattern);
 
     /**
@@ -87,9 +91,38 @@ namespace auxfem
     std::vector<double> row_sizes() const;
 
   private:
+    /** A row of a block. */
+    struct BlockRow
+    {
+      unsigned int block;
+      unsigned int row;
+    };
+
+    /** The rows of blocks that are added to each owned row of the matrix. */
+    class BlockRows
+    {
+    public:
+      explicit BlockRows(const TangentPattern &pattern);
+
+      const BlockRow *begin(const unsigned int owned) const
+      {
+        return rows.data() + begins[owned];
+      }
+
+      const BlockRow *end(const unsigned int owned) const
+      {
+        return rows.data() + begins[owned + 1];
+      }
+
+    private:
+      std::vector<std::size_t> begins;
+      std::vector<BlockRow>    rows;
+    };
+
     void rebuild();
-    void build_matrix();
-    void find_positions();
+    void make_matrix(const BlockRows &blocks);
+    void find_positions(const BlockRows &blocks);
+
 
     const TangentPattern &pattern;
     unsigned long         built_version = 0;

@@ -8,17 +8,17 @@
 namespace auxfem
 {
   /**
-   * The finite-element mesh of a lattice: every elastic strut is a chain of
-   * line cells of its own, sharing no vertex with any other (deal.II lines may
-   * not branch; joints are made by the numbering of unknowns instead). Every
+   * The finite-element mesh of a lattice: a line on which elastic strut s is
+   * the chain of cells from s to s + 1, sharing no vertex with any other
+   * (deal.II lines may not branch; joints are made by the numbering of unknowns
+   * instead). Where the strut lies in space is told by Lattice::axis(). Every
    * rank holds the whole mesh; METIS divides the struts among the ranks.
-   *
-   * Vertices lie on the chord of a strut; the true axis of an arc comes from
-   * Lattice::axis().
    */
   class StrutMesh
   {
   public:
+    using Triangulation = dealii::parallel::shared::Triangulation<1>;
+
     /**
      * Where an active cell lies: on which strut, and between which fractions
      * of its length.
@@ -45,21 +45,20 @@ namespace auxfem
               MPI_Comm       communicator);
 
     /** Empty, and not to be looped over, if all struts are rigid. */
-    const dealii::parallel::shared::Triangulation<1, 3> &triangulation() const;
+    const Triangulation &triangulation() const;
 
     /** Number of active cells of all ranks. */
     unsigned int n_cells() const;
 
-    /** Place of the active cell with this active_cell_index(). */
-    const Place &place(unsigned int active_cell_index) const;
+    /** Place of an active cell. */
+    static Place place(const Triangulation::cell_iterator &cell);
 
     /** Rank a strut was given to, rigid ones included. */
     unsigned int rank(unsigned int strut) const;
 
   private:
-    dealii::parallel::shared::Triangulation<1, 3> mesh;
-    const std::vector<unsigned int>               ranks; ///< by strut
-    std::vector<Place>                            places;
+    Triangulation                   mesh;
+    const std::vector<unsigned int> ranks; ///< by strut
   };
 
   /**

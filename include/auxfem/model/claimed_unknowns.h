@@ -3,6 +3,8 @@
 
 #include <auxfem/model/numbering.h>
 
+#include <map>
+
 namespace auxfem
 {
   /**
@@ -57,8 +59,12 @@ namespace auxfem
     /** By component; of a joint that turns with a rigid part, the part's. */
     Motion joint(unsigned int joint) const;
 
-    /** Rotation of a strut's end, released or not; none of a rigid strut. */
-    Motion end_rotation(unsigned int strut, unsigned int end) const;
+    /** Rotations of the released ends of elastic struts, by strut and end. */
+    const std::map<std::pair<unsigned int, unsigned int>, Motion> &
+    released_ends() const
+    {
+      return of_released_end;
+    }
 
     /** A rigid part's own unknowns, if it has a rotation of its own. */
     struct RigidPartClaims
@@ -83,14 +89,14 @@ namespace auxfem
     Motion       &motion_of(const Turning &turning);
     const Motion &motion_of(const Turning &turning) const;
 
-    const Lattice                      &lattice;
-    const Ties                         &ties;
-    const std::vector<Turning>          rotation_of_joint;
-    std::vector<Motion>                 of_joint;
-    std::vector<std::array<Motion, 2>>  of_end;
-    std::vector<RigidPartClaims>        of_part;
-    std::vector<std::array<Unknown, 2>> of_hinge;
-    std::vector<int>                    count;
+    const Lattice                                          &lattice;
+    const Ties                                             &ties;
+    const std::vector<Turning>                              rotation_of_joint;
+    std::vector<Motion>                                     of_joint;
+    std::map<std::pair<unsigned int, unsigned int>, Motion> of_released_end;
+    std::vector<RigidPartClaims>                            of_part;
+    std::vector<std::array<Unknown, 2>>                     of_hinge;
+    std::vector<int>                                        count;
   };
 } // namespace auxfem
 

@@ -9,6 +9,7 @@
 #include <Epetra_MpiComm.h>
 
 #include <array>
+#include <map>
 #include <memory>
 
 namespace auxfem
@@ -323,10 +324,12 @@ namespace auxfem
     const unsigned int              polynomial_order;
     const std::vector<unsigned int> node_components;
     Epetra_MpiComm                  comm;
+    const std::vector<bool>         is_of_rigid_part; ///< by joint
 
     std::vector<MotionNumbers> joint_numbers;
-    /** Rotations at both ends of each strut; displacements are left out. */
-    std::vector<std::array<MotionNumbers, 2>> end_rotation_numbers;
+    /** Rotations of the released ends of elastic struts, by strut and end. */
+    std::map<std::pair<unsigned int, unsigned int>, MotionNumbers>
+      released_end_numbers;
     /** A rigid part's clamped joints and global numbers of its own unknowns. */
     struct RigidPartUnknowns
     {

@@ -18,6 +18,9 @@ namespace auxfem
    */
   void make_rigid_parts(const Scene &scene, Lattice &lattice);
 
+  /** For every joint of @p lattice whether it is one of a rigid part. */
+  std::vector<bool> joints_of_rigid_parts(const Lattice &lattice);
+
   /** The parts that struts of @p struts belong to, each once, in order. */
   std::vector<unsigned int>
   rigid_parts_of(const Lattice                   &lattice,
