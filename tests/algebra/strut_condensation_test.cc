@@ -76,7 +76,7 @@ end
                              const std::vector<std::string> &overrides = {})
       : of_scene(text, overrides)
       , matrix(of_scene.make_tangent())
-      , blocks(of_scene.system)
+      , blocks(of_scene.model)
       , condensation(of_scene.dofs(), blocks, *matrix, length())
     {}
 
@@ -154,7 +154,7 @@ TEST(StrutCondensation, CondensedSolutionFulfilsAllEquations)
   ASSERT_TRUE(system.condensation.condense());
 
   Vector by_place(system.of_scene.dofs().local_map());
-  fill_by_place(system.of_scene.system, 1., by_place);
+  fill_by_place(system.of_scene.model, 1., by_place);
   Epetra_Vector b(system.of_scene.dofs().owned_map()), x(b), image(b);
   for (int i = 0; i < b.MyLength(); ++i)
     b[i] = by_place[i];
@@ -180,8 +180,8 @@ TEST(JointBlocks, EveryUnknownAtAJointHasItsOwnRow)
 {
   const EquationsOnRanks of_scene(star_with_everything(3, 2));
   const DofNumbering    &dofs = of_scene.dofs();
-  const JointBlocks      blocks(of_scene.system);
-  const auto             names = name_unknowns(of_scene.system);
+  const JointBlocks      blocks(of_scene.model);
+  const auto             names = name_unknowns(of_scene.model);
   std::vector<int>       used(blocks.map().NumMyElements(), 0);
   for (unsigned int i = 0; i < dofs.n_owned(); ++i)
     {

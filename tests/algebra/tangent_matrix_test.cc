@@ -110,17 +110,22 @@ namespace
     TangentMatrixTest()
       : of_scene(small_scene, {}, MPI_COMM_SELF)
       , blocks(of_scene.dofs())
-      , matrix(of_scene.dofs())
+      , pattern(of_scene.dofs())
+      , matrix((register_blocks(), pattern))
+    {}
+
+    /** All blocks but those of the elements. */
+    void register_blocks()
     {
       for (unsigned int b = blocks.n_elements; b < blocks.unknowns.size(); ++b)
-        EXPECT_EQ(matrix.register_block(blocks.unknowns[b].data(),
-                                        blocks.unknowns[b].size()),
+        EXPECT_EQ(pattern.register_block(blocks.unknowns[b].data(),
+                                         blocks.unknowns[b].size()),
                   b);
-      matrix.finalize();
     }
 
     EquationsOnRanks of_scene;
     RandomBlocks     blocks;
+    TangentPattern   pattern;
     TangentMatrix    matrix;
   };
 } // namespace
@@ -180,8 +185,8 @@ TEST_F(TangentMatrixTest, StoresNoMoreThanTheBlocksNeed)
 
 TEST_F(TangentMatrixTest, AnEmptyMatrixIsZeroButInPrescribedRows)
 {
-  TangentMatrix empty(of_scene.dofs());
-  empty.finalize();
+  const TangentPattern elements_alone(of_scene.dofs());
+  TangentMatrix        empty(elements_alone);
   empty.reset();
   for (unsigned int i = 0; i < blocks.n; ++i)
     EXPECT_EQ(empty.row_sizes()[i],

@@ -11,9 +11,9 @@ namespace
 {
   void start(EquationsOnRanks &of_scene, State &state)
   {
-    const std::unique_ptr<TangentMatrix> matrix = of_scene.make_tangent();
-    LinearSolver solver(of_scene.scene.solver, *matrix, of_scene.system);
-    ConsistentRates(of_scene.system, *matrix, solver).start(state, 1e-3);
+    Work          work;
+    TangentSolver solver(of_scene.equations, of_scene.scene.solver, work);
+    ConsistentRates(solver).start(state, 1e-3);
   }
 
   /** Acceleration at t = 0 of a dynamic scene by the name of the unknown. */
@@ -24,7 +24,7 @@ namespace
     EquationsOnRanks of_scene(text, overrides, MPI_COMM_SELF);
     State            state = of_scene.equations.initial_state();
     start(of_scene, state);
-    return by_name(of_scene.system, *state.acceleration);
+    return by_name(of_scene.model, *state.acceleration);
   }
 
   const std::string falling = frame_scene("0 0; 3 4; 5 4",
@@ -126,4 +126,72 @@ TEST(ConsistentRates, VelocitiesThatNoRigidPartCanHaveAreRefused)
   State             state   = of_scene.equations.initial_state();
   const std::string message = input_error_of([&] { start(of_scene, state); });
   EXPECT_TRUE(contains(message, "move apart with 0.0002 m/s")) << message;
+}
+
+namespace
+{
+  /**
+   * Expects that the initial accelerations of @p text need no factorization and
+   * are those of a direct solution with the mass matrix.
+   */
+  void expect_those_of_direct_solution(const std::string &text)
+  {
+    // The support accelerates: columns of prescribed rows have a part.
+    EquationsOnRanks of_scene(text,
+                              {"Supports/shaker/Displacement x=0.02 * t^2"},
+                              MPI_COMM_SELF);
+    ASSERT_EQ(of_scene.dofs().n_multipliers(), 0u);
+    State         state = of_scene.equations.initial_state();
+    Work          work;
+    TangentSolver solver(of_scene.equations, of_scene.scene.solver, work);
+    ConsistentRates(solver).start(state, 1e-3);
+    EXPECT_EQ(work.factorizations, 0u);
+
+    State      direct  = state;
+    const auto is_free = [&](const unsigned int i) {
+      return of_scene.dofs().kind(i) != UnknownKind::prescribed;
+    };
+    for (unsigned int i = 0; i < of_scene.dofs().n_owned(); ++i)
+      if (is_free(i))
+        (*direct.acceleration)[i] = 0;
+    const State      before  = direct;
+    const Evaluation instant = Evaluation::rates(before, direct);
+    of_scene.residual(instant);
+    solver.assemble(instant, of_scene.results, {0., 0., 1.});
+    ASSERT_TRUE(solver.factorize());
+    for (unsigned int i = 0; i < of_scene.dofs().n_owned(); ++i)
+      solver.right_side()[i] = is_free(i) ? -direct.residual[i] : 0.;
+    Vector increment(of_scene.dofs().local_map());
+    solver.solve(increment);
+    direct.acceleration->Update(1., increment, 1.);
+
+    double largest = 0, prescribed = 0;
+    direct.acceleration->NormInf(&largest);
+    for (unsigned int i = 0; i < of_scene.dofs().n_owned(); ++i)
+      {
+        // Residuals of 1e-13, and inertias that differ by some hundreds.
+        EXPECT_NEAR((*state.acceleration)[i],
+                    (*direct.acceleration)[i],
+                    1e-10 * largest);
+        if (!is_free(i))
+          prescribed =
+            std::max(prescribed, std::abs((*direct.acceleration)[i]));
+      }
+    EXPECT_NEAR(prescribed, 0.04, 1e-8);
+    EXPECT_GT(largest, 1.);
+  }
+} // namespace
+
+TEST(ConsistentRates, ConjugateGradientsFindWhatADirectSolutionDoes)
+{
+  expect_those_of_direct_solution(star_with_everything(2, 2));
+}
+
+TEST(ConsistentRates, ConjugateGradientsFindWhatADirectSolutionDoesInSpace)
+{
+  std::string text = space_star_with_everything();
+  // A hinge without conditions.
+  const std::string revolute = "set Type = revolute\n    set Axis = 1 2 3";
+  text.replace(text.find(revolute), revolute.size(), "set Type = hinge");
+  expect_those_of_direct_solution(text);
 }

@@ -15,13 +15,10 @@ namespace
                          const MPI_Comm communicator = MPI_COMM_WORLD)
   {
     EquationsOnRanks of_scene(text, overrides, communicator);
-    const auto       matrix = of_scene.make_tangent();
-    LinearSolver     solver(of_scene.scene.solver, *matrix, of_scene.system);
+    Work             work;
+    TangentSolver    solver(of_scene.equations, of_scene.scene.solver, work);
     return input_error_of([&] {
-      refuse_overconstrained(of_scene.system,
-                             of_scene.equations.initial_state(),
-                             *matrix,
-                             solver);
+      refuse_overconstrained(solver, of_scene.equations.initial_state());
     });
   }
 

@@ -114,8 +114,8 @@ TEST(TimeStepper, ALinearSceneWithAConstantStepIsFactorizedOnce)
                           "set Time step = 0.1\n"),
                {"Effects/Large rotation=off"});
   run.run();
-  EXPECT_EQ(run.factorizations, 1u);
-  EXPECT_EQ(run.iterations, 30u);
+  EXPECT_EQ(run.work().factorizations, 1u);
+  EXPECT_EQ(run.work().iterations, 30u);
 }
 
 TEST(TimeStepper, AStepThatFailsIsUndoneAndDoneInParts)

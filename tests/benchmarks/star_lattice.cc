@@ -1,4 +1,5 @@
 #include <auxfem/output/run_output.h>
+#include <auxfem/time/stopwatch.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -58,23 +59,33 @@ namespace
 
     // What a run says on the screen would stand in the middle of the table.
     std::cout.setstate(std::ios::failbit);
-    RunOutput output(run.scene, MPI_COMM_WORLD);
-    output.begin(run.system);
-    output.write_start(run.state);
-    while (run.state.step < run.stepper.n_steps())
+    RunOutput  output(run.scene, MPI_COMM_WORLD);
+    double     output_seconds = 0;
+    const auto timed          = [&](const auto &action) {
+      const Stopwatch watch(output_seconds);
+      action();
+    };
+    const Solution &solution = run.computation.solution;
+    const Work      at_start = run.work();
+    timed([&] {
+      output.begin(run.equations);
+      output.start(solution);
+    });
+    while (run.state.step < run.scene.time.n_steps())
       {
         const double     start  = cpu_seconds();
         const StepReport report = run.advance();
         result.cpu_seconds += cpu_seconds() - start;
-        result.iterations += report.iterations;
-        result.factorizations += report.factorizations;
-        output.write_step(run.state, report);
+        timed([&] { output.step(solution, report); });
       }
     std::cout.clear();
 
-    result.phases                        = run.stepper.newton().times();
-    result.phases.output                 = output.seconds();
-    result.unknowns                      = run.model.numbering.n_free();
+    const Work &work      = run.work();
+    result.iterations     = work.iterations - at_start.iterations;
+    result.factorizations = work.factorizations - at_start.factorizations;
+    result.phases         = work.wall;
+    result.phases.output  = output_seconds;
+    result.unknowns       = run.model.numbering.n_free();
     const std::vector<unsigned int> &top = run.lattice.joint_sets.at("top");
     result.displacement                  = run.motion(top[c.cells / 2], 1);
     return result;

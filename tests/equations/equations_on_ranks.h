@@ -35,7 +35,15 @@ namespace auxfem
         return model.numbering;
       }
 
-      /** Evaluates; the results are kept for tangent(). */
+      /** A step with inertia or without, as the scene's scheme has it. */
+      Evaluation step(const State &from, State &to, const double dt) const
+      {
+        return scene.time.implicit_scheme().is_dynamic()
+          ? Evaluation::step(from, to, dt)
+          : Evaluation::static_step(from, to, dt);
+      }
+
+      /** Evaluates; the results are kept for tangent() and accept(). */
       const EvaluationResults &residual(const Evaluation &evaluation)
       {
         equations.residual(evaluation, results);
@@ -48,6 +56,12 @@ namespace auxfem
                    TangentMatrix        &matrix) const
       {
         equations.tangent(evaluation, results, factors, matrix);
+      }
+
+      /** Of the evaluation last given to residual(). */
+      void accept(const Evaluation &evaluation) const
+      {
+        equations.accept(evaluation, results);
       }
 
       std::unique_ptr<TangentMatrix> make_tangent() const
@@ -69,7 +83,7 @@ namespace auxfem
      */
     using UnknownName = std::tuple<bool, unsigned int, double, unsigned int>;
 
-    /** Name and place at rest of the local unknowns of @p system. */
+    /** Name and place at rest of a local unknown. */
     struct NamedUnknown
     {
       UnknownName      name;
@@ -147,7 +161,7 @@ namespace auxfem
           if (dofs.joint_unknown(joint, c) >= 0)
             names[dofs.joint_unknown(joint, c)] = {{true, joint, 0., c},
                                                    lattice.joints[joint]};
-      name_conditions(system, names);
+      name_conditions(model, names);
       return names;
     }
 
@@ -158,7 +172,7 @@ namespace auxfem
     inline void
     fill_by_place(const LatticeModel &model, const double size, Vector &vector)
     {
-      const std::vector<NamedUnknown> names = name_unknowns(system);
+      const std::vector<NamedUnknown> names = name_unknowns(model);
       for (unsigned int i = 0; i < names.size(); ++i)
         {
           const auto &[at_joint, index, fraction, component] = names[i].name;
@@ -173,7 +187,7 @@ namespace auxfem
     inline std::map<UnknownName, double> by_name(const LatticeModel  &model,
                                                  const Epetra_Vector &vector)
     {
-      const std::vector<NamedUnknown> names = name_unknowns(system);
+      const std::vector<NamedUnknown> names = name_unknowns(model);
       std::map<UnknownName, double>   values;
       for (unsigned int i = 0; i < model.numbering.n_owned(); ++i)
         values[names[i].name] = vector[i];

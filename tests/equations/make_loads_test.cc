@@ -32,9 +32,9 @@ namespace
     {
       State from = of_scene.equations.initial_state(), to = from;
       to.time               = t;
-      const Evaluation step = Evaluation::step(from, to, t);
+      const Evaluation step = of_scene.step(from, to, t);
       of_scene.residual(step);
-      const auto names = name_unknowns(of_scene.system);
+      const auto names = name_unknowns(of_scene.model);
       for (unsigned int i = 0; i < names.size(); ++i)
         {
           const unsigned int c = std::get<3>(names[i].name);
@@ -188,7 +188,7 @@ TEST(MakeLoads, InitialVelocitiesAreThoseOfARigidBody)
     MPI_COMM_SELF);
   const State  state     = of_scene.equations.initial_state();
   const double centre[2] = {(0. + 2 + 2 + 2) / 4, (0. + 0 + 1.5 + 3.5) / 4};
-  const auto   names     = name_unknowns(of_scene.system);
+  const auto   names     = name_unknowns(of_scene.model);
   for (unsigned int i = 0; i < names.size(); ++i)
     {
       const double x = names[i].position[0] - centre[0],
@@ -214,7 +214,7 @@ TEST(MakeLoads, StrutsMoveAlongOnlyIfBothEndsDo)
                                   {},
                                   MPI_COMM_SELF);
   const State            state = of_scene.equations.initial_state();
-  const auto             names = name_unknowns(of_scene.system);
+  const auto             names = name_unknowns(of_scene.model);
   for (unsigned int i = 0; i < names.size(); ++i)
     {
       const auto &[at_joint, index, fraction, component] = names[i].name;

@@ -1,4 +1,5 @@
 #include <auxfem/analysis/time_stepper.h>
+#include <auxfem/equations/node_rotations.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -13,7 +14,7 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  /** A system and a state with irregular motion, residual and tangent there. */
+  /** Equations and a state with irregular motion, residual and tangent there. */
   struct Evaluated
   {
     Evaluated(const std::string &text, const MPI_Comm communicator)
@@ -23,20 +24,20 @@ namespace
       , matrix(on_ranks.make_tangent())
       , product(on_ranks.dofs().owned_map())
     {
-      System &system = on_ranks.system;
-      to.time        = 0.3;
-      fill_by_place(system, 0.1, from.displacement);
-      fill_by_place(system, 0.5, to.displacement);
-      fill_by_place(system, 0.7, *to.velocity);
-      fill_by_place(system, 1.1, *to.acceleration);
+      const LatticeModel &model = on_ranks.model;
+      to.time                   = 0.3;
+      fill_by_place(model, 0.1, from.displacement);
+      fill_by_place(model, 0.5, to.displacement);
+      fill_by_place(model, 0.7, *to.velocity);
+      fill_by_place(model, 1.1, *to.acceleration);
       const Evaluation step = Evaluation::step(from, to, 0.3);
-      system.rotations().follow(step);
-      norm = system.residual(step);
-      system.tangent(step, {1., 3., 5.}, *matrix);
+      NodeRotations(model.numbering).follow(step);
+      on_ranks.residual(step);
+      on_ranks.tangent(step, {1., 3., 5.}, *matrix);
 
       Vector        direction(on_ranks.dofs().local_map());
       Epetra_Vector owned(on_ranks.dofs().owned_map());
-      fill_by_place(system, 1., direction);
+      fill_by_place(model, 1., direction);
       for (int i = 0; i < owned.MyLength(); ++i)
         owned[i] = direction[i];
       matrix->matrix().Multiply(false, owned, product);
@@ -46,13 +47,12 @@ namespace
     State                          from, to;
     std::unique_ptr<TangentMatrix> matrix;
     Epetra_Vector                  product;
-    ResidualNorm                   norm;
   };
 
   /** Compares this rank's own values with those of the same unknowns alone. */
   void expect_equal(const LatticeModel  &model,
                     const Epetra_Vector &values,
-                    const System        &alone,
+                    const LatticeModel  &alone,
                     const Epetra_Vector &values_alone,
                     const double         relative_tolerance)
   {
@@ -60,7 +60,7 @@ namespace
     values_alone.NormInf(&scale);
     ASSERT_GT(scale, 0);
     const auto reference = by_name(alone, values_alone);
-    for (const auto &[name, value] : by_name(system, values))
+    for (const auto &[name, value] : by_name(model, values))
       EXPECT_NEAR(value, reference.at(name), relative_tolerance * scale)
         << (std::get<0>(name) ? "joint " : "strut ") << std::get<1>(name)
         << ", component " << std::get<3>(name);
@@ -76,26 +76,26 @@ namespace
               alone.on_ranks.dofs().n_unknowns());
     // Rows are summed in another order: some roundings.
     const double tolerance = 1e-13;
-    expect_equal(all.on_ranks.system,
+    expect_equal(all.on_ranks.model,
                  all.to.residual,
-                 alone.on_ranks.system,
+                 alone.on_ranks.model,
                  alone.to.residual,
                  tolerance);
-    expect_equal(all.on_ranks.system,
+    expect_equal(all.on_ranks.model,
                  all.product,
-                 alone.on_ranks.system,
+                 alone.on_ranks.model,
                  alone.product,
                  tolerance);
-    EXPECT_NEAR(all.norm.force, alone.norm.force, tolerance * alone.norm.force);
-    EXPECT_NEAR(all.norm.moment,
-                alone.norm.moment,
-                tolerance * alone.norm.moment);
-    EXPECT_NEAR(all.on_ranks.system.force_scale(),
-                alone.on_ranks.system.force_scale(),
-                tolerance * alone.on_ranks.system.force_scale());
+    const EvaluationResults &of_all   = all.on_ranks.results,
+                            &of_alone = alone.on_ranks.results;
+    EXPECT_NEAR(of_all.force, of_alone.force, tolerance * of_alone.force);
+    EXPECT_NEAR(of_all.moment, of_alone.moment, tolerance * of_alone.moment);
+    EXPECT_NEAR(of_all.force_scale,
+                of_alone.force_scale,
+                tolerance * of_alone.force_scale);
     EXPECT_EQ(all.on_ranks.dofs().n_free(), alone.on_ranks.dofs().n_free());
-    EXPECT_EQ(all.on_ranks.system.worst_unknown(all.to),
-              alone.on_ranks.system.worst_unknown(alone.to));
+    EXPECT_EQ(worst_unknown(all.on_ranks.model, all.to),
+              worst_unknown(alone.on_ranks.model, alone.to));
   }
 } // namespace
 
@@ -118,17 +118,19 @@ namespace
              const std::vector<std::string> &overrides,
              const MPI_Comm                  communicator)
       : on_ranks(text, overrides, communicator)
-      , stepper(on_ranks.system, on_ranks.scene)
-      , state(on_ranks.equations.initial_state())
+      , stepper(on_ranks.equations, on_ranks.scene, work)
+      , solution(stepper.initial_solution())
     {
-      stepper.start(state);
+      stepper.start(solution);
       while (state.step < on_ranks.scene.time.n_steps())
-        iterations += stepper.advance(state).iterations;
+        iterations += stepper.advance(solution).iterations;
     }
 
     EquationsOnRanks on_ranks;
+    Work             work;
     TimeStepper      stepper;
-    State            state;
+    Solution         solution;
+    const State     &state      = solution.state;
     unsigned int     iterations = 0;
   };
 
@@ -137,13 +139,14 @@ namespace
   connector_reports(const Advanced &run)
   {
     std::map<std::string, std::array<double, 3>> reports;
-    for (const ConnectorForces *group :
+    for (const ConnectorGroup &group :
          run.on_ranks.equations.reporting().connectors)
-      for (unsigned int i = 0; i < group->n_reported(); ++i)
+      for (unsigned int i = 0; i < group.forces->n_reported(); ++i)
         {
-          const ConnectorReport report = group->report(i, run.state);
-          std::ostringstream    name;
-          name << group->name() << ' ' << report.ends[0] << ' '
+          const ConnectorReport report =
+            group.report(i, run.state, run.solution.results);
+          std::ostringstream name;
+          name << group.forces->name() << ' ' << report.ends[0] << ' '
                << report.ends[1];
           reports[name.str()] = {
             {report.force, report.extension, report.dissipated}};
@@ -153,7 +156,8 @@ namespace
 
   std::vector<double> as_list(const Energies &e)
   {
-    return {e.kinetic, e.strain, e.stored, e.dissipated, e.external};
+    return {
+      e.kinetic(), e.strain(), e.stored(), e.dissipated(), e.external()};
   }
 
   /**
@@ -211,21 +215,21 @@ end
 
     // Round-off through some ten steps of a few iterations each.
     const double        tolerance = 1e-10;
-    const LatticeModel &model     = all.on_ranks.system,
-                       &reference = alone.on_ranks.system;
-    expect_equal(system,
+    const LatticeModel &model     = all.on_ranks.model,
+                       &reference = alone.on_ranks.model;
+    expect_equal(model,
                  all.state.displacement,
                  reference,
                  alone.state.displacement,
                  tolerance);
     if (all.state.velocity)
-      expect_equal(system,
+      expect_equal(model,
                    *all.state.velocity,
                    reference,
                    *alone.state.velocity,
                    tolerance);
     if (all.state.acceleration)
-      expect_equal(system,
+      expect_equal(model,
                    *all.state.acceleration,
                    reference,
                    *alone.state.acceleration,

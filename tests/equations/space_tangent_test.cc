@@ -1,3 +1,5 @@
+#include <auxfem/equations/node_rotations.h>
+
 #include <equations/equations_on_ranks.h>
 #include <gtest/gtest.h>
 
@@ -129,10 +131,10 @@ end
   {
     explicit SpaceTrial(const std::vector<std::string> &overrides)
       : of_scene(frame_with_everything, overrides, MPI_COMM_SELF)
+      , rotations(of_scene.dofs())
       , from(of_scene.equations.initial_state())
       , to(from)
     {
-      const NodeRotations &rotations = of_scene.system.rotations();
       add_noise(0.2, from.displacement);
       for (Quaternion &rotation : from.rotations)
         rotation = exponential(SpaceVector({noise(2), noise(2), noise(2)}));
@@ -146,9 +148,9 @@ end
       to.time = dt;
     }
 
-    Step step(State &trial)
+    Evaluation step(State &trial) const
     {
-      return {from, trial, dt};
+      return of_scene.step(from, trial, dt);
     }
 
     /** Residual after an increment @p h of unknown @p i, as of Newton's method. */
@@ -159,7 +161,7 @@ end
       Vector increment(to.displacement);
       increment.PutScalar(0);
       increment[i] = h;
-      of_scene.system.rotations().turn(step(moved), increment);
+      rotations.turn(step(moved), increment);
       moved.displacement.Update(factors.stiffness, increment, 1);
       if (moved.velocity)
         moved.velocity->Update(factors.damping, increment, 1);
@@ -183,20 +185,22 @@ end
     std::mt19937     generator;
     double           dt = 0.4;
     EquationsOnRanks of_scene;
+    NodeRotations    rotations;
     State            from, to;
   };
 
   void check_space_tangent(const std::vector<std::string> &overrides,
                            const TangentFactors           &factors)
   {
-    SpaceTrial trial(overrides);
-    System    &system = trial.of_scene.system;
-    const auto matrix = system.make_tangent();
-    const Step step   = trial.step(trial.to);
-    system.residual(step);
-    system.tangent(step, factors, *matrix);
+    SpaceTrial          trial(overrides);
+    EquationsOnRanks   &of_scene = trial.of_scene;
+    const DofNumbering &dofs     = of_scene.dofs();
+    const auto          matrix   = of_scene.make_tangent();
+    const Evaluation    step     = trial.step(trial.to);
+    of_scene.residual(step);
+    of_scene.tangent(step, factors, *matrix);
 
-    Epetra_Vector unit(model.numbering.owned_map()), column(unit);
+    Epetra_Vector unit(dofs.owned_map()), column(unit);
     double        worst = 0, scale = 0;
     const double  h = 1e-5;
     for (int j = 0; j < unit.MyLength(); ++j)
@@ -207,7 +211,7 @@ end
         const Vector right = trial.moved_residual(j, h, factors),
                      left  = trial.moved_residual(j, -h, factors);
         for (int i = 0; i < unit.MyLength(); ++i)
-          if (model.numbering.kind(i) != UnknownKind::prescribed)
+          if (dofs.kind(i) != UnknownKind::prescribed)
             {
               const double difference = (right[i] - left[i]) / (2 * h);
               worst = std::max(worst, std::abs(column[i] - difference));

@@ -45,11 +45,7 @@ namespace
   {
     const Scene   scene   = read_scene_from_text(tripod(further), "test.prm");
     const Lattice lattice = build_lattice(scene);
-    std::vector<JointRelease> releases = joint_releases(scene, lattice);
-    Ties                      ties;
-    ties.released.assign(lattice.struts.size(), {{false, false}});
-    couple(releases, lattice, ties);
-    const auto words = [](const Turning &turning) -> std::string {
+    const auto    words   = [](const Turning &turning) -> std::string {
       const std::string number = std::to_string(turning.index);
       switch (turning.what)
         {
@@ -64,7 +60,7 @@ namespace
         }
     };
     std::vector<std::string> result;
-    for (const JointRelease &release : releases)
+    for (const JointRelease &release : joint_releases(scene, lattice))
       for (const TurningPair &pair : release.pairs)
         result.push_back(words(pair.base) + " - " + words(pair.end));
     return result;

@@ -31,9 +31,9 @@ namespace
       return ties;
     }
 
-    const Lattice   lattice;
-    const StrutMesh mesh;
-    DofNumbering    dofs;
+    const Lattice      lattice;
+    const StrutMesh    mesh;
+    const DofNumbering dofs;
   };
 
   Lattice stars(const unsigned int nx, const unsigned int ny)
@@ -61,7 +61,7 @@ namespace
 TEST(DofNumbering, FourByFourStarsHave1080UnknownsAtOrderTwo)
 {
   // 16 x 12 struts with one inner node, 168 joints, 3 unknowns each.
-  Numbered stars_4x4(stars(4, 4), 2);
+  const Numbered stars_4x4(stars(4, 4), 2);
   EXPECT_EQ(stars_4x4.lattice.struts.size(), 192u);
   EXPECT_EQ(stars_4x4.lattice.joints.size(), 168u);
   EXPECT_EQ(stars_4x4.dofs.n_unknowns(), 3u * (192 + 168));
@@ -69,13 +69,13 @@ TEST(DofNumbering, FourByFourStarsHave1080UnknownsAtOrderTwo)
   EXPECT_EQ(stars_4x4.dofs.n_free(), 1080u);
 
   // Four stub ends at the bottom are clamped.
+  Ties clamped;
   for (const unsigned int joint : stars_4x4.lattice.joint_sets.at("bottom"))
     for (const unsigned int c : stars_4x4.dofs.components())
-      if (const int unknown = stars_4x4.dofs.joint_unknown(joint, c);
-          unknown >= 0)
-        stars_4x4.dofs.prescribe(unknown);
-  EXPECT_EQ(stars_4x4.dofs.n_free(), 1080u - 12u);
-  EXPECT_EQ(stars_4x4.dofs.n_unknowns(), 1080u);
+      clamped.prescribed.push_back({joint, c});
+  const Numbered held(stars(4, 4), 2, 0, clamped);
+  EXPECT_EQ(held.dofs.n_free(), 1080u - 12u);
+  EXPECT_EQ(held.dofs.n_unknowns(), 1080u);
 }
 
 TEST(DofNumbering, CountsFollowFromOrderAndRefinement)
@@ -201,15 +201,18 @@ TEST(DofNumbering, WordsForAReleasedEndNameItsStrut)
 
 TEST(DofNumbering, KindsTellRotationsAndPrescribedUnknownsApart)
 {
-  Numbered  tripods(tripod(), 2, 0, {}, MPI_COMM_SELF);
-  const int x = tripods.dofs.joint_unknown(1, 0),
-            r = tripods.dofs.joint_unknown(1, rotation_z);
-  EXPECT_EQ(tripods.dofs.kind(x), UnknownKind::translation);
-  EXPECT_EQ(tripods.dofs.kind(r), UnknownKind::rotation);
-  EXPECT_FALSE(tripods.dofs.is_rotation(x));
-  tripods.dofs.prescribe(r);
-  EXPECT_EQ(tripods.dofs.kind(r), UnknownKind::prescribed);
-  EXPECT_TRUE(tripods.dofs.is_rotation(r));
+  const Numbered free(tripod(), 2, 0, {}, MPI_COMM_SELF);
+  const int      x = free.dofs.joint_unknown(1, 0),
+            r      = free.dofs.joint_unknown(1, rotation_z);
+  EXPECT_EQ(free.dofs.kind(x), UnknownKind::translation);
+  EXPECT_EQ(free.dofs.kind(r), UnknownKind::rotation);
+  EXPECT_FALSE(free.dofs.is_rotation(x));
+  Ties ties;
+  ties.prescribed = {{1, rotation_z}};
+  const Numbered held(tripod(), 2, 0, ties, MPI_COMM_SELF);
+  EXPECT_EQ(held.dofs.kind(held.dofs.joint_unknown(1, rotation_z)),
+            UnknownKind::prescribed);
+  EXPECT_TRUE(held.dofs.is_rotation(held.dofs.joint_unknown(1, rotation_z)));
 }
 
 TEST(DofNumbering, NeighbouringUnknownsOfOneRankHaveEveryNumberOnce)

@@ -1,3 +1,4 @@
+#include <auxfem/equations/equations.h>
 #include <auxfem/model/build_lattice.h>
 #include <auxfem/output/effective_strains.h>
 
@@ -55,17 +56,17 @@ TEST(EffectiveStrains, AreDifferencesOfMeansOverTheDistance)
 {
   const Scene            scene   = scene_in(2);
   const Lattice          lattice = build_lattice(scene);
-  const System           system(scene, lattice, MPI_COMM_WORLD);
-  const EffectiveStrains strains(system);
+  const LatticeModel     model(scene, lattice, MPI_COMM_WORLD);
+  const EffectiveStrains strains(model);
   EXPECT_EQ(names_of(strains), (Words{"strain.x", "strain.y"}));
 
   // Numbers of few binary digits: all is exact.
-  State state = system.initial_state();
-  displace(state, system, 1, 0, 0.25);
-  displace(state, system, 2, 0, 0.75);
-  displace(state, system, 0, 0, -0.5);
-  displace(state, system, 2, 1, -0.25);
-  displace(state, system, 3, 1, -0.5);
+  State state = Equations(scene, model).initial_state();
+  displace(state, model, 1, 0, 0.25);
+  displace(state, model, 2, 0, 0.75);
+  displace(state, model, 0, 0, -0.5);
+  displace(state, model, 2, 1, -0.25);
+  displace(state, model, 3, 1, -0.5);
   EXPECT_EQ(strains.values(state),
             (std::vector<double>{(0.5 - -0.25) / 4, -0.375 / 2}));
 }
@@ -79,11 +80,11 @@ TEST(EffectiveStrains, MeasureUnevenFacesByTheirMeanPlaces)
   lattice.joints[3][2]        = 3;
   lattice.joint_sets["back"]  = {0, 1};
   lattice.joint_sets["front"] = {2, 3};
-  const System           system(scene, lattice, MPI_COMM_WORLD);
-  const EffectiveStrains strains(system);
+  const LatticeModel     model(scene, lattice, MPI_COMM_WORLD);
+  const EffectiveStrains strains(model);
   EXPECT_EQ(strains.axes(), (std::vector<unsigned int>{0, 1, 2}));
-  State state = system.initial_state();
-  displace(state, system, 3, 2, 1);
+  State state = Equations(scene, model).initial_state();
+  displace(state, model, 3, 2, 1);
   EXPECT_EQ(strains.values(state), (std::vector<double>{0, 0, 0.25}));
 }
 
@@ -92,8 +93,8 @@ TEST(EffectiveStrains, LeaveOutAxesWithoutTwoSidesApart)
   const Scene scene         = scene_in(3);
   Lattice     lattice       = build_lattice(scene);
   lattice.joint_sets["top"] = lattice.joint_sets["bottom"];
-  const System           system(scene, lattice, MPI_COMM_WORLD);
-  const EffectiveStrains strains(system);
+  const LatticeModel     model(scene, lattice, MPI_COMM_WORLD);
+  const EffectiveStrains strains(model);
   EXPECT_EQ(names_of(strains), (Words{"strain.x"}))
     << "there is neither back nor front, and top is where bottom is";
 

@@ -1,17 +1,19 @@
-#include <auxfem/model/build_lattice.h>
+#include <auxfem/equations/node_rotations.h>
 #include <auxfem/output/history.h>
 #include <auxfem/parameters/errors.h>
 
 #include <deal.II/base/mpi.h>
 
+#include <equations/equations_on_ranks.h>
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
+#include <algorithm>
 #include <map>
-#include <sstream>
+#include <set>
+#include <stdexcept>
 
 using namespace auxfem;
+using namespace auxfem::testing_support;
 
 namespace
 {
@@ -52,43 +54,27 @@ subsection Time
 end
 )";
 
-  std::string fresh_folder(const std::string &name)
+  /** The row of @p solution by column. */
+  std::map<std::string, double> row_of(History        &history,
+                                       const Solution &solution)
   {
-    const std::string folder = std::string(AUXFEM_TEST_OUTPUT_DIRECTORY) +
-      "/history_" + name + "_on_" +
-      std::to_string(dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD));
-    if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-      {
-        std::filesystem::remove_all(folder);
-        std::filesystem::create_directories(folder);
-      }
-    MPI_Barrier(MPI_COMM_WORLD);
-    return folder;
-  }
-
-  std::vector<std::string> split(const std::string &line)
-  {
-    std::istringstream       stream(line);
-    std::vector<std::string> fields;
-    for (std::string field; std::getline(stream, field, ',');)
-      fields.push_back(field);
-    return fields;
-  }
-
-  /** Values of the last row of history.csv by column. */
-  std::map<std::string, double> last_row(const std::string &folder)
-  {
-    std::ifstream stream(folder + "/history.csv");
-    std::string   header, line, last;
-    std::getline(stream, header);
-    while (std::getline(stream, line))
-      last = line;
-    const std::vector<std::string> names = split(header), values = split(last);
-    EXPECT_EQ(names.size(), values.size());
+    const std::vector<Column> &columns = history.columns();
+    const std::vector<double> &values  = history.values(solution);
+    EXPECT_EQ(columns.size(), values.size());
     std::map<std::string, double> row;
-    for (std::size_t i = 0; i < std::min(names.size(), values.size()); ++i)
-      row[names[i]] = std::stod(values[i]);
+    for (std::size_t i = 0; i < std::min(columns.size(), values.size()); ++i)
+      row[columns[i].name] = values[i];
     return row;
+  }
+
+  /** The amount with the name @p entry in the ledger. */
+  double &energy(Energies &energies, const std::string &entry)
+  {
+    const std::vector<EnergyEntry> &entries = energies.ledger().entries();
+    for (unsigned int i = 0; i < entries.size(); ++i)
+      if (entries[i].name == entry)
+        return energies[i];
+    throw std::runtime_error("There is no entry " + entry);
   }
 
   /** Gives component @p c of joint j the value @p value(j) in @p vector. */
@@ -109,40 +95,51 @@ end
 
 TEST(History, RowHoldsMeansOfProbesAndSumsOfSupportsAndConnectors)
 {
-  const Scene       scene   = read_scene_from_text(lattice_text +
-                                             "subsection Probes\n"
-                                                     "  set middle = 1, 2\n"
-                                                     "end\n",
-                                           "history_test");
-  const Lattice     lattice = build_lattice(scene);
-  System            system(scene, lattice, MPI_COMM_WORLD);
-  const std::string folder = fresh_folder("row");
-  History           history(scene, system, folder, MPI_COMM_WORLD);
+  const EquationsOnRanks of_scene(
+    lattice_text +
+      "subsection Probes\n"
+      "  set middle = 1, 2\n"
+      "end\n"
+      "subsection Loads\n"
+      "  subsection push\n"
+      "    set Joints = 1\n"
+      "    set Force x = 1\n"
+      "  end\n"
+      "end\n",
+    {"Sections/band/Stiffness-proportional damping=0.1"});
+  const LatticeModel &model = of_scene.model;
+  History history(of_scene.scene, of_scene.equations, MPI_COMM_WORLD);
 
-  const State from = system.initial_state();
-  State       to   = from;
-  to.time          = 0.25;
-  set_joints(to.displacement, system, 0, [](const unsigned int j) {
+  const State from = of_scene.equations.initial_state();
+  Solution    solution{from, of_scene.equations.make_results()};
+  State      &to = solution.state;
+  to.time        = 0.25;
+  set_joints(to.displacement, model, 0, [](const unsigned int j) {
     return 0.25 * j;
   });
-  set_joints(to.displacement, system, rotation_z, [](const unsigned int j) {
+  set_joints(to.displacement, model, rotation_z, [](const unsigned int j) {
     return 0.125 - 0.5 * j;
   });
-  set_joints(*to.velocity, system, 1, [](const unsigned int j) {
+  set_joints(*to.velocity, model, 1, [](const unsigned int j) {
     return 1. * j;
   });
   const Evaluation step = Evaluation::step(from, to, 0.25);
-  system.residual(step);
+  of_scene.equations.residual(step, solution.results);
   // Known numbers in place of the true residual, free rows included.
   for (unsigned int i = 0; i < 3; ++i)
     set_joints(to.residual,
-               system,
+               model,
                model.numbering.components()[i],
                [i](const unsigned int j) { return 10. * (i + 1) + j; });
-  to.energies = {1, 2, 4, 8, 16};
-  history.write(to);
+  for (const auto &[entry, amount] : {std::pair("kinetic", 1),
+                                      std::pair("strain", 2),
+                                      std::pair("stored", 4),
+                                      std::pair("damper.dissipated", 3),
+                                      std::pair("strut_damping_dissipated", 5),
+                                      std::pair("push.load_work", 16)})
+    energy(to.energies, entry) = amount;
 
-  std::map<std::string, double> row = last_row(folder);
+  std::map<std::string, double> row = row_of(history, solution);
   // All inputs have few binary digits: sums and means of them are exact.
   EXPECT_EQ(row["time"], 0.25);
   EXPECT_EQ(row["middle.ux"], 0.375);
@@ -157,7 +154,9 @@ TEST(History, RowHoldsMeansOfProbesAndSumsOfSupportsAndConnectors)
   // line (the joints move along y): 2 * 200 N/m * 0.25 m. A few roundings.
   EXPECT_NEAR(row["damper.extension"], 0.5, 1e-14);
   EXPECT_NEAR(row["damper.force"], 100, 1e-11);
-  EXPECT_EQ(row["damper.dissipated"], 0);
+  EXPECT_EQ(row["damper.dissipated"], 3);
+  EXPECT_EQ(row["strut_damping_dissipated"], 5);
+  EXPECT_EQ(row["push.load_work"], 16);
   EXPECT_EQ(row["kinetic"], 1);
   EXPECT_EQ(row["strain"], 2);
   EXPECT_EQ(row["stored"], 4);
@@ -169,49 +168,44 @@ TEST(History, RowHoldsMeansOfProbesAndSumsOfSupportsAndConnectors)
   EXPECT_EQ(dealii::Utilities::MPI::max(history.largest_rotation(),
                                         MPI_COMM_WORLD),
             1.375);
-  MPI_Barrier(MPI_COMM_WORLD);
 }
 
 TEST(History, RowInSpaceHasThreeOfEach)
 {
-  const Scene scene =
-    read_scene_from_text("set Dimension = 3\n" + lattice_text +
-                           "subsection Probes\n"
-                           "  set middle = 1, 2\n"
-                           "end\n"
-                           "subsection Output\n"
-                           "  set Effective strains = true\n"
-                           "end\n",
-                         "history_test");
-  const Lattice     lattice = build_lattice(scene);
-  System            system(scene, lattice, MPI_COMM_WORLD);
-  const std::string folder = fresh_folder("space");
-  History           history(scene, system, folder, MPI_COMM_WORLD);
+  const EquationsOnRanks of_scene("set Dimension = 3\n" + lattice_text +
+                                  "subsection Probes\n"
+                                  "  set middle = 1, 2\n"
+                                  "end\n"
+                                  "subsection Output\n"
+                                  "  set Effective strains = true\n"
+                                  "end\n");
+  const LatticeModel    &model = of_scene.model;
+  History history(of_scene.scene, of_scene.equations, MPI_COMM_WORLD);
 
-  const State from = system.initial_state();
-  State       to   = from;
+  const State from = of_scene.equations.initial_state();
+  Solution    solution{from, of_scene.equations.make_results()};
+  State      &to = solution.state;
   for (const unsigned int c : {0, 2})
-    set_joints(to.displacement, system, c, [c](const unsigned int j) {
+    set_joints(to.displacement, model, c, [c](const unsigned int j) {
       return 0.25 * (j + c);
     });
   // Joint j turns by 2 j + 3 about (0.6, 0, -0.8): 5 and 7 in the middle.
   for (const auto &[c, along] : {std::pair(3u, 0.6), std::pair(5u, -0.8)})
-    set_joints(to.displacement, system, c, [&](const unsigned int j) {
+    set_joints(to.displacement, model, c, [&](const unsigned int j) {
       return along * (2 * j + 3);
     });
-  set_joints(*to.velocity, system, 2, [](const unsigned int j) {
+  set_joints(*to.velocity, model, 2, [](const unsigned int j) {
     return 1. * j;
   });
   const Evaluation step = Evaluation::step(from, to, 0.25);
-  system.rotations().follow(step);
-  system.residual(step);
+  NodeRotations(model.numbering).follow(step);
+  of_scene.equations.residual(step, solution.results);
   for (unsigned int c = 0; c < n_motion_components; ++c)
-    set_joints(to.residual, system, c, [c](const unsigned int j) {
+    set_joints(to.residual, model, c, [c](const unsigned int j) {
       return 10. * (c + 1) + j;
     });
-  history.write(to);
 
-  std::map<std::string, double> row = last_row(folder);
+  std::map<std::string, double> row = row_of(history, solution);
   EXPECT_EQ(row["middle.ux"], 0.375);
   EXPECT_EQ(row["middle.uy"], 0);
   EXPECT_EQ(row["middle.uz"], 0.875);
@@ -237,47 +231,32 @@ TEST(History, RowInSpaceHasThreeOfEach)
               9,
               1e-13);
   EXPECT_FALSE(history.largest_strain().along(0)) << "there is none along y";
-  MPI_Barrier(MPI_COMM_WORLD);
 }
 
 TEST(History, EveryColumnHasAUnit)
 {
-  const Scene       scene = read_scene_from_text(lattice_text, "history_test");
-  const Lattice     lattice = build_lattice(scene);
-  System            system(scene, lattice, MPI_COMM_WORLD);
-  const std::string folder = fresh_folder("units");
-  History           history(scene, system, folder, MPI_COMM_WORLD);
-
-  std::ifstream table(folder + "/history.csv"),
-    reference(folder + "/history.units.csv");
-  std::string header, line;
-  std::getline(table, header);
-  std::getline(reference, line);
-  EXPECT_EQ(line, "column,unit,meaning");
-  for (const std::string &name : split(header))
+  const EquationsOnRanks of_scene(lattice_text);
+  const History history(of_scene.scene, of_scene.equations, MPI_COMM_WORLD);
+  std::set<std::string> names;
+  for (const Column &column : history.columns())
     {
-      std::getline(reference, line);
-      const std::vector<std::string> fields = split(line);
-      ASSERT_GE(fields.size(), 3u);
-      EXPECT_EQ(fields[0], name);
-      EXPECT_FALSE(fields[1].empty());
+      EXPECT_TRUE(names.insert(column.name).second) << column.name << " twice";
+      EXPECT_FALSE(column.unit.empty()) << column.name;
+      EXPECT_FALSE(column.meaning.empty()) << column.name;
     }
-  MPI_Barrier(MPI_COMM_WORLD);
+  EXPECT_EQ(history.columns().front().name, "time");
+  EXPECT_EQ(names.count("damper.force"), 1u);
 }
 
 TEST(History, ProbeOnNothingIsRefused)
 {
-  const Scene       scene   = read_scene_from_text(lattice_text +
-                                             "subsection Probes\n"
-                                                     "  set lost = 17\n"
-                                                     "end\n",
-                                           "history_test");
-  const Lattice     lattice = build_lattice(scene);
-  System            system(scene, lattice, MPI_COMM_WORLD);
-  const std::string folder = fresh_folder("lost");
+  const EquationsOnRanks of_scene(lattice_text +
+                                  "subsection Probes\n"
+                                  "  set lost = 17\n"
+                                  "end\n");
   try
     {
-      History history(scene, system, folder, MPI_COMM_WORLD);
+      History history(of_scene.scene, of_scene.equations, MPI_COMM_WORLD);
       FAIL();
     }
   catch (const InputError &error)

@@ -64,8 +64,8 @@ TEST(RigidPartProbe, RotationIsCountedPastHalfTurns)
 {
   const EquationsOnRanks of_scene(bars, {}, MPI_COMM_SELF);
   State                  state = of_scene.equations.initial_state();
-  RigidPartProbe     first(probe("rigid: 0"), of_scene.scene, of_scene.system);
-  RigidPartRotations rotations(of_scene.system);
+  RigidPartProbe first(probe("rigid: 0"), of_scene.scene, of_scene.equations);
+  RigidPartRotations rotations(of_scene.equations);
   ASSERT_EQ(first.columns().size(), 1u);
   for (const double sign : {1., -1.})
     {
@@ -92,13 +92,13 @@ TEST(RigidPartProbe, SeveralPartsGiveTheirMeanRotation)
   const EquationsOnRanks of_scene(bars, {}, MPI_COMM_SELF);
   const auto            &dofs  = of_scene.dofs();
   State                  state = of_scene.equations.initial_state();
-  RigidPartProbe both(probe("rigid: 0, 1"), of_scene.scene, of_scene.system);
+  RigidPartProbe both(probe("rigid: 0, 1"), of_scene.scene, of_scene.equations);
   // Bar 0 by 0.6; bar 1 by 0.2 about its moved end.
   turn_first_bar(dofs, 0.6, state);
   state.displacement[dofs.joint_unknown(2, 0)] =
     std::cos(0.6) + std::cos(0.2) - 2;
   state.displacement[dofs.joint_unknown(2, 1)] = std::sin(0.6) + std::sin(0.2);
-  RigidPartRotations rotations(of_scene.system);
+  RigidPartRotations rotations(of_scene.equations);
   rotations.follow(state);
   EXPECT_NEAR(both.values(state, rotations).at(0), 0.4, 1e-14);
 }
@@ -122,10 +122,10 @@ TEST(RigidPartProbe, ForcesAreThoseOfTheChosenJoints)
                "  set Time step = 1\nend\n");
   run.run();
   const auto values_of = [&](const std::string &selection) {
-    RigidPartProbe chosen(probe(selection), run.scene, run.system);
+    RigidPartProbe chosen(probe(selection), run.scene, run.equations);
     EXPECT_EQ(chosen.columns().size(), 3u);
     EXPECT_EQ(chosen.columns()[1].name, "P.fx");
-    RigidPartRotations rotations(run.system);
+    RigidPartRotations rotations(run.equations);
     rotations.follow(run.state);
     return chosen.values(run.state, rotations);
   };

@@ -1,3 +1,5 @@
+#include <auxfem/equations/equations.h>
+#include <auxfem/equations/node_rotations.h>
 #include <auxfem/model/build_lattice.h>
 #include <auxfem/output/rotation_vectors.h>
 
@@ -34,9 +36,11 @@ end
       const std::string &tail = "")
       : scene(read_scene_from_text(head + strut_text + tail, "test.prm"))
       , lattice(build_lattice(scene))
-      , system(scene, lattice, MPI_COMM_WORLD)
-      , state(system.initial_state())
-      , vectors(system)
+      , model(scene, lattice, MPI_COMM_WORLD)
+      , equations(scene, model)
+      , rotations(model.numbering)
+      , state(equations.initial_state())
+      , vectors(model)
     {}
 
     /** Turns all nodes from where they are to @p rotation. */
@@ -51,8 +55,8 @@ end
       const State      before = state;
       const Evaluation step   = Evaluation::step(before, state, 1);
       for (unsigned int i = 0; i < state.rotations.size(); ++i)
-        system.rotations().set_material_turn(step, i, turn);
-      system.rotations().follow(step);
+        rotations.set_material_turn(step, i, turn);
+      rotations.follow(step);
       vectors.follow(state);
     }
 
@@ -66,11 +70,13 @@ end
       return vector;
     }
 
-    const Scene     scene;
-    const Lattice   lattice;
-    System          system;
-    State           state;
-    RotationVectors vectors;
+    const Scene         scene;
+    const Lattice       lattice;
+    const LatticeModel  model;
+    const Equations     equations;
+    const NodeRotations rotations;
+    State               state;
+    RotationVectors     vectors;
   };
 
   class SmallRotationVectorsTest : public RotationVectorsTest
@@ -111,7 +117,7 @@ TEST_F(RotationVectorsTest, StaySmallWhereTheAxisGoesRoundAndRound)
   };
   for (unsigned int i = 0; i <= n_rounds * n_steps; ++i)
     turn_to(exponential(vector(2 * M_PI * i / n_steps)));
-  EXPECT_GT(system.rotations().values(state.displacement, 0).norm(), 2 * M_PI)
+  EXPECT_GT(rotations.values(state.displacement, 0).norm(), 2 * M_PI)
     << "the sum of turns alone would do";
   // Round-off of the quaternion adds up over 1280 steps.
   EXPECT_NEAR((vector_of(1) - vector(0)).norm(), 0, 1e-12);
@@ -122,7 +128,7 @@ TEST_F(SmallRotationVectorsTest, AreTheEntriesOfTheDisplacement)
   ASSERT_TRUE(state.rotations.empty());
   const SpaceVector entries({7, -8, 9});
   for (unsigned int i = 0; i < model.numbering.spatial_rotations().size(); ++i)
-    system.rotations().set_values(entries, i, state.displacement);
+    rotations.set_values(entries, i, state.displacement);
   vectors.follow(state);
   EXPECT_EQ(vector_of(0), entries);
   EXPECT_EQ(vectors.largest(), entries.norm());

@@ -8,25 +8,6 @@
 
 using namespace auxfem;
 
-TEST(EnergyRecord, BalanceStartsAtZeroAndKeepsItsExtremes)
-{
-  EnergyRecord record;
-  EXPECT_EQ(record.relative(1), 0);
-
-  // Kinetic, strain, stored, dissipated, external. Numbers with few binary
-  // digits, so that sums are exact.
-  record.add({2, 1, 0.5, 0, 0.25});
-  EXPECT_EQ(record.balance, 0);
-  record.add({1, 1, 0.5, 1, 1});
-  EXPECT_EQ(record.balance, -0.75);
-  record.add({0, 0, 0, 8, 4.75});
-  EXPECT_EQ(record.balance, 0);
-  EXPECT_EQ(record.largest_balance, 0.75);
-  EXPECT_EQ(record.largest_energy, 8);
-  EXPECT_EQ(record.relative(2), 0.25);
-  EXPECT_EQ(record.latest.dissipated, 8);
-}
-
 TEST(Summary, JsonHoldsWhatTheRunCounted)
 {
   Scene scene;
@@ -42,7 +23,13 @@ TEST(Summary, JsonHoldsWhatTheRunCounted)
   summary.resources.largest_memory = 5000000000;
   summary.largest_rotation         = 1.5;
   summary.exit_state               = "no convergence:\nsecond line";
-  summary.energies.add({1, 2, 3, 4, 5});
+  EnergyLedger       ledger;
+  const unsigned int stored  = ledger.enter(stored_energy_entry()),
+                     kinetic = ledger.enter(kinetic_energy_entry());
+  Energies energies(std::make_shared<const EnergyLedger>(ledger));
+  energies[stored]  = 3;
+  energies[kinetic] = 1;
+  summary.energies.add(energies);
 
   std::istringstream          stream(summary_json(scene, summary));
   boost::property_tree::ptree tree;
@@ -57,6 +44,8 @@ TEST(Summary, JsonHoldsWhatTheRunCounted)
   EXPECT_EQ(tree.get<unsigned long>("peak_memory_bytes.largest_rank"),
             5000000000u);
   EXPECT_EQ(tree.get<double>("energies_joule.stored"), 3);
+  EXPECT_EQ(tree.get<double>("energies_joule.kinetic"), 1);
+  EXPECT_FALSE(tree.get_child_optional("energies_joule.strain"));
   EXPECT_EQ(tree.get<double>("largest_rotation_radian"), 1.5);
   EXPECT_EQ(tree.get_child("connector_groups").back().second.data(), "rod");
 }

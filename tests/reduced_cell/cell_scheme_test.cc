@@ -20,10 +20,10 @@ namespace
     return names;
   }
 
-  CellCourse course_of(CellCase c, const std::string &scheme)
+  CellHistory history_of(CellCase c, const std::string &scheme)
   {
     c.scheme = scheme;
-    return compute_course(cell_scene(c));
+    return compute_history(cell_scene(c));
   }
 } // namespace
 
@@ -33,10 +33,10 @@ TEST(CellSchemes, EveryOneOfTheTableIsAllowedInAScene)
   c.n_steps = 10;
   for (const std::string &scheme : schemes())
     {
-      const CellCourse course = course_of(c, scheme);
-      EXPECT_EQ(course.exit_state, "completed") << scheme;
-      EXPECT_EQ(course.samples.size(), 11u) << scheme;
-      EXPECT_EQ(course.samples.back().time, 0.05) << scheme;
+      const CellHistory history = history_of(c, scheme);
+      EXPECT_EQ(history.exit_state, "completed") << scheme;
+      EXPECT_EQ(history.samples.size(), 11u) << scheme;
+      EXPECT_EQ(history.samples.back().time, 0.05) << scheme;
     }
 }
 
@@ -44,7 +44,7 @@ TEST(CellSchemes, StartAtRest)
 {
   for (const std::string &scheme : schemes())
     {
-      const CellSample first = course_of(CellCase(), scheme).samples[0];
+      const CellSample first = history_of(CellCase(), scheme).samples[0];
       EXPECT_EQ(first.time, 0);
       EXPECT_DOUBLE_EQ(first.angle, M_PI / 6);
       EXPECT_EQ(first.lower_rise, 0);
@@ -67,14 +67,14 @@ TEST(CellSchemes, EveryLawButTwoWithEveryScheme)
         if (law.name == "generalized-maxwell")
           c.connector_lines = "  set Stiffnesses = 2e4, 5e3\n"
                               "  set Relaxation times = 2.5e-3, 0.1\n";
-        const CellCourse course = course_of(c, scheme);
+        const CellHistory history = history_of(c, scheme);
         if (scheme == "as printed" &&
             (law.name == "standard-linear-solid" ||
              law.name == "generalized-maxwell"))
-          EXPECT_NE(course.exit_state.find("Kelvin-Voigt and Maxwell"),
+          EXPECT_NE(history.exit_state.find("Kelvin-Voigt and Maxwell"),
                     std::string::npos);
         else
-          EXPECT_EQ(course.exit_state, "completed") << scheme << law.name;
+          EXPECT_EQ(history.exit_state, "completed") << scheme << law.name;
       }
 }
 
@@ -84,22 +84,22 @@ TEST(CellSchemes, TheLastStepMayBeShorterWhereStepsNeedNotBeEqual)
   std::string text = cell_text(c);
   for (const std::string &scheme : schemes())
     {
-      const Scene      scene  = read_scene_from_text(text,
+      const Scene       scene   = read_scene_from_text(text,
                                                "cell.prm",
                                                {"Time/Time step=0.3 ms",
-                                                      "Time/Scheme=" + scheme});
-      const CellCourse course = compute_course(scene);
-      const bool       needs_equal =
+                                                        "Time/Scheme=" + scheme});
+      const CellHistory history = compute_history(scene);
+      const bool        needs_equal =
         scheme == "central difference" || scheme == "as printed";
       if (needs_equal)
-        EXPECT_NE(course.exit_state.find("needs equal steps"),
+        EXPECT_NE(history.exit_state.find("needs equal steps"),
                   std::string::npos);
       else
         {
-          ASSERT_EQ(course.exit_state, "completed");
-          EXPECT_EQ(course.samples.back().time, 0.05);
+          ASSERT_EQ(history.exit_state, "completed");
+          EXPECT_EQ(history.samples.back().time, 0.05);
           // 2400 N, and six times the step of the case
-          EXPECT_NEAR(course.samples.back().transmitted, 2378.0025, 0.01);
+          EXPECT_NEAR(history.samples.back().transmitted, 2378.0025, 0.01);
         }
     }
 }
@@ -107,15 +107,15 @@ TEST(CellSchemes, TheLastStepMayBeShorterWhereStepsNeedNotBeEqual)
 TEST(CellSchemes, NewtonThatMayNotIterateFails)
 {
   CellCase c;
-  c.scheme                = "newmark";
-  c.n_steps               = 10;
-  const Scene      scene  = read_scene_from_text(cell_text(c),
+  c.scheme                  = "newmark";
+  c.n_steps                 = 10;
+  const Scene       scene   = read_scene_from_text(cell_text(c),
                                            "cell.prm",
                                            {"Newton/Maximum iterations=1"});
-  const CellCourse course = compute_course(scene);
-  EXPECT_NE(course.exit_state.find("has not converged in 1 iterations"),
+  const CellHistory history = compute_history(scene);
+  EXPECT_NE(history.exit_state.find("has not converged in 1 iterations"),
             std::string::npos);
-  EXPECT_LT(course.samples.size(), 11u);
+  EXPECT_LT(history.samples.size(), 11u);
 }
 
 // Numbers of iterations tell a wrong tangent: Newton's method doubles the

@@ -77,12 +77,12 @@ namespace auxfem
     }
 
     /** All samples of @p c. Throws if it does not reach its end. */
-    inline std::vector<CellSample> complete_course(const CellCase &c)
+    inline std::vector<CellSample> complete_history(const CellCase &c)
     {
-      CellCourse course = compute_course(cell_scene(c));
-      if (course.exit_state != "completed")
-        throw std::runtime_error(course.exit_state);
-      return course.samples;
+      CellHistory history = compute_history(cell_scene(c));
+      if (history.exit_state != "completed")
+        throw std::runtime_error(history.exit_state);
+      return history.samples;
     }
 
     /** Largest |quantity| in @p samples. */

@@ -28,6 +28,7 @@ namespace auxfem
         , model(computation.model)
         , equations(computation.equations)
         , state(computation.solution.state)
+        , results(computation.solution.results)
       {
         computation.start();
         initial_total = state.energies.total();
@@ -95,9 +96,41 @@ namespace auxfem
       ConnectorReport connector(const unsigned int group,
                                 const unsigned int i) const
       {
-        return equations.reporting()
-          .connectors[group]
-          .report(i, state, computation.solution.results);
+        return equations.reporting().connectors[group].report(i,
+                                                              state,
+                                                              results);
+      }
+
+      /** Evaluates `state`. */
+      const EvaluationResults &residual(const Evaluation &evaluation)
+      {
+        equations.residual(evaluation, results);
+        return results;
+      }
+
+      /** Of the evaluation last given to residual(). */
+      void tangent(const Evaluation     &evaluation,
+                   const TangentFactors &factors,
+                   TangentMatrix        &matrix) const
+      {
+        equations.tangent(evaluation, results, factors, matrix);
+      }
+
+      std::unique_ptr<TangentMatrix> make_tangent() const
+      {
+        return std::make_unique<TangentMatrix>(equations.pattern());
+      }
+
+      /** The mass matrix now. */
+      std::unique_ptr<TangentMatrix> mass() const
+      {
+        State             now     = state;
+        EvaluationResults of_now  = equations.make_results();
+        const Evaluation  instant = Evaluation::rates(state, now);
+        equations.residual(instant, of_now);
+        auto matrix = make_tangent();
+        equations.tangent(instant, of_now, {0, 0, 1}, *matrix);
+        return matrix;
       }
 
       /** Error of the energy balance now (J). */
@@ -112,6 +145,7 @@ namespace auxfem
       const LatticeModel &model;
       const Equations    &equations;
       State              &state;
+      EvaluationResults  &results;
       double              initial_total = 0;
     };
   } // namespace testing_support

@@ -27,19 +27,25 @@ namespace
   {
     BareStates()
       : of_scene(frame_scene("0 0; 1 0", "0 1", ""), {}, MPI_COMM_SELF)
-      , layout{true, true, true, 0, 0}
-      , from(of_scene.dofs().local_map(), layout)
+      , from(of_scene.dofs().local_map(), layout())
       , to(from)
     {
-      fill_by_place(of_scene.system, 0.3, from.displacement);
-      fill_by_place(of_scene.system, 1.7, *from.velocity);
-      fill_by_place(of_scene.system, 2.3, *from.acceleration);
-      fill_by_place(of_scene.system, -1.1, *from.algorithmic_acceleration);
-      fill_by_place(of_scene.system, 0.9, to.residual);
+      fill_by_place(of_scene.model, 0.3, from.displacement);
+      fill_by_place(of_scene.model, 1.7, *from.velocity);
+      fill_by_place(of_scene.model, 2.3, *from.acceleration);
+      fill_by_place(of_scene.model, -1.1, *from.algorithmic_acceleration);
+      fill_by_place(of_scene.model, 0.9, to.residual);
+    }
+
+    static StateLayout layout()
+    {
+      StateLayout layout;
+      layout.velocity = layout.acceleration = true;
+      layout.algorithmic_acceleration       = true;
+      return layout;
     }
 
     EquationsOnRanks of_scene;
-    StateLayout      layout;
     State            from, to;
   };
 

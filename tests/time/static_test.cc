@@ -12,18 +12,23 @@ namespace
   {
     ViscousStates()
       : of_scene(frame_scene("0 0; 1 0", "0 1", ""), {}, MPI_COMM_SELF)
-      , layout{true, false, false, 0, 0}
-      , from(of_scene.dofs().local_map(), layout)
+      , from(of_scene.dofs().local_map(), layout())
       , to(from)
       , increment(of_scene.dofs().local_map())
     {
-      fill_by_place(of_scene.system, 0.3, from.displacement);
-      fill_by_place(of_scene.system, 1.7, *from.velocity);
-      fill_by_place(of_scene.system, 0.2, increment);
+      fill_by_place(of_scene.model, 0.3, from.displacement);
+      fill_by_place(of_scene.model, 1.7, *from.velocity);
+      fill_by_place(of_scene.model, 0.2, increment);
+    }
+
+    static StateLayout layout()
+    {
+      StateLayout layout;
+      layout.velocity = true;
+      return layout;
     }
 
     EquationsOnRanks of_scene;
-    StateLayout      layout;
     State            from, to;
     Vector           increment;
   };

@@ -21,14 +21,14 @@ namespace
 
   Errors errors_of(CellCase c, const unsigned int n_steps)
   {
-    const auto exact   = complete_course([c, n_steps]() {
+    const auto exact   = complete_history([c, n_steps]() {
       CellCase reference = c;
       reference.scheme   = "arkode";
       reference.n_steps  = n_steps;
       return reference;
     }());
     c.n_steps          = n_steps;
-    const auto samples = complete_course(c);
+    const auto samples = complete_history(c);
     return {largest_difference(samples, exact, &CellSample::angle),
             largest_difference(samples, exact, &CellSample::transmitted)};
   }
@@ -95,7 +95,7 @@ TEST(CellConvergence, ThePrintedSchemeStopsMovingWithSmallSteps)
         {
           c.n_steps = n_steps;
           const double turn =
-            (complete_course(c).back().angle - M_PI / 6) * 180 / M_PI;
+            (complete_history(c).back().angle - M_PI / 6) * 180 / M_PI;
           std::printf("| %u | %u | %.5f | %.3f |\n",
                       n,
                       n_steps,
@@ -123,7 +123,7 @@ TEST(CellConvergence, EnergyBalanceAtAFineStep)
         c.scheme             = "newmark";
         c.n_steps            = n_steps;
         double largest_error = 0, work = 0;
-        for (const CellSample &sample : complete_course(c))
+        for (const CellSample &sample : complete_history(c))
           {
             largest_error =
               std::max(largest_error, std::abs(sample.energies.balance(0)));

@@ -25,7 +25,7 @@ namespace
     CellCase c         = table_case(n);
     c.bar_length       = L1;
     c.part_mass        = ratio * c.bar_mass;
-    const auto samples = complete_course(c);
+    const auto samples = complete_history(c);
     return {samples.back().transmitted,
             largest(samples, &CellSample::transmitted)};
   }

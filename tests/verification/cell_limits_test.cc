@@ -41,7 +41,7 @@ namespace
                                   ComparisonTable   &table)
   {
     c.scheme           = scheme;
-    const auto samples = complete_course(c);
+    const auto samples = complete_history(c);
     double     error = 0, largest_Y2 = 0;
     for (const CellSample &sample : samples)
       {
@@ -76,7 +76,7 @@ namespace
     c.scheme    = scheme;
     if (!long_time.empty())
       c.connector_lines = "  set Long-time stiffness = " + long_time + "\n";
-    return complete_course(c);
+    return complete_history(c);
   }
 
   void expect_equal(const std::vector<CellSample> &a,
@@ -109,16 +109,16 @@ TEST(CellLimits, MasslessBarsComeUpright)
   for (const std::string scheme :
        {"arkode", "newmark", "generalized-alpha", "central difference"})
     {
-      CellCase c              = massless_bars(C);
-      c.law                   = "maxwell";
-      c.end                   = 0.2;
-      c.n_steps               = 4000;
-      c.scheme                = scheme;
-      const CellCourse course = compute_course(cell_scene(c));
-      EXPECT_NE(course.exit_state.find("upright"), std::string::npos)
-        << scheme << ": " << course.exit_state;
-      ASSERT_GT(course.samples.size(), 100u) << scheme;
-      for (const CellSample &sample : course.samples)
+      CellCase c                = massless_bars(C);
+      c.law                     = "maxwell";
+      c.end                     = 0.2;
+      c.n_steps                 = 4000;
+      c.scheme                  = scheme;
+      const CellHistory history = compute_history(cell_scene(c));
+      EXPECT_NE(history.exit_state.find("upright"), std::string::npos)
+        << scheme << ": " << history.exit_state;
+      ASSERT_GT(history.samples.size(), 100u) << scheme;
+      for (const CellSample &sample : history.samples)
         EXPECT_GT(sample.angle, -M_PI / 2);
     }
 }

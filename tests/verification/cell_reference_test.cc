@@ -56,7 +56,7 @@ TEST(CellReference, AllCasesAgreeWithAnotherIntegrator)
       const CellCase c = table_case(n);
       const auto     reference =
         CellReference(c, [n](const double t) { return load(n, t); }).rows();
-      const auto samples = complete_course(c);
+      const auto samples = complete_history(c);
       ASSERT_EQ(samples.size(), reference.size());
       const std::array<double, 2> d = differences(samples, reference);
       table.row(name(n, "theta"), d[0], 0, 1e-10);
@@ -70,7 +70,7 @@ TEST(CellReference, AllCasesHaveTheTabulatedValues)
   ComparisonTable table("Rigid cell: values at 25 ms and 50 ms");
   for (unsigned int n = 1; n <= 8; ++n)
     {
-      const auto samples = complete_course(table_case(n));
+      const auto samples = complete_history(table_case(n));
       for (const unsigned int half : {0, 1})
         {
           const CellSample &found = samples[500 * (half + 1)];
@@ -102,12 +102,12 @@ TEST(CellReference, BarsPassTheVertical)
         lowest = std::min(lowest, row.theta);
       EXPECT_LT(lowest, -M_PI / 2) << n;
       table.row(name(n, "arkode"),
-                differences(complete_course(c), reference)[0],
+                differences(complete_history(c), reference)[0],
                 0,
                 1e-9);
       c.scheme = "newmark";
       table.row(name(n, "newmark, 25 us"),
-                differences(complete_course(c), reference)[0],
+                differences(complete_history(c), reference)[0],
                 0,
                 1e-3);
     }

@@ -53,8 +53,8 @@ namespace
   /** What remains to be seen of a run. */
   struct Outcome
   {
-    double       shortening, balance, work;
-    unsigned int iterations, factorizations;
+    double        shortening, balance, work;
+    unsigned long iterations, factorizations;
   };
 
   /** Runs to the end, all states being finite. */
@@ -66,8 +66,8 @@ namespace
     return {shortening(run),
             run.balance(),
             run.state.energies.external(),
-            run.iterations,
-            run.factorizations};
+            run.work().iterations,
+            run.work().factorizations};
   }
 
   /** The scene with plain springs in place of its Kelvin-Voigt connectors. */
@@ -91,7 +91,7 @@ TEST(HardCases, CollapseStaysFinite)
   unsigned int n_retries = 0;
   try
     {
-      while (run.state.step < run.stepper.n_steps())
+      while (run.state.step < run.scene.time.n_steps())
         {
           n_retries += run.advance().retries;
           ASSERT_NO_FATAL_FAILURE(expect_finite(run));
@@ -252,19 +252,19 @@ TEST(HardCases, RigidTurnsGiveNoForce)
                                        angle};
           run.state.displacement[i] = motion[unknowns[i].component];
         }
-      const State        before = run.state;
-      const Evaluation   step   = Evaluation::step(before, run.state, 0);
-      const ResidualNorm norm   = run.residual(step);
-      run.system.accept(step);
+      const State              before  = run.state;
+      const Evaluation         instant = Evaluation::rates(before, run.state);
+      const EvaluationResults &results = run.residual(instant);
+      run.equations.accept(instant, results);
       // Strains are round-off, about 1e-15 * 80 mm / 10 mm; 56 struts.
       table.row(label("turns", turns),
                 (run.state.energies.strain() + run.state.energies.stored()) /
                   (EA * 0.01),
                 0,
                 56 * std::pow(1e-14, 2));
-      const double floor = run.system.round_off_floor(run.state);
-      EXPECT_LT(norm.force, floor);
-      EXPECT_LT(norm.moment, floor * run.model.mean_strut_length);
+      const double floor = run.equations.round_off_floor(run.state, results);
+      EXPECT_LT(results.force, floor);
+      EXPECT_LT(results.moment, floor * run.model.mean_strut_length);
     }
 }
 

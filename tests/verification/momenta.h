@@ -20,13 +20,10 @@ namespace auxfem
     public:
       explicit MomentumMeter(SceneRun &run)
         : run(run)
-        , mass(run.make_tangent())
+        , mass(run.mass())
         , momentum(run.model.numbering.owned_map())
         , unknowns(node_unknowns(run))
-      {
-        const State before = run.state;
-        run.tangent({before, run.state, 0}, {0, 0, 1}, *mass);
-      }
+      {}
 
       Momenta operator()()
       {

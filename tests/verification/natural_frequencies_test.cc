@@ -81,7 +81,7 @@ subsection Discretization
     SceneRun                  run(bar(supports, effects, refinements));
     Frequencies               result{};
     const std::vector<double> lowest =
-      lowest_frequencies(run, bending_unknowns(run.system), n_modes);
+      lowest_frequencies(run, bending_unknowns(run.model), n_modes);
     std::copy(lowest.begin(), lowest.end(), result.begin());
     return result;
   }

@@ -46,13 +46,15 @@ namespace
         const QuasiStatic scheme;
         to.time = run.state.time;
         const Evaluation step =
-          Evaluation::step(before, to, to.time - before.time);
+          Evaluation::static_step(before, to, to.time - before.time);
         NewtonParameters parameters;
         parameters.tolerance          = 1e-10;
         parameters.maximum_iterations = found.size() + 1;
         parameters.keep_factorization = false;
-        result =
-          Newton(run.system, parameters, run.scene.solver).solve(scheme, step);
+        Work              work;
+        TangentSolver     solver(run.equations, run.scene.solver, work);
+        EvaluationResults results = run.equations.make_results();
+        result = Newton(solver, parameters).solve(scheme, step, results);
         found.push_back({result.relative_residual, distance(to, run.state)});
       }
     EXPECT_TRUE(result.converged) << result.reason;

@@ -170,7 +170,7 @@ namespace
   {
     c.scheme  = "arkode";
     c.n_steps = 250;
-    return complete_course(c);
+    return complete_history(c);
   }
 } // namespace
 

@@ -39,7 +39,7 @@ namespace
     SpaceScene scene = clamped_strut(axis);
     scene.load("tip", "1", nothing, times(8 * pi * normal, "t")).time(1, step);
     SpaceRun        run(scene.str());
-    RotationVectors rotations(run.system);
+    RotationVectors rotations(run.model);
     double          worst_place = 0, worst_rotation = 0, angle = 0;
     run.run([&] {
       angle = 4 * pi * run.state.time;
@@ -100,7 +100,7 @@ TEST(RollUp3d, TwoTurnsOfTwist)
   SpaceScene scene = clamped_strut(axis);
   scene.load("tip", "1", nothing, times(6 * pi * axis, "t")).time(1, 0.2);
   SpaceRun        run(scene.str());
-  RotationVectors rotations(run.system);
+  RotationVectors rotations(run.model);
   run.run([&] { rotations.follow(run.state); });
   EXPECT_LT(run.displacement(1).norm(), 1e-10);
   for (unsigned int c = 0; c < 3; ++c)

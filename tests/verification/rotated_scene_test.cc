@@ -221,12 +221,12 @@ namespace
         EXPECT_LT((to.rotations[i].vector - wanted.vector).norm(), 1e-9);
       }
     const Energies &a = to.energies, &b = from.energies;
-    const double    tolerance = 1e-9 * b.external;
-    EXPECT_NEAR(a.kinetic, b.kinetic, tolerance);
-    EXPECT_NEAR(a.strain, b.strain, tolerance);
-    EXPECT_NEAR(a.stored, b.stored, tolerance);
-    EXPECT_NEAR(a.dissipated, b.dissipated, tolerance);
-    EXPECT_NEAR(a.external, b.external, tolerance);
+    const double    tolerance = 1e-9 * b.external();
+    EXPECT_NEAR(a.kinetic(), b.kinetic(), tolerance);
+    EXPECT_NEAR(a.strain(), b.strain(), tolerance);
+    EXPECT_NEAR(a.stored(), b.stored(), tolerance);
+    EXPECT_NEAR(a.dissipated(), b.dissipated(), tolerance);
+    EXPECT_NEAR(a.external(), b.external(), tolerance);
   }
 
   /** Largest angle by which something turned since rest. */
@@ -250,8 +250,8 @@ namespace
     run.run();
     other.run();
     std::cout << scheme << ": largest turn " << largest_turn(run.state)
-              << " rad, " << run.iterations << " and " << other.iterations
-              << " iterations" << std::endl;
+              << " rad, " << run.work().iterations << " and "
+              << other.work().iterations << " iterations" << std::endl;
     if (is_large)
       {
         EXPECT_GT(largest_turn(run.state), 0.8) << "not a large rotation";

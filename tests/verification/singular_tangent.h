@@ -19,11 +19,11 @@ namespace auxfem
     inline double smallest_eigenvalue(SceneRun &run)
     {
       const State      state = run.state;
-      const Evaluation step  = Evaluation::step(state, run.state, 0);
+      const Evaluation step  = Evaluation::rates(state, run.state);
       run.residual(step);
       const auto matrix = run.make_tangent();
       run.tangent(step, {1, 0, 0}, *matrix);
-      LinearSolver solver(run.scene.solver, *matrix, run.system);
+      LinearSolver solver(run.scene.solver, *matrix, run.model);
       solver.factorize();
 
       const DofNumbering &numbering = run.model.numbering;

@@ -29,11 +29,9 @@ namespace auxfem
     public:
       explicit SpaceMomentumMeter(SceneRun &run)
         : run(run)
-        , mass(run.make_tangent())
+        , mass(run.mass())
         , momentum(run.model.numbering.owned_map())
       {
-        const State at_rest = run.state;
-        run.tangent({at_rest, run.state, 0}, {0, 0, 1}, *mass);
         const DofNumbering &dofs = run.model.numbering;
         const auto          points =
           dealii::FE_Q<1>(dofs.order()).get_unit_support_points();

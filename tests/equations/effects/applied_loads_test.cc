@@ -1,5 +1,6 @@
 #include <auxfem/equations/effects/applied_loads.h>
 
+#include <equations/effects/effect_alone.h>
 #include <equations/equations_on_ranks.h>
 #include <gtest/gtest.h>
 
@@ -22,57 +23,61 @@ namespace
       , from(of_scene.equations.initial_state())
       , to(from)
     {
-      const unsigned int growing = loads.add_load(course("3 * t"));
+      const EnergyEntry  work{EnergyKind::work, "load_work", "work of loads"};
+      const unsigned int growing = loads.add_load(course("3 * t"), work);
       loads.add_weight(growing, 1, 1.);
       loads.add_weight(growing, 2, -2.);
-      loads.add_weight(loads.add_load(course("5")), 2, 1.);
+      loads.add_weight(loads.add_load(course("5"), work), 2, 1.);
       from.time = 0.5;
       to.time   = 1.5;
+      StateLayout layout = of_scene.equations.layout();
+      loads.register_in(layout);
+      work_entry = layout.energies.enter(work);
+      make_room(layout, from);
+      make_room(layout, to);
+    }
+
+    EvaluatedAlone evaluated()
+    {
+      return {loads, Evaluation::step(from, to, 1.)};
     }
 
     EquationsOnRanks of_scene;
     AppliedLoads     loads;
     State            from, to;
+    unsigned int     work_entry;
   };
 } // namespace
 
 TEST(AppliedLoads, ResidualIsMinusTheForceAtTheEndOfTheStep)
 {
-  LoadsAlone          applied;
-  std::vector<double> residual(applied.of_scene.dofs().n_local(), 0.);
-  const Evaluation    step = Evaluation::step(applied.from, applied.to, 1.);
-  applied.loads.begin_step(step);
-  applied.loads.add_residual(step, residual.data());
+  LoadsAlone                applied;
+  const std::vector<double> residual = applied.evaluated().residual;
   for (unsigned int i = 0; i < residual.size(); ++i)
     EXPECT_EQ(residual[i], i == 1 ? -4.5 : i == 2 ? 9. - 5. : 0.);
 }
 
 TEST(AppliedLoads, WorkIsTheMeanForceTimesTheDisplacement)
 {
-  LoadsAlone       applied;
-  const Evaluation step        = Evaluation::step(applied.from, applied.to, 1.);
-  applied.from.displacement[1] = 0.25;
-  applied.to.displacement[1]   = 0.75;
-  applied.to.displacement[2]   = 0.125;
-  applied.to.external_work     = 10;
-  applied.loads.begin_step(step);
-  applied.loads.accept(step);
+  LoadsAlone applied;
+  applied.from.displacement[1]                 = 0.25;
+  applied.to.displacement[1]                   = 0.75;
+  applied.to.displacement[2]                   = 0.125;
+  applied.from.energy_sums[applied.work_entry] = 10;
   // Means: 3 N and 5 N; exact in binary numbers.
-  EXPECT_EQ(applied.to.external_work, 10 + 3 * (0.5 - 2 * 0.125) + 5 * 0.125);
+  EXPECT_EQ(applied.evaluated().accept().external(),
+            10 + 3 * (0.5 - 2 * 0.125) + 5 * 0.125);
 }
 
 TEST(AppliedLoads, LoadsRaisedFromZeroDoLessWorkInTheFirstStep)
 {
   for (const bool raised : {false, true})
     {
-      LoadsAlone       applied(raised);
-      const Evaluation step = Evaluation::step(applied.from, applied.to, 1.);
-      applied.from.time     = 0;
+      LoadsAlone applied(raised);
+      applied.from.time          = 0;
       applied.to.displacement[2] = 0.125;
-      applied.loads.begin_step(step);
-      applied.loads.accept(step);
       // 3 t grows to 4.5 anyway; 5 acts from the start or grows as well.
-      EXPECT_EQ(applied.to.external_work,
+      EXPECT_EQ(applied.evaluated().accept().external(),
                 (-2 * 4.5 / 2 + (raised ? 2.5 : 5.)) * 0.125);
     }
 }

@@ -1,6 +1,7 @@
 #include <auxfem/equations/effects/connector_forces.h>
 #include <auxfem/mesh/sets.h>
 
+#include <equations/effects/effect_alone.h>
 #include <equations/equations_on_ranks.h>
 #include <gtest/gtest.h>
 #include <mesh/cell_from_text.h>
@@ -48,7 +49,6 @@ namespace
                             const bool         large_rotation = true,
                             const bool         is_dynamic     = true)
       : of_scene(with_connector(law, place), {}, MPI_COMM_SELF)
-      , layout{true, is_dynamic, false, 0, 0}
       , forces(of_scene.scene.connectors[0],
                select_pairs(of_scene.lattice,
                             of_scene.scene.connectors[0].between,
@@ -56,12 +56,20 @@ namespace
                             "Connectors/one/Between"),
                of_scene.lattice,
                of_scene.dofs(),
-               large_rotation,
-               layout)
+               large_rotation)
+      , layout(layout_of(forces, is_dynamic))
       , from(of_scene.dofs().local_map(), layout)
       , to(from)
-      , residual(of_scene.dofs().n_local())
     {}
+
+    static StateLayout layout_of(ConnectorForces &forces, const bool is_dynamic)
+    {
+      StateLayout layout;
+      layout.velocity     = true;
+      layout.acceleration = is_dynamic;
+      forces.register_in(layout);
+      return layout;
+    }
 
     void move(const unsigned int joint, const double x, const double y)
     {
@@ -92,32 +100,29 @@ namespace
         }
     }
 
-    const std::vector<double> &evaluate()
+    EvaluatedAlone evaluated()
     {
-      std::fill(residual.begin(), residual.end(), 0.);
-      const Evaluation step = Evaluation::step(from, to, dt);
-      forces.begin_step(step);
-      forces.add_residual(step, residual.data());
-      return residual;
+      return {forces,
+              layout.acceleration ? Evaluation::step(from, to, dt)
+                                  : Evaluation::static_step(from, to, dt)};
     }
 
     double force_on(const unsigned int joint, const unsigned int component)
     {
-      return evaluate()[of_scene.dofs().joint_unknown(joint, component)];
+      return evaluated()
+        .residual[of_scene.dofs().joint_unknown(joint, component)];
     }
 
     ConnectorReport report()
     {
-      evaluate();
-      return forces.report(0, to);
+      return forces.report(0, to, evaluated().results.get());
     }
 
-    double              dt = 0.5;
-    EquationsOnRanks    of_scene;
-    StateLayout         layout;
-    ConnectorForces     forces;
-    State               from, to;
-    std::vector<double> residual;
+    double           dt = 0.5;
+    EquationsOnRanks of_scene;
+    ConnectorForces  forces;
+    StateLayout      layout;
+    State            from, to;
   };
 
   // A few roundings of lengths of about 10.
@@ -255,29 +260,22 @@ namespace
     connector.push(0, 3, -2);
     connector.push(1, -4, 5);
 
-    TangentMatrix matrix(connector.of_scene.dofs());
-    connector.forces.register_blocks(matrix);
-    matrix.finalize();
-    matrix.reset();
-    connector.evaluate();
-    connector.forces.add_tangent({connector.from, connector.to, connector.dt},
-                                 factors,
-                                 matrix);
+    TangentAlone tangent(connector.forces, connector.of_scene.dofs());
+    tangent.fill(connector.evaluated(), factors);
 
-    const unsigned int n = connector.residual.size();
-    Epetra_Vector unit(connector.of_scene.dofs().owned_map()), column(unit);
-    const double  h     = 1e-5;
-    double        worst = 0, scale = 0;
+    const unsigned int n     = connector.of_scene.dofs().n_unknowns();
+    const double       h     = 1e-5;
+    double             worst = 0, scale = 0;
     for (unsigned int j = 0; j < n; ++j)
       {
-        unit.PutScalar(0);
-        unit[j] = 1;
-        matrix.matrix().Multiply(false, unit, column);
-        const auto moved = [&](const double step) {
+        std::vector<double> unit(n, 0.);
+        unit[j]                          = 1;
+        const std::vector<double> column = tangent.times(unit);
+        const auto                moved = [&](const double step) {
           const State kept = connector.to;
           connector.to.displacement[j] += factors.stiffness * step;
           (*connector.to.velocity)[j] += factors.damping * step;
-          const std::vector<double> result = connector.evaluate();
+          const std::vector<double> result = connector.evaluated().residual;
           connector.to                     = kept;
           return result;
         };
@@ -332,16 +330,31 @@ TEST(ConnectorForces, InStaticsATurnOfTheLineIsNoRate)
   EXPECT_NEAR(connector.report().force, 2 * 2. + 3 * 2. / 0.5, 20 * round_off);
 }
 
+namespace
+{
+  /** Values in the records of the layout that are named `one: WHAT`. */
+  unsigned int n_kept(const ConnectorAlone &connector, const std::string &what)
+  {
+    unsigned int n = 0;
+    for (const HistoryRecord &record : connector.layout.history())
+      if (record.name == "one: " + what)
+        n += record.items.size() * record.values_per_item;
+    return n;
+  }
+} // namespace
+
 TEST(ConnectorForces, HistoryAndStateAreKeptForWhatTheLawNeedsOnly)
 {
-  EXPECT_EQ(ConnectorAlone(spring, from_0_to_1).layout.n_history, 0u);
-  EXPECT_EQ(ConnectorAlone(spring, from_0_to_1).layout.n_dissipated, 0u);
-  EXPECT_EQ(ConnectorAlone(kelvin_voigt, from_0_to_1).layout.n_history, 0u);
-  EXPECT_EQ(ConnectorAlone(kelvin_voigt, from_0_to_1).layout.n_dissipated, 1u);
-  EXPECT_EQ(ConnectorAlone(maxwell, from_0_to_1).layout.n_history, 1u);
-  EXPECT_EQ(
-    ConnectorAlone(maxwell, "set Between = 0 1; 1 2; 0 2\n").layout.n_history,
-    3u);
+  const std::string internal = "internal variables",
+                    lost     = "dissipated energy";
+  EXPECT_EQ(ConnectorAlone(spring, from_0_to_1).layout.n_history(), 0u);
+  const ConnectorAlone parallel(kelvin_voigt, from_0_to_1);
+  EXPECT_EQ(n_kept(parallel, internal), 0u);
+  EXPECT_EQ(n_kept(parallel, lost), 1u);
+  EXPECT_EQ(n_kept(ConnectorAlone(maxwell, from_0_to_1), internal), 1u);
+  const ConnectorAlone three(maxwell, "set Between = 0 1; 1 2; 0 2\n");
+  EXPECT_EQ(n_kept(three, internal), 3u);
+  EXPECT_EQ(three.layout.n_history(), 6u);
 }
 
 TEST(ConnectorForces, AcceptedStepsKnowStoredAndLostEnergy)
@@ -351,10 +364,7 @@ TEST(ConnectorForces, AcceptedStepsKnowStoredAndLostEnergy)
   const double extension = 0.6 * std::sqrt(2.), rate = extension / connector.dt;
   connector.move(1, 0.6, 0.6);
   connector.push(1, 0.6 / connector.dt, 0.6 / connector.dt);
-  connector.evaluate();
-  connector.forces.accept({connector.from, connector.to, connector.dt});
-  Energies energies;
-  connector.forces.add_energies(connector.to, energies);
+  const Energies energies = connector.evaluated().accept();
   EXPECT_NEAR(energies.stored(), 2. / 2 * extension * extension, round_off);
   EXPECT_NEAR(energies.dissipated(), 3 * rate * extension, round_off);
   EXPECT_NEAR(connector.report().dissipated, 3 * rate * extension, round_off);

@@ -18,6 +18,8 @@ namespace
     return result;
   }
 
+  const EnergyEntry work{EnergyKind::work, "load_work", "work of loads"};
+
   struct LoadInSpace : SpaceEffect
   {
     LoadInSpace()
@@ -25,8 +27,9 @@ namespace
                     true)
       , loads(of_scene.lattice, of_scene.dofs(), false)
     {
-      loads.add(components(of_scene.scene.context), 1);
-      loads.begin_step({from, to, 1.});
+      loads.add_joint(loads.add_load(components(of_scene.scene.context), work),
+                      1);
+      make_room_for(loads);
     }
 
     FollowingLoads loads;
@@ -37,7 +40,7 @@ TEST(FollowingLoads, TurnWithTheJointInSpace)
 {
   LoadInSpace               one;
   const auto               &dofs = one.of_scene.dofs();
-  const std::vector<double> rows = one.residual(one.loads, one.to, 1.);
+  const std::vector<double> rows = one.residual(one.loads, one.to);
   const Quaternion         &P =
     one.to.rotations[dofs.spatial_rotation(dofs.joint_unknown(1, rotation_z))];
   const SpaceVector force  = rotated(P, SpaceVector({3, -2, 1.5})),
@@ -60,13 +63,12 @@ TEST(FollowingLoads, TurnWithTheJointInThePlane)
                                   MPI_COMM_SELF);
   const auto            &dofs = of_scene.dofs();
   FollowingLoads         loads(of_scene.lattice, dofs, false);
-  loads.add(components(of_scene.scene.context), 1);
+  loads.add_joint(loads.add_load(components(of_scene.scene.context), work), 1);
   State        from = of_scene.equations.initial_state(), to = from;
   const double angle                                 = 0.7;
   to.displacement[dofs.joint_unknown(1, rotation_z)] = angle;
-  std::vector<double> rows(dofs.n_local(), 0.);
-  loads.begin_step({from, to, 1.});
-  loads.add_residual({from, to, 1.}, rows.data());
+  const std::vector<double> rows =
+    EvaluatedAlone(loads, Evaluation::step(from, to, 1.)).residual;
   EXPECT_NEAR(-rows[dofs.joint_unknown(1, 0)],
               3 * std::cos(angle) + 2 * std::sin(angle),
               1e-14);
@@ -91,9 +93,8 @@ TEST(FollowingLoads, WorkOfASmallStepIsThatOfTheLoadAlongIt)
   // `moved` counts turns from the state before.
   const Evaluation step = Evaluation::step(one.from, one.to, 1.);
   one.rotations.follow(step);
-  one.loads.begin_step(step);
-  const std::vector<double> rows = one.residual(one.loads, one.to, 1.);
-  one.loads.accept(step);
+  const EvaluatedAlone      evaluated(one.loads, step);
+  const std::vector<double> rows = evaluated.residual;
   double work = 0;
   for (unsigned int c = 0; c < n_motion_components; ++c)
     {
@@ -108,6 +109,6 @@ TEST(FollowingLoads, WorkOfASmallStepIsThatOfTheLoadAlongIt)
   for (unsigned int c = 0; c < 3; ++c)
     work -= rows[dofs.joint_unknown(1, 3 + c)] * turn[c];
   // The mean of both ends of the step against its end: the square of it.
-  EXPECT_NEAR(one.to.external_work, work, 1e-6);
+  EXPECT_NEAR(evaluated.accept().external(), work, 1e-6);
   EXPECT_GT(std::abs(work), 1e-5);
 }

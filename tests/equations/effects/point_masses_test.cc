@@ -1,5 +1,6 @@
 #include <auxfem/equations/effects/point_masses.h>
 
+#include <equations/effects/effect_alone.h>
 #include <equations/equations_on_ranks.h>
 #include <gtest/gtest.h>
 
@@ -22,8 +23,17 @@ namespace
     {
       masses.add(y, 2.);
       masses.add(turn, 5.);
-      fill_by_place(of_scene.system, 3., *to.velocity);
-      fill_by_place(of_scene.system, 4., *to.acceleration);
+      StateLayout layout = of_scene.equations.layout();
+      masses.register_in(layout);
+      make_room(layout, from);
+      make_room(layout, to);
+      fill_by_place(of_scene.model, 3., *to.velocity);
+      fill_by_place(of_scene.model, 4., *to.acceleration);
+    }
+
+    Evaluation step()
+    {
+      return Evaluation::step(from, to, 1.);
     }
 
     EquationsOnRanks of_scene;
@@ -35,9 +45,9 @@ namespace
 
 TEST(PointMasses, ForceIsMassTimesAcceleration)
 {
-  MassAlone           one;
-  std::vector<double> residual(one.of_scene.dofs().n_local(), 0.);
-  one.masses.add_residual({one.from, one.to, 1.}, residual.data());
+  MassAlone                 one;
+  const std::vector<double> residual =
+    EvaluatedAlone(one.masses, one.step()).residual;
   for (int i = 0; i < int(residual.size()); ++i)
     {
       const double mass = i == one.y ? 2. : i == one.turn ? 5. : 0.;
@@ -48,22 +58,18 @@ TEST(PointMasses, ForceIsMassTimesAcceleration)
 TEST(PointMasses, KineticEnergyIsThatOfTheMass)
 {
   MassAlone    one;
-  Energies     energies;
   const double v     = (*one.to.velocity)[one.y],
                omega = (*one.to.velocity)[one.turn];
-  one.masses.add_energies(one.to, energies);
+  const Energies energies = EvaluatedAlone(one.masses, one.step()).accept();
   EXPECT_DOUBLE_EQ(energies.kinetic(), v * v + 2.5 * omega * omega);
 }
 
 TEST(PointMasses, TangentHasTheMassOnItsDiagonal)
 {
-  MassAlone     one;
-  TangentMatrix matrix(one.of_scene.dofs());
-  one.masses.register_blocks(matrix);
-  matrix.finalize();
-  matrix.reset();
-  one.masses.add_tangent({one.from, one.to, 1.}, {7., 9., 0.5}, matrix);
-  const std::vector<double> diagonal = matrix.row_sizes();
+  MassAlone    one;
+  TangentAlone tangent(one.masses, one.of_scene.dofs());
+  tangent.fill(EvaluatedAlone(one.masses, one.step()), {7., 9., 0.5});
+  const std::vector<double> diagonal = tangent.matrix.row_sizes();
   for (int i = 0; i < int(diagonal.size()); ++i)
     EXPECT_EQ(diagonal[i], i == one.y ? 1. : i == one.turn ? 2.5 : 0.);
   EXPECT_TRUE(one.masses.is_linear());
@@ -73,8 +79,8 @@ TEST(PointMasses, SeveralMassesOnOneUnknownAddUp)
 {
   MassAlone one;
   one.masses.add(one.y, 1.);
-  std::vector<double> residual(one.of_scene.dofs().n_local(), 0.);
-  one.masses.add_residual({one.from, one.to, 1.}, residual.data());
+  const std::vector<double> residual =
+    EvaluatedAlone(one.masses, one.step()).residual;
   // 2 a + 1 a against 3 a: one rounding apart.
   EXPECT_DOUBLE_EQ(residual[one.y], 3 * (*one.to.acceleration)[one.y]);
 }

@@ -61,7 +61,7 @@ TEST(RevoluteHinges, EveryReleasedStrutHasTwoConditions)
   const EquationsOnRanks of_scene(forked, {}, MPI_COMM_SELF);
   const auto            &dofs = of_scene.dofs();
   EXPECT_EQ(dofs.n_multipliers(), 4u);
-  EXPECT_TRUE(of_scene.system.has_conditions());
+  EXPECT_EQ(of_scene.equations.reporting().conditions.size(), 1u);
   EXPECT_EQ(dofs.describe(dofs.hinge_multiplier(1, 0)),
             "condition of the revolute hinge at joint 1");
 }

@@ -1,5 +1,6 @@
 #include <auxfem/equations/effects/rigid_part_conditions.h>
 
+#include <equations/effects/effect_alone.h>
 #include <equations/equations_on_ranks.h>
 #include <gtest/gtest.h>
 #include <support/scene_run.h>
@@ -38,13 +39,11 @@ namespace
                    of_scene.dofs(),
                    large_rotation,
                    {})
-      , matrix(of_scene.dofs())
+      , tangent(conditions, of_scene.dofs())
       , from(of_scene.equations.initial_state())
       , to(from)
       , n(of_scene.dofs().n_unknowns())
     {
-      conditions.register_blocks(matrix);
-      matrix.finalize();
       for (unsigned int i = 0; i < n; ++i)
         {
           to.displacement[i]    = 1.5 * std::sin(1 + 2.3 * i);
@@ -58,11 +57,20 @@ namespace
       return of_scene.dofs().kind(i) == UnknownKind::multiplier;
     }
 
-    std::vector<double> residual(const double dt)
+    EvaluatedAlone evaluated()
     {
-      std::vector<double> rows(n, 0.);
-      conditions.add_residual({from, to, dt}, rows.data());
-      return rows;
+      return {conditions, Evaluation::step(from, to, 1.)};
+    }
+
+    std::vector<double> residual()
+    {
+      return evaluated().residual;
+    }
+
+    /** Of the instant `to`. */
+    std::vector<double> residual_of_rates()
+    {
+      return EvaluatedAlone(conditions, Evaluation::rates(from, to)).residual;
     }
 
     /** lambda . g at the present motion with displacement @p i at @p value. */
@@ -70,7 +78,7 @@ namespace
     {
       const double kept                = to.displacement[i];
       to.displacement[i]               = value;
-      const std::vector<double> rows   = residual(1.);
+      const std::vector<double> rows   = residual();
       double                    result = 0;
       for (unsigned int k = 0; k < n; ++k)
         if (is_multiplier(k))
@@ -81,12 +89,8 @@ namespace
 
     std::vector<double> tangent_times(const std::vector<double> &direction)
     {
-      matrix.reset();
-      conditions.add_tangent({from, to, 1.}, {1., 3., 5.}, matrix);
-      Epetra_Vector x(of_scene.dofs().owned_map()), y(x);
-      std::copy(direction.begin(), direction.end(), x.Values());
-      matrix.matrix().Multiply(false, x, y);
-      return {y.Values(), y.Values() + n};
+      tangent.fill(evaluated(), {1., 3., 5.});
+      return tangent.times(direction);
     }
 
     std::vector<double> direction() const
@@ -105,7 +109,7 @@ namespace
 
     EquationsOnRanks    of_scene;
     RigidPartConditions conditions;
-    TangentMatrix       matrix;
+    TangentAlone        tangent;
     State               from, to;
     const unsigned int  n;
   };
@@ -152,7 +156,7 @@ TEST(RigidPartConditions, ForcesAreDerivativesOfTheConditions)
   for (const bool large_rotation : {true, false})
     {
       PlateConditions           plate(large_rotation);
-      const std::vector<double> rows = plate.residual(1.);
+      const std::vector<double> rows = plate.residual();
       const double              h    = 1e-5;
       for (unsigned int i = 0; i < plate.n; ++i)
         {
@@ -179,9 +183,9 @@ TEST(RigidPartConditions, TangentIsThatOfDifferencesAtALargeRotation)
                                 product   = plate.tangent_times(direction);
       const double h                      = 1e-5;
       plate.move(direction, h);
-      const std::vector<double> forward = plate.residual(1.);
+      const std::vector<double> forward = plate.residual();
       plate.move(direction, -2 * h);
-      const std::vector<double> backward = plate.residual(1.);
+      const std::vector<double> backward = plate.residual();
       double                    size     = 0;
       for (const double value : product)
         size = std::max(size, std::abs(value));
@@ -198,13 +202,13 @@ TEST(RigidPartConditions, AtRestInTimeTheRowsAreSecondDerivatives)
   for (const bool large_rotation : {true, false})
     {
       PlateConditions           plate(large_rotation);
-      const std::vector<double> rows = plate.residual(0.);
+      const std::vector<double> rows = plate.residual_of_rates();
       const Vector              u    = plate.to.displacement;
       const auto                at   = [&](const double t) {
         for (unsigned int i = 0; i < plate.n; ++i)
           plate.to.displacement[i] = u[i] + t * (*plate.to.velocity)[i] +
             t * t / 2 * (*plate.to.acceleration)[i];
-        return plate.residual(1.);
+        return plate.residual();
       };
       const double h       = 1e-3;
       const auto   forward = at(h), here = at(0), backward = at(-h);
@@ -229,7 +233,7 @@ TEST(RigidPartConditions, SmallDisplacementsAreLinear)
   const std::vector<double> unknowns(plate.to.displacement.Values(),
                                      plate.to.displacement.Values() + plate.n);
   const std::vector<double> product = plate.tangent_times(unknowns),
-                            rows    = plate.residual(1.);
+                            rows    = plate.residual();
   for (unsigned int i = 0; i < plate.n; ++i)
     EXPECT_NEAR(product[i], rows[i], 1e-13);
 }
@@ -251,7 +255,7 @@ TEST(RigidPartConditions, AFiniteRigidMotionMeetsThem)
       if (plate.of_scene.dofs().joint_has(joint, rotation_z))
         set(rotation_z, angle);
     }
-  for (const double row : plate.residual(1.))
+  for (const double row : plate.residual())
     EXPECT_NEAR(row, 0, 1e-14);
   EXPECT_NEAR(plate.conditions.rotation(0, plate.to)[2], angle, 1e-14);
 
@@ -260,7 +264,7 @@ TEST(RigidPartConditions, AFiniteRigidMotionMeetsThem)
     plate.to
       .displacement[plate.of_scene.dofs().joint_unknown(joint, rotation_z)] +=
       2 * std::acos(-1.);
-  for (const double row : plate.residual(1.))
+  for (const double row : plate.residual())
     EXPECT_NEAR(row, 0, 1e-14);
 }
 
@@ -273,7 +277,7 @@ TEST(RigidPartConditions, RatesAreThoseOfTheConditions)
       const auto      at = [&](const double t) {
         for (unsigned int i = 0; i < plate.n; ++i)
           plate.to.displacement[i] = u[i] + t * (*plate.to.velocity)[i];
-        return plate.residual(1.);
+        return plate.residual();
       };
       const double h       = 1e-5;
       const auto   forward = at(h), backward = at(-h);

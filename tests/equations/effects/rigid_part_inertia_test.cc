@@ -1,5 +1,6 @@
 #include <auxfem/equations/effects/rigid_part_inertia.h>
 
+#include <equations/effects/effect_alone.h>
 #include <equations/equations_on_ranks.h>
 #include <gtest/gtest.h>
 
@@ -27,7 +28,17 @@ namespace
       , inertia(rigid_bodies(of_scene.lattice, of_scene.dofs()))
       , from(of_scene.equations.initial_state())
       , to(from)
-    {}
+    {
+      StateLayout layout = of_scene.equations.layout();
+      inertia.register_in(layout);
+      make_room(layout, from);
+      make_room(layout, to);
+    }
+
+    Evaluation step()
+    {
+      return Evaluation::step(from, to, 1.);
+    }
 
     /** A turn at @p rate about (@p x, @p y) in @p vector. */
     void turn(const double rate,
@@ -58,9 +69,9 @@ TEST(RigidPartInertia,
   InertiaOfL L;
   // Angular acceleration 2 about (-1, 2).
   L.turn(2, -1, 2, *L.to.acceleration);
-  const auto         &dofs = L.of_scene.dofs();
-  std::vector<double> residual(dofs.n_local(), 0.);
-  L.inertia.add_residual({L.from, L.to, 1.}, residual.data());
+  const auto               &dofs = L.of_scene.dofs();
+  const std::vector<double> residual =
+    EvaluatedAlone(L.inertia, L.step()).residual;
   double force[2] = {0, 0}, moment = 0;
   for (unsigned int joint = 0; joint < 3; ++joint)
     {
@@ -83,9 +94,8 @@ TEST(RigidPartInertia, KineticEnergyIsThatOfTheRigidBody)
 {
   InertiaOfL L;
   L.turn(1.5, -1, 2, *L.to.velocity);
-  Energies energies;
-  L.inertia.add_energies(L.to, energies);
-  const double arm = L.part.centre_of_mass.distance_square({-1, 2, 0});
+  const Energies energies = EvaluatedAlone(L.inertia, L.step()).accept();
+  const double   arm = L.part.centre_of_mass.distance_square({-1, 2, 0});
   EXPECT_NEAR(energies.kinetic(),
               (4 * arm + L.part.rotary_inertia[2][2]) * 1.5 * 1.5 / 2,
               1e-12);
@@ -93,20 +103,16 @@ TEST(RigidPartInertia, KineticEnergyIsThatOfTheRigidBody)
 
 TEST(RigidPartInertia, TangentIsTheDerivativeByAccelerations)
 {
-  InertiaOfL    L;
-  TangentMatrix matrix(L.of_scene.dofs());
-  L.inertia.register_blocks(matrix);
-  matrix.finalize();
-  matrix.reset();
-  L.inertia.add_tangent({L.from, L.to, 1.}, {7., 9., 0.5}, matrix);
+  InertiaOfL          L;
+  std::vector<double> a(L.of_scene.dofs().n_unknowns());
+  for (unsigned int i = 0; i < a.size(); ++i)
+    a[i] = (*L.to.acceleration)[i] = std::sin(1 + 1.7 * i);
+  const EvaluatedAlone evaluated(L.inertia, L.step());
+  TangentAlone         tangent(L.inertia, L.of_scene.dofs());
+  tangent.fill(evaluated, {7., 9., 0.5});
   EXPECT_TRUE(L.inertia.is_linear());
 
-  Epetra_Vector a(L.of_scene.dofs().owned_map()), product(a);
-  for (int i = 0; i < a.MyLength(); ++i)
-    a[i] = (*L.to.acceleration)[i] = std::sin(1 + 1.7 * i);
-  matrix.matrix().Multiply(false, a, product);
-  std::vector<double> residual(L.of_scene.dofs().n_local(), 0.);
-  L.inertia.add_residual({L.from, L.to, 1.}, residual.data());
-  for (int i = 0; i < a.MyLength(); ++i)
-    EXPECT_NEAR(product[i], 0.5 * residual[i], 1e-14);
+  const std::vector<double> product = tangent.times(a);
+  for (unsigned int i = 0; i < a.size(); ++i)
+    EXPECT_NEAR(product[i], 0.5 * evaluated.residual[i], 1e-14);
 }

@@ -1,5 +1,6 @@
 #include <auxfem/equations/effects/rotational_springs.h>
 
+#include <equations/effects/effect_alone.h>
 #include <equations/equations_on_ranks.h>
 #include <gtest/gtest.h>
 
@@ -20,8 +21,17 @@ namespace
       , to(from)
     {
       springs.add(first, second, 3.);
+      StateLayout layout = of_scene.equations.layout();
+      springs.register_in(layout);
+      make_room(layout, from);
+      make_room(layout, to);
       to.displacement[first]  = 0.25;
       to.displacement[second] = 20.75;
+    }
+
+    Evaluation step()
+    {
+      return Evaluation::step(from, to, 1.);
     }
 
     EquationsOnRanks  of_scene;
@@ -33,9 +43,9 @@ namespace
 
 TEST(RotationalSprings, MomentIsStiffnessTimesRelativeRotation)
 {
-  SpringAlone         one;
-  std::vector<double> residual(one.of_scene.dofs().n_local(), 0.);
-  one.springs.add_residual({one.from, one.to, 1.}, residual.data());
+  SpringAlone               one;
+  const std::vector<double> residual =
+    EvaluatedAlone(one.springs, one.step()).residual;
   // Also after several turns.
   EXPECT_EQ(residual[one.first], -3 * 20.5);
   EXPECT_EQ(residual[one.second], 3 * 20.5);
@@ -48,32 +58,28 @@ TEST(RotationalSprings, MomentIsStiffnessTimesRelativeRotation)
 
 TEST(RotationalSprings, EnergyIsHalfOfMomentTimesRotation)
 {
-  SpringAlone one;
-  Energies    energies;
-  one.springs.add_energies(one.to, energies);
+  SpringAlone    one;
+  const Energies energies = EvaluatedAlone(one.springs, one.step()).accept();
   EXPECT_EQ(energies.strain(), 1.5 * 20.5 * 20.5);
 }
 
 TEST(RotationalSprings, TangentIsTheStiffnessTimesItsFactor)
 {
-  SpringAlone   one;
-  TangentMatrix matrix(one.of_scene.dofs());
-  one.springs.register_blocks(matrix);
-  matrix.finalize();
-  matrix.reset();
-  one.springs.add_tangent({one.from, one.to, 1.}, {0.5, 7., 9.}, matrix);
+  SpringAlone  one;
+  TangentAlone tangent(one.springs, one.of_scene.dofs());
+  tangent.fill(EvaluatedAlone(one.springs, one.step()), {0.5, 7., 9.});
 
   EXPECT_TRUE(one.springs.is_linear());
   Epetra_Vector unit(one.of_scene.dofs().owned_map()), column(unit);
   unit[one.second] = 1;
-  matrix.matrix().Multiply(false, unit, column);
+  tangent.matrix.matrix().Multiply(false, unit, column);
   EXPECT_EQ(column[one.second], 1.5);
   EXPECT_EQ(column[one.first], -1.5);
   double sum = 0;
   column.Norm1(&sum);
   EXPECT_EQ(sum, 3.);
   unit.PutScalar(1.);
-  matrix.matrix().Multiply(false, unit, column);
+  tangent.matrix.matrix().Multiply(false, unit, column);
   column.Norm1(&sum);
   EXPECT_EQ(sum, 0.);
 }

@@ -1,9 +1,10 @@
-#ifndef auxfem_tests_system_effects_space_effect_h
-#define auxfem_tests_system_effects_space_effect_h
+#ifndef auxfem_tests_equations_effects_space_effect_h
+#define auxfem_tests_equations_effects_space_effect_h
 
 #include <auxfem/equations/conditions.h>
 #include <auxfem/equations/node_rotations.h>
 
+#include <equations/effects/effect_alone.h>
 #include <equations/equations_on_ranks.h>
 #include <gtest/gtest.h>
 
@@ -71,13 +72,28 @@ end
         return result;
       }
 
-      std::vector<double>
-      residual(Effect &effect, const State &at, const double dt)
+      /** Lets the states carry what @p effect asks for. */
+      void make_room_for(Effect &effect)
       {
-        State               state = at;
-        std::vector<double> rows(n, 0.);
-        effect.add_residual({from, state, dt}, rows.data());
-        return rows;
+        StateLayout layout = of_scene.equations.layout();
+        effect.register_in(layout);
+        make_room(layout, from);
+        make_room(layout, to);
+      }
+
+      /** Residual at the end of a step of one second. */
+      std::vector<double> residual(const Effect &effect, const State &at) const
+      {
+        State state = at;
+        return EvaluatedAlone(effect, Evaluation::step(from, state, 1.))
+          .residual;
+      }
+
+      /** Residual of the instant `to`. */
+      std::vector<double> residual_of_rates(const Effect &effect) const
+      {
+        State state = to;
+        return EvaluatedAlone(effect, Evaluation::rates(from, state)).residual;
       }
 
       /** `to` after an increment, spins in the rows of rotations. */
@@ -89,7 +105,7 @@ end
         Vector increment(to.displacement);
         for (unsigned int i = 0; i < n; ++i)
           increment[i] = size * direction[i];
-        rotations.turn({from, state, 1.}, increment);
+        rotations.turn(Evaluation::step(from, state, 1.), increment);
         state.displacement.Update(1., increment, 1.);
         state.velocity->Update(factors.damping, increment, 1.);
         state.acceleration->Update(factors.mass, increment, 1.);
@@ -112,21 +128,16 @@ end
       /** Expects the tangent of @p effect to be that of differences. */
       void expect_tangent(Effect &effect, const TangentFactors &factors)
       {
-        TangentMatrix matrix(of_scene.dofs());
-        effect.register_blocks(matrix);
-        matrix.finalize();
-        const std::vector<double> direction = irregular(0.9);
-        residual(effect, to, 1.);
-        matrix.reset();
-        effect.add_tangent({from, to, 1.}, factors, matrix);
-        Epetra_Vector x(of_scene.dofs().owned_map()), y(x);
-        std::copy(direction.begin(), direction.end(), x.Values());
-        matrix.matrix().Multiply(false, x, y);
+        TangentAlone tangent(effect, of_scene.dofs());
+        tangent.fill(EvaluatedAlone(effect, Evaluation::step(from, to, 1.)),
+                     factors);
+        const std::vector<double> direction = irregular(0.9),
+                                  y         = tangent.times(direction);
 
         const double h     = 1e-5;
-        const auto forward = residual(effect, moved(direction, h, factors), 1.),
+        const auto forward = residual(effect, moved(direction, h, factors)),
                    backward =
-                     residual(effect, moved(direction, -h, factors), 1.);
+                     residual(effect, moved(direction, -h, factors));
         double size = 0;
         for (unsigned int i = 0; i < n; ++i)
           size = std::max(size, std::abs(y[i]));
@@ -138,9 +149,9 @@ end
       }
 
       /** Expects forces of multipliers to be derivatives of the conditions. */
-      void expect_forces_by_conditions(Effect &conditions)
+      void expect_forces_by_conditions(const Effect &conditions)
       {
-        const std::vector<double> rows = residual(conditions, to, 1.);
+        const std::vector<double> rows = residual(conditions, to);
         const double              h    = 1e-5;
         for (unsigned int i = 0; i < n; ++i)
           {
@@ -148,9 +159,9 @@ end
               continue;
             std::vector<double> direction(n, 0.);
             direction[i]       = 1;
-            const auto forward = residual(conditions, moved(direction, h), 1.),
+            const auto forward = residual(conditions, moved(direction, h)),
                        backward =
-                         residual(conditions, moved(direction, -h), 1.);
+                         residual(conditions, moved(direction, -h));
             double work = 0;
             for (unsigned int k = 0; k < n; ++k)
               if (is_multiplier(k))
@@ -162,17 +173,17 @@ end
 
       /** Expects first and second derivatives in time to be those of
        * differences. */
-      void expect_time_derivatives(Conditions &conditions)
+      void expect_time_derivatives(const Conditions &conditions)
       {
         const double        small = 1e-5, long_step = 1e-3;
         std::vector<double> rates(n, 0.);
         conditions.find_rates(to, rates.data());
-        const auto second   = residual(conditions, to, 0.),
-                   here     = residual(conditions, to, 1.),
-                   forward  = residual(conditions, at_time(small), 1.),
-                   backward = residual(conditions, at_time(-small), 1.),
-                   later    = residual(conditions, at_time(long_step), 1.),
-                   before   = residual(conditions, at_time(-long_step), 1.);
+        const auto second   = residual_of_rates(conditions),
+                   here     = residual(conditions, to),
+                   forward  = residual(conditions, at_time(small)),
+                   backward = residual(conditions, at_time(-small)),
+                   later    = residual(conditions, at_time(long_step)),
+                   before   = residual(conditions, at_time(-long_step));
         for (unsigned int i = 0; i < n; ++i)
           if (is_multiplier(i))
             {

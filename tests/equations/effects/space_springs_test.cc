@@ -20,16 +20,16 @@ namespace
   {
     explicit KneeSpring(const bool to_ground)
       : SpaceEffect(knee, true)
-      , spring(of_scene.dofs(), layout)
+      , spring(of_scene.dofs())
     {
       const auto &dofs = of_scene.dofs();
       first =
         to_ground ? -1 : dofs.spatial_rotation(dofs.end_rotation(0, 1, 3));
       second = dofs.spatial_rotation(dofs.end_rotation(1, 0, 3));
-      spring.add(first, second, 1.7, layout);
+      spring.add(first, second, 1.7, /*number=*/0);
+      make_room_for(spring);
     }
 
-    StateLayout  layout;
     SpaceSprings spring;
     int          first, second;
   };
@@ -49,12 +49,12 @@ TEST(SpaceSprings, MomentsAreDerivativesOfTheEnergy)
   for (const bool to_ground : {false, true})
     {
       KneeSpring                knee(to_ground);
-      const std::vector<double> rows = knee.residual(knee.spring, knee.to, 1.);
-      const auto                energy = [&](const State &state) {
-        knee.residual(knee.spring, state, 1.);
-        Energies energies;
-        knee.spring.add_energies(state, energies);
-        return energies.strain();
+      const std::vector<double> rows = knee.residual(knee.spring, knee.to);
+      const auto                energy = [&](State state) {
+        return EvaluatedAlone(knee.spring,
+                              Evaluation::step(knee.from, state, 1.))
+          .accept()
+          .strain();
       };
       const double h = 1e-5;
       for (unsigned int i = 0; i < knee.n; ++i)
@@ -87,10 +87,8 @@ TEST(SpaceSprings, TurnsAreCountedWhileBothTumble)
       now.rotations[knee.first] = base;
       now.rotations[knee.second] =
         base * exponential(angle * part / 3 * SpaceVector({1, 2, 2}));
-      std::vector<double> rows(knee.n, 0.);
-      knee.spring.add_residual({before, now, 1.}, rows.data());
-      Energies energies;
-      knee.spring.add_energies(now, energies);
+      const Energies energies =
+        EvaluatedAlone(knee.spring, Evaluation::step(before, now, 1.)).accept();
       EXPECT_NEAR(energies.strain(),
                   1.7 / 2 * std::pow(angle * part, 2),
                   1e-10);

@@ -108,13 +108,15 @@ TEST(SpaceStruts, InertiaHasThePowerOfItsKineticEnergy)
     {
       Struts     struts(true, order);
       const auto inertia = struts.inertia(true, false);
-      const auto rows    = struts.residual(*inertia, struts.to, 1.);
+      struts.make_room_for(*inertia);
+      const auto rows    = struts.residual(*inertia, struts.to);
       const auto energy  = [&](const double time) {
         State state = struts.to;
         state.velocity->Update(time, *struts.to.acceleration, 1.);
-        Energies energies;
-        inertia->add_energies(state, energies);
-        return energies.kinetic();
+        return EvaluatedAlone(*inertia,
+                              Evaluation::step(struts.from, state, 1.))
+          .accept()
+          .kinetic();
       };
       // Moments are in the global frame, angular velocities material.
       Vector velocity = *struts.to.velocity;

@@ -1,5 +1,6 @@
 #include <auxfem/equations/effects/strut_inertia.h>
 
+#include <equations/effects/effect_alone.h>
 #include <equations/equations_on_ranks.h>
 #include <gtest/gtest.h>
 
@@ -28,15 +29,25 @@ namespace
                                    of_scene.dofs(),
                                    of_scene.model.sections,
                                    {/*large_rotation=*/true, rotary, damping}))
+      , layout(of_scene.equations.layout())
       , from(of_scene.equations.initial_state())
       , to(from)
-      , residual(of_scene.dofs().n_local(), 0.)
-    {}
+    {
+      inertia->register_in(layout);
+      make_room(layout, from);
+      make_room(layout, to);
+    }
+
+    /** At the end of a step of one second. */
+    EvaluatedAlone evaluated()
+    {
+      return {*inertia, Evaluation::step(from, to, 1.)};
+    }
 
     /** Moves all points as a rigid body that turns about (0, 0). */
     void turn(const double angular, Vector &motion) const
     {
-      const auto names = name_unknowns(of_scene.system);
+      const auto names = name_unknowns(of_scene.model);
       for (unsigned int i = 0; i < names.size(); ++i)
         {
           const std::map<unsigned int, double> values = {
@@ -49,8 +60,8 @@ namespace
 
     EquationsOnRanks        of_scene;
     std::unique_ptr<Effect> inertia;
+    StateLayout             layout;
     State                   from, to;
-    std::vector<double>     residual;
   };
 
   const std::vector<std::string> orders = {"1", "2", "3", "4", "5", "6"};
@@ -64,8 +75,7 @@ TEST(StrutInertia, KineticEnergyOfATurningStrutIsExact)
     {
       InertiaAlone one(oblique_strut, {"Discretization/Order=" + order});
       one.turn(2., *one.to.velocity);
-      Energies energies;
-      one.inertia->add_energies(one.to, energies);
+      const Energies energies = one.evaluated().accept();
       // Some 50 roundings.
       EXPECT_NEAR(energies.kinetic(), 0.5 * moment * 4, 1e-14 * 100 * moment);
     }
@@ -78,13 +88,13 @@ TEST(StrutInertia, ForcesOfAnAcceleratedStrutSumToItsMass)
       InertiaAlone one(oblique_strut,
                        {"Discretization/Order=" + order,
                         "Discretization/Global refinements=2"});
-      const auto   names = name_unknowns(one.of_scene.system);
+      const auto   names = name_unknowns(one.of_scene.model);
       for (unsigned int i = 0; i < names.size(); ++i)
         (*one.to.acceleration)[i] = std::get<3>(names[i].name) == 1 ? 2. : 0.;
-      one.inertia->add_residual({one.from, one.to, 1.}, one.residual.data());
-      double sums[n_motion_components] = {};
+      const std::vector<double> residual = one.evaluated().residual;
+      double                    sums[n_motion_components] = {};
       for (unsigned int i = 0; i < names.size(); ++i)
-        sums[std::get<3>(names[i].name)] += one.residual[i];
+        sums[std::get<3>(names[i].name)] += residual[i];
       EXPECT_NEAR(sums[0], 0., 1e-13);
       EXPECT_NEAR(sums[1], 2 * mass_per_length * 5, 1e-13);
       EXPECT_NEAR(sums[rotation_z], 0., 1e-13);
@@ -95,8 +105,7 @@ TEST(StrutInertia, RotaryInertiaCanBeLeftOut)
 {
   InertiaAlone one(oblique_strut, {}, /*rotary=*/false);
   one.turn(2., *one.to.velocity);
-  Energies energies;
-  one.inertia->add_energies(one.to, energies);
+  const Energies energies = one.evaluated().accept();
   EXPECT_NEAR(energies.kinetic(), 0.5 * mass_per_length * 125. / 3 * 4, 1e-11);
 }
 
@@ -106,24 +115,20 @@ TEST(StrutInertia, MassProportionalDampingIsAForceOnTheVelocity)
     "Sections/band/Mass-proportional damping=0.7"};
   InertiaAlone by_velocity(oblique_strut, damped, true, true),
     by_acceleration(oblique_strut, damped, true, true);
-  fill_by_place(by_velocity.of_scene.system, 1., *by_velocity.to.velocity);
-  fill_by_place(by_acceleration.of_scene.system,
+  fill_by_place(by_velocity.of_scene.model, 1., *by_velocity.to.velocity);
+  fill_by_place(by_acceleration.of_scene.model,
                 0.7,
                 *by_acceleration.to.acceleration);
-  by_velocity.inertia->add_residual({by_velocity.from, by_velocity.to, 1.},
-                                    by_velocity.residual.data());
-  by_acceleration.inertia->add_residual({by_acceleration.from,
-                                         by_acceleration.to,
-                                         1.},
-                                        by_acceleration.residual.data());
-  for (unsigned int i = 0; i < by_velocity.residual.size(); ++i)
-    EXPECT_NEAR(by_velocity.residual[i], by_acceleration.residual[i], 1e-14);
+  const EvaluatedAlone moving = by_velocity.evaluated();
+  const EvaluatedAlone accelerated = by_acceleration.evaluated();
+  for (unsigned int i = 0; i < moving.residual.size(); ++i)
+    EXPECT_NEAR(moving.residual[i], accelerated.residual[i], 1e-14);
 
   // The power lost is a v.M v, twice a times the kinetic energy.
-  Energies energies;
-  by_velocity.inertia->add_energies(by_velocity.to, energies);
-  by_velocity.inertia->accept({by_velocity.from, by_velocity.to, 1.});
-  EXPECT_NEAR(by_velocity.to.strut_damping_power,
+  const Energies     energies = moving.accept();
+  const unsigned int lost =
+    by_velocity.layout.energies.enter(mass_damping_entry());
+  EXPECT_NEAR(by_velocity.to.powers[lost],
               2 * 0.7 * energies.kinetic(),
               1e-13);
 }

@@ -112,7 +112,7 @@ TEST(TurningParts, MotionOfItsJointsIsThatOfTheBody)
   BodyAndBar  parts(true);
   const auto &dofs = parts.of_scene.dofs();
   // Joints where the conditions want them.
-  const auto rows = parts.residual(parts.conditions, parts.to, 1.);
+  const auto rows = parts.residual(parts.conditions, parts.to);
   for (unsigned int k = 0; k < 4; ++k)
     {
       const unsigned int joint =

@@ -26,7 +26,7 @@ namespace
                                           "end\n";
 } // namespace
 
-TEST(MakeSystem, TwoSupportsMayHoldTheSameJointAtRest)
+TEST(MakeEquations, TwoSupportsMayHoldTheSameJointAtRest)
 {
   const EquationsOnRanks of_scene(two_struts("subsection Supports\n"
                                              "  subsection wall\n"
@@ -51,7 +51,7 @@ TEST(MakeSystem, TwoSupportsMayHoldTheSameJointAtRest)
   EXPECT_EQ(of_scene.dofs().n_free(), of_scene.dofs().n_unknowns() - 4);
 }
 
-TEST(MakeSystem, ContradictingSupportsAreRefusedByName)
+TEST(MakeEquations, ContradictingSupportsAreRefusedByName)
 {
   const std::string message = refusal_of("subsection Supports\n"
                                          "  subsection wall\n"
@@ -69,7 +69,7 @@ TEST(MakeSystem, ContradictingSupportsAreRefusedByName)
   EXPECT_TRUE(contains(message, "vertical displacement of joint 0")) << message;
 }
 
-TEST(MakeSystem, TwoMotionsOfOneJointAreRefused)
+TEST(MakeEquations, TwoMotionsOfOneJointAreRefused)
 {
   const std::string message = refusal_of("subsection Supports\n"
                                          "  subsection first\n"
@@ -86,7 +86,7 @@ TEST(MakeSystem, TwoMotionsOfOneJointAreRefused)
   EXPECT_TRUE(contains(message, "rotation of joint 2")) << message;
 }
 
-TEST(MakeSystem, AMomentOnAHingeIsRefused)
+TEST(MakeEquations, AMomentOnAHingeIsRefused)
 {
   const std::string message = refusal_of(hinge_in_the_middle +
                                          "subsection Loads\n"
@@ -98,7 +98,7 @@ TEST(MakeSystem, AMomentOnAHingeIsRefused)
   EXPECT_TRUE(contains(message, "Loads/twist/Moment z: joint 1")) << message;
 }
 
-TEST(MakeSystem, AForceOnAHingeIsNot)
+TEST(MakeEquations, AForceOnAHingeIsNot)
 {
   EXPECT_EQ(refusal_of(hinge_in_the_middle +
                        "subsection Loads\n"
@@ -110,7 +110,7 @@ TEST(MakeSystem, AForceOnAHingeIsNot)
             "");
 }
 
-TEST(MakeSystem, ARotationPrescribedAtAHingeIsRefusedUnlessItIsZero)
+TEST(MakeEquations, ARotationPrescribedAtAHingeIsRefusedUnlessItIsZero)
 {
   const auto turned_by = [](const std::string &angle) {
     return hinge_in_the_middle +
@@ -127,7 +127,7 @@ TEST(MakeSystem, ARotationPrescribedAtAHingeIsRefusedUnlessItIsZero)
   EXPECT_EQ(refusal_of(turned_by("0")), "");
 }
 
-TEST(MakeSystem, AHingeAtWhichNoneOfTheStrutsEndsIsRefused)
+TEST(MakeEquations, AHingeAtWhichNoneOfTheStrutsEndsIsRefused)
 {
   const std::string message = refusal_of("subsection Joints\n"
                                          "  subsection middle\n"
@@ -139,7 +139,7 @@ TEST(MakeSystem, AHingeAtWhichNoneOfTheStrutsEndsIsRefused)
   EXPECT_TRUE(contains(message, "joint 0")) << message;
 }
 
-TEST(MakeSystem, HingesAddRotationsAndCanBeSwitchedOff)
+TEST(MakeEquations, HingesAddRotationsAndCanBeSwitchedOff)
 {
   const EquationsOnRanks rigid(two_struts(""), {}, MPI_COMM_SELF),
     hinged(two_struts(hinge_in_the_middle), {}, MPI_COMM_SELF),
@@ -149,7 +149,7 @@ TEST(MakeSystem, HingesAddRotationsAndCanBeSwitchedOff)
   EXPECT_EQ(off.dofs().n_unknowns(), rigid.dofs().n_unknowns());
 }
 
-TEST(MakeSystem, ASpringActsBetweenTheReleasedStrutAndTheJoint)
+TEST(MakeEquations, ASpringActsBetweenTheReleasedStrutAndTheJoint)
 {
   // Strut 1 released against strut 0, or both: the same relative rotation.
   for (const std::string struts : {"1", "all"})
@@ -165,7 +165,7 @@ TEST(MakeSystem, ASpringActsBetweenTheReleasedStrutAndTheJoint)
       State            from = of_scene.equations.initial_state(), to = from;
       // All of strut 1 turns rigidly by a tiny angle, so it has no forces.
       const double angle = 1e-9;
-      const auto   names = name_unknowns(of_scene.system);
+      const auto   names = name_unknowns(of_scene.model);
       for (unsigned int i = 0; i < names.size(); ++i)
         {
           const unsigned int c = std::get<3>(names[i].name);
@@ -175,7 +175,7 @@ TEST(MakeSystem, ASpringActsBetweenTheReleasedStrutAndTheJoint)
             to.displacement[i] = angle;
         }
       to.displacement[of_scene.dofs().end_rotation(1, 0)] = angle;
-      const Evaluation step = Evaluation::step(from, to, 1.);
+      const Evaluation step = of_scene.step(from, to, 1.);
       of_scene.residual(step);
       // Strains of 1e-18 are left of the rotation's square.
       EXPECT_NEAR(to.residual[of_scene.dofs().end_rotation(1, 0)],
@@ -184,14 +184,14 @@ TEST(MakeSystem, ASpringActsBetweenTheReleasedStrutAndTheJoint)
       EXPECT_NEAR(to.residual[of_scene.dofs().end_rotation(0, 1)],
                   -7 * angle,
                   1e-6 * angle);
-      of_scene.system.accept(step);
+      of_scene.accept(step);
       EXPECT_NEAR(to.energies.strain(),
                   3.5 * angle * angle,
                   1e-6 * angle * angle);
     }
 }
 
-TEST(MakeSystem, AReferenceVectorAlongAStrutIsRefused)
+TEST(MakeEquations, AReferenceVectorAlongAStrutIsRefused)
 {
   const auto scene = [](const std::string &reference) {
     return "set Dimension = 3\n" +

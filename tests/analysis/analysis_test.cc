@@ -1,0 +1,72 @@
+#include <auxfem/analysis/analysis.h>
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+using namespace auxfem;
+
+namespace
+{
+  Scene shipped_scene(const std::filesystem::path    &file,
+                      const std::vector<std::string> &overrides = {})
+  {
+    std::ostringstream text;
+    text << std::ifstream(file).rdbuf();
+    return read_scene_from_text(text.str(), file, overrides);
+  }
+
+  /** Names of the analyses that serve a scene. */
+  std::vector<std::string> analyses_for(const Scene &scene)
+  {
+    std::vector<std::string> names;
+    for (const AnalysisEntry &entry : analysis_registry())
+      if (entry.serves(scene))
+        names.push_back(entry.name);
+    return names;
+  }
+} // namespace
+
+TEST(AnalysisRegistry, EntriesAreWhole)
+{
+  std::set<std::string> names;
+  for (const AnalysisEntry &entry : analysis_registry())
+    {
+      EXPECT_TRUE(names.insert(entry.name).second) << entry.name << " twice";
+      EXPECT_FALSE(entry.description.empty()) << entry.name;
+      EXPECT_NE(entry.run, nullptr) << entry.name;
+      EXPECT_NE(entry.check, nullptr) << entry.name;
+    }
+}
+
+TEST(AnalysisRegistry, EveryShippedSceneIsServedByExactlyOne)
+{
+  std::set<std::string> served;
+  for (const auto &file :
+       std::filesystem::directory_iterator(AUXFEM_PRM_DIRECTORY))
+    if (file.path().extension() == ".prm")
+      {
+        const Scene                    scene = shipped_scene(file.path());
+        const std::vector<std::string> names = analyses_for(scene);
+        ASSERT_EQ(names.size(), 1u) << file.path();
+        EXPECT_EQ(analysis_of(scene).name, names[0]) << file.path();
+        served.insert(names[0]);
+      }
+  // No analysis is without an example.
+  EXPECT_EQ(served.size(), analysis_registry().size());
+}
+
+TEST(AnalysisRegistry, ModelAndSchemeDecide)
+{
+  const std::filesystem::path folder = AUXFEM_PRM_DIRECTORY;
+  const auto name_of = [&](const char *file, const std::string &override) {
+    return analysis_of(shipped_scene(folder / file, {override})).name;
+  };
+  EXPECT_EQ(name_of("cantilever.prm", "Time/Scheme=static"), "static path");
+  EXPECT_EQ(name_of("cantilever.prm", "Time/Scheme=newmark"), "transient");
+  EXPECT_EQ(name_of("cell-case-1.prm", "Time/Scheme=newmark"), "reduced cell");
+  EXPECT_EQ(name_of("cell-case-1.prm", "Time/Scheme=arkode"), "reduced cell");
+}

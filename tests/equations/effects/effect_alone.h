@@ -1,0 +1,95 @@
+#ifndef auxfem_tests_equations_effects_effect_alone_h
+#define auxfem_tests_equations_effects_effect_alone_h
+
+#include <auxfem/equations/effect.h>
+
+#include <Epetra_Vector.h>
+
+#include <memory>
+#include <vector>
+
+namespace auxfem
+{
+  namespace testing_support
+  {
+    /** Room in @p state for what effects keep that have been added to the layout. */
+    inline void make_room(const StateLayout &layout, State &state)
+    {
+      state.history.resize(layout.n_history(), 0.);
+      state.energies =
+        Energies(std::make_shared<const EnergyLedger>(layout.energies));
+      state.energy_sums = state.powers = state.energies.amounts();
+    }
+
+    /** An effect evaluated by itself. */
+    struct EvaluatedAlone
+    {
+      EvaluatedAlone(const Effect &effect, const Evaluation &evaluation)
+        : effect(effect)
+        , evaluation(evaluation)
+        , residual(evaluation.to.displacement.MyLength(), 0.)
+        , results(effect.make_results())
+      {
+        effect.add_residual(evaluation, residual.data(), results.get());
+      }
+
+      /** What the effect takes down; its entries must be in the states. */
+      Energies accept() const
+      {
+        EnergyAccount account(evaluation);
+        effect.account(evaluation, results.get(), account);
+        evaluation.to.energies.amounts() = account.close();
+        return evaluation.to.energies;
+      }
+
+      const Effect                        &effect;
+      const Evaluation                     evaluation;
+      std::vector<double>                  residual;
+      const std::unique_ptr<EffectResults> results;
+    };
+
+    /** The pattern of @p effect by itself. */
+    inline TangentPattern pattern_of(Effect             &effect,
+                                     const DofNumbering &numbering)
+    {
+      TangentPattern pattern(numbering);
+      effect.register_blocks(pattern);
+      return pattern;
+    }
+
+    /** The tangent of an effect by itself. */
+    struct TangentAlone
+    {
+      TangentAlone(Effect &effect, const DofNumbering &numbering)
+        : effect(effect)
+        , pattern(pattern_of(effect, numbering))
+        , matrix(pattern)
+      {}
+
+      /** Fills the matrix with the tangent at @p evaluated. */
+      void fill(const EvaluatedAlone &evaluated, const TangentFactors &factors)
+      {
+        matrix.reset();
+        effect.add_tangent(evaluated.evaluation,
+                           evaluated.results.get(),
+                           factors,
+                           matrix);
+      }
+
+      /** The tangent times @p direction. */
+      std::vector<double> times(const std::vector<double> &direction) const
+      {
+        Epetra_Vector x(pattern.numbering().owned_map()), y(x);
+        std::copy(direction.begin(), direction.end(), x.Values());
+        matrix.matrix().Multiply(false, x, y);
+        return {y.Values(), y.Values() + y.MyLength()};
+      }
+
+      const Effect        &effect;
+      const TangentPattern pattern;
+      TangentMatrix        matrix;
+    };
+  } // namespace testing_support
+} // namespace auxfem
+
+#endif
