@@ -58,8 +58,8 @@ namespace auxfem
 
   /**
    * A series of graphics files in time: `NAME/NAME_00000.pvtu` with a `.vtu`
-   * for each rank, and `NAME.pvd`, which lists them with their times and is
-   * whole at any moment. All in one folder, with relative paths.
+   * for each rank; and `NAME.pvd`, the record, which lists them with their
+   * times and is whole at any moment. All in one folder, with relative paths.
    */
   class GraphicsSeries
   {
@@ -77,12 +77,25 @@ namespace auxfem
     void write(LineGraphics &graphics, double time);
 
   private:
-    void write_record() const;
+    /** Returns the name of the file that stands for all ranks. */
+    std::string write_pieces(LineGraphics &graphics) const;
 
-    std::string                                 folder;
-    std::string                                 name;
-    MPI_Comm                                    communicator;
-    std::vector<std::pair<double, std::string>> times_and_files;
+    /**
+     * Adds a file to the record, over the end of the record and with a new end,
+     * so that a series costs no more than its length. Throws ComputationError
+     * if that fails; the record is then as it was.
+     */
+    void append_to_record(double time, const std::string &file);
+
+    /** Removes what a failed append_to_record() left. */
+    void restore_record(const std::string &record) const;
+
+    std::string  folder;
+    std::string  name;
+    MPI_Comm     communicator;
+    unsigned int n_written = 0;
+    /** Where the next entry of the record begins; 0: there is no record. */
+    std::streamoff end_of_entries = 0;
   };
 
   /** When to write graphics: at the times next to the multiples of an interval.
