@@ -2,6 +2,8 @@
 #include <auxfem/output/line_graphics.h>
 #include <auxfem/parameters/errors.h>
 
+#include <deal.II/base/utilities.h>
+
 #include <cctype>
 #include <cmath>
 #include <filesystem>
@@ -169,11 +171,20 @@ namespace auxfem
   std::string GraphicsSeries::write_pieces(LineGraphics &graphics) const
   {
     const std::string subfolder = folder + "/" + name + "/";
-    return graphics.write_vtu_with_pvtu_record(subfolder,
-                                               name,
-                                               n_written,
-                                               communicator,
-                                               n_digits);
+    if (dealii::Utilities::MPI::n_mpi_processes(communicator) > 1)
+      return graphics.write_vtu_with_pvtu_record(subfolder,
+                                                 name,
+                                                 n_written,
+                                                 communicator,
+                                                 n_digits);
+
+    const std::string file = name + "_" +
+      dealii::Utilities::int_to_string(n_written, n_digits) + ".vtu";
+    std::ofstream stream(subfolder + file);
+    graphics.write_vtu(stream);
+    stream.close();
+    AssertThrow(stream, dealii::ExcIO());
+    return file;
   }
 
   void GraphicsSeries::append_to_record(const double       time,

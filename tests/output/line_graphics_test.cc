@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <sstream>
 
 #include <sys/resource.h>
@@ -70,6 +71,12 @@ namespace
     return tree.get_child("VTKFile.Collection").count("DataSet");
   }
 
+  int n_files(const std::string &folder)
+  {
+    return std::distance(std::filesystem::directory_iterator(folder),
+                         std::filesystem::directory_iterator());
+  }
+
   /** Runs Python code that reads files with VTK's own reader; 0: all holds. */
   int python(const std::string &folder, const std::string &code)
   {
@@ -100,13 +107,13 @@ TEST(LineGraphics, VtkReadsBackWhatWasWritten)
       EXPECT_EQ(python(folder, R"(
 import os
 import xml.etree.ElementTree as xml
-from vtkmodules.vtkIOXML import vtkXMLPUnstructuredGridReader
+from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 folder = os.path.dirname(os.path.abspath(__file__))
 sets = xml.parse(folder + '/solution.pvd').getroot().findall('.//DataSet')
 assert len(sets) == 2
 # Twelve digits of the time tell any two steps of a run apart.
 assert abs(float(sets[1].get('timestep')) - 1 / 3) < 1e-11, sets[1].attrib
-reader = vtkXMLPUnstructuredGridReader()
+reader = vtkXMLUnstructuredGridReader()
 reader.SetFileName(folder + '/' + sets[1].get('file'))
 reader.Update()
 grid = reader.GetOutput()
@@ -164,6 +171,19 @@ TEST(LineGraphics, RecordGrowsInPlace)
       MPI_Barrier(MPI_COMM_WORLD);
     }
   EXPECT_EQ(contents(link), contents(record));
+}
+
+TEST(LineGraphics, OneRankHasOneFileATime)
+{
+  const std::string folder = fresh_folder("files");
+  GraphicsSeries    series(folder, "solution", MPI_COMM_SELF);
+  LineGraphics      graphics(fields);
+  add_bent_line(graphics, 0);
+  series.write(graphics, 0);
+  EXPECT_NE(contents(folder + "/solution.pvd")
+              .find("file=\"solution/solution_00000.vtu\""),
+            std::string::npos);
+  EXPECT_EQ(n_files(folder + "/solution"), 1);
 }
 
 TEST(LineGraphics, FullDiskLeavesAWholeRecord)

@@ -57,9 +57,10 @@ namespace auxfem
   };
 
   /**
-   * A series of graphics files in time: `NAME/NAME_00000.pvtu` with a `.vtu`
-   * for each rank; and `NAME.pvd`, the record, which lists them with their
-   * times and is whole at any moment. All in one folder, with relative paths.
+   * A series of graphics files in time: on one rank `NAME/NAME_00000.vtu`, on
+   * several `NAME/NAME_00000.pvtu` with a `.vtu` for each; and `NAME.pvd`, the
+   * record, which lists them with their times and is whole at any moment. All
+   * in one folder, with relative paths.
    */
   class GraphicsSeries
   {
