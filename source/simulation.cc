@@ -59,12 +59,14 @@ namespace auxfem
                        stepper.newton().solver());
     }
 
-    void run_lattice(const Scene &scene, const MPI_Comm communicator)
+    void run_lattice(const Scene      &scene,
+                     const MPI_Comm    communicator,
+                     const StartTimes &start)
     {
       RunTotals totals;
       auto      setup = std::make_unique<Stopwatch>(totals.wall.setup);
 
-      RunOutput     output(scene, communicator);
+      RunOutput     output(scene, communicator, start);
       const Lattice lattice = build_lattice(scene);
       System        system(scene, lattice, communicator);
       TimeStepper   stepper(system, scene);
@@ -120,12 +122,13 @@ namespace auxfem
     }
   } // namespace
 
-  void run(const Scene &scene, const MPI_Comm communicator)
+  void
+  run(const Scene &scene, const MPI_Comm communicator, const StartTimes &start)
   {
     if (scene.model == Model::reduced_cell)
-      on_first_rank(communicator, [&]() { run_reduced_cell(scene); });
+      on_first_rank(communicator, [&]() { run_reduced_cell(scene, start); });
     else
-      run_lattice(scene, communicator);
+      run_lattice(scene, communicator, start);
   }
 
   void check(const Scene &scene, const MPI_Comm communicator)

@@ -1,6 +1,7 @@
 #ifndef auxfem_simulation_h
 #define auxfem_simulation_h
 
+#include <auxfem/output/start_times.h>
 #include <auxfem/parameters/scene.h>
 
 #include <mpi.h>
@@ -12,8 +13,9 @@ namespace auxfem
    * system, or the reduced cell, which the first rank computes alone; steps
    * through time, writes as it goes. Throws InputError or
    * ComputationError; what was computed until then is on disk.
+   * @param start of this rank, for the summary.
    */
-  void run(const Scene &scene, MPI_Comm communicator);
+  void run(const Scene &scene, MPI_Comm communicator, const StartTimes &start);
 
   /**
    * The dry run of --check: builds everything, prints counts and effects,

@@ -17,7 +17,9 @@ namespace auxfem
   class RunOutput::Implementation
   {
   public:
-    Implementation(const Scene &scene, MPI_Comm communicator);
+    Implementation(const Scene      &scene,
+                   MPI_Comm          communicator,
+                   const StartTimes &start_times);
 
     void begin(const System &system);
     void write_start(const State &state);
@@ -42,8 +44,9 @@ namespace auxfem
     void write_graphics(const State &state);
     void show_progress(const State &state, const StepReport &report);
 
-    const Scene   &scene;
-    const MPI_Comm communicator;
+    const Scene     &scene;
+    const MPI_Comm   communicator;
+    const StartTimes start_times;
 
     const Clock::time_point start;
     Clock::time_point       first_step;
@@ -58,11 +61,13 @@ namespace auxfem
     std::optional<double> last_row, last_graphics;
   };
 
-  RunOutput::Implementation::Implementation(const Scene   &scene,
-                                            const MPI_Comm communicator)
+  RunOutput::Implementation::Implementation(const Scene      &scene,
+                                            const MPI_Comm    communicator,
+                                            const StartTimes &start_times)
     : folder(scene.output.directory)
     , scene(scene)
     , communicator(communicator)
+    , start_times(start_times)
     , start(Clock::now())
     , first_step(start)
     , schedule(scene.output.graphics_interval)
@@ -165,10 +170,12 @@ namespace auxfem
     summary.counts             = count(system);
     summary.totals             = totals;
     summary.totals.wall.output = seconds;
-    summary.resources =
-      gather_resources(since(start), summary.totals.wall, communicator);
-    summary.energies = history->energies();
-    summary.strain   = history->largest_strain();
+    summary.resources          = gather_resources(start_times,
+                                         since(start),
+                                         summary.totals.wall,
+                                         communicator);
+    summary.energies           = history->energies();
+    summary.strain             = history->largest_strain();
     summary.largest_rotation =
       dealii::Utilities::MPI::max(history->largest_rotation(), communicator);
     summary.time       = state.time;
@@ -182,8 +189,11 @@ namespace auxfem
     });
   }
 
-  RunOutput::RunOutput(const Scene &scene, const MPI_Comm communicator)
-    : implementation(std::make_unique<Implementation>(scene, communicator))
+  RunOutput::RunOutput(const Scene      &scene,
+                       const MPI_Comm    communicator,
+                       const StartTimes &start)
+    : implementation(
+        std::make_unique<Implementation>(scene, communicator, start))
   {}
 
   RunOutput::~RunOutput() = default;

@@ -20,9 +20,9 @@ namespace auxfem
     }
   } // namespace
 
-  void run_reduced_cell(const Scene &scene)
+  void run_reduced_cell(const Scene &scene, const StartTimes &start)
   {
-    CellOutput                        output(scene);
+    CellOutput                        output(scene, start);
     const std::unique_ptr<CellScheme> scheme =
       cell_scheme_entry(scene).make(scene);
     output.begin();

@@ -28,8 +28,11 @@ namespace auxfem
      * begin(), so that a scene found wrong during set-up costs no results.
      * @param scene must outlive the object.
      * @param communicator all ranks take part in every call.
+     * @param start of this rank, for the summary.
      */
-    RunOutput(const Scene &scene, MPI_Comm communicator);
+    RunOutput(const Scene      &scene,
+              MPI_Comm          communicator,
+              const StartTimes &start = StartTimes());
     ~RunOutput();
 
     /**

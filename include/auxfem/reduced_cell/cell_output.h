@@ -4,6 +4,7 @@
 #include <auxfem/output/console.h>
 #include <auxfem/output/csv_table.h>
 #include <auxfem/output/history.h>
+#include <auxfem/output/start_times.h>
 #include <auxfem/reduced_cell/cell_scheme.h>
 
 #include <chrono>
@@ -20,8 +21,11 @@ namespace auxfem
   class CellOutput
   {
   public:
-    /** @param scene must outlive the object. */
-    explicit CellOutput(const Scene &scene);
+    /**
+     * @param scene must outlive the object.
+     * @param start for the summary.
+     */
+    CellOutput(const Scene &scene, const StartTimes &start);
 
     /**
      * Makes the folder, prints what is simulated, starts the history. Throws
@@ -46,6 +50,7 @@ namespace auxfem
                         unsigned long      work) const;
 
     const Scene              &scene;
+    const StartTimes          start_times;
     const Clock::time_point   start;
     std::ofstream             log;
     std::optional<Console>    console;
