@@ -87,7 +87,7 @@ namespace auxfem
        auxfem --compare [OPTIONS] FILE.prm [FILE.prm ...]
 
 Simulates a lattice of beams with viscoelastic connectors as described in FILE.prm
-and leaves the results in a folder: history.csv, solution.pvd, log.txt, summary.json.
+and leaves the results in a folder: history.csv, *.pvd for ParaView, log.txt, summary.json.
 
   --check                  read and check FILE.prm, build the mesh, print counts; no run
   --compare                compute each FILE.prm (Model = reduced cell) with every scheme,

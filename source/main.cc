@@ -1,97 +1,183 @@
 #include <auxfem/command_line.h>
+#include <auxfem/output/summary.h>
 #include <auxfem/parameters/errors.h>
+#include <auxfem/parameters/out_of_memory.h>
 #include <auxfem/simulation.h>
+#include <auxfem/start_up.h>
+#include <auxfem/time/stopwatch.h>
 #include <auxfem/version.h>
 
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/mpi.h>
 
+#include <cerrno>
+#include <cstdlib>
 #include <iostream>
+#include <memory>
+#include <new>
+#include <optional>
 
 namespace
 {
   using namespace auxfem;
 
-  void execute(const CommandLine &line, const bool speaks)
+  /** What is printed for actions that compute nothing. */
+  std::optional<std::string> answer(const CommandLine::Action action)
   {
-    switch (line.action)
+    switch (action)
       {
         case CommandLine::Action::help:
-          if (speaks)
-            std::cout << usage();
-          break;
+          return usage();
         case CommandLine::Action::version:
-          if (speaks)
-            std::cout << "auxfem " << version << '\n';
-          break;
+          return "auxfem " + std::string(version) + '\n';
         case CommandLine::Action::print_parameters:
-          if (speaks)
-            std::cout << describe_all_parameters();
-          break;
+          return describe_all_parameters();
         case CommandLine::Action::print_parameters_markdown:
-          if (speaks)
-            std::cout << describe_all_parameters_markdown();
-          break;
+          return describe_all_parameters_markdown();
         case CommandLine::Action::check:
-          check(read_scene(line.files[0], line.overrides), MPI_COMM_WORLD);
-          break;
         case CommandLine::Action::compare:
-          {
-            std::vector<Scene> scenes;
-            for (const std::string &file : line.files)
-              scenes.push_back(read_scene(file, line.overrides));
-            compare(scenes, line.folder, MPI_COMM_WORLD);
-            break;
-          }
         case CommandLine::Action::run:
-          run(read_scene(line.files[0], line.overrides), MPI_COMM_WORLD);
           break;
+      }
+    return std::nullopt;
+  }
+
+  void report(const std::string &message)
+  {
+    std::cerr << "\nauxfem: " << message << std::endl;
+  }
+
+  /**
+   * Answers what needs no computation, and complains of a command line that is
+   * not understood: the exit code then, nothing if there is something to do.
+   */
+  std::optional<int>
+  answer_without_mpi(const std::vector<std::string> &arguments)
+  {
+    try
+      {
+        const auto text = answer(read_command_line(arguments).action);
+        if (!text)
+          return std::nullopt;
+        std::cout << *text;
+        return 0;
+      }
+    catch (const InputError &error)
+      {
+        report(error.what());
+        return 1;
+      }
+  }
+
+  /** Reports what the other ranks may know nothing of, and ends them. */
+  int end_all_ranks(const std::string &message)
+  {
+    report(message);
+    if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
+      MPI_Abort(MPI_COMM_WORLD, 2);
+    return 2;
+  }
+
+  /** Whether the program is in the middle of a computation. */
+  bool is_computing = false;
+
+  /** AztecOO leaves the program by exit() where it finds no memory. */
+  void report_exit_by_library()
+  {
+    if (!is_computing)
+      return;
+    is_computing = false;
+    std::_Exit(end_all_ranks(errno == ENOMEM
+                               ? out_of_memory_text()
+                               : "a library has ended the program"));
+  }
+
+  void
+  execute(const CommandLine &line, const bool speaks, const StartTimes &start)
+  {
+    if (const auto text = answer(line.action))
+      {
+        if (speaks)
+          std::cout << *text;
+        return;
+      }
+    std::vector<Scene> scenes;
+    for (const std::string &file : line.files)
+      scenes.push_back(read_scene(file, line.overrides));
+    if (line.action == CommandLine::Action::compare)
+      compare(scenes, line.folder, MPI_COMM_WORLD);
+    else if (line.action == CommandLine::Action::check)
+      check(scenes[0], MPI_COMM_WORLD);
+    else
+      run(scenes[0], MPI_COMM_WORLD, start);
+  }
+
+  int execute_on_ranks(const std::vector<std::string> &arguments,
+                       const StartTimes               &start)
+  {
+    const bool speaks =
+      dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+    const auto report_internal = [](const std::string &what) {
+      return end_all_ranks("internal error, please report it together with the "
+                           "parameter file:\n" +
+                           what);
+    };
+    try
+      {
+        execute(read_command_line(arguments), speaks, start);
+        return 0;
+      }
+    catch (const InputError &error)
+      {
+        if (speaks)
+          report(error.what());
+        return 1;
+      }
+    catch (const ComputationError &error)
+      {
+        if (speaks)
+          report(error.what());
+        return 2;
+      }
+    catch (const std::bad_alloc &)
+      {
+        return end_all_ranks(out_of_memory_text());
+      }
+    catch (const std::exception &error)
+      {
+        return report_internal(error.what());
+      }
+    catch (...)
+      {
+        return report_internal("an exception of Trilinos or another library");
       }
   }
 } // namespace
 
 int main(int argc, char *argv[])
 {
-  const std::vector<std::string>           arguments(argv + 1, argv + argc);
+  StartTimes start;
+  start.program = seconds_since_process_start();
+
+  const std::vector<std::string> arguments(argv + 1, argv + argc);
+  if (!has_mpi_launcher())
+    {
+      if (const std::optional<int> exit_code = answer_without_mpi(arguments))
+        return *exit_code;
+      prepare_mpi_for_one_process();
+    }
+
+  auto mpi_watch = std::make_unique<Stopwatch>(start.mpi);
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc,
                                                argv,
                                                /*max_num_threads=*/1);
-  const bool                               speaks =
-    dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
-  const auto report = [speaks](const std::string &message) {
-    if (speaks)
-      std::cerr << "\nauxfem: " << message << std::endl;
-  };
-  // It may be on this rank only: the others must not wait for it.
-  const auto report_internal = [](const std::string &what) {
-    std::cerr << "\nauxfem: internal error, please report it together with the "
-                 "parameter file:\n"
-              << what << std::endl;
-    if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
-      MPI_Abort(MPI_COMM_WORLD, 2);
-    return 2;
-  };
-  try
-    {
-      execute(read_command_line(arguments), speaks);
-      return 0;
-    }
-  catch (const InputError &error)
-    {
-      report(error.what());
-      return 1;
-    }
-  catch (const ComputationError &error)
-    {
-      report(error.what());
-      return 2;
-    }
-  catch (const std::exception &error)
-    {
-      return report_internal(error.what());
-    }
-  catch (...)
-    {
-      return report_internal("an exception of Trilinos or another library");
-    }
+  mpi_watch.reset();
+  start.cpu = cpu_seconds();
+  take_denormal_numbers_as_zero();
+
+  std::atexit(report_exit_by_library);
+  is_computing        = true;
+  const int exit_code = execute_on_ranks(arguments, start);
+  is_computing        = false;
+  return exit_code;
 }

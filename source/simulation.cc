@@ -7,14 +7,15 @@
 
 namespace auxfem
 {
-  RunResult run(const Scene &scene, const MPI_Comm communicator)
+  RunResult
+  run(const Scene &scene, const MPI_Comm communicator, const StartTimes &start)
   {
     if (scene.model == Model::reduced_cell)
       {
-        CellOutput folder(scene);
+        CellOutput folder(scene, start);
         return run(scene, communicator, folder);
       }
-    RunOutput folder(scene, communicator);
+    RunOutput folder(scene, communicator, start);
     return run(scene, communicator, folder);
   }
 

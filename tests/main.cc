@@ -1,3 +1,5 @@
+#include <auxfem/start_up.h>
+
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/mpi.h>
 
@@ -63,9 +65,13 @@ int main(int argc, char **argv)
 {
   testing::InitGoogleTest(&argc, argv);
 
-  const std::set<std::string>              names = environment_names();
+  const std::set<std::string> names = environment_names();
+  if (!auxfem::has_mpi_launcher())
+    auxfem::prepare_mpi_for_one_process();
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   restrict_environment(names);
+  // As in the program.
+  auxfem::take_denormal_numbers_as_zero();
 
   // A violated assertion of deal.II then is a failed test, not the end of all.
   dealii::deal_II_exceptions::disable_abort_on_exception();

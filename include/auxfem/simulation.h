@@ -2,6 +2,7 @@
 #define auxfem_simulation_h
 
 #include <auxfem/output/recorder.h>
+#include <auxfem/output/start_times.h>
 #include <auxfem/scene/scene.h>
 
 #include <mpi.h>
@@ -12,8 +13,10 @@ namespace auxfem
    * One run from a scene to the folder of results that it names: the analysis
    * that the scene asks for. Throws InputError or ComputationError; what was
    * computed until then is on disk.
+   * @param start of this rank, for the summary.
    */
-  RunResult run(const Scene &scene, MPI_Comm communicator);
+  RunResult
+  run(const Scene &scene, MPI_Comm communicator, const StartTimes &start);
 
   /** The same, of which @p recorder is told in place of the folder. */
   RunResult run(const Scene &scene, MPI_Comm communicator, Recorder &recorder);

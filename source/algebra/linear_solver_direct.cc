@@ -41,6 +41,14 @@ namespace auxfem
         , matrix(matrix)
       {}
 
+      ~DirectMethod() override
+      {
+        // What Amesos_Mumps could not begin, for want of memory, it cannot end:
+        // MUMPS would abort the program.
+        if (!has_symbolic)
+          solver.release();
+      }
+
       bool factorize() override
       {
         // The pattern may have changed.

@@ -2,7 +2,9 @@
 #include <auxfem/analysis/lattice_run.h>
 #include <auxfem/model/build_lattice.h>
 #include <auxfem/parameters/errors.h>
-#include <auxfem/time/stopwatch.h>
+#include <auxfem/parameters/out_of_memory.h>
+
+#include <new>
 
 namespace auxfem
 {
@@ -38,13 +40,16 @@ namespace auxfem
   } // namespace
 
   LatticeRun::LatticeRun(const Scene &scene, const MPI_Comm communicator)
-    : scene(scene)
+    : set_up_watch(std::in_place, work_done.wall.setup)
+    , scene(scene)
     , lattice(build_lattice(scene))
     , model(scene, lattice, communicator)
     , equations(scene, model)
     , solution{equations.initial_state(), equations.make_results()}
     , stepper(equations, scene, work_done)
-  {}
+  {
+    set_up_watch.reset();
+  }
 
   void LatticeRun::refuse_undetermined()
   {
@@ -112,6 +117,13 @@ namespace auxfem
       }
     catch (const InputError &)
       {
+        throw;
+      }
+    catch (const std::bad_alloc &)
+      {
+        // On several ranks the others know nothing of it, and would wait.
+        if (has_begun && model.numbering.n_ranks() == 1)
+          recorder.finish(solution, result(out_of_memory_text()));
         throw;
       }
     catch (const std::exception &failure)

@@ -2,14 +2,35 @@
 #include <auxfem/output/line_graphics.h>
 #include <auxfem/parameters/errors.h>
 
+#include <deal.II/base/utilities.h>
+
 #include <cctype>
+#include <cerrno>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <iomanip>
+#include <new>
+#include <sstream>
 #include <system_error>
 
 namespace auxfem
 {
+  namespace
+  {
+    /** Of the number in a file's name. */
+    constexpr unsigned int n_digits = 5;
+
+    const std::string record_head =
+      "<?xml version=\"1.0\"?>\n"
+      "<VTKFile type=\"Collection\" version=\"0.1\" "
+      "ByteOrder=\"LittleEndian\">\n"
+      "  <Collection>\n";
+
+    const std::string record_tail = "  </Collection>\n"
+                                    "</VTKFile>\n";
+  } // namespace
+
   LineGraphics::LineGraphics(const std::vector<GraphicsField> &fields)
     : fields(fields)
   {
@@ -125,48 +146,96 @@ namespace auxfem
 
   void GraphicsSeries::write(LineGraphics &graphics, const double time)
   {
-    const unsigned int number = times_and_files.size();
-    graphics.set_time(time, number);
+    graphics.set_time(time, n_written);
 
     std::string file;
     bool        failed = false;
+    errno              = 0;
     try
       {
-        file = graphics.write_vtu_with_pvtu_record(folder + "/" + name + "/",
-                                                   name,
-                                                   number,
-                                                   communicator,
-                                                   5);
+        file = write_pieces(graphics);
       }
     catch (const dealii::ExceptionBase &)
       {
+        // A stream takes a lack of memory for a failure of its own.
+        if (errno == ENOMEM)
+          throw std::bad_alloc();
         failed = true;
       }
     if (dealii::Utilities::MPI::max(failed ? 1 : 0, communicator) > 0)
       throw ComputationError("Cannot write graphics file number " +
-                             std::to_string(number) + " in " + folder + "/" +
+                             std::to_string(n_written) + " in " + folder + "/" +
                              name +
                              ": the disk is full or the folder is gone.\n"
                              "Earlier files are complete.");
 
-    times_and_files.emplace_back(time, name + "/" + file);
-    on_first_rank(communicator, [&]() { write_record(); });
+    ++n_written;
+    on_first_rank(communicator,
+                  [&]() { append_to_record(time, name + "/" + file); });
   }
 
-  void GraphicsSeries::write_record() const
+  std::string GraphicsSeries::write_pieces(LineGraphics &graphics) const
   {
-    const std::string file      = folder + "/" + name + ".pvd";
-    const std::string temporary = file + ".part";
-    std::ofstream     stream(temporary);
-    dealii::DataOutBase::write_pvd_record(stream, times_and_files);
-    stream.close();
+    const std::string subfolder = folder + "/" + name + "/";
+    if (dealii::Utilities::MPI::n_mpi_processes(communicator) > 1)
+      return graphics.write_vtu_with_pvtu_record(subfolder,
+                                                 name,
+                                                 n_written,
+                                                 communicator,
+                                                 n_digits);
 
-    std::error_code error;
+    const std::string file = name + "_" +
+      dealii::Utilities::int_to_string(n_written, n_digits) + ".vtu";
+    std::ofstream stream(subfolder + file);
+    graphics.write_vtu(stream);
+    stream.close();
+    AssertThrow(stream, dealii::ExcIO());
+    return file;
+  }
+
+  void GraphicsSeries::append_to_record(const double       time,
+                                        const std::string &file)
+  {
+    std::ostringstream entry;
+    entry << std::setprecision(12) << "    <DataSet timestep=\"" << time
+          << "\" group=\"\" part=\"0\" file=\"" << file << "\"/>\n";
+
+    const std::string record   = folder + "/" + name + ".pvd";
+    const bool        is_first = end_of_entries == 0;
+    const auto        mode     = std::ios::out | std::ios::binary;
+    std::fstream      stream(record, is_first ? mode : mode | std::ios::in);
+    stream.seekp(end_of_entries);
+    const std::string head = is_first ? record_head : "";
+    // In one piece, so that no moment is left at which the record has no end.
+    stream << head + entry.str() + record_tail;
+    stream.close();
     if (stream)
-      std::filesystem::rename(temporary, file, error);
-    if (!stream || error)
-      throw ComputationError("Cannot write " + file +
-                             ": the disk is full or the folder is gone.");
+      {
+        end_of_entries += head.size() + entry.str().size();
+        return;
+      }
+
+    restore_record(record);
+    throw ComputationError("Cannot write " + record +
+                           ": the disk is full or the folder is gone.");
+  }
+
+  void GraphicsSeries::restore_record(const std::string &record) const
+  {
+    std::error_code ignored;
+    if (end_of_entries == 0)
+      {
+        std::filesystem::remove(record, ignored);
+        return;
+      }
+    std::fstream stream(record,
+                        std::ios::in | std::ios::out | std::ios::binary);
+    stream.seekp(end_of_entries);
+    stream << record_tail;
+    stream.close();
+    std::filesystem::resize_file(record,
+                                 end_of_entries + record_tail.size(),
+                                 ignored);
   }
 
   GraphicsSchedule::GraphicsSchedule(const double interval)

@@ -17,7 +17,9 @@ namespace auxfem
   class RunOutput::Implementation
   {
   public:
-    Implementation(const Scene &scene, MPI_Comm communicator);
+    Implementation(const Scene      &scene,
+                   MPI_Comm          communicator,
+                   const StartTimes &start_times);
 
     void begin(const Equations &equations);
     void start_series(const Solution &solution);
@@ -39,8 +41,9 @@ namespace auxfem
     void write_graphics(const Solution &solution);
     void show_progress(const State &state, const StepReport &report);
 
-    const Scene   &scene;
-    const MPI_Comm communicator;
+    const Scene     &scene;
+    const MPI_Comm   communicator;
+    const StartTimes start_times;
 
     const Clock::time_point start;
     Clock::time_point       first_step;
@@ -57,11 +60,13 @@ namespace auxfem
     std::optional<double> last_row, last_graphics;
   };
 
-  RunOutput::Implementation::Implementation(const Scene   &scene,
-                                            const MPI_Comm communicator)
+  RunOutput::Implementation::Implementation(const Scene      &scene,
+                                            const MPI_Comm    communicator,
+                                            const StartTimes &start_times)
     : folder(scene.output.directory)
     , scene(scene)
     , communicator(communicator)
+    , start_times(start_times)
     , start(Clock::now())
     , first_step(start)
     , schedule(scene.output.graphics_interval)
@@ -169,10 +174,12 @@ namespace auxfem
     summary.counts             = count(*equations);
     summary.totals             = result.work;
     summary.totals.wall.output = seconds;
-    summary.resources =
-      gather_resources(since(start), summary.totals.wall, communicator);
-    summary.energies = history->energies();
-    summary.strain   = history->largest_strain();
+    summary.resources          = gather_resources(start_times,
+                                         since(start),
+                                         summary.totals.wall,
+                                         communicator);
+    summary.energies           = history->energies();
+    summary.strain             = history->largest_strain();
     summary.largest_rotation =
       dealii::Utilities::MPI::max(history->largest_rotation(), communicator);
     summary.time       = result.time;
@@ -186,8 +193,11 @@ namespace auxfem
     });
   }
 
-  RunOutput::RunOutput(const Scene &scene, const MPI_Comm communicator)
-    : implementation(std::make_unique<Implementation>(scene, communicator))
+  RunOutput::RunOutput(const Scene      &scene,
+                       const MPI_Comm    communicator,
+                       const StartTimes &start)
+    : implementation(
+        std::make_unique<Implementation>(scene, communicator, start))
   {}
 
   RunOutput::~RunOutput() = default;

@@ -32,14 +32,6 @@ namespace auxfem
       return text;
     }
 
-    double cpu_seconds()
-    {
-      rusage usage{};
-      getrusage(RUSAGE_SELF, &usage);
-      return usage.ru_utime.tv_sec + usage.ru_stime.tv_sec +
-        1e-6 * (usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
-    }
-
     JsonObject json(const Counts &counts)
     {
       JsonObject object;
@@ -69,6 +61,8 @@ namespace auxfem
     JsonObject wall_json(const Resources &resources)
     {
       JsonObject object;
+      object.add("program_start", resources.start.program);
+      object.add("mpi_start", resources.start.mpi);
       object.add("setup", resources.wall.setup);
       object.add("residual", resources.wall.residual);
       object.add("tangent", resources.wall.tangent);
@@ -137,7 +131,16 @@ namespace auxfem
     return counts;
   }
 
-  Resources gather_resources(const double      wall_seconds,
+  double cpu_seconds()
+  {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return usage.ru_utime.tv_sec + usage.ru_stime.tv_sec +
+      1e-6 * (usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
+  }
+
+  Resources gather_resources(const StartTimes &start,
+                             const double      wall_seconds,
                              const PhaseTimes &wall,
                              const MPI_Comm    communicator)
   {
@@ -147,13 +150,15 @@ namespace auxfem
     dealii::Utilities::System::get_memory_stats(memory);
     const unsigned long peak = memory.VmHWM * 1024; // it counts in kB
 
-    std::array<double, 7> times{{wall_seconds,
+    std::array<double, 9> times{{wall_seconds,
                                  wall.setup,
                                  wall.residual,
                                  wall.tangent,
                                  wall.factorize,
                                  wall.solve,
-                                 wall.output}};
+                                 wall.output,
+                                 start.program,
+                                 start.mpi}};
     MPI_Allreduce(MPI_IN_PLACE,
                   times.data(),
                   times.size(),
@@ -168,6 +173,7 @@ namespace auxfem
     resources.wall_seconds   = times[0];
     resources
       .wall = {times[1], times[2], times[3], times[4], times[5], times[6]};
+    resources.start = {times[7], times[8], MPI::sum(start.cpu, communicator)};
     return resources;
   }
 
@@ -264,6 +270,7 @@ namespace auxfem
     object.add("work", json(summary.totals));
     object.add("wall_seconds", wall_json(summary.resources));
     object.add("cpu_seconds", summary.resources.cpu_seconds);
+    object.add("cpu_seconds_of_start", summary.resources.start.cpu);
     object.add("peak_memory_bytes", memory);
     object.add("energies_joule", json_of_energies(summary.energies));
     object.add("largest_rotation_radian", summary.largest_rotation);

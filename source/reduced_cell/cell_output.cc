@@ -48,7 +48,10 @@ namespace auxfem
     return text.str();
   }
 
-  CellOutput::CellOutput(const Scene &scene) : scene(scene), start(Clock::now())
+  CellOutput::CellOutput(const Scene &scene, const StartTimes &start)
+    : scene(scene)
+    , start_times(start)
+    , start(Clock::now())
   {}
 
   void CellOutput::begin_cell()
@@ -97,6 +100,8 @@ namespace auxfem
     counts.add("iterations_or_evaluations", result.work.iterations);
     object.add("work", counts);
     JsonObject wall;
+    wall.add("program_start", start_times.program);
+    wall.add("mpi_start", start_times.mpi);
     wall.add("total",
              std::chrono::duration<double>(Clock::now() - start).count());
     object.add("wall_seconds", wall);

@@ -5,7 +5,10 @@
 #include <gtest/gtest.h>
 #include <mesh/cell_from_text.h>
 
+#include <cstdlib>
 #include <optional>
+
+#include <sys/resource.h>
 
 using namespace auxfem;
 using namespace auxfem::testing_support;
@@ -61,6 +64,39 @@ namespace
     EquationsOnRanks               of_scene;
     std::unique_ptr<TangentMatrix> matrix;
     LinearSolver                   solver;
+  };
+
+  /** As long as it lives, malloc() and new give small pieces only. */
+  class NoMoreMemory
+  {
+  public:
+    NoMoreMemory()
+    {
+      blocks.reserve(1 << 20);
+      getrlimit(RLIMIT_AS, &former);
+      // What is in use stays; nothing new is given.
+      const rlimit limit{0, former.rlim_max};
+      setrlimit(RLIMIT_AS, &limit);
+      for (std::size_t size = 1 << 26; size >= 1 << 13; size /= 2)
+        while (blocks.size() < blocks.capacity())
+          {
+            void *const block = std::malloc(size);
+            if (block == nullptr)
+              break;
+            blocks.push_back(block);
+          }
+    }
+
+    ~NoMoreMemory()
+    {
+      setrlimit(RLIMIT_AS, &former);
+      for (void *const block : blocks)
+        std::free(block);
+    }
+
+  private:
+    rlimit              former{};
+    std::vector<void *> blocks;
   };
 
   /**
@@ -137,8 +173,8 @@ end
     const auto       matrix = of_scene.make_tangent();
     LinearSolver     solver(of_scene.scene.solver, *matrix, of_scene.model);
     State            from = of_scene.equations.initial_state(), to = from;
-    const Evaluation evaluation = dt ? Evaluation::step(from, to, *dt)
-                                     : Evaluation::equilibrium(from, to);
+    const Evaluation evaluation =
+      dt ? Evaluation::step(from, to, *dt) : Evaluation::equilibrium(from, to);
     of_scene.residual(evaluation);
     const TangentFactors factors =
       dt ? TangentFactors{1., 2 / *dt, 4 / (*dt * *dt)} : TangentFactors();
@@ -289,6 +325,33 @@ TEST(LinearSolver, IterationsHardlyGrowWithTheLattice)
     {
       SCOPED_TRACE(dt ? "in a step" : "in statics");
       EXPECT_LE(iterations_of(16, dt), 1.5 * iterations_of(8, dt));
+    }
+}
+
+TEST(LinearSolver, LackOfMemoryIsNoSingularMatrix)
+{
+  // On several ranks a lack of memory may end all of them.
+  if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
+    GTEST_SKIP();
+  for (const std::string type : {"klu", "mumps", "gmres"})
+    {
+      SCOPED_TRACE(type);
+      SolvableSystem system(type, {"Lattice/Cells x=8", "Lattice/Cells y=8"});
+      system.fill(0.1);
+      std::string message;
+      {
+        const NoMoreMemory no_more_memory;
+        try
+          {
+            system.solver.factorize();
+          }
+        catch (const ComputationError &error)
+          {
+            message = error.what();
+          }
+      }
+      EXPECT_NE(message.find("out of memory on rank 0 of 1"), std::string::npos)
+        << message;
     }
 }
 

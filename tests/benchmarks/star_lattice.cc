@@ -10,8 +10,6 @@
 #include <iostream>
 #include <sstream>
 
-#include <sys/resource.h>
-
 // Times the star lattice of prm/star-10x10.prm in several sizes, orders and
 // Newton variants: time by phase and microseconds per unknown and iteration.
 // Without arguments all cases; with a number, that many repetitions of each,
@@ -34,14 +32,6 @@ namespace
     unsigned long iterations = 0, factorizations = 0, unknowns = 0;
     double        displacement = 0;
   };
-
-  double cpu_seconds()
-  {
-    rusage usage;
-    getrusage(RUSAGE_SELF, &usage);
-    return usage.ru_utime.tv_sec + usage.ru_stime.tv_sec +
-      1e-6 * (usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
-  }
 
   Measurement measure(const std::string &prm, const Case &c)
   {

@@ -168,7 +168,7 @@ TEST(Equations, LengthScaleIsTheMeanStrutLength)
 
 TEST(Equations, PrescribedMotionAndRightSideFollowTheSupports)
 {
-  EquationsOnRanks of_scene(star_with_everything(1, 1), {}, MPI_COMM_SELF);
+  EquationsOnRanks    of_scene(star_with_everything(1, 1), {}, MPI_COMM_SELF);
   const DofNumbering &dofs = of_scene.dofs();
   const int           shaken =
     dofs.joint_unknown(of_scene.lattice.joint_sets.at("left")[0], 0);
@@ -240,8 +240,7 @@ TEST(Equations, WhatIsLeftOutCostsNoState)
                                  MPI_COMM_SELF);
   EXPECT_FALSE(elastic.equations.layout().velocity);
   EXPECT_EQ(elastic.equations.layout().n_history(), 0u);
-  EXPECT_FALSE(
-    elastic.equations.layout().energies.has(EnergyKind::dissipated));
+  EXPECT_FALSE(elastic.equations.layout().energies.has(EnergyKind::dissipated));
   const State state = elastic.equations.initial_state();
   EXPECT_FALSE(state.velocity);
   EXPECT_FALSE(state.acceleration);
@@ -286,8 +285,7 @@ TEST(Equations, WithoutViscosityConnectorsAreTheirLongTimeSprings)
         of_scene.equations.reporting().connectors[g];
       for (unsigned int i = 0; i < group.forces->n_reported(); ++i)
         {
-          const ConnectorReport report =
-            group.report(i, to, of_scene.results);
+          const ConnectorReport report = group.report(i, to, of_scene.results);
           EXPECT_NE(report.extension, 0);
           EXPECT_DOUBLE_EQ(report.force, stiffness[g] * report.extension);
         }

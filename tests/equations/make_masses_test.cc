@@ -28,7 +28,7 @@ namespace
   {
     State from = of_scene.equations.initial_state(), to = from;
     to.acceleration->PutScalar(1.);
-    const Evaluation step = Evaluation::step(from, to, 1.);
+    const Evaluation    step = Evaluation::step(from, to, 1.);
     std::vector<double> residual(of_scene.dofs().n_local(), 0.);
     for (const auto &effect : make_masses(of_scene.scene,
                                           of_scene.lattice,
@@ -36,9 +36,7 @@ namespace
                                           {},
                                           /*large_rotation=*/true,
                                           1.))
-      effect->add_residual(step,
-                           residual.data(),
-                           effect->make_results().get());
+      effect->add_residual(step, residual.data(), effect->make_results().get());
     return residual;
   }
 } // namespace

@@ -14,7 +14,8 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  /** Equations and a state with irregular motion, residual and tangent there. */
+  /** Equations and a state with irregular motion, residual and tangent there.
+   */
   struct Evaluated
   {
     Evaluated(const std::string &text, const MPI_Comm communicator)
@@ -156,8 +157,7 @@ namespace
 
   std::vector<double> as_list(const Energies &e)
   {
-    return {
-      e.kinetic(), e.strain(), e.stored(), e.dissipated(), e.external()};
+    return {e.kinetic(), e.strain(), e.stored(), e.dissipated(), e.external()};
   }
 
   /**

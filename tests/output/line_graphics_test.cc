@@ -1,12 +1,17 @@
 #include <auxfem/output/line_graphics.h>
 #include <auxfem/parameters/errors.h>
 
+#include <boost/property_tree/xml_parser.hpp>
 #include <gtest/gtest.h>
 
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <sstream>
+
+#include <sys/resource.h>
 
 using namespace auxfem;
 
@@ -58,6 +63,20 @@ namespace
     graphics.add_line({{0, 0, 0}, {1, 0.5, 0}, {2, 0, 0}}, values);
   }
 
+  /** Entries of a .pvd file, whose end must be there. */
+  unsigned int files_in_record(const std::string &file)
+  {
+    boost::property_tree::ptree tree;
+    boost::property_tree::read_xml(file, tree);
+    return tree.get_child("VTKFile.Collection").count("DataSet");
+  }
+
+  int n_files(const std::string &folder)
+  {
+    return std::distance(std::filesystem::directory_iterator(folder),
+                         std::filesystem::directory_iterator());
+  }
+
   /** Runs Python code that reads files with VTK's own reader; 0: all holds. */
   int python(const std::string &folder, const std::string &code)
   {
@@ -88,13 +107,13 @@ TEST(LineGraphics, VtkReadsBackWhatWasWritten)
       EXPECT_EQ(python(folder, R"(
 import os
 import xml.etree.ElementTree as xml
-from vtkmodules.vtkIOXML import vtkXMLPUnstructuredGridReader
+from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 folder = os.path.dirname(os.path.abspath(__file__))
 sets = xml.parse(folder + '/solution.pvd').getroot().findall('.//DataSet')
 assert len(sets) == 2
 # Twelve digits of the time tell any two steps of a run apart.
 assert abs(float(sets[1].get('timestep')) - 1 / 3) < 1e-11, sets[1].attrib
-reader = vtkXMLPUnstructuredGridReader()
+reader = vtkXMLUnstructuredGridReader()
 reader.SetFileName(folder + '/' + sets[1].get('file'))
 reader.Update()
 grid = reader.GetOutput()
@@ -123,20 +142,75 @@ TEST(LineGraphics, FilesNameUnits)
 TEST(LineGraphics, RecordIsWholeAfterEveryFile)
 {
   const std::string folder = fresh_folder("record");
+  const std::string record = folder + "/connectors.pvd";
   GraphicsSeries    series(folder, "connectors", MPI_COMM_WORLD);
   for (unsigned int i = 0; i < 3; ++i)
     {
       LineGraphics graphics(fields);
       add_bent_line(graphics, i);
       series.write(graphics, i);
-      const std::string record = contents(folder + "/connectors.pvd");
-      EXPECT_NE(record.find("file=\"connectors/connectors_0000" +
-                            std::to_string(i) + ".pvtu\""),
-                std::string::npos);
-      EXPECT_NE(record.find("</VTKFile>"), std::string::npos);
-      EXPECT_FALSE(std::filesystem::exists(folder + "/connectors.pvd.part"));
+      EXPECT_EQ(files_in_record(record), i + 1);
       MPI_Barrier(MPI_COMM_WORLD);
     }
+}
+
+TEST(LineGraphics, RecordGrowsInPlace)
+{
+  const std::string folder = fresh_folder("in_place");
+  const std::string record = folder + "/connectors.pvd";
+  const std::string link   = folder + "/link.pvd";
+  GraphicsSeries    series(folder, "connectors", MPI_COMM_WORLD);
+  for (unsigned int i = 0; i < 3; ++i)
+    {
+      LineGraphics graphics(fields);
+      add_bent_line(graphics, i);
+      series.write(graphics, i);
+      // A record that is written anew leaves the link behind.
+      if (i == 0 && rank() == 0)
+        std::filesystem::create_hard_link(record, link);
+      MPI_Barrier(MPI_COMM_WORLD);
+    }
+  EXPECT_EQ(contents(link), contents(record));
+}
+
+TEST(LineGraphics, OneRankHasOneFileATime)
+{
+  const std::string folder = fresh_folder("files");
+  GraphicsSeries    series(folder, "solution", MPI_COMM_SELF);
+  LineGraphics      graphics(fields);
+  add_bent_line(graphics, 0);
+  series.write(graphics, 0);
+  EXPECT_NE(contents(folder + "/solution.pvd")
+              .find("file=\"solution/solution_00000.vtu\""),
+            std::string::npos);
+  EXPECT_EQ(n_files(folder + "/solution"), 1);
+}
+
+TEST(LineGraphics, FullDiskLeavesAWholeRecord)
+{
+  const std::string folder = fresh_folder("full");
+  GraphicsSeries    series(folder, "solution", MPI_COMM_SELF);
+
+  // A limit that the record reaches in the middle of an entry, and the others
+  // never.
+  const auto former_action = std::signal(SIGXFSZ, SIG_IGN);
+  rlimit     former{};
+  getrlimit(RLIMIT_FSIZE, &former);
+  const rlimit limit{5000, former.rlim_max};
+  setrlimit(RLIMIT_FSIZE, &limit);
+  unsigned int n = 0;
+  EXPECT_THROW(
+    for (; n < 100; ++n) {
+      LineGraphics graphics(fields);
+      add_bent_line(graphics, 0);
+      series.write(graphics, n);
+    },
+    ComputationError);
+  setrlimit(RLIMIT_FSIZE, &former);
+  std::signal(SIGXFSZ, former_action);
+
+  EXPECT_GT(n, 10u);
+  EXPECT_EQ(files_in_record(folder + "/solution.pvd"), n);
 }
 
 TEST(LineGraphics, FolderInTheWayIsRefused)

@@ -20,6 +20,7 @@ TEST(Summary, JsonHoldsWhatTheRunCounted)
   summary.totals.iterations        = 3000000000; // more than 31 bits hold
   summary.totals.retries           = 7;
   summary.resources.wall.factorize = 0.125;
+  summary.resources.start          = {0.25, 0.5, 0.75};
   summary.resources.largest_memory = 5000000000;
   summary.largest_rotation         = 1.5;
   summary.exit_state               = "no convergence:\nsecond line";
@@ -41,6 +42,9 @@ TEST(Summary, JsonHoldsWhatTheRunCounted)
   EXPECT_EQ(tree.get<unsigned long>("work.newton_iterations"), 3000000000u);
   EXPECT_EQ(tree.get<unsigned long>("work.retries"), 7u);
   EXPECT_EQ(tree.get<double>("wall_seconds.factorize"), 0.125);
+  EXPECT_EQ(tree.get<double>("wall_seconds.program_start"), 0.25);
+  EXPECT_EQ(tree.get<double>("wall_seconds.mpi_start"), 0.5);
+  EXPECT_EQ(tree.get<double>("cpu_seconds_of_start"), 0.75);
   EXPECT_EQ(tree.get<unsigned long>("peak_memory_bytes.largest_rank"),
             5000000000u);
   EXPECT_EQ(tree.get<double>("energies_joule.stored"), 3);
@@ -107,10 +111,14 @@ TEST(Summary, TellsPoissonsRatiosOfAllLateralAxes)
 TEST(Summary, ResourcesAreThoseOfTheProcess)
 {
   PhaseTimes wall;
-  wall.solve                = 2;
-  const Resources resources = gather_resources(3, wall, MPI_COMM_WORLD);
+  wall.solve = 2;
+  const Resources resources =
+    gather_resources({5, 7, 0.5}, 3, wall, MPI_COMM_WORLD);
   EXPECT_EQ(resources.wall_seconds, 3);
   EXPECT_EQ(resources.wall.solve, 2);
+  EXPECT_EQ(resources.start.program, 5);
+  EXPECT_EQ(resources.start.mpi, 7);
+  EXPECT_EQ(resources.start.cpu, 0.5);
   EXPECT_GT(resources.cpu_seconds, 0);
   // A process that has loaded deal.II holds more than a megabyte, and less
   // than a terabyte.

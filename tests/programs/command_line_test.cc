@@ -271,12 +271,12 @@ namespace
                          "Output/Graphics interval=" + interval});
     };
     ASSERT_EQ(run("20 us").exit_code, 0);
-    EXPECT_TRUE(fs::exists(path("out/solution/solution_00004.pvtu")));
+    EXPECT_TRUE(fs::exists(path("out/solution/solution_00004.vtu")));
     write("out/notes.txt", "mine");
 
     ASSERT_EQ(run("0").exit_code, 0);
-    EXPECT_TRUE(fs::exists(path("out/solution/solution_00001.pvtu")));
-    EXPECT_FALSE(fs::exists(path("out/solution/solution_00002.pvtu")));
+    EXPECT_TRUE(fs::exists(path("out/solution/solution_00001.vtu")));
+    EXPECT_FALSE(fs::exists(path("out/solution/solution_00002.vtu")));
     EXPECT_EQ(read_text(path("out/notes.txt")), "mine");
   }
 } // namespace

@@ -3,13 +3,24 @@
 
 #include <auxfem/analysis/time_stepper.h>
 #include <auxfem/output/recorder.h>
+#include <auxfem/time/stopwatch.h>
 
 namespace auxfem
 {
   /** A scene with a lattice, set up and taken through time on all ranks. */
   class LatticeRun
   {
+    Work work_done;
+    /** Of the constructor: what follows is made while it runs. */
+    std::optional<Stopwatch> set_up_watch;
+
   public:
+    const Scene       &scene;
+    const Lattice      lattice;
+    const LatticeModel model;
+    Equations          equations;
+    Solution           solution;
+
     /**
      * Sets up lattice, model, equations and solver.
      * @param scene must outlive the object.
@@ -43,19 +54,12 @@ namespace auxfem
      */
     RunResult run(Recorder &recorder);
 
-    const Scene       &scene;
-    const Lattice      lattice;
-    const LatticeModel model;
-    Equations          equations;
-    Solution           solution;
-
     /** All that has been done so far. */
     const Work &work() const;
 
   private:
     RunResult result(const std::string &exit_state) const;
 
-    Work        work_done;
     TimeStepper stepper;
   };
 } // namespace auxfem

@@ -57,9 +57,10 @@ namespace auxfem
   };
 
   /**
-   * A series of graphics files in time: `NAME/NAME_00000.pvtu` with a `.vtu`
-   * for each rank, and `NAME.pvd`, which lists them with their times and is
-   * whole at any moment. All in one folder, with relative paths.
+   * A series of graphics files in time: on one rank `NAME/NAME_00000.vtu`, on
+   * several `NAME/NAME_00000.pvtu` with a `.vtu` for each; and `NAME.pvd`, the
+   * record, which lists them with their times and is whole at any moment. All
+   * in one folder, with relative paths.
    */
   class GraphicsSeries
   {
@@ -72,17 +73,31 @@ namespace auxfem
 
     /**
      * Writes the files for one more time (s). Throws ComputationError on all
-     * ranks if one cannot write. Collective.
+     * ranks if one cannot write, std::bad_alloc on a rank without memory to.
+     * Collective.
      */
     void write(LineGraphics &graphics, double time);
 
   private:
-    void write_record() const;
+    /** Returns the name of the file that stands for all ranks. */
+    std::string write_pieces(LineGraphics &graphics) const;
 
-    std::string                                 folder;
-    std::string                                 name;
-    MPI_Comm                                    communicator;
-    std::vector<std::pair<double, std::string>> times_and_files;
+    /**
+     * Adds a file to the record, over the end of the record and with a new end,
+     * so that a series costs no more than its length. Throws ComputationError
+     * if that fails; the record is then as it was.
+     */
+    void append_to_record(double time, const std::string &file);
+
+    /** Removes what a failed append_to_record() left. */
+    void restore_record(const std::string &record) const;
+
+    std::string  folder;
+    std::string  name;
+    MPI_Comm     communicator;
+    unsigned int n_written = 0;
+    /** Where the next entry of the record begins; 0: there is no record. */
+    std::streamoff end_of_entries = 0;
   };
 
   /** When to write graphics: at the times next to the multiples of an interval.

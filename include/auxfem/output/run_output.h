@@ -13,9 +13,9 @@ namespace auxfem
   /**
    * Everything a run leaves behind, in one folder: parameters.prm,
    * original.prm, log.txt, history.csv, solution.pvd, rigid_parts.pvd and
-   * connectors.pvd with their series, summary.json. Also the lines on the
-   * screen. Rows are on disk as soon as they are written; what was computed
-   * before a failure stays readable.
+   * connectors.pvd with their series (of what the scene has), summary.json.
+   * Also the lines on the screen. Rows are on disk as soon as they are written;
+   * what was computed before a failure stays readable.
    *
    * Results of an earlier run in the same folder are removed in begin() (files
    * of these names only), so that what is there belongs together.
@@ -28,8 +28,11 @@ namespace auxfem
      * begin(), so that a scene found wrong during set-up costs no results.
      * @param scene must outlive the object.
      * @param communicator all ranks take part in every call.
+     * @param start of this rank, for the summary.
      */
-    RunOutput(const Scene &scene, MPI_Comm communicator);
+    RunOutput(const Scene      &scene,
+              MPI_Comm          communicator,
+              const StartTimes &start = StartTimes());
     ~RunOutput() override;
 
     /**

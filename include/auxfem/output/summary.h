@@ -4,6 +4,7 @@
 #include <auxfem/equations/equations.h>
 #include <auxfem/output/history.h>
 #include <auxfem/output/json.h>
+#include <auxfem/output/start_times.h>
 #include <auxfem/scene/scene.h>
 #include <auxfem/time/step_report.h>
 
@@ -37,15 +38,22 @@ namespace auxfem
       0;
     unsigned long memory       = 0; ///< sum of the ranks' peaks (bytes)
     double        cpu_seconds  = 0; ///< over all ranks
-    double        wall_seconds = 0; ///< of the slowest rank
+    double        wall_seconds = 0; ///< of the run, on the slowest rank
     PhaseTimes    wall;             ///< of the slowest rank in each phase
+    /** Before the run; wall times of the slowest rank, processor time of all.
+     */
+    StartTimes start;
   };
+
+  /** Processor time of this process since its start (s). */
+  double cpu_seconds();
 
   /**
    * Resources of all ranks since their start. Collective.
-   * @param wall_seconds, wall times of this rank.
+   * @param start, wall_seconds, wall times of this rank.
    */
-  Resources gather_resources(double            wall_seconds,
+  Resources gather_resources(const StartTimes &start,
+                             double            wall_seconds,
                              const PhaseTimes &wall,
                              MPI_Comm          communicator);
 

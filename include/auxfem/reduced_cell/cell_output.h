@@ -5,6 +5,7 @@
 #include <auxfem/output/csv_table.h>
 #include <auxfem/output/history.h>
 #include <auxfem/output/recorder.h>
+#include <auxfem/output/start_times.h>
 #include <auxfem/reduced_cell/cell_scheme.h>
 
 #include <chrono>
@@ -21,8 +22,11 @@ namespace auxfem
   class CellOutput : public Recorder
   {
   public:
-    /** @param scene must outlive the object. */
-    explicit CellOutput(const Scene &scene);
+    /**
+     * @param scene must outlive the object.
+     * @param start for the summary.
+     */
+    CellOutput(const Scene &scene, const StartTimes &start);
 
     /**
      * Makes the folder, prints what is simulated, starts the history. Throws
@@ -43,6 +47,7 @@ namespace auxfem
     std::string summary(const RunResult &result) const;
 
     const Scene              &scene;
+    const StartTimes          start_times;
     const Clock::time_point   start;
     std::ofstream             log;
     std::optional<Console>    console;

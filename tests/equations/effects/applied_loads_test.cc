@@ -28,8 +28,8 @@ namespace
       loads.add_weight(growing, 1, 1.);
       loads.add_weight(growing, 2, -2.);
       loads.add_weight(loads.add_load(course("5"), work), 2, 1.);
-      from.time = 0.5;
-      to.time   = 1.5;
+      from.time          = 0.5;
+      to.time            = 1.5;
       StateLayout layout = of_scene.equations.layout();
       loads.register_in(layout);
       work_entry = layout.energies.enter(work);

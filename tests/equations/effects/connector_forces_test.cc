@@ -271,7 +271,7 @@ namespace
         std::vector<double> unit(n, 0.);
         unit[j]                          = 1;
         const std::vector<double> column = tangent.times(unit);
-        const auto                moved = [&](const double step) {
+        const auto                moved  = [&](const double step) {
           const State kept = connector.to;
           connector.to.displacement[j] += factors.stiffness * step;
           (*connector.to.velocity)[j] += factors.damping * step;
@@ -345,8 +345,7 @@ namespace
 
 TEST(ConnectorForces, HistoryAndStateAreKeptForWhatTheLawNeedsOnly)
 {
-  const std::string internal = "internal variables",
-                    lost     = "dissipated energy";
+  const std::string internal = "internal variables", lost = "dissipated energy";
   EXPECT_EQ(ConnectorAlone(spring, from_0_to_1).layout.n_history(), 0u);
   const ConnectorAlone parallel(kelvin_voigt, from_0_to_1);
   EXPECT_EQ(n_kept(parallel, internal), 0u);

@@ -95,7 +95,7 @@ TEST(FollowingLoads, WorkOfASmallStepIsThatOfTheLoadAlongIt)
   one.rotations.follow(step);
   const EvaluatedAlone      evaluated(one.loads, step);
   const std::vector<double> rows = evaluated.residual;
-  double work = 0;
+  double                    work = 0;
   for (unsigned int c = 0; c < n_motion_components; ++c)
     {
       const int i = dofs.joint_unknown(1, c);

@@ -58,8 +58,8 @@ TEST(PointMasses, ForceIsMassTimesAcceleration)
 TEST(PointMasses, KineticEnergyIsThatOfTheMass)
 {
   MassAlone    one;
-  const double v     = (*one.to.velocity)[one.y],
-               omega = (*one.to.velocity)[one.turn];
+  const double v          = (*one.to.velocity)[one.y],
+               omega      = (*one.to.velocity)[one.turn];
   const Energies energies = EvaluatedAlone(one.masses, one.step()).accept();
   EXPECT_DOUBLE_EQ(energies.kinetic(), v * v + 2.5 * omega * omega);
 }

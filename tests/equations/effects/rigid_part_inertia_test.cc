@@ -95,7 +95,7 @@ TEST(RigidPartInertia, KineticEnergyIsThatOfTheRigidBody)
   InertiaOfL L;
   L.turn(1.5, -1, 2, *L.to.velocity);
   const Energies energies = EvaluatedAlone(L.inertia, L.step()).accept();
-  const double   arm = L.part.centre_of_mass.distance_square({-1, 2, 0});
+  const double   arm      = L.part.centre_of_mass.distance_square({-1, 2, 0});
   EXPECT_NEAR(energies.kinetic(),
               (4 * arm + L.part.rotary_inertia[2][2]) * 1.5 * 1.5 / 2,
               1e-12);

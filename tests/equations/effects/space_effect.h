@@ -134,11 +134,10 @@ end
         const std::vector<double> direction = irregular(0.9),
                                   y         = tangent.times(direction);
 
-        const double h     = 1e-5;
-        const auto forward = residual(effect, moved(direction, h, factors)),
-                   backward =
-                     residual(effect, moved(direction, -h, factors));
-        double size = 0;
+        const double h       = 1e-5;
+        const auto   forward = residual(effect, moved(direction, h, factors)),
+                   backward  = residual(effect, moved(direction, -h, factors));
+        double size          = 0;
         for (unsigned int i = 0; i < n; ++i)
           size = std::max(size, std::abs(y[i]));
         EXPECT_GT(size, 0.1);
@@ -158,11 +157,10 @@ end
             if (is_multiplier(i))
               continue;
             std::vector<double> direction(n, 0.);
-            direction[i]       = 1;
-            const auto forward = residual(conditions, moved(direction, h)),
-                       backward =
-                         residual(conditions, moved(direction, -h));
-            double work = 0;
+            direction[i]        = 1;
+            const auto forward  = residual(conditions, moved(direction, h)),
+                       backward = residual(conditions, moved(direction, -h));
+            double work         = 0;
             for (unsigned int k = 0; k < n; ++k)
               if (is_multiplier(k))
                 work += to.displacement[k] * (forward[k] - backward[k]);

@@ -49,7 +49,7 @@ TEST(SpaceSprings, MomentsAreDerivativesOfTheEnergy)
   for (const bool to_ground : {false, true})
     {
       KneeSpring                knee(to_ground);
-      const std::vector<double> rows = knee.residual(knee.spring, knee.to);
+      const std::vector<double> rows   = knee.residual(knee.spring, knee.to);
       const auto                energy = [&](State state) {
         return EvaluatedAlone(knee.spring,
                               Evaluation::step(knee.from, state, 1.))

@@ -109,8 +109,8 @@ TEST(SpaceStruts, InertiaHasThePowerOfItsKineticEnergy)
       Struts     struts(true, order);
       const auto inertia = struts.inertia(true, false);
       struts.make_room_for(*inertia);
-      const auto rows    = struts.residual(*inertia, struts.to);
-      const auto energy  = [&](const double time) {
+      const auto rows   = struts.residual(*inertia, struts.to);
+      const auto energy = [&](const double time) {
         State state = struts.to;
         state.velocity->Update(time, *struts.to.acceleration, 1.);
         return EvaluatedAlone(*inertia,

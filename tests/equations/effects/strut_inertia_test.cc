@@ -119,7 +119,7 @@ TEST(StrutInertia, MassProportionalDampingIsAForceOnTheVelocity)
   fill_by_place(by_acceleration.of_scene.model,
                 0.7,
                 *by_acceleration.to.acceleration);
-  const EvaluatedAlone moving = by_velocity.evaluated();
+  const EvaluatedAlone moving      = by_velocity.evaluated();
   const EvaluatedAlone accelerated = by_acceleration.evaluated();
   for (unsigned int i = 0; i < moving.residual.size(); ++i)
     EXPECT_NEAR(moving.residual[i], accelerated.residual[i], 1e-14);
@@ -128,7 +128,5 @@ TEST(StrutInertia, MassProportionalDampingIsAForceOnTheVelocity)
   const Energies     energies = moving.accept();
   const unsigned int lost =
     by_velocity.layout.energies.enter(mass_damping_entry());
-  EXPECT_NEAR(by_velocity.to.powers[lost],
-              2 * 0.7 * energies.kinetic(),
-              1e-13);
+  EXPECT_NEAR(by_velocity.to.powers[lost], 2 * 0.7 * energies.kinetic(), 1e-13);
 }
