@@ -41,14 +41,6 @@ namespace auxfem
         , matrix(matrix)
       {}
 
-      ~DirectMethod() override
-      {
-        // What Amesos_Mumps could not begin, for want of memory, it cannot end:
-        // MUMPS would abort the program.
-        if (!has_symbolic)
-          solver.release();
-      }
-
       bool factorize() override
       {
         // The pattern may have changed.
@@ -79,19 +71,20 @@ namespace auxfem
       bool analyse()
       {
         problem.SetOperator(&matrix.matrix());
-        solver.reset(Amesos().Create(type, problem));
-        Teuchos::ParameterList list;
+        solver.reset();
+        // What Amesos_Mumps cannot begin, for want of memory, it cannot end
+        // either: MUMPS would abort the program. So nothing owns it till then.
+        Amesos_BaseSolver *const fresh = Amesos().Create(type, problem);
+        Teuchos::ParameterList   list;
         // KLU then keeps its pivot order while that is numerically sound.
         list.set("Refactorize", true);
         list.set("OutputLevel", 0);
         list.set("PrintTiming", false);
         list.set("PrintStatus", false);
-        solver->SetParameters(list);
-        if (solver->SymbolicFactorization() != 0)
-          {
-            solver.reset();
-            return false;
-          }
+        fresh->SetParameters(list);
+        if (fresh->SymbolicFactorization() != 0)
+          return false;
+        solver.reset(fresh);
         analysed_version = matrix.version();
         return true;
       }

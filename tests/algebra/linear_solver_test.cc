@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <mesh/cell_from_text.h>
 
+#include <array>
 #include <cstdlib>
 #include <optional>
 
@@ -21,7 +22,8 @@ namespace
     explicit SolvableSystem(const std::string              &type,
                             const std::vector<std::string> &overrides = {})
       : of_scene(star_with_everything(3, 2), with_type(type, overrides))
-      , matrix(of_scene.make_tangent())
+      , pattern(of_scene.equations.pattern())
+      , matrix(std::make_unique<TangentMatrix>(pattern))
       , solver(of_scene.scene.solver, *matrix, of_scene.model)
     {}
 
@@ -61,7 +63,9 @@ namespace
       return size;
     }
 
-    EquationsOnRanks               of_scene;
+    EquationsOnRanks of_scene;
+    /** That of the equations, to which a test may add. */
+    TangentPattern                 pattern;
     std::unique_ptr<TangentMatrix> matrix;
     LinearSolver                   solver;
   };
@@ -232,6 +236,55 @@ TEST(LinearSolver, AKeptFactorizationServesOldEquations)
       ASSERT_TRUE(system.solver.factorize());
       system.set_right_side();
       EXPECT_LT(system.residual(system.solver.solve()), round_off);
+    }
+}
+
+TEST(LinearSolver, ServesThePatternAsItIsNow)
+{
+  for (const std::string type : {"klu", "mumps", "gmres"})
+    {
+      SCOPED_TRACE(type);
+      SolvableSystem      system(type, {"Solver/Tolerance=1e-13"});
+      const DofNumbering &dofs = system.of_scene.dofs();
+      system.fill(0.1);
+      ASSERT_TRUE(system.solver.factorize());
+      system.set_right_side();
+      const Epetra_Vector first = system.solver.solve();
+
+      // Springs from each joint to the next but four, which no strut connects.
+      std::size_t  first_block = 0;
+      unsigned int n_blocks    = 0;
+      const auto   for_all     = [&](const auto &action) {
+        const unsigned int n = system.of_scene.lattice.joints.size();
+        for (unsigned int joint = 0; joint + 5 < n; ++joint)
+          {
+            const std::array<int, 2> ends = {
+              {dofs.joint_unknown(joint, 0), dofs.joint_unknown(joint + 5, 0)}};
+            if (ends[0] >= 0 && ends[1] >= 0)
+              action(ends);
+          }
+      };
+      for_all([&](const std::array<int, 2> &ends) {
+        const std::size_t block =
+          system.pattern.register_block(ends.data(), ends.size());
+        if (n_blocks++ == 0)
+          first_block = block;
+      });
+      system.fill(0.1);
+      const double spring[4] = {50, -50, -50, 50};
+      for (unsigned int b = 0; b < n_blocks; ++b)
+        system.matrix->add(first_block + b, spring);
+      ASSERT_TRUE(system.solver.factorize());
+      system.set_right_side();
+      const Epetra_Vector second = system.solver.solve();
+      EXPECT_EQ(system.solver.failure(), "");
+      // GMRES stops at 1e-13 of the norm of some 200 rows of about one.
+      EXPECT_LT(system.residual(second), type == "gmres" ? 1e-11 : round_off);
+      Epetra_Vector difference = second;
+      difference.Update(-1., first, 1.);
+      double size = 0;
+      difference.NormInf(&size);
+      EXPECT_GT(size, 1e-3);
     }
 }
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <random>
 #include <set>
 
@@ -191,4 +192,65 @@ TEST_F(TangentMatrixTest, AnEmptyMatrixIsZeroButInPrescribedRows)
   for (unsigned int i = 0; i < blocks.n; ++i)
     EXPECT_EQ(empty.row_sizes()[i],
               of_scene.dofs().kind(i) == UnknownKind::prescribed ? 1. : 0.);
+}
+
+TEST_F(TangentMatrixTest, FurtherBlocksMakeANewMatrixWithTheNextReset)
+{
+  blocks.add_to(matrix);
+  const unsigned long before    = pattern.version();
+  const int           n_entries = matrix.matrix().NumMyNonzeros();
+  EXPECT_EQ(matrix.version(), before);
+
+  // Unknowns that nothing has coupled so far.
+  const std::vector<double> dense     = as_dense(matrix);
+  const auto                is_stored = [&](const int row, const int column) {
+    int     n = 0, *indices = nullptr;
+    double *entries = nullptr;
+    matrix.matrix().ExtractMyRowView(row, n, entries, indices);
+    return std::find(indices, indices + n, column) != indices + n;
+  };
+  std::array<int, 2> apart = {{-1, -1}};
+  for (int i = 0; i < int(blocks.n); ++i)
+    for (int j = 0; j < i; ++j)
+      if (of_scene.dofs().kind(i) != UnknownKind::prescribed &&
+          of_scene.dofs().kind(j) != UnknownKind::prescribed &&
+          !is_stored(i, j))
+        apart = {{i, j}};
+  ASSERT_GE(apart[0], 0);
+  const std::size_t further = pattern.register_block(apart.data(), 2);
+  EXPECT_EQ(further, blocks.unknowns.size());
+  EXPECT_GT(pattern.version(), before);
+  // Until it is reset the matrix is the one it was.
+  EXPECT_EQ(matrix.version(), before);
+  EXPECT_EQ(as_dense(matrix), dense);
+
+  blocks.add_to(matrix);
+  EXPECT_EQ(matrix.version(), pattern.version());
+  EXPECT_EQ(matrix.matrix().NumMyNonzeros(), n_entries + 2);
+  EXPECT_EQ(as_dense(matrix), dense);
+  const double values[4] = {1000, 2000, 3000, 4000};
+  matrix.add(further, values);
+  std::vector<double> expected = dense;
+  for (unsigned int i = 0; i < 2; ++i)
+    for (unsigned int j = 0; j < 2; ++j)
+      expected[apart[i] * blocks.n + apart[j]] += values[2 * i + j];
+  EXPECT_EQ(as_dense(matrix), expected);
+}
+
+TEST_F(TangentMatrixTest, AClearedPatternHasTheBlocksOfElementsAlone)
+{
+  blocks.add_to(matrix);
+  const unsigned long before = pattern.version();
+  pattern.clear();
+  EXPECT_EQ(pattern.n_blocks(), blocks.n_elements);
+  EXPECT_GT(pattern.version(), before);
+  matrix.reset();
+  TangentPattern elements_alone(of_scene.dofs());
+  TangentMatrix  empty(elements_alone);
+  EXPECT_EQ(matrix.matrix().NumMyNonzeros(), empty.matrix().NumMyNonzeros());
+
+  // Registered again, the blocks lie where they lay.
+  register_blocks();
+  blocks.add_to(matrix);
+  EXPECT_EQ(as_dense(matrix), blocks.dense);
 }

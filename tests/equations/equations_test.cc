@@ -1,3 +1,4 @@
+#include <auxfem/equations/node_rotations.h>
 #include <auxfem/equations/prescribed_motion.h>
 
 #include <equations/equations_on_ranks.h>
@@ -290,4 +291,213 @@ TEST(Equations, WithoutViscosityConnectorsAreTheirLongTimeSprings)
           EXPECT_DOUBLE_EQ(report.force, stiffness[g] * report.extension);
         }
     }
+}
+
+namespace
+{
+  /** A trial state and the results of its evaluation. */
+  struct EvaluatedTrial
+  {
+    /** Irregular motion that is larger the larger @p size. */
+    EvaluatedTrial(const EquationsOnRanks &of_scene, const double size)
+      : of_scene(of_scene)
+      , from(of_scene.equations.initial_state())
+      , to(from)
+      , results(of_scene.equations.make_results())
+    {
+      const LatticeModel &model = of_scene.model;
+      from.time                 = 0.1;
+      to.time                   = from.time + dt;
+      fill_by_place(model, 0.1, from.displacement);
+      fill_by_place(model, size, to.displacement);
+      fill_by_place(model, 2 * size, *to.velocity);
+      fill_by_place(model, 3 * size, *to.acceleration);
+      for (unsigned int i = 0; i < from.history.size(); ++i)
+        from.history[i] = 0.1 * std::sin(1. + i);
+      NodeRotations(model.numbering).follow(evaluation());
+    }
+
+    Evaluation evaluation()
+    {
+      return of_scene.step(from, to, dt);
+    }
+
+    /** Evaluates; returns the residual and all that came with it. */
+    std::vector<double> residual()
+    {
+      of_scene.equations.residual(evaluation(), results);
+      std::vector<double> answer(to.residual.Values(),
+                                 to.residual.Values() + to.residual.MyLength());
+      answer.insert(answer.end(), to.history.begin(), to.history.end());
+      answer.insert(answer.end(),
+                    {results.force,
+                     results.moment,
+                     results.condition,
+                     results.force_scale});
+      return answer;
+    }
+
+    /** Entries of the tangent at the last residual. */
+    std::vector<double> tangent()
+    {
+      TangentMatrix matrix(of_scene.equations.pattern());
+      of_scene.equations.tangent(evaluation(), results, {1., 5., 25.}, matrix);
+      const double *entries = matrix.matrix()[0];
+      return {entries, entries + matrix.matrix().NumMyNonzeros()};
+    }
+
+    /** Energies by entry, and the history, as accept() leaves them. */
+    std::vector<double> accepted()
+    {
+      of_scene.equations.accept(evaluation(), results);
+      std::vector<double> answer = to.energies.amounts();
+      answer.insert(answer.end(), to.history.begin(), to.history.end());
+      return answer;
+    }
+
+    const EquationsOnRanks &of_scene;
+    double                  dt = 0.3;
+    State                   from, to;
+    EvaluationResults       results;
+  };
+} // namespace
+
+TEST(Equations, EvaluationsDoNotInfluenceEachOther)
+{
+  for (const std::string &text :
+       {star_with_everything(1, 1), space_star_with_everything()})
+    {
+      // What each of the two gives if nothing else is ever asked.
+      const EquationsOnRanks fresh(text, {}, MPI_COMM_SELF),
+        other(text, {}, MPI_COMM_SELF), asked(text, {}, MPI_COMM_SELF);
+      EvaluatedTrial first(fresh, 0.4), second(other, 0.25);
+      const auto     residual = first.residual(), of_second = second.residual();
+      const auto     tangent        = first.tangent(),
+                 tangent_of_second  = second.tangent();
+      const auto accepted           = first.accepted(),
+                 accepted_of_second = second.accepted();
+      EXPECT_NE(residual, of_second);
+      EXPECT_NE(tangent, tangent_of_second);
+      EXPECT_NE(accepted, accepted_of_second);
+
+      // The same, one in the middle of the other.
+      EvaluatedTrial a(asked, 0.4), b(asked, 0.25);
+      EXPECT_EQ(a.residual(), residual);
+      EXPECT_EQ(b.residual(), of_second);
+      EXPECT_EQ(a.tangent(), tangent);
+      EXPECT_EQ(b.tangent(), tangent_of_second);
+      EXPECT_EQ(a.accepted(), accepted);
+      EXPECT_EQ(b.accepted(), accepted_of_second);
+    }
+}
+
+TEST(Equations, TheSameQuestionHasTheSameAnswer)
+{
+  for (const std::string &text :
+       {star_with_everything(1, 1), space_star_with_everything()})
+    {
+      const EquationsOnRanks of_scene(text, {}, MPI_COMM_SELF);
+      EvaluatedTrial         trial(of_scene, 0.4);
+      const auto             residual = trial.residual();
+      const auto             tangent  = trial.tangent();
+      const auto             accepted = trial.accepted();
+      EXPECT_EQ(trial.tangent(), tangent);
+      EXPECT_EQ(trial.accepted(), accepted);
+      EvaluatedTrial again(of_scene, 0.4);
+      EXPECT_EQ(again.residual(), residual);
+      EXPECT_EQ(again.tangent(), tangent);
+      EXPECT_EQ(again.accepted(), accepted);
+    }
+}
+
+TEST(Equations, LoadDerivativeIsTheDifferenceOfResiduals)
+{
+  // Dead loads alone in the plane, loads that follow their joints in space.
+  for (const std::string &text :
+       {star_with_everything(1, 1), space_star_with_everything()})
+    {
+      const EquationsOnRanks of_scene(text, {}, MPI_COMM_SELF);
+      EvaluatedTrial         trial(of_scene, 0.4);
+      const auto             residual = [&](const double load_factor) {
+        Evaluation evaluation  = trial.evaluation();
+        evaluation.load_factor = load_factor;
+        of_scene.equations.residual(evaluation, trial.results);
+        return trial.to.residual;
+      };
+      const Vector derivative =
+                     of_scene.equations.load_derivative(trial.evaluation()),
+                   more = residual(2.75), less = residual(0.25);
+      double size = 0, largest = 0;
+      derivative.NormInf(&size);
+      more.NormInf(&largest);
+      EXPECT_GT(size, 0.1);
+      // The residual is linear in the factor: rounding alone.
+      for (int i = 0; i < derivative.MyLength(); ++i)
+        EXPECT_NEAR(derivative[i], (more[i] - less[i]) / 2.5, 1e-15 * largest);
+    }
+}
+
+namespace
+{
+  /** Joint 1, 2 m from a wall, pulled along a strut and a Maxwell connector. */
+  const std::string relaxing = frame_scene("0 0; 2 0",
+                                           "0 1",
+                                           "subsection Supports\n"
+                                           "  subsection wall\n"
+                                           "    set Joints = 0\n"
+                                           "    set Type = clamp\n"
+                                           "  end\n"
+                                           "end\n"
+                                           "subsection Connectors\n"
+                                           "  subsection one\n"
+                                           "    set Law = maxwell\n"
+                                           "    set Spring stiffness = 2\n"
+                                           "    set Damping coefficient = 3\n"
+                                           "    set Between = 0 1\n"
+                                           "  end\n"
+                                           "end\n"
+                                           "subsection Loads\n"
+                                           "  subsection pull\n"
+                                           "    set Joints = 1\n"
+                                           "    set Force x = 7 * t\n"
+                                           "  end\n"
+                                           "end\n");
+} // namespace
+
+TEST(Equations, AStageInsideAStepHasTheForcesOfItsOwnTime)
+{
+  const EquationsOnRanks of_scene(relaxing, {}, MPI_COMM_SELF),
+    without(relaxing,
+            {"Effects/Connector viscosity=off", "Loads/pull/Force x=0"},
+            MPI_COMM_SELF);
+  const int    tip  = of_scene.dofs().joint_unknown(1, 0);
+  const State  from = of_scene.equations.initial_state();
+  const double rate = 0.5, relaxation_time = 3. / 2;
+  const auto   force = [&](const double time) {
+    // Stretched at a constant rate since the start of the step.
+    State to                  = from;
+    to.time                   = time;
+    to.displacement[tip]      = rate * time;
+    (*to.velocity)[tip]       = rate;
+    EvaluationResults results = of_scene.equations.make_results();
+    of_scene.equations.residual(Evaluation::step(from, to, time), results);
+
+    State       plain          = without.equations.initial_state();
+    const State start          = plain;
+    plain.displacement[tip]    = rate * time;
+    (*plain.velocity)[tip]     = rate;
+    EvaluationResults of_plain = without.equations.make_results();
+    without.equations.residual(Evaluation::step(start, plain, time), of_plain);
+    // The force of the connector and the load: what the strut does not do.
+    return to.residual[tip] - plain.residual[tip];
+  };
+  const auto expected = [&](const double time) {
+    return 3 * rate * (1 - std::exp(-time / relaxation_time)) - 7 * time;
+  };
+  const double whole = force(0.8);
+  for (const double time : {0.2, 0.4, 0.6})
+    EXPECT_NEAR(force(time), expected(time), 1e-14);
+  // The stages have left nothing behind.
+  EXPECT_EQ(force(0.8), whole);
+  EXPECT_NEAR(whole, expected(0.8), 1e-14);
 }

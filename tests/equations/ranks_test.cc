@@ -6,6 +6,9 @@
 #include <equations/equations_on_ranks.h>
 #include <gtest/gtest.h>
 
+#include <map>
+#include <set>
+
 using namespace auxfem;
 using namespace auxfem::testing_support;
 
@@ -349,6 +352,87 @@ end
 )";
   compare_runs({}, chain);
   compare_runs({"Solver/Type=klu"}, chain);
+}
+
+namespace
+{
+  /** Names of all records with the items that the ranks of @p communicator keep. */
+  std::map<std::string, std::set<unsigned int>>
+  kept_items(const StateLayout &layout, const MPI_Comm communicator)
+  {
+    std::map<std::string, std::set<unsigned int>> mine;
+    for (const HistoryRecord &record : layout.history())
+      {
+        mine[record.name].insert(record.items.begin(), record.items.end());
+        // No rank keeps an item twice.
+        EXPECT_EQ(mine[record.name].size(), record.items.size());
+      }
+    std::map<std::string, std::set<unsigned int>> all;
+    for (const auto &of_rank :
+         dealii::Utilities::MPI::all_gather(communicator, mine))
+      for (const auto &[name, items] : of_rank)
+        all[name].insert(items.begin(), items.end());
+    return all;
+  }
+
+  /** The value of each item of each record after a run, from one of its ranks.
+   */
+  std::map<std::string, std::map<unsigned int, std::vector<double>>>
+  kept_values(const Advanced &run)
+  {
+    std::map<std::string, std::map<unsigned int, std::vector<double>>> values;
+    for (const HistoryRecord &record :
+         run.on_ranks.equations.layout().history())
+      for (unsigned int i = 0; i < record.items.size(); ++i)
+        {
+          const double *first = run.state.history.data() + record.first +
+            i * record.values_per_item;
+          values[record.name][record.items[i]] = {first,
+                                                  first +
+                                                    record.values_per_item};
+        }
+    return values;
+  }
+
+  void compare_history(const std::string              &text,
+                       const std::vector<std::string> &overrides,
+                       const unsigned int              n_records)
+  {
+    const Advanced all(text, overrides, MPI_COMM_WORLD),
+      alone(text, overrides, MPI_COMM_SELF);
+    const auto items =
+      kept_items(alone.on_ranks.equations.layout(), MPI_COMM_SELF);
+    EXPECT_EQ(items.size(), n_records);
+    for (const auto &[name, numbers] : items)
+      {
+        // They are numbered from 0 on.
+        EXPECT_EQ(*numbers.rbegin() + 1, numbers.size()) << name;
+      }
+    EXPECT_EQ(kept_items(all.on_ranks.equations.layout(), MPI_COMM_WORLD),
+              items);
+
+    const auto wanted  = kept_values(alone);
+    double     largest = 0;
+    for (const auto &[name, values] : kept_values(all))
+      for (const auto &[item, of_item] : values)
+        for (unsigned int k = 0; k < of_item.size(); ++k)
+          {
+            const double reference = wanted.at(name).at(item).at(k);
+            largest                = std::max(largest, std::abs(reference));
+            EXPECT_NEAR(of_item[k], reference, 1e-10) << name << ' ' << item;
+          }
+    EXPECT_GT(largest, 1e-5);
+  }
+} // namespace
+
+TEST(Ranks, HistoryIsNamedAlikeOnAnyNumberOfRanks)
+{
+  // Internal variables of two groups, dissipated energies of four.
+  compare_history(star_with_everything(3, 3), {}, 6);
+  // And rotational springs.
+  compare_history(space_star_with_everything(),
+                  {"Time/Scheme=generalized-alpha"},
+                  7);
 }
 
 TEST(Ranks, GhostsOfAnAcceptedStateHaveTheValuesOfTheirOwners)

@@ -57,6 +57,22 @@ TEST(AppliedLoads, ResidualIsMinusTheForceAtTheEndOfTheStep)
     EXPECT_EQ(residual[i], i == 1 ? -4.5 : i == 2 ? 9. - 5. : 0.);
 }
 
+TEST(AppliedLoads, TheLoadFactorMultipliesAllLoads)
+{
+  LoadsAlone applied;
+  Evaluation evaluation  = Evaluation::step(applied.from, applied.to, 1.);
+  evaluation.load_factor = 0.25;
+  const std::vector<double> residual =
+    EvaluatedAlone(applied.loads, evaluation).residual;
+  std::vector<double> derivative(residual.size(), 0.);
+  applied.loads.add_load_derivative(evaluation, derivative.data());
+  for (unsigned int i = 0; i < residual.size(); ++i)
+    {
+      EXPECT_EQ(derivative[i], i == 1 ? -4.5 : i == 2 ? 9. - 5. : 0.);
+      EXPECT_EQ(residual[i], 0.25 * derivative[i]);
+    }
+}
+
 TEST(AppliedLoads, WorkIsTheMeanForceTimesTheDisplacement)
 {
   LoadsAlone applied;

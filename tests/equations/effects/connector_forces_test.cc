@@ -370,6 +370,102 @@ TEST(ConnectorForces, AcceptedStepsKnowStoredAndLostEnergy)
   EXPECT_EQ(energies.strain(), 0.);
 }
 
+namespace
+{
+  /** A spring that hardens: F = k u^3. */
+  class CubicSpring : public ConnectorLaw
+  {
+  public:
+    explicit CubicSpring(const double stiffness) : stiffness(stiffness)
+    {}
+
+    bool is_viscous() const override
+    {
+      return false;
+    }
+
+    bool is_linear() const override
+    {
+      return false;
+    }
+
+    void evaluate(const unsigned int     n,
+                  const ConnectorMotion *motion,
+                  const double * /*committed*/,
+                  double * /*trial*/,
+                  ConnectorResponse *response) const override
+    {
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          const double u = motion[i].extension;
+          response[i]    = {stiffness * u * u * u, 3 * stiffness * u * u, 0.};
+        }
+    }
+
+    ConnectorEnergy energy(const ConnectorMotion &motion,
+                           const double * /*committed*/,
+                           const double * /*trial*/) const override
+    {
+      return {stiffness / 4 * std::pow(motion.extension, 4), 0.};
+    }
+
+    ContinuousResponse continuous(const double extension,
+                                  const double /*rate*/,
+                                  const double * /*internal*/,
+                                  double * /*internal_rates*/) const override
+    {
+      return {stiffness * std::pow(extension, 3),
+              stiffness / 4 * std::pow(extension, 4),
+              0.};
+    }
+
+    double long_time_stiffness() const override
+    {
+      return 0;
+    }
+
+  private:
+    const double stiffness;
+  };
+} // namespace
+
+TEST(ConnectorForces, ANonlinearLawMakesAllEquationsNonlinear)
+{
+  Scene         scene = read_scene_from_text(with_connector(spring, along_1_1),
+                                     "test.prm",
+                                     {"Effects/Large rotation=off"});
+  const Lattice lattice = build_lattice(scene);
+  const LatticeModel model(scene, lattice, MPI_COMM_SELF);
+  EXPECT_TRUE(Equations(scene, model).is_linear());
+
+  scene.connectors[0].law = std::make_shared<CubicSpring>(5.);
+  const Equations equations(scene, model);
+  EXPECT_FALSE(equations.is_linear());
+
+  // Of the tangent only the connector's part changes with the displacement:
+  // 3 k u^2 along (1, 1) / sqrt 2.
+  const int         row     = model.numbering.joint_unknown(1, 0);
+  EvaluationResults results = equations.make_results();
+  TangentMatrix     matrix(equations.pattern());
+  const auto        stiffness = [&](const double extension) {
+    const State from = equations.initial_state();
+    State       to   = from;
+    for (const unsigned int c : {0u, 1u})
+      to.displacement[model.numbering.joint_unknown(1, c)] =
+        extension / std::sqrt(2.);
+    const Evaluation step = Evaluation::step(from, to, 1.);
+    equations.residual(step, results);
+    equations.tangent(step, results, {1., 0., 0.}, matrix);
+    Epetra_Vector unit(model.numbering.owned_map()), column(unit);
+    unit[row] = 1;
+    matrix.matrix().Multiply(false, unit, column);
+    return column[row];
+  };
+  EXPECT_NEAR(stiffness(0.6) - stiffness(0.),
+              3 * 5. * 0.6 * 0.6 / 2,
+              10 * round_off);
+}
+
 TEST(ConnectorForces, ALineOfLengthZeroIsRefused)
 {
   const std::string message = input_error_of([] {

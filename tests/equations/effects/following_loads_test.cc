@@ -84,6 +84,31 @@ TEST(FollowingLoads, TangentIsThatOfDifferences)
   one.expect_tangent(one.loads, {1., 3., 5.});
 }
 
+TEST(FollowingLoads, LoadsAndTheirTangentAreMultipliedByTheLoadFactor)
+{
+  LoadInSpace               one;
+  Evaluation                evaluation = Evaluation::step(one.from, one.to, 1.);
+  const std::vector<double> plain =
+    EvaluatedAlone(one.loads, evaluation).residual;
+  TangentAlone tangent(one.loads, one.of_scene.dofs());
+  tangent.fill(EvaluatedAlone(one.loads, evaluation), {1., 0., 0.});
+  const std::vector<double> direction     = one.irregular(0.3),
+                            plain_product = tangent.times(direction);
+
+  evaluation.load_factor = -2.5;
+  const EvaluatedAlone multiplied(one.loads, evaluation);
+  tangent.fill(multiplied, {1., 0., 0.});
+  const std::vector<double> product = tangent.times(direction);
+  std::vector<double>       derivative(one.n, 0.);
+  one.loads.add_load_derivative(evaluation, derivative.data());
+  for (unsigned int i = 0; i < one.n; ++i)
+    {
+      EXPECT_NEAR(multiplied.residual[i], -2.5 * plain[i], 1e-14);
+      EXPECT_NEAR(product[i], -2.5 * plain_product[i], 1e-14);
+      EXPECT_NEAR(derivative[i], plain[i], 1e-14);
+    }
+}
+
 TEST(FollowingLoads, WorkOfASmallStepIsThatOfTheLoadAlongIt)
 {
   LoadInSpace one;
