@@ -288,6 +288,34 @@ TEST(LinearSolver, ServesThePatternAsItIsNow)
     }
 }
 
+TEST(LinearSolver, DirectTypesServeCouplingsOfTheInsideOfStruts)
+{
+  for (const std::string type : {"klu", "mumps"})
+    {
+      SCOPED_TRACE(type);
+      SolvableSystem      system(type);
+      const DofNumbering &dofs = system.of_scene.dofs();
+      system.fill(0.1);
+      ASSERT_TRUE(system.solver.factorize());
+
+      // The middles of two struts, and one of them with a joint.
+      const unsigned int last  = dofs.elements().size() - 1;
+      const auto         inner = [&](const unsigned int e) {
+        return dofs.element_unknowns(e)[2 * dofs.n_components()];
+      };
+      const std::array<int, 3> ends = {
+        {inner(0), inner(last), dofs.element_unknowns(last / 2)[0]}};
+      const std::size_t block =
+        system.pattern.register_block(ends.data(), ends.size());
+      system.fill(0.1);
+      const double springs[9] = {50, -20, -30, -20, 40, -20, -30, -20, 50};
+      system.matrix->add(block, springs);
+      ASSERT_TRUE(system.solver.factorize());
+      system.set_right_side();
+      EXPECT_LT(system.residual(system.solver.solve()), round_off);
+    }
+}
+
 TEST(LinearSolver, IterationsMeetTheirTolerance)
 {
   for (const std::string preconditioner : {"amg", "ilu"})

@@ -148,7 +148,7 @@ TEST(LatticeRun, WorkOfTheStartCounts)
 TEST(LatticeRun, AWholeRunCountsTheStartsWorkToo)
 {
   const auto factorizations = [](const std::string &start_from) {
-    const Scene scene = read_scene_from_text(cantilever("0.3", ten_steps),
+    const Scene scene = read_scene_from_text(cantilever("0.3 + t", ten_steps),
                                              "test.prm",
                                              {"Effects/Large rotation=off",
                                               "Time/Start from=" + start_from});
@@ -156,7 +156,7 @@ TEST(LatticeRun, AWholeRunCountsTheStartsWorkToo)
     return LatticeRun(scene, MPI_COMM_SELF).run(diary).work.factorizations;
   };
   EXPECT_EQ(factorizations("rest"), 1u) << "all steps share one";
-  // The check for mechanisms and the equilibrium need one each.
+  // The check for mechanisms and the equilibrium need one more each.
   EXPECT_EQ(factorizations("static equilibrium"), 3u);
 }
 
