@@ -267,8 +267,9 @@ TEST_F(TableFolder, MistakesNameFileLineAndParameter)
   const auto here = [](const std::string &line) {
     return std::vector<std::string>{"Loads/top/Force y", "force.csv", line};
   };
-  expect_mentions(table_error("0,1\n1,2\n1,3\n"), here("line 3"));
-  expect_mentions(table_error("0,1\n1,2\n1,3\n"), {"must increase"});
+  expect_mentions(table_error("0,1\n1,2\n0.5,3\n"), here("line 3"));
+  expect_mentions(table_error("0,1\n1,2\n0.5,3\n"), {"must not decrease"});
+  expect_mentions(table_error("0,1\n0,2\n0,3\n"), {"line 3", "third", "jump"});
   expect_mentions(table_error("t,F\n0,1\n1,x2\n"), here("line 3"));
   expect_mentions(table_error("t,F\n0,1\n1,x2\n"), {"'x2' in column 2"});
   expect_mentions(table_error("# c\n0,1 N\n"), {"line 2", "'1 N'"});
@@ -315,4 +316,45 @@ TEST_F(TableFolder, DifferencesOfTheSegments)
       EXPECT_NEAR(jet[2], 0, 1e-9);
     }
   EXPECT_NEAR(function.jet(1.5, 0.1)[1], 0.5, 1e-12);
+}
+
+TEST_F(TableFolder, TwoRowsAtOneTimeAreAJump)
+{
+  const TimeFunction function = table("0,0\n0,1\n1,2\n1,5\n2,5\n2,0\n");
+  EXPECT_EQ(function.value(-1), 0);
+  EXPECT_EQ(function.value_before(0), 0);
+  EXPECT_EQ(function.value(0), 1);
+  EXPECT_EQ(function.value_after(0), 1);
+  EXPECT_DOUBLE_EQ(function.value(0.5), 1.5);
+  EXPECT_EQ(function.value_before(1), 2);
+  EXPECT_EQ(function.value(1), 5);
+  EXPECT_EQ(function.value_before(2), 5);
+  EXPECT_EQ(function.value(2), 0);
+  EXPECT_EQ(function.value_before(0.5), function.value(0.5));
+
+  const std::vector<TimeEvent> events = function.events(-1, 3);
+  ASSERT_EQ(events.size(), 3u);
+  for (unsigned int i = 0; i < 3; ++i)
+    {
+      EXPECT_EQ(events[i].time, i);
+      EXPECT_EQ(events[i].kind, TimeEvent::Kind::jump);
+    }
+  EXPECT_EQ(function.events(0, 2).size(), 1u);
+}
+
+TEST_F(TableFolder, EventsAreRowsWhereTheSlopeChanges)
+{
+  // The third row is on the line of its neighbours, up to round-off.
+  const TimeFunction function =
+    table("0,0\n0.1,0.3\n0.2,0.6\n0.3,0.9\n0.7,0\n");
+  const std::vector<TimeEvent> events = function.events(-1, 1);
+  ASSERT_EQ(events.size(), 3u);
+  EXPECT_EQ(events[0].time, 0);
+  EXPECT_EQ(events[1].time, 0.3);
+  EXPECT_EQ(events[2].time, 0.7);
+  for (const TimeEvent &event : events)
+    EXPECT_EQ(event.kind, TimeEvent::Kind::kink);
+  EXPECT_EQ(function.events(0, 0.7).size(), 1u);
+  EXPECT_TRUE(table("0,1\n1,1\n").events(-1, 2).empty());
+  EXPECT_TRUE(table("0,1\n").events(-1, 2).empty());
 }

@@ -1,14 +1,18 @@
 #ifndef auxfem_loads_time_function_h
 #define auxfem_loads_time_function_h
 
+#include <auxfem/loads/time_event.h>
 #include <auxfem/parameters/registry.h>
 
 #include <array>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace auxfem
 {
+  class TimeCourse;
+
   /**
    * A number that depends on time: an expression in `t` (muParser syntax, with
    * the scene's constants and `pi`), or `table: file.csv` (linear between rows,
@@ -20,7 +24,9 @@ namespace auxfem
    *
    * In a table cells are separated by commas, semicolons or white space; a row
    * without any number before the first row of numbers is a header; what
-   * follows `#` and empty rows are skipped.
+   * follows `#` and empty rows are skipped. Two rows at one time are a jump:
+   * the values just before and just after it, of which the latter is the value
+   * at that time.
    */
   class TimeFunction
   {
@@ -43,6 +49,30 @@ namespace auxfem
     double value(double t) const;
 
     /**
+     * Limit of the value at @p t (s) from the times before: the value at the
+     * end of a step that ends at t. It is value() unless something switches at
+     * t, as in `t < 0.01 ? 1 : 0`. Throws ComputationError if it is not finite.
+     */
+    double value_before(double t) const;
+
+    /**
+     * Limit of the value at @p t (s) from the times after: the value at the
+     * start of a step that begins at t. Throws as value_before().
+     */
+    double value_after(double t) const;
+
+    /**
+     * The times (s) at which the value or its first derivative jumps, sorted,
+     * of those between @p begin and @p end; either end is excluded, as is what
+     * is closer to it than time_resolution(). The same on all ranks.
+     *
+     * Roots of numbers that touch zero count as kinks, as sqrt((t - 1)^2) has
+     * one. Where the function or its slope is infinite there is an event too.
+     * Single times at which the value is another one, as in `t == 1`, are none.
+     */
+    std::vector<TimeEvent> events(double begin, double end) const;
+
+    /**
      * Value, first and second time derivative at @p t (s). The derivatives are
      * fourth-order differences between values at most @p scale (s, > 0) away,
      * a time over which the function is smooth (e.g. the time step): central
@@ -60,10 +90,9 @@ namespace auxfem
     bool is_zero() const;
 
   private:
-    class Implementation;
-    class Expression;
-    class Table;
-    std::shared_ptr<const Implementation> implementation;
+    double checked(double result, double t) const;
+
+    std::shared_ptr<const TimeCourse> course;
   };
 } // namespace auxfem
 

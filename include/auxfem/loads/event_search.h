@@ -1,0 +1,49 @@
+#ifndef auxfem_loads_event_search_h
+#define auxfem_loads_event_search_h
+
+#include <auxfem/loads/expression_tree.h>
+#include <auxfem/loads/time_event.h>
+
+#include <vector>
+
+namespace auxfem
+{
+  /**
+   * What is known of a function next to a kink or jump, for telling these from
+   * round-off.
+   */
+  struct FunctionSize
+  {
+    double value = 0; ///< greatest absolute value
+    double slope = 0; ///< greatest absolute first derivative
+  };
+
+  /**
+   * The kinks and jumps of @p expression at begin < t < end (s), sorted. Times
+   * closer than time_resolution() to either end count as being there.
+   *
+   * Where no operation may switch, by bounds of its margin over a span of time
+   * (interval arithmetic), there is neither. Spans are halved until each margin
+   * has at most one root, or one extremum, in them by bounds of its
+   * derivatives. Roots are found by bisection to neighbouring numbers, and kept
+   * if value or slope differ between their sides by more than round-off.
+   */
+  std::vector<TimeEvent>
+  find_events(const ExpressionTree &expression, double begin, double end);
+
+  /**
+   * Limits of value and derivatives of @p expression at @p t (s): those at t
+   * with the branches taken on that side.
+   */
+  Jet<double> limit(const ExpressionTree &expression, double t, TimeSide side);
+
+  /** Whether limits of a function from both sides differ by more than
+   * round-off, as do values that are off by @p error anyway. */
+  bool
+  is_jump(double before, double after, const FunctionSize &size, double error);
+
+  /** Whether slopes on both sides differ by more than round-off. */
+  bool is_kink(double before, double after, const FunctionSize &size);
+} // namespace auxfem
+
+#endif

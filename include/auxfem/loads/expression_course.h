@@ -1,0 +1,55 @@
+#ifndef auxfem_loads_expression_course_h
+#define auxfem_loads_expression_course_h
+
+#include <auxfem/loads/expression_tree.h>
+#include <auxfem/loads/time_course.h>
+#include <auxfem/parameters/registry.h>
+
+#include <memory>
+#include <string>
+
+#include <muParser.h>
+
+namespace auxfem
+{
+  /** An expression in t. */
+  class ExpressionCourse : public TimeCourse
+  {
+  public:
+    /**
+     * @param text what the user wrote, @param path of the parameter. Throws
+     * InputError if it is no expression.
+     */
+    ExpressionCourse(const std::string  &text,
+                     const std::string  &path,
+                     const SceneContext &context);
+
+    double value(const double t) const override
+    {
+      time = t;
+      return parser.Eval();
+    }
+
+    double limit(double t, TimeSide side) const override;
+
+    std::vector<TimeEvent> events(double begin, double end) const override;
+
+    /** Whether `t` does not occur in it. */
+    bool is_constant() const;
+
+  private:
+    void define_functions();
+    void define_constants(const std::string &path, const SceneContext &context);
+    void parse(const std::string &text, const std::string &path);
+    const ExpressionTree &tree() const;
+
+    mutable double time = 0; ///< where the parser finds `t`
+    mu::Parser     parser;
+    bool           constant = false;
+
+    /** Made when it is needed first: most functions are only evaluated. */
+    mutable std::unique_ptr<const ExpressionTree> known_tree;
+  };
+} // namespace auxfem
+
+#endif

@@ -1,0 +1,54 @@
+#ifndef auxfem_loads_table_course_h
+#define auxfem_loads_table_course_h
+
+#include <auxfem/loads/time_course.h>
+#include <auxfem/parameters/registry.h>
+
+#include <string>
+#include <vector>
+
+namespace auxfem
+{
+  /**
+   * Two columns of a file, linear between rows, constant outside. Two rows at
+   * one time are a jump.
+   */
+  class TableCourse : public TimeCourse
+  {
+  public:
+    /**
+     * @p reference is what follows `table:`: a file name, maybe a column;
+     * @p path that of the parameter. Throws InputError if there is no such
+     * table.
+     */
+    TableCourse(const std::string  &reference,
+                const std::string  &path,
+                const SceneContext &context);
+
+    double value(double t) const override;
+
+    double limit(double t, TimeSide side) const override;
+
+    std::vector<TimeEvent> events(double begin, double end) const override;
+
+  private:
+    void   read_reference(const std::string  &reference,
+                          const SceneContext &context);
+    void   read_row(const std::string &row);
+    void   check_time(double t, const std::string &cell) const;
+    double number(const std::string &cell, unsigned int cell_column) const;
+    [[noreturn]] void fail(const std::string &problem) const;
+
+    double between(std::size_t next, double t) const;
+    double slope(std::size_t next) const;
+
+    std::string         path; ///< of the parameter, for messages
+    std::string         file;
+    unsigned int        column      = 2;
+    unsigned int        line        = 0;
+    bool                header_seen = false;
+    std::vector<double> times, values;
+  };
+} // namespace auxfem
+
+#endif

@@ -1,0 +1,31 @@
+#ifndef auxfem_loads_time_course_h
+#define auxfem_loads_time_course_h
+
+#include <auxfem/loads/time_event.h>
+
+#include <string>
+#include <vector>
+
+namespace auxfem
+{
+  /** What a TimeFunction consists of: an expression or a table. */
+  class TimeCourse
+  {
+  public:
+    virtual ~TimeCourse() = default;
+
+    /** Value at time @p t (s), finite or not. */
+    virtual double value(double t) const = 0;
+
+    /** Limit of the value at @p t (s) from one side, finite or not. */
+    virtual double limit(double t, TimeSide side) const = 0;
+
+    /** Kinks and jumps at begin < t < end (s), sorted. */
+    virtual std::vector<TimeEvent> events(double begin, double end) const = 0;
+
+    /** Path and text of the parameter, for messages. */
+    std::string origin;
+  };
+} // namespace auxfem
+
+#endif

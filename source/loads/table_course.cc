@@ -1,0 +1,217 @@
+#include <auxfem/loads/event_search.h>
+#include <auxfem/loads/table_course.h>
+#include <auxfem/parameters/errors.h>
+
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace auxfem
+{
+  namespace
+  {
+    using dealii::Utilities::trim;
+
+    /** Reads a cell; false if it is not a finite number as a whole. */
+    bool read_number(const std::string &cell, double &number)
+    {
+      // from_chars does not depend on the locale, but knows no plus sign.
+      const char *const begin =
+        cell.data() + (cell.size() > 1 && cell[0] == '+' ? 1 : 0);
+      const char *const end    = cell.data() + cell.size();
+      const auto        answer = std::from_chars(begin, end, number);
+      return answer.ec == std::errc() && answer.ptr == end &&
+        std::isfinite(number);
+    }
+
+    /** Cells of a row; one separator per row: semicolon, comma or blanks. */
+    std::vector<std::string> split_row(const std::string &row)
+    {
+      std::vector<std::string> cells;
+      for (const char separator : {';', ','})
+        if (row.find(separator) != std::string::npos)
+          {
+            std::istringstream in(row);
+            for (std::string cell; std::getline(in, cell, separator);)
+              cells.push_back(trim(cell));
+            return cells;
+          }
+      std::istringstream in(row);
+      for (std::string cell; in >> cell;)
+        cells.push_back(cell);
+      return cells;
+    }
+
+    bool is_header(const std::vector<std::string> &cells)
+    {
+      double number;
+      return std::none_of(cells.begin(),
+                          cells.end(),
+                          [&number](const std::string &cell) {
+                            return read_number(cell, number);
+                          });
+    }
+  } // namespace
+
+  TableCourse::TableCourse(const std::string  &reference,
+                           const std::string  &path,
+                           const SceneContext &context)
+    : path(path)
+  {
+    read_reference(reference, context);
+    std::ifstream in(file);
+    if (!in || std::filesystem::is_directory(file))
+      throw InputError(path + ": cannot read the table " + file +
+                       ".\nGive the name of a text file; a relative name "
+                       "starts from the folder of the parameter file (" +
+                       context.directory + ").");
+    std::string row;
+    for (line = 1; std::getline(in, row); ++line)
+      {
+        // Spreadsheets mark UTF-8 files by three bytes in front.
+        if (line == 1 && row.compare(0, 3, "\xEF\xBB\xBF") == 0)
+          row.erase(0, 3);
+        read_row(trim(row.substr(0, row.find('#'))));
+      }
+    if (times.empty())
+      throw InputError(path + ": the table " + file +
+                       " has no row of numbers.\nNeeded are rows of a time "
+                       "(s) and a value, e.g. 0.01, 250.");
+  }
+
+  void TableCourse::read_reference(const std::string  &reference,
+                                   const SceneContext &context)
+  {
+    std::string       name  = trim(reference);
+    const std::size_t comma = name.rfind(',');
+    if (comma != std::string::npos)
+      {
+        const std::string text = trim(name.substr(comma + 1));
+        const auto        answer =
+          std::from_chars(text.data(), text.data() + text.size(), column);
+        if (answer.ec != std::errc() ||
+            answer.ptr != text.data() + text.size() || column < 2)
+          throw InputError(path + ": '" + text +
+                           "' is not a column of a table.\nColumn 1 is time; "
+                           "write table: FILE, COLUMN with a whole number "
+                           "from 2, or without it for column 2.");
+        name = trim(name.substr(0, comma));
+      }
+    if (name.empty())
+      throw InputError(path +
+                       ": 'table:' must be followed by the name of a "
+                       "file, e.g. table: force.csv.");
+    file = (std::filesystem::path(context.directory) / name).string();
+  }
+
+  void TableCourse::read_row(const std::string &row)
+  {
+    const std::vector<std::string> cells = split_row(row);
+    if (cells.empty())
+      return;
+    if (times.empty() && !header_seen && is_header(cells))
+      {
+        header_seen = true;
+        return;
+      }
+    if (cells.size() < column)
+      fail("has " + std::to_string(cells.size()) +
+           (cells.size() == 1 ? " column" : " columns") + ", but column " +
+           std::to_string(column) +
+           " is asked for.\nSeparate cells by commas, semicolons or blanks.");
+    const double t = number(cells[0], 1);
+    check_time(t, cells[0]);
+    times.push_back(t);
+    values.push_back(number(cells[column - 1], column));
+  }
+
+  double TableCourse::number(const std::string &cell,
+                             const unsigned int cell_column) const
+  {
+    double result;
+    if (!read_number(cell, result))
+      fail("has '" + cell + "' in column " + std::to_string(cell_column) +
+           ", which is not a number.\nWrite numbers like 0.01 or 1e-2, with "
+           "a decimal point and without unit.");
+    return result;
+  }
+
+  void TableCourse::fail(const std::string &problem) const
+  {
+    throw InputError(path + ": line " + std::to_string(line) +
+                     " of the table " + file + " " + problem);
+  }
+
+  void TableCourse::check_time(const double t, const std::string &cell) const
+  {
+    const std::size_t n = times.size();
+    if (n > 0 && t < times[n - 1])
+      fail("has the time '" + cell +
+           "', which is before that of the row before.\nTimes (s, first "
+           "column) must not decrease from row to row.");
+    if (n > 1 && t == times[n - 2])
+      fail("is the third with the time '" + cell +
+           "'.\nTwo rows at one time are a jump: the values just before and "
+           "just after it.");
+  }
+
+  double TableCourse::between(const std::size_t next, const double t) const
+  {
+    if (next == 0)
+      return values.front();
+    if (next == times.size())
+      return values.back();
+    const double fraction =
+      (t - times[next - 1]) / (times[next] - times[next - 1]);
+    return (1 - fraction) * values[next - 1] + fraction * values[next];
+  }
+
+  double TableCourse::slope(const std::size_t next) const
+  {
+    if (next == 0 || next == times.size())
+      return 0;
+    return (values[next] - values[next - 1]) / (times[next] - times[next - 1]);
+  }
+
+  double TableCourse::value(const double t) const
+  {
+    return limit(t, TimeSide::after);
+  }
+
+  double TableCourse::limit(const double t, const TimeSide side) const
+  {
+    const auto next = side == TimeSide::after
+      ? std::upper_bound(times.begin(), times.end(), t)
+      : std::lower_bound(times.begin(), times.end(), t);
+    return between(next - times.begin(), t);
+  }
+
+  std::vector<TimeEvent> TableCourse::events(const double begin,
+                                             const double end) const
+  {
+    std::vector<TimeEvent> result;
+    for (std::size_t first = 0, after; first < times.size(); first = after)
+      {
+        // One row, or two at a jump.
+        const double t = times[first];
+        after = first + 1 < times.size() && times[first + 1] == t ? first + 2
+                                                                  : first + 1;
+        if (t - begin < time_resolution(t) || end - t < time_resolution(t))
+          continue;
+        const double       left = slope(first), right = slope(after);
+        const FunctionSize size = {std::max(std::abs(values[first]),
+                                            std::abs(values[after - 1])),
+                                   std::max(std::abs(left), std::abs(right))};
+        if (is_jump(values[first], values[after - 1], size, 0))
+          result.push_back({t, TimeEvent::Kind::jump});
+        else if (is_kink(left, right, size))
+          result.push_back({t, TimeEvent::Kind::kink});
+      }
+    return result;
+  }
+} // namespace auxfem
