@@ -32,7 +32,7 @@ namespace auxfem
    * threads it starts, compute from now on. To be called on every rank.
    *
    * In struts that a wave has hardly reached motions are that small, and the
-   * processor takes a hundred times longer to multiply such numbers. Nothing is
+   * processor takes many times longer to multiply such numbers. Nothing is
    * lost: they are far below the round-off of all they are added to. Only x86
    * processors are told, as the language has no means for it.
    */

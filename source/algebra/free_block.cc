@@ -18,16 +18,16 @@ namespace auxfem
                          0,
                          numbering.communicator());
 
-    auto block = std::make_unique<Epetra_CrsMatrix>(Copy, map, 0);
-    std::vector<int>    columns;
+    auto             block = std::make_unique<Epetra_CrsMatrix>(Copy, map, 0);
+    std::vector<int> columns;
     std::vector<double> values;
     for (unsigned int row = 0; row < numbering.n_owned(); ++row)
       {
         if (!is_free(row))
           continue;
-        int     n            = 0;
-        int    *of_row       = nullptr;
-        double *row_values   = nullptr;
+        int     n          = 0;
+        int    *of_row     = nullptr;
+        double *row_values = nullptr;
         matrix.matrix().ExtractMyRowView(row, n, row_values, of_row);
         columns.clear();
         values.clear();

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <sstream>
 
 #include <AztecOO.h>
@@ -100,26 +101,33 @@ namespace auxfem
                   TangentMatrix          &matrix,
                   const LatticeModel     &model)
         : parameters(parameters)
+        , numbering(model.numbering)
         , blocks(model)
         , modes(blocks.rigid_body_modes(model.mean_strut_length))
-        , condensation(model.numbering, blocks, matrix, model.mean_strut_length)
+        , tangent(matrix)
+        , length(model.mean_strut_length)
         , at_joints(blocks.map())
       {}
 
       bool factorize() override
       {
         preconditioner.reset();
-        if (!condensation.condense() || !has_diagonal(condensation.matrix()))
+        if (!condensation || condensed_version != tangent.version())
+          {
+            condensation.emplace(numbering, blocks, tangent, length);
+            condensed_version = tangent.version();
+          }
+        if (!condensation->condense() || !has_diagonal(condensation->matrix()))
           return false;
         preconditioner = parameters.preconditioner == "ilu"
-          ? make_incomplete_factorization(condensation.matrix())
-          : make_multigrid(condensation.matrix(), blocks.size(), modes);
+          ? make_incomplete_factorization(condensation->matrix())
+          : make_multigrid(condensation->matrix(), blocks.size(), modes);
         return preconditioner != nullptr;
       }
 
       std::string solve(const Epetra_Vector &b, Epetra_Vector &x) override
       {
-        Epetra_Vector g(condensation.reduce(b));
+        Epetra_Vector g(condensation->reduce(b));
         double        size = 0;
         g.Norm2(&size);
         at_joints.PutScalar(0.);
@@ -128,7 +136,7 @@ namespace auxfem
           failure = "the right-hand side is not finite";
         else if (size > 0)
           failure = iterate(g, size);
-        condensation.expand(at_joints, x);
+        condensation->expand(at_joints, x);
         return failure;
       }
 
@@ -140,7 +148,7 @@ namespace auxfem
     private:
       std::string iterate(Epetra_Vector &g, const double size)
       {
-        Epetra_CrsMatrix &matrix = condensation.matrix();
+        Epetra_CrsMatrix &matrix = condensation->matrix();
         AztecOO           gmres(&matrix, &at_joints, &g);
         gmres.SetAztecOption(AZ_solver, AZ_gmres);
         gmres.SetAztecOption(AZ_kspace,
@@ -177,7 +185,7 @@ namespace auxfem
         at_joints.NormInf(&largest);
         return std::numeric_limits<double>::epsilon() *
           std::sqrt(at_joints.GlobalLength()) *
-          condensation.matrix().NormInf() * largest;
+          condensation->matrix().NormInf() * largest;
       }
 
       std::string words_of_failure(const double       relative_residual,
@@ -194,12 +202,17 @@ namespace auxfem
       }
 
       const SolverParameters                 parameters;
+      const DofNumbering                    &numbering;
       const JointBlocks                      blocks;
       const std::vector<std::vector<double>> modes;
-      StrutCondensation                      condensation;
-      std::unique_ptr<Epetra_Operator>       preconditioner;
-      Epetra_Vector                          at_joints;
-      unsigned long                          n_done = 0;
+      TangentMatrix                         &tangent;
+      const double                           length;
+      /** Made for the pattern of this version. */
+      std::optional<StrutCondensation> condensation;
+      unsigned long                    condensed_version = 0;
+      std::unique_ptr<Epetra_Operator> preconditioner;
+      Epetra_Vector                    at_joints;
+      unsigned long                    n_done = 0;
     };
   } // namespace
 

@@ -1,4 +1,5 @@
 #include <auxfem/algebra/strut_condensation.h>
+#include <auxfem/parameters/errors.h>
 
 #include <Epetra_SerialComm.h>
 #include <Teuchos_ParameterList.hpp>
@@ -122,6 +123,7 @@ namespace auxfem
             int     n = 0, *columns = nullptr;
             double *values = nullptr;
             tangent.matrix().ExtractMyRowView(unknown, n, values, columns);
+            refuse_coupled_struts(strut, columns, n);
             std::copy_if(columns,
                          columns + n,
                          std::back_inserter(at_joints),
@@ -132,6 +134,19 @@ namespace auxfem
                         at_joints.end());
         struts.push_back(std::move(inside));
       }
+  }
+
+  void StrutCondensation::refuse_coupled_struts(const unsigned int strut,
+                                                const int         *columns,
+                                                const int          n) const
+  {
+    if (std::any_of(columns, columns + n, [&](const int column) {
+          return blocks.strut(column) != invalid_index &&
+            blocks.strut(column) != strut;
+        }))
+      throw InputError(
+        "Solver/Type = gmres: something couples the insides of two struts, "
+        "which are eliminated one by one. Use `auto`, `klu` or `mumps`.");
   }
 
   void StrutCondensation::make_inner_matrix()

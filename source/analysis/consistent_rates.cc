@@ -18,8 +18,10 @@ namespace auxfem
 
   void ConsistentRates::start(State &state, const double dt)
   {
-    const State      before     = state;
-    const Evaluation evaluation = Evaluation::rates(before, state);
+    const State before     = state;
+    Evaluation  evaluation = Evaluation::rates(before, state);
+    // A load that is switched on at t = 0 acts from there on.
+    evaluation.jumps_at_to = true;
     state.acceleration->PutScalar(0.);
     prescribe_motion(model, evaluation, dt);
     solver.residual(evaluation, results);
@@ -41,10 +43,25 @@ namespace auxfem
 
   void ConsistentRates::restore(State &state)
   {
+    const State before = state;
+    restore(Evaluation::rates(before, state));
+  }
+
+  void ConsistentRates::renew(State &state)
+  {
+    const State before     = state;
+    Evaluation  evaluation = Evaluation::rates(before, state);
+    evaluation.jumps_at_to = true;
+    restore(evaluation);
+    if (state.algorithmic_acceleration)
+      *state.algorithmic_acceleration = *state.acceleration;
+  }
+
+  void ConsistentRates::restore(const Evaluation &evaluation)
+  {
     if (is_singular)
       return;
-    const State      before     = state;
-    const Evaluation evaluation = Evaluation::rates(before, state);
+    State &state = evaluation.to;
     solver.residual(evaluation, results);
     if (!prepare_mass(evaluation))
       return;

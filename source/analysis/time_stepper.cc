@@ -3,6 +3,7 @@
 #include <auxfem/parameters/errors.h>
 #include <auxfem/time/static.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -28,6 +29,7 @@ namespace auxfem
                                   parameters.smallest_step > 0
                                     ? parameters.smallest_step
                                     : parameters.step / 1024))
+    , events(step_ends(scene))
   {
     if (!equations.reporting().conditions.empty() &&
         scheme.carries_on_alternating_errors())
@@ -54,8 +56,9 @@ namespace auxfem
         ConsistentRates(tangent_solver).start(state, parameters.step);
         newton.drop_factorization();
       }
-    const State      before  = state;
-    const Evaluation instant = Evaluation::rates(before, state);
+    const State before  = state;
+    Evaluation  instant = Evaluation::rates(before, state);
+    instant.jumps_at_to = true;
     tangent_solver.residual(instant, solution.results);
     equations.accept(instant, solution.results);
     state.largest_energy = state.energies.total();
@@ -90,12 +93,14 @@ namespace auxfem
   {
     State     &state = solution.state;
     StepReport report;
-    report.dt           = parameters.step;
-    const double target = parameters.time_at(state.step + 1);
-    while (state.time < target)
+    report.dt        = parameters.step;
+    const double end = parameters.time_at(state.step + 1);
+    while (state.time < end)
       {
         equations.update_pattern(state);
-        const PlannedStep planned = control->plan(state.time, target);
+        renew_rates(solution);
+        const PlannedStep planned =
+          control->plan(state.time, next_target(state.time, end));
         if (try_step(solution, planned, report))
           {
             control->accepted();
@@ -114,15 +119,54 @@ namespace auxfem
     return report;
   }
 
+  double TimeStepper::next_target(const double time,
+                                  const double end_of_scene_step) const
+  {
+    // An event at the end of a step of the scene is no other time.
+    const double near = 1e-6 * parameters.step;
+    const auto   next =
+      std::find_if(events.begin(), events.end(), [&](const TimeEvent &event) {
+        return event.time > time + near;
+      });
+    return next != events.end() && next->time < end_of_scene_step - near
+      ? next->time
+      : end_of_scene_step;
+  }
+
+  bool TimeStepper::is_jump(const double time) const
+  {
+    return std::any_of(events.begin(),
+                       events.end(),
+                       [&](const TimeEvent &event) {
+                         return event.kind == TimeEvent::Kind::jump &&
+                           std::abs(event.time - time) < 1e-6 * parameters.step;
+                       });
+  }
+
+  void TimeStepper::renew_rates(Solution &solution)
+  {
+    State &state = solution.state;
+    if (!scheme.is_dynamic() || !is_jump(state.time))
+      return;
+    ConsistentRates(tangent_solver).renew(state);
+    newton.drop_factorization();
+    const State before = state;
+    Evaluation  now    = Evaluation::rates(before, state);
+    now.jumps_at_to    = true;
+    tangent_solver.residual(now, solution.results);
+  }
+
   bool TimeStepper::try_step(Solution          &solution,
                              const PlannedStep &planned,
                              StepReport        &report)
   {
-    State &state          = solution.state;
-    trial.state.time      = planned.end;
-    const Evaluation step = scheme.is_dynamic()
-      ? Evaluation::step(state, trial.state, planned.dt)
-      : Evaluation::static_step(state, trial.state, planned.dt);
+    State &state       = solution.state;
+    trial.state.time   = planned.end;
+    Evaluation step    = scheme.is_dynamic()
+         ? Evaluation::step(state, trial.state, planned.dt)
+         : Evaluation::static_step(state, trial.state, planned.dt);
+    step.jumps_at_from = state.time == 0 || is_jump(state.time);
+    step.jumps_at_to   = is_jump(planned.end);
     predict(step);
     const Newton::Result result = newton.solve(scheme, step, trial.results);
     report.iterations += result.iterations;

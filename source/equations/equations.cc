@@ -229,10 +229,13 @@ namespace auxfem
     double              length = model.mean_strut_length;
     for (const Conditions *of_kind : conditions)
       length = std::max(length, of_kind->length());
+    // Parts lie on some ranks only, and all must decide alike.
+    double longest = 0;
+    model.numbering.communicator().MaxAll(&length, &longest, 1);
     // A condition sums a few products of displacements and lengths.
     const double safety = 16;
     return safety * std::numeric_limits<double>::epsilon() *
-      (length + largest_motion(model, state.displacement).first) *
+      (longest + largest_motion(model, state.displacement).first) *
       std::sqrt(double(model.numbering.n_multipliers()));
   }
 

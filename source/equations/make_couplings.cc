@@ -2,6 +2,8 @@
 #include <auxfem/equations/effects/space_springs.h>
 #include <auxfem/equations/make_couplings.h>
 
+#include <algorithm>
+
 namespace auxfem
 {
   namespace
@@ -42,10 +44,17 @@ namespace auxfem
   std::unique_ptr<Effect>
   make_rotational_springs(const std::vector<JointRelease> &releases,
                           const DofNumbering              &numbering,
-                          const bool                       large_rotation)
+                          const bool                       large_rotations)
   {
-    bool is_used = false;
-    if (large_rotation && !numbering.spatial_rotations().empty())
+    // On all ranks, also those without any: the records of the state are alike.
+    if (std::none_of(releases.begin(),
+                     releases.end(),
+                     [](const JointRelease &release) {
+                       return release.definition->type ==
+                         JointDefinition::Type::rotational_spring;
+                     }))
+      return nullptr;
+    if (large_rotations)
       {
         auto springs = std::make_unique<SpaceSprings>(numbering);
         for_each_spring(releases,
@@ -60,9 +69,8 @@ namespace auxfem
                                        numbering.spatial_rotation(end[0]),
                                        stiffness,
                                        number);
-                          is_used = true;
                         });
-        return is_used ? std::move(springs) : nullptr;
+        return springs;
       }
     auto springs = std::make_unique<RotationalSprings>(numbering);
     for_each_spring(releases,
@@ -74,9 +82,8 @@ namespace auxfem
                       for (unsigned int c = 0; c < 3; ++c)
                         if (end[c] >= 0)
                           springs->add(base[c], end[c], stiffness);
-                      is_used = true;
                     });
-    return is_used ? std::move(springs) : nullptr;
+    return springs;
   }
 
   std::unique_ptr<RevoluteHinges>

@@ -49,12 +49,29 @@ namespace auxfem
       make_inertia(scene);
     n_balanced = effects.size();
     make_loads(scene);
+    enter_energies();
     for (const auto &effect : effects)
       effect->register_in(state_layout);
     register_blocks();
     if (model.simulated.inertia)
       initial_velocities =
         auxfem::initial_velocities(scene, model.lattice, model.numbering);
+  }
+
+  void Equations::enter_energies()
+  {
+    // The ledger is that of all ranks, of which some may lack an effect.
+    const bool has_springs =
+      std::any_of(structure.releases.begin(),
+                  structure.releases.end(),
+                  [](const JointRelease &release) {
+                    return release.definition->type ==
+                      JointDefinition::Type::rotational_spring;
+                  });
+    if (structure.simulated.inertia)
+      state_layout.energies.enter(kinetic_energy_entry());
+    if (structure.lattice.n_elastic_struts() > 0 || has_springs)
+      state_layout.energies.enter(strain_energy_entry());
   }
 
   void Equations::register_blocks()
@@ -79,9 +96,11 @@ namespace auxfem
         reporting_effects.struts = struts.get();
         effects.push_back(std::move(struts));
       }
-    if (auto springs = make_rotational_springs(structure.releases,
-                                               structure.numbering,
-                                               simulated.large_rotation))
+    if (auto springs =
+          make_rotational_springs(structure.releases,
+                                  structure.numbering,
+                                  simulated.large_rotation &&
+                                    structure.lattice.dimension == 3))
       effects.push_back(std::move(springs));
 
     for (unsigned int group = 0; group < scene.connectors.size(); ++group)

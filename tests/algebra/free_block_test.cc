@@ -63,7 +63,7 @@ TEST(FreeBlock, HasTheEntriesOfFreeRowsAndColumnsOnly)
   Epetra_Vector part(trial.block->RowMap()), part_image(part);
   for (int i = 0; i < part.MyLength(); ++i)
     {
-      part[i] = std::sin(0.3 + 1.1 * i);
+      part[i]                                        = std::sin(0.3 + 1.1 * i);
       whole[dofs.owned_map().LID(part.Map().GID(i))] = part[i];
     }
   trial.matrix->matrix().Multiply(false, whole, image);
@@ -77,8 +77,8 @@ TEST(FreeBlock, HasTheEntriesOfFreeRowsAndColumnsOnly)
 TEST(FreeBlock, IsSymmetricWithoutDashpotsOnTurningLines)
 {
   // Round-off of sums of some hundred entries.
-  EXPECT_LT(Block({"Effects/Connector viscosity=off",
-                   "Effects/Strut damping=off"})
+  EXPECT_LT(Block(
+              {"Effects/Connector viscosity=off", "Effects/Strut damping=off"})
               .asymmetry(),
             1e-12);
   EXPECT_LT(Block({"Effects/Large rotation=off"}).asymmetry(), 1e-12);

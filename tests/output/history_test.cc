@@ -6,11 +6,11 @@
 
 #include <equations/equations_on_ranks.h>
 #include <gtest/gtest.h>
+#include <support/energy_amount.h>
 
 #include <algorithm>
 #include <map>
 #include <set>
-#include <stdexcept>
 
 using namespace auxfem;
 using namespace auxfem::testing_support;
@@ -65,16 +65,6 @@ end
     for (std::size_t i = 0; i < std::min(columns.size(), values.size()); ++i)
       row[columns[i].name] = values[i];
     return row;
-  }
-
-  /** The amount with the name @p entry in the ledger. */
-  double &energy(Energies &energies, const std::string &entry)
-  {
-    const std::vector<EnergyEntry> &entries = energies.ledger().entries();
-    for (unsigned int i = 0; i < entries.size(); ++i)
-      if (entries[i].name == entry)
-        return energies[i];
-    throw std::runtime_error("There is no entry " + entry);
   }
 
   /** Gives component @p c of joint j the value @p value(j) in @p vector. */
@@ -137,7 +127,7 @@ TEST(History, RowHoldsMeansOfProbesAndSumsOfSupportsAndConnectors)
                                       std::pair("damper.dissipated", 3),
                                       std::pair("strut_damping_dissipated", 5),
                                       std::pair("push.load_work", 16)})
-    energy(to.energies, entry) = amount;
+    energy_amount(to.energies, entry) = amount;
 
   std::map<std::string, double> row = row_of(history, solution);
   // All inputs have few binary digits: sums and means of them are exact.

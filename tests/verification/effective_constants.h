@@ -1,6 +1,8 @@
 #ifndef auxfem_tests_verification_effective_constants_h
 #define auxfem_tests_verification_effective_constants_h
 
+#include <auxfem/model/build_lattice.h>
+
 #include <deal.II/base/symmetric_tensor.h>
 
 #include <support/scene_run.h>

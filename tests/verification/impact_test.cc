@@ -133,8 +133,7 @@ namespace
     double  way = 0, force = 0, speed = -1;
     run.run([&] {
       const double way_now = run.motion(0, 0), speed_now = run.velocity(0, 0);
-      const double force_now =
-        run.equations.reporting().connectors[0]->report(0, run.state).force;
+      const double force_now = run.connector(0, 0).force;
       // Linear in the step in which the sign changes.
       const auto at_zero = [&](const double a, const double b) {
         return speed + (speed_now - speed) * a / (a - b);

@@ -1,3 +1,4 @@
+#include <support/energy_amount.h>
 #include <support/scene_run.h>
 #include <verification/comparison_table.h>
 #include <verification/linear_ode.h>
@@ -89,7 +90,7 @@ namespace
         run.state.history[e] = -exact.elements[e].first * u0;
         stiffness += exact.elements[e].first;
       }
-    run.state.energies.stored()  = stiffness / 2 * u0 * u0;
+    energy_amount(run.state.energies, "stored") = stiffness / 2 * u0 * u0;
     (*run.state.acceleration)[i] = exact.acceleration(exact.at(0, u0, 0));
   }
 } // namespace

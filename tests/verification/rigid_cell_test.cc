@@ -75,10 +75,7 @@ namespace
 
     double transmitted() const
     {
-      return -run.equations.reporting()
-                .connectors[0]
-                ->report(0, run.state)
-                .force;
+      return -run.connector(0, 0).force;
     }
 
     /** Force joint @p name exerts on the rigid part of strut set @p bar. */
@@ -459,11 +456,10 @@ TEST(ElasticCellVerification, ThickStripsComeDownAsOneMass)
       decay *
         ((omega * B - delta * A) * std::cos(omega * t) -
          (omega * A + delta * B) * std::sin(omega * t));
-    const double f2 = K * y + C * v;
-    const double now =
-      -run.equations.reporting().connectors[0]->report(0, run.state).force;
-    worst   = std::max(worst, std::abs(now - f2));
-    largest = std::max(largest, f2);
+    const double f2  = K * y + C * v;
+    const double now = -run.connector(0, 0).force;
+    worst            = std::max(worst, std::abs(now - f2));
+    largest          = std::max(largest, f2);
   });
   std::cout << "f2 of 40 mm strips, off by " << worst << " of " << largest
             << " N\n";
@@ -474,8 +470,5 @@ TEST(ElasticCellVerification, ThinStripsBendAsTheDocumentationHasIt)
 {
   SceneRun run(text_of("elastic-cell.prm"));
   run.run();
-  EXPECT_NEAR(
-    -run.equations.reporting().connectors[0]->report(0, run.state).force,
-    2369.93,
-    0.5);
+  EXPECT_NEAR(-run.connector(0, 0).force, 2369.93, 0.5);
 }

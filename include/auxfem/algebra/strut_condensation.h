@@ -68,6 +68,9 @@ namespace auxfem
     };
 
     void collect_struts();
+    /** Throws InputError if a row inside @p strut acts on the inside of another. */
+    void
+    refuse_coupled_struts(unsigned int strut, const int *columns, int n) const;
     void make_inner_matrix();
     void fill_inner_matrix();
     void make_influence();

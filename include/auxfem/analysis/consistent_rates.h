@@ -46,7 +46,14 @@ namespace auxfem
      */
     void restore(State &state);
 
+    /**
+     * The same for a state at which loads jump: its rates become those that the
+     * loads just after it ask for.
+     */
+    void renew(State &state);
+
   private:
+    void restore(const Evaluation &evaluation);
     /** M at evaluation.to; false if it is singular. */
     bool prepare_mass(const Evaluation &evaluation);
     /** M + dt / 2 C + dt^2 / 4 K, factorized. */

@@ -3,6 +3,7 @@
 
 #include <auxfem/analysis/consistent_rates.h>
 #include <auxfem/analysis/newton.h>
+#include <auxfem/analysis/step_ends.h>
 #include <auxfem/equations/solution.h>
 #include <auxfem/time/step_control.h>
 
@@ -45,6 +46,12 @@ namespace auxfem
 
   private:
     void find_static_equilibrium(State &state);
+    /** Where the next step must end at the latest (s). */
+    double next_target(double time, double end_of_scene_step) const;
+    /** Whether a load or a support jumps at @p time (s). */
+    bool is_jump(double time) const;
+    /** Rates just after a load has jumped. */
+    void renew_rates(Solution &solution);
     bool try_step(Solution          &solution,
                   const PlannedStep &planned,
                   StepReport        &report);
@@ -75,6 +82,7 @@ namespace auxfem
     };
     std::unique_ptr<RateSolver>  rate_solver;
     std::unique_ptr<StepControl> control;
+    const std::vector<TimeEvent> events;
     std::string                  last_failure;
   };
 } // namespace auxfem

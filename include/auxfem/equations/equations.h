@@ -109,6 +109,7 @@ namespace auxfem
     void make_conditions(const Scene &scene);
     void make_inertia(const Scene &scene);
     void make_loads(const Scene &scene);
+    void enter_energies();
     void register_blocks();
 
     const LatticeModel                  &structure;

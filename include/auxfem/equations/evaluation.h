@@ -39,8 +39,11 @@ namespace auxfem
     Kind   kind;
     /** Length of the step (s); 0 if the kind is no step. */
     double dt = 0;
-    /** By which the loads of the time of `to` are multiplied. */
-    double load_factor = 1;
+    /**
+     * Whether loads jump at the times of `from` and `to`: a step begins with
+     * what they are just after, and ends with what they were just before.
+     */
+    bool jumps_at_from = false, jumps_at_to = false;
 
     /** A step with inertia of the length @p dt (s). */
     static Evaluation step(const State &from, State &to, const double dt)

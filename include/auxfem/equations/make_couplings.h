@@ -9,12 +9,13 @@
 namespace auxfem
 {
   /**
-   * The rotational springs. nullptr if this rank has none.
+   * The rotational springs of this rank. nullptr if the scene has none.
+   * @param large_rotations whether there are large rotations in space.
    */
   std::unique_ptr<Effect>
   make_rotational_springs(const std::vector<JointRelease> &releases,
                           const DofNumbering              &numbering,
-                          bool                             large_rotation);
+                          bool                             large_rotations);
 
   /**
    * The revolute hinges. nullptr if the scene has none.

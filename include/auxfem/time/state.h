@@ -79,6 +79,8 @@ namespace auxfem
 
     double        time = 0; ///< s
     unsigned long step = 0;
+    /** By which the loads of `time` are multiplied. */
+    double load_factor = 1;
 
     /** M, m, rad; the multipliers of constraints (N) lie here too, without
      * rates. Large rotations in space: see NodeRotations. */

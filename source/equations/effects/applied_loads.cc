@@ -1,4 +1,5 @@
 #include <auxfem/equations/effects/applied_loads.h>
+#include <auxfem/equations/load_values.h>
 
 namespace auxfem
 {
@@ -44,7 +45,7 @@ namespace auxfem
   {
     return raised_from_zero && step.from.time == 0
       ? 0.
-      : load.time_history.value(step.from.time);
+      : value_at_start(load.time_history, step);
   }
 
   void AppliedLoads::add_residual(const Evaluation &evaluation,
@@ -53,8 +54,8 @@ namespace auxfem
   {
     for (const Load &load : loads)
       {
-        const double value =
-          evaluation.load_factor * load.time_history.value(evaluation.to.time);
+        const double value = evaluation.to.load_factor *
+          value_at_end(load.time_history, evaluation);
         for (const Weight &w : load.weights)
           residual[w.unknown] -= value * w.weight;
       }
@@ -65,7 +66,7 @@ namespace auxfem
   {
     for (const Load &load : loads)
       {
-        const double value = load.time_history.value(evaluation.to.time);
+        const double value = value_at_end(load.time_history, evaluation);
         for (const Weight &w : load.weights)
           derivative[w.unknown] -= value * w.weight;
       }
@@ -84,7 +85,8 @@ namespace auxfem
           if (numbering.is_owned(w.unknown))
             along += w.weight * motion(step, w.unknown);
         const double mean =
-          (value_before(load, step) + load.time_history.value(step.to.time)) /
+          (step.from.load_factor * value_before(load, step) +
+           step.to.load_factor * value_at_end(load.time_history, step)) /
           2;
         account.add_in_step(load.work_entry, mean * along);
       }

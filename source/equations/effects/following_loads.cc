@@ -1,4 +1,5 @@
 #include <auxfem/equations/effects/following_loads.h>
+#include <auxfem/equations/load_values.h>
 
 namespace auxfem
 {
@@ -52,15 +53,24 @@ namespace auxfem
         }
   }
 
+  template <class Value>
   FollowingLoads::Values FollowingLoads::values(const Load  &load,
-                                                const double time)
+                                                const Value &value)
   {
     Values values;
     for (unsigned int c = 0; c < n_motion_components; ++c)
       if (!load.components[c].is_zero())
         (c < 3 ? values.force : values.moment)[c % 3] =
-          load.components[c].value(time);
+          value(load.components[c]);
     return values;
+  }
+
+  FollowingLoads::Values
+  FollowingLoads::values_now(const Load &load, const Evaluation &evaluation)
+  {
+    return values(load, [&](const TimeFunction &component) {
+      return value_at_end(component, evaluation);
+    });
   }
 
   FollowingLoads::Values
@@ -68,7 +78,9 @@ namespace auxfem
   {
     return raised_from_zero && step.from.time == 0
       ? Values()
-      : values(load, step.from.time);
+      : values(load, [&](const TimeFunction &component) {
+          return value_at_start(component, step);
+        });
   }
 
   void FollowingLoads::register_in(StateLayout &layout)
@@ -86,16 +98,16 @@ namespace auxfem
       : state.rotations[numbering.spatial_rotation(turn_about_z)];
   }
 
-  void FollowingLoads::subtract(const double factor,
-                                const State &state,
-                                double      *forces) const
+  void FollowingLoads::subtract(const double      factor,
+                                const Evaluation &evaluation,
+                                double           *forces) const
   {
     for (const Load &load : loads)
       {
-        const Values now = values(load, state.time);
+        const Values now = values_now(load, evaluation);
         for (const Joint &joint : load.joints)
           {
-            const Quaternion  P      = rotation(joint, state);
+            const Quaternion  P      = rotation(joint, evaluation.to);
             const SpaceVector force  = factor * rotated(P, now.force),
                               moment = factor * rotated(P, now.moment);
             for (unsigned int c = 0; c < n_motion_components; ++c)
@@ -109,13 +121,13 @@ namespace auxfem
                                     double           *residual,
                                     EffectResults * /*results*/) const
   {
-    subtract(evaluation.load_factor, evaluation.to, residual);
+    subtract(evaluation.to.load_factor, evaluation, residual);
   }
 
   void FollowingLoads::add_load_derivative(const Evaluation &evaluation,
                                            double           *derivative) const
   {
-    subtract(1., evaluation.to, derivative);
+    subtract(1., evaluation, derivative);
   }
 
   void FollowingLoads::add_tangent(const Evaluation &evaluation,
@@ -123,11 +135,11 @@ namespace auxfem
                                    const TangentFactors &factors,
                                    TangentMatrix        &matrix) const
   {
-    const double factor = factors.stiffness * evaluation.load_factor;
+    const double factor = factors.stiffness * evaluation.to.load_factor;
     std::size_t  number = first_block;
     for (const Load &load : loads)
       {
-        const Values now = values(load, evaluation.to.time);
+        const Values now = values_now(load, evaluation);
         for (const Joint &joint : load.joints)
           {
             const Quaternion  P          = rotation(joint, evaluation.to);
@@ -152,16 +164,20 @@ namespace auxfem
     // constant in axes that turn with the joint, as is the turn itself.
     for (const Load &load : loads)
       {
-        const Values before      = values_before(load, step),
-                     now         = values(load, step.to.time);
-        const SpaceVector moment = (before.moment + now.moment) / 2;
+        const Values before        = values_before(load, step),
+                     now           = values_now(load, step);
+        const double factor_before = step.from.load_factor,
+                     factor_now    = step.to.load_factor;
+        const SpaceVector moment =
+          (factor_before * before.moment + factor_now * now.moment) / 2;
         for (const Joint &joint : load.joints)
           {
             if (!numbering.is_owned(joint[0]))
               continue;
             const SpaceVector force =
-              (rotated(rotation(joint, step.from), before.force) +
-               rotated(rotation(joint, step.to), now.force)) /
+              (factor_before *
+                 rotated(rotation(joint, step.from), before.force) +
+               factor_now * rotated(rotation(joint, step.to), now.force)) /
               2;
             for (unsigned int c = 0; c < n_motion_components; ++c)
               if (joint[c] >= 0)

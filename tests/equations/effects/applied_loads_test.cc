@@ -60,8 +60,8 @@ TEST(AppliedLoads, ResidualIsMinusTheForceAtTheEndOfTheStep)
 TEST(AppliedLoads, TheLoadFactorMultipliesAllLoads)
 {
   LoadsAlone applied;
-  Evaluation evaluation  = Evaluation::step(applied.from, applied.to, 1.);
-  evaluation.load_factor = 0.25;
+  Evaluation evaluation     = Evaluation::step(applied.from, applied.to, 1.);
+  evaluation.to.load_factor = 0.25;
   const std::vector<double> residual =
     EvaluatedAlone(applied.loads, evaluation).residual;
   std::vector<double> derivative(residual.size(), 0.);

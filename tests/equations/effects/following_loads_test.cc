@@ -95,7 +95,7 @@ TEST(FollowingLoads, LoadsAndTheirTangentAreMultipliedByTheLoadFactor)
   const std::vector<double> direction     = one.irregular(0.3),
                             plain_product = tangent.times(direction);
 
-  evaluation.load_factor = -2.5;
+  evaluation.to.load_factor = -2.5;
   const EvaluatedAlone multiplied(one.loads, evaluation);
   tangent.fill(multiplied, {1., 0., 0.});
   const std::vector<double> product = tangent.times(direction);

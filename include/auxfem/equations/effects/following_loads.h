@@ -65,11 +65,16 @@ namespace auxfem
       unsigned int work_entry = 0; ///< of the ledger
     };
 
-    static Values values(const Load &load, double time);
+    /** @p value of a component at the time in question. */
+    template <class Value>
+    static Values values(const Load &load, const Value &value);
+    /** At the end of the step, or at the instant. */
+    static Values values_now(const Load &load, const Evaluation &evaluation);
     /** When the step begins. */
     Values values_before(const Load &load, const Evaluation &step) const;
     /** Subtracts force and moment of all loads, times @p factor. */
-    void subtract(double factor, const State &state, double *forces) const;
+    void
+    subtract(double factor, const Evaluation &evaluation, double *forces) const;
     Quaternion rotation(const Joint &joint, const State &state) const;
 
     const bool          is_planar;
