@@ -146,5 +146,6 @@ int main(int argc, char *argv[])
                                                /*max_num_threads=*/1);
   mpi_watch.reset();
   start.cpu = cpu_seconds();
+  take_denormal_numbers_as_zero();
   return execute_on_ranks(arguments, start);
 }

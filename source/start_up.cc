@@ -11,6 +11,11 @@
 #include <stdlib.h>
 #include <unistd.h>
 
+#if defined(__SSE3__) || defined(__x86_64__)
+#  include <pmmintrin.h>
+#  include <xmmintrin.h>
+#endif
+
 namespace auxfem
 {
   double seconds_since_process_start()
@@ -56,5 +61,13 @@ namespace auxfem
     setenv("OMPI_MCA_ess_singleton_isolated", "1", keep_the_users);
     setenv("OMPI_MCA_pml", "ob1", keep_the_users);
     setenv("OMPI_MCA_btl", "self,vader", keep_the_users);
+  }
+
+  void take_denormal_numbers_as_zero()
+  {
+#if defined(__SSE3__) || defined(__x86_64__)
+    _MM_SET_FLUSH_ZERO_MODE(_MM_FLUSH_ZERO_ON);
+    _MM_SET_DENORMALS_ZERO_MODE(_MM_DENORMALS_ZERO_ON);
+#endif
   }
 } // namespace auxfem

@@ -26,6 +26,17 @@ namespace auxfem
    * ignore; those that the user has set stay as they are.
    */
   void prepare_mpi_for_one_process();
+
+  /**
+   * Has numbers below 2.2e-308 in size count as zero in what this thread, and
+   * threads it starts, compute from now on. To be called on every rank.
+   *
+   * In struts that a wave has hardly reached motions are that small, and the
+   * processor takes many times longer to multiply such numbers. Nothing is
+   * lost: they are far below the round-off of all they are added to. Only x86
+   * processors are told, as the language has no means for it.
+   */
+  void take_denormal_numbers_as_zero();
 } // namespace auxfem
 
 #endif

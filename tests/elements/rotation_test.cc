@@ -60,9 +60,10 @@ TEST(Rotation, RotationVectorInvertsTheExponential)
        {1e-300, 1e-160, 1e-12, 1e-5, 0.4, 2., pi - 1e-5, pi - 1e-12})
     {
       const SpaceVector v = angle * some_axis;
-      EXPECT_LT(distance(rotation_vector(exponential(v)), v), round_off * angle)
+      // The tolerance of the smallest angle is denormal and counts as zero.
+      EXPECT_LE(distance(rotation_vector(exponential(v)), v), round_off * angle)
         << "angle " << angle;
-      EXPECT_LT(distance(rotation_vector(-1 * exponential(v)), v),
+      EXPECT_LE(distance(rotation_vector(-1 * exponential(v)), v),
                 round_off * angle)
         << "angle " << angle;
     }

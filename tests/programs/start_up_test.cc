@@ -2,6 +2,7 @@
 
 #include <support/run_program.h>
 
+#include <limits>
 #include <thread>
 
 #include <stdlib.h>
@@ -79,6 +80,27 @@ namespace
     EXPECT_GE(slept, 0.049);
     // A machine that pauses for ten minutes has other troubles.
     EXPECT_LT(slept, 600);
+  }
+
+  TEST(StartUp, DenormalNumbersCountAsZero)
+  {
+    double      halved = 1;
+    std::thread calculation([&halved]() {
+      take_denormal_numbers_as_zero();
+      volatile double smallest = std::numeric_limits<double>::min();
+      halved                   = smallest / 2;
+    });
+    calculation.join();
+    EXPECT_EQ(halved, 0);
+
+    volatile double denormal = std::numeric_limits<double>::denorm_min();
+    double          doubled  = 1;
+    std::thread     reading([&]() {
+      take_denormal_numbers_as_zero();
+      doubled = denormal * 2;
+    });
+    reading.join();
+    EXPECT_EQ(doubled, 0);
   }
 
   class StartOfProgram : public ProgramTest
