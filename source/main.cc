@@ -1,6 +1,7 @@
 #include <auxfem/command_line.h>
 #include <auxfem/output/summary.h>
 #include <auxfem/parameters/errors.h>
+#include <auxfem/parameters/out_of_memory.h>
 #include <auxfem/simulation.h>
 #include <auxfem/start_up.h>
 #include <auxfem/time/stopwatch.h>
@@ -9,8 +10,11 @@
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/mpi.h>
 
+#include <cerrno>
+#include <cstdlib>
 #include <iostream>
 #include <memory>
+#include <new>
 #include <optional>
 
 namespace
@@ -65,6 +69,29 @@ namespace
       }
   }
 
+  /** Reports what the other ranks may know nothing of, and ends them. */
+  int end_all_ranks(const std::string &message)
+  {
+    report(message);
+    if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
+      MPI_Abort(MPI_COMM_WORLD, 2);
+    return 2;
+  }
+
+  /** Whether the program is in the middle of a computation. */
+  bool is_computing = false;
+
+  /** AztecOO leaves the program by exit() where it finds no memory. */
+  void report_exit_by_library()
+  {
+    if (!is_computing)
+      return;
+    is_computing = false;
+    std::_Exit(end_all_ranks(errno == ENOMEM
+                               ? out_of_memory_text()
+                               : "a library has ended the program"));
+  }
+
   void
   execute(const CommandLine &line, const bool speaks, const StartTimes &start)
   {
@@ -90,14 +117,10 @@ namespace
   {
     const bool speaks =
       dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
-    // It may be on this rank only: the others must not wait for it.
     const auto report_internal = [](const std::string &what) {
-      report("internal error, please report it together with the parameter "
-             "file:\n" +
-             what);
-      if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
-        MPI_Abort(MPI_COMM_WORLD, 2);
-      return 2;
+      return end_all_ranks("internal error, please report it together with the "
+                           "parameter file:\n" +
+                           what);
     };
     try
       {
@@ -115,6 +138,10 @@ namespace
         if (speaks)
           report(error.what());
         return 2;
+      }
+    catch (const std::bad_alloc &)
+      {
+        return end_all_ranks(out_of_memory_text());
       }
     catch (const std::exception &error)
       {
@@ -147,5 +174,10 @@ int main(int argc, char *argv[])
   mpi_watch.reset();
   start.cpu = cpu_seconds();
   take_denormal_numbers_as_zero();
-  return execute_on_ranks(arguments, start);
+
+  std::atexit(report_exit_by_library);
+  is_computing        = true;
+  const int exit_code = execute_on_ranks(arguments, start);
+  is_computing        = false;
+  return exit_code;
 }

@@ -2,6 +2,7 @@
 #include <auxfem/output/first_rank.h>
 #include <auxfem/output/run_output.h>
 #include <auxfem/parameters/errors.h>
+#include <auxfem/parameters/out_of_memory.h>
 #include <auxfem/reduced_cell/cell_run.h>
 #include <auxfem/reduced_cell/comparison.h>
 #include <auxfem/simulation.h>
@@ -11,6 +12,7 @@
 #include <auxfem/time/time_stepper.h>
 
 #include <limits>
+#include <new>
 
 namespace auxfem
 {
@@ -99,6 +101,18 @@ namespace auxfem
               count(report, totals);
               output.write_step(state, report);
             }
+        }
+      catch (const std::bad_alloc &)
+        {
+          // On several ranks the others know nothing of it, and would wait.
+          if (system.numbering().n_ranks() == 1)
+            finish(output,
+                   system,
+                   state,
+                   stepper,
+                   totals,
+                   out_of_memory_text());
+          throw;
         }
       catch (const std::exception &failure)
         {

@@ -5,10 +5,12 @@
 #include <deal.II/base/utilities.h>
 
 #include <cctype>
+#include <cerrno>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iomanip>
+#include <new>
 #include <sstream>
 #include <system_error>
 
@@ -148,12 +150,16 @@ namespace auxfem
 
     std::string file;
     bool        failed = false;
+    errno              = 0;
     try
       {
         file = write_pieces(graphics);
       }
     catch (const dealii::ExceptionBase &)
       {
+        // A stream takes a lack of memory for a failure of its own.
+        if (errno == ENOMEM)
+          throw std::bad_alloc();
         failed = true;
       }
     if (dealii::Utilities::MPI::max(failed ? 1 : 0, communicator) > 0)

@@ -1,10 +1,35 @@
+#include <auxfem/parameters/errors.h>
+#include <auxfem/parameters/out_of_memory.h>
 #include <auxfem/system/linear_solver.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <algorithm>
+#include <cerrno>
 #include <limits>
+#include <new>
 
 namespace auxfem
 {
+  namespace
+  {
+    /** Throws ComputationError on all ranks if one lacks memory. Collective. */
+    void refuse_lack_of_memory(const bool          lacks_memory,
+                               const DofNumbering &numbering)
+    {
+      namespace MPI = dealii::Utilities::MPI;
+
+      const MPI_Comm     communicator = numbering.communicator().Comm();
+      const unsigned int first =
+        MPI::min(lacks_memory ? numbering.rank() : numbering.n_ranks(),
+                 communicator);
+      if (first < numbering.n_ranks())
+        throw ComputationError(
+          "The factorization ran " +
+          MPI::broadcast(communicator, out_of_memory_text(), first));
+    }
+  } // namespace
+
   LinearSolver::LinearSolver(const SolverParameters &parameters,
                              TangentMatrix          &matrix,
                              const System           &system)
@@ -18,7 +43,27 @@ namespace auxfem
 
   bool LinearSolver::factorize()
   {
-    return method->factorize();
+    // KLU and MUMPS, by Amesos, tell lack of memory and singular matrices by
+    // the same code; what has failed for want of memory is malloc(), which says
+    // so here.
+    errno                 = 0;
+    bool is_factorized    = false;
+    bool is_out_of_memory = false;
+    try
+      {
+        is_factorized    = method->factorize();
+        is_out_of_memory = !is_factorized && errno == ENOMEM;
+      }
+    catch (const std::bad_alloc &)
+      {
+        // The other ranks are still at work on it, and cannot be told here.
+        if (numbering.n_ranks() > 1)
+          throw;
+        is_out_of_memory = true;
+      }
+    if (!is_factorized)
+      refuse_lack_of_memory(is_out_of_memory, numbering);
+    return is_factorized;
   }
 
   const Epetra_Vector &LinearSolver::solve()

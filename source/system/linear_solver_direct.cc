@@ -49,6 +49,14 @@ namespace auxfem
         solver->SetParameters(list);
       }
 
+      ~DirectMethod() override
+      {
+        // What Amesos_Mumps could not begin, for want of memory, it cannot end:
+        // MUMPS would abort the program.
+        if (!has_symbolic)
+          solver.release();
+      }
+
       bool factorize() override
       {
         if (!has_symbolic && solver->SymbolicFactorization() != 0)

@@ -122,6 +122,36 @@ namespace
 
 
 
+  TEST_F(FailedRun, OutOfMemory)
+  {
+    // Whatever a former run has left stays until there is something new.
+    write("scene.prm", data_text("star.prm"));
+    const Words into_folder = {"scene.prm", "--output", "out"};
+    ASSERT_EQ(run_auxfem(into_folder).exit_code, 0);
+    const Table former = history();
+
+    // Libraries and Open MPI take half of this, the lattice more than the rest.
+    const std::string limited = "ulimit -v 1000000; exec ";
+    const std::string words   = " '" AUXFEM_EXECUTABLE "' scene.prm --output "
+                                "out --set 'Lattice/Cells x=400' --set "
+                                "'Lattice/Cells y=400'";
+    for (const std::string launcher : {"", AUXFEM_MPIRUN " -n 2"})
+      {
+        const ProgramRun run =
+          run_program({"sh", "-c", limited + launcher + words});
+        EXPECT_EQ(run.exit_code, 2) << run.errors;
+        expect_contains(run.errors,
+                        {"out of memory on rank ",
+                         launcher.empty() ? " of 1," : " of 2,",
+                         " MiB in use",
+                         "fewer cells"});
+        expect_without(run.errors, {"internal error", "terminate called"});
+        EXPECT_EQ(history().n_rows, former.n_rows);
+      }
+  }
+
+
+
   TEST_F(FailedRun, DeadLoadBeyondTheLastEquilibrium)
   {
     // With the spring's length d at the angle w from the line to the ground

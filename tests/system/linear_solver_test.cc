@@ -4,7 +4,10 @@
 #include <gtest/gtest.h>
 #include <mesh/cell_from_text.h>
 
+#include <cstdlib>
 #include <limits>
+
+#include <sys/resource.h>
 
 #include "system_on_ranks.h"
 
@@ -63,6 +66,39 @@ namespace
     SystemOnRanks                  of_scene;
     std::unique_ptr<TangentMatrix> matrix;
     LinearSolver                   solver;
+  };
+
+  /** As long as it lives, malloc() and new give small pieces only. */
+  class NoMoreMemory
+  {
+  public:
+    NoMoreMemory()
+    {
+      blocks.reserve(1 << 20);
+      getrlimit(RLIMIT_AS, &former);
+      // What is in use stays; nothing new is given.
+      const rlimit limit{0, former.rlim_max};
+      setrlimit(RLIMIT_AS, &limit);
+      for (std::size_t size = 1 << 26; size >= 1 << 13; size /= 2)
+        while (blocks.size() < blocks.capacity())
+          {
+            void *const block = std::malloc(size);
+            if (block == nullptr)
+              break;
+            blocks.push_back(block);
+          }
+    }
+
+    ~NoMoreMemory()
+    {
+      setrlimit(RLIMIT_AS, &former);
+      for (void *const block : blocks)
+        std::free(block);
+    }
+
+  private:
+    rlimit              former{};
+    std::vector<void *> blocks;
   };
 
   /**
@@ -287,6 +323,33 @@ TEST(LinearSolver, IterationsHardlyGrowWithTheLattice)
     {
       SCOPED_TRACE(dt);
       EXPECT_LE(iterations_of(16, dt), 1.5 * iterations_of(8, dt));
+    }
+}
+
+TEST(LinearSolver, LackOfMemoryIsNoSingularMatrix)
+{
+  // On several ranks a lack of memory may end all of them.
+  if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
+    GTEST_SKIP();
+  for (const std::string type : {"klu", "mumps", "gmres"})
+    {
+      SCOPED_TRACE(type);
+      SolvableSystem system(type, {"Lattice/Cells x=8", "Lattice/Cells y=8"});
+      system.fill(0.1);
+      std::string message;
+      {
+        const NoMoreMemory no_more_memory;
+        try
+          {
+            system.solver.factorize();
+          }
+        catch (const ComputationError &error)
+          {
+            message = error.what();
+          }
+      }
+      EXPECT_NE(message.find("out of memory on rank 0 of 1"), std::string::npos)
+        << message;
     }
 }
 

@@ -5,6 +5,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <new>
 #include <string>
 
 namespace auxfem
@@ -12,7 +13,8 @@ namespace auxfem
   /**
    * Runs @p action on rank 0 of @p communicator only; if it throws, all ranks
    * throw the same (InputError, or ComputationError for all else), so that none
-   * waits for another for ever. Collective.
+   * waits for another for ever; but std::bad_alloc is thrown on rank 0 only.
+   * Collective.
    */
   template <typename Action>
   void on_first_rank(const MPI_Comm communicator, const Action &action)
@@ -40,6 +42,11 @@ namespace auxfem
         {
           outcome = input_error;
           message = error.what();
+        }
+      catch (const std::bad_alloc &)
+        {
+          // main() ends the other ranks.
+          throw;
         }
       catch (const std::exception &error)
         {

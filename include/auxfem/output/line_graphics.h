@@ -73,7 +73,8 @@ namespace auxfem
 
     /**
      * Writes the files for one more time (s). Throws ComputationError on all
-     * ranks if one cannot write. Collective.
+     * ranks if one cannot write, std::bad_alloc on a rank without memory to.
+     * Collective.
      */
     void write(LineGraphics &graphics, double time);
 

@@ -23,7 +23,9 @@ namespace auxfem
 
     /**
      * Factorizes the matrix as it is now. Returns false if it is singular
-     * (numerically) on any rank.
+     * (numerically) on any rank. Throws ComputationError on all ranks if the
+     * factors find no room in memory; std::bad_alloc on one of several ranks if
+     * what comes before them does not.
      */
     bool factorize();
 
