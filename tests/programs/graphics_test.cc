@@ -50,15 +50,16 @@ namespace
                      "foot.m",
                      "tie.force",
                      "tie.extension",
-                     "tie.dissipated",
                      "anchors.force",
                      "anchors.extension",
-                     "anchors.dissipated",
                      "kinetic",
                      "strain",
                      "stored",
                      "dissipated",
                      "external",
+                     "tie.dissipated",
+                     "anchors.dissipated",
+                     "push.load_work",
                      "balance"}));
     ASSERT_EQ(table.n_rows, 41u);
     for (unsigned int i = 0; i < table.n_rows; ++i)
@@ -68,6 +69,8 @@ namespace
         EXPECT_NEAR(table["dissipated"][i],
                     table["tie.dissipated"][i] + table["anchors.dissipated"][i],
                     1e-12 * table["dissipated"].back());
+        // Nor does a support move.
+        EXPECT_EQ(table["external"][i], table["push.load_work"][i]);
         // Written with 15 digits, balance is the sum of the others.
         EXPECT_NEAR(table["balance"][i],
                     table["kinetic"][i] + table["strain"][i] +

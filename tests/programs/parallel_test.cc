@@ -108,7 +108,7 @@ namespace
     ASSERT_EQ(run_auxfem_on(2, with(arguments, {"--output", "two"})).exit_code,
               0);
     const Table table = history("one");
-    EXPECT_EQ(table.largest("kinetic"), 0);
+    EXPECT_EQ(table.columns.count("kinetic"), 0u) << "nothing is in motion";
     expect_same(table, history("two"));
   }
 
@@ -283,7 +283,8 @@ end
                      "Loads/hit/Force y=-8 * sqrt(0.31e-3 - t)"}),
       2,
       "not a finite number at t = 0.0003");
-    EXPECT_EQ(history().n_rows, 16u);
+    // The last of them where the root ends, inside a step.
+    EXPECT_EQ(history().n_rows, 17u);
     expect_contains(summary("exit_state"), {"not a finite number"});
     EXPECT_EQ(
       GraphicsSeries(path("out/solution.pvd"), path("vtk")).datasets.n_rows,

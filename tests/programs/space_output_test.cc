@@ -305,12 +305,11 @@ end
       names.push_back(std::string("pivot.") + name);
     for (const char *name : {"tie.force",
                              "tie.extension",
-                             "tie.dissipated",
                              "kinetic",
                              "strain",
                              "stored",
-                             "dissipated",
                              "external",
+                             "hit.load_work",
                              "balance"})
       names.push_back(name);
     EXPECT_EQ(table.names, names);

@@ -1,4 +1,4 @@
-#!/ usr / bin / env python3
+#!/usr/bin/env python3
 """Reads a series of .pvd/.pvtu/.vtu files with VTK and writes it as tables.
 
 Usage: read_vtu.py SERIES.pvd FOLDER
@@ -115,11 +115,11 @@ def main(pvd, folder):
         datasets,
     )
     if os.path.exists(warnings) and os.path.getsize(warnings) > 0:
-        with open(warnings)
-as stream : stop("VTK warns: " + stream.read())
+        with open(warnings) as stream:
+            stop("VTK warns: " + stream.read())
 
 
-              if __name__
-            == "__main__" : if len (sys.argv) !=
-                            3 : stop("usage: read_vtu.py SERIES.pvd FOLDER")
-                                  main(*sys.argv [1:])
+if __name__ == "__main__":
+    if len(sys.argv) != 3:
+        stop("usage: read_vtu.py SERIES.pvd FOLDER")
+    main(*sys.argv[1:])

@@ -1,0 +1,125 @@
+#include <auxfem/analysis/step_ends.h>
+
+#include <gtest/gtest.h>
+#include <support/scene_run.h>
+#include <verification/one_mass_scene.h>
+
+#include <cmath>
+
+using namespace auxfem;
+using namespace auxfem::testing_support;
+
+namespace
+{
+  const std::string spring = "    set Law = spring\n"
+                             "    set Spring stiffness = 4\n";
+
+  /** A mass of 1 kg on a spring of 4 N/m, from rest, pushed by @p force. */
+  std::string pushed_mass(const std::string &force, const std::string &time)
+  {
+    return one_mass_scene(spring,
+                          time,
+                          mass_and_velocity(1, 0) +
+                            "subsection Loads\n  subsection push\n"
+                            "    set Joints = 0\n    set Force x = " +
+                            force + "\n  end\nend\n");
+  }
+
+  std::vector<TimeEvent> ends_of(const std::string &force)
+  {
+    return step_ends(read_scene_from_text(
+      pushed_mass(force, "  set End time = 1\n  set Time step = 0.1\n"),
+      "test.prm"));
+  }
+
+  /** Error of the displacement at t = 2 after a force of 3 N from 0.537 s on.
+   */
+  double error_after_jump(const std::string &scheme, const unsigned int n_steps)
+  {
+    const double jump = 0.537, end = 2, omega = 2;
+    SceneRun     run(pushed_mass("if(t < 0.537, 0, 3)",
+                             "  set Scheme = " + scheme +
+                               "\n  set End time = 2\n  set Time step = " +
+                               std::to_string(end / n_steps) + "\n"));
+    run.run();
+    const double exact = 3. / 4 * (1 - std::cos(omega * (end - jump)));
+    return std::abs(run.motion(0, 0) - exact);
+  }
+} // namespace
+
+TEST(StepEnds, AreKinksAndJumpsOfLoadsInsideTheRun)
+{
+  const std::vector<TimeEvent> ends =
+    ends_of("min(t / 0.25, 1) + if(t < 0.6, 0, 2) + max(0, t - 3)");
+  ASSERT_EQ(ends.size(), 2u);
+  EXPECT_NEAR(ends[0].time, 0.25, 1e-12);
+  EXPECT_EQ(ends[0].kind, TimeEvent::Kind::kink);
+  EXPECT_NEAR(ends[1].time, 0.6, 1e-12);
+  EXPECT_EQ(ends[1].kind, TimeEvent::Kind::jump);
+  EXPECT_TRUE(ends_of("sin(3 * t)").empty());
+}
+
+TEST(StepEnds, KinksWithinAStepOfEachOtherAreSampledJumpsAreNot)
+{
+  // Kinks every 0.05 s, half a step; a jump between two of them.
+  const std::vector<TimeEvent> ends =
+    ends_of("abs(sin(pi * t / 0.05)) + if(t < 0.52, 0, 1)");
+  ASSERT_EQ(ends.size(), 1u);
+  EXPECT_NEAR(ends[0].time, 0.52, 1e-12);
+}
+
+TEST(StepEnds, AStepIsDividedThereAndOnlyThere)
+{
+  SceneRun run(pushed_mass("max(0, t - 0.23)",
+                           "  set End time = 1\n  set Time step = 0.1\n"));
+  for (unsigned int step = 1; step <= 10; ++step)
+    {
+      const StepReport report = run.advance();
+      EXPECT_EQ(report.substeps, step == 3 ? 2u : 1u);
+      EXPECT_NEAR(report.dt, step == 3 ? 0.03 : 0.1, 1e-14);
+      EXPECT_DOUBLE_EQ(run.state.time, step == 10 ? 1. : step * 0.1);
+    }
+}
+
+TEST(StepEnds, AKinkOnTheGridDividesNothing)
+{
+  SceneRun run(pushed_mass("min(t / 0.3, 1)",
+                           "  set End time = 1\n  set Time step = 0.1\n"));
+  for (unsigned int step = 1; step <= 10; ++step)
+    EXPECT_EQ(run.advance().substeps, 1u);
+}
+
+TEST(StepEnds, AForceThatIsSwitchedOnLeavesTheOrderTwo)
+{
+  for (const char *scheme : {"newmark", "hht", "generalized-alpha"})
+    {
+      SCOPED_TRACE(scheme);
+      const double coarse = error_after_jump(scheme, 40),
+                   fine   = error_after_jump(scheme, 160);
+      EXPECT_LT(coarse, 0.02);
+      // A jump inside a step, or rates from before it, would leave order one.
+      EXPECT_NEAR(std::log2(coarse / fine) / 2, 2., 0.2);
+    }
+}
+
+TEST(StepEnds, WorkOfAForceThatIsSwitchedOnIsExact)
+{
+  // Newmark 1/4, 1/2 keeps the balance of a linear scene to round-off.
+  SceneRun run(pushed_mass("if(t < 0.537, 0, 3)",
+                           "  set End time = 2\n  set Time step = 0.1\n"));
+  run.run();
+  EXPECT_GT(run.state.energies.external(), 1.);
+  EXPECT_NEAR(run.balance(), 0., 1e-12);
+}
+
+TEST(StepEnds, AForceSwitchedOnJustAfterTheStartActsFromTheStart)
+{
+  SceneRun after(pushed_mass("if(t > 0, 3, 0)",
+                             "  set End time = 1\n  set Time step = 0.01\n"));
+  SceneRun always(
+    pushed_mass("3", "  set End time = 1\n  set Time step = 0.01\n"));
+  after.run();
+  always.run();
+  EXPECT_DOUBLE_EQ(after.motion(0, 0), always.motion(0, 0));
+  EXPECT_DOUBLE_EQ(after.balance(), always.balance());
+}
