@@ -109,13 +109,12 @@ namespace auxfem
             continue;
           }
         ++report.retries;
+        ++work.retries;
         if (!control->rejected())
           give_up(state, planned.dt);
       }
     ++state.step;
     ++work.steps;
-    work.iterations += report.iterations;
-    work.retries += report.retries;
     return report;
   }
 
@@ -170,6 +169,7 @@ namespace auxfem
     predict(step);
     const Newton::Result result = newton.solve(scheme, step, trial.results);
     report.iterations += result.iterations;
+    work.iterations += result.iterations;
     report.relative_residual = result.relative_residual;
     if (!result.converged)
       {
@@ -234,8 +234,8 @@ namespace auxfem
     message
       << "The step from t = " << state.time
       << " s did not converge even with dt = " << dt
-      << " s (Time/Smallest time step = " << control->shortest()
-      << " s): " << last_failure
+      << " s (half of it would be less than Time/Smallest time step = "
+      << control->shortest() << " s): " << last_failure
       << ".\nAll steps until then are in the output folder. A smaller smallest "
          "step, numerical damping (Scheme = generalized-alpha) or, in statics, "
          "prescribed motion in place of a force may carry it further; an "

@@ -1,7 +1,6 @@
 #include <auxfem/connectors/laws.h>
 #include <auxfem/parameters/declare.h>
 
-#include <cmath>
 
 namespace auxfem
 {
@@ -33,13 +32,10 @@ namespace auxfem
                     ConnectorResponse *response) const override
       {
         for (unsigned int i = 0; i < n; ++i)
-          {
-            // Whatever the rate says, after infinite time nothing moves.
-            const double c = std::isinf(motion[i].dt) ? 0 : damping;
-            response[i] = {stiffness * motion[i].extension + c * motion[i].rate,
-                           stiffness,
-                           c};
-          }
+          response[i] = {stiffness * motion[i].extension +
+                           damping * motion[i].rate,
+                         stiffness,
+                         damping};
       }
 
       /**

@@ -175,7 +175,7 @@ TEST(LatticeRun, AFailureLeavesTheLastAcceptedSolutionAndTheReason)
   EXPECT_GE(diary.times.back(), diary.times[n_steps]);
   EXPECT_LT(diary.times.back(), diary.times[n_steps] + 0.02);
   EXPECT_EQ(diary.result.time, diary.times.back());
-  EXPECT_GT(diary.result.work.iterations, diary.iterations - 1);
+  EXPECT_GE(diary.result.work.iterations, diary.iterations);
 
   // The last solution is that of a run that ends there.
   Diary until_there;

@@ -86,6 +86,20 @@ TEST(ConnectorLaws, NoForceAtRest)
       }
 }
 
+TEST(ConnectorLaws, RelaxedIsWhatIsLeftOfALongHold)
+{
+  for (const auto &law : all_laws())
+    {
+      // Held at 0.01 m for 1e9 s, far beyond all relaxation times.
+      const std::vector<double> history(law->n_history(), 3.);
+      const ConnectorResponse   held =
+        response_at(*law, {0.01, 0., 0.01, 1e9}, history);
+      EXPECT_NEAR(law->relaxed(0.01).force, held.force, 1e-6 * held.force);
+      EXPECT_EQ(law->relaxed(0.01).damping, 0.);
+      EXPECT_EQ(law->relaxed(0.01).stiffness, law->long_time_stiffness());
+    }
+}
+
 // The laws are linear, so central differences carry no truncation error; what
 // is left is round-off, 1e-16 of the force over the increment.
 TEST(ConnectorLaws, TangentsAgainstCentralDifferences)

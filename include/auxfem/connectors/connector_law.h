@@ -14,10 +14,7 @@ namespace auxfem
     double rate;
     /** Extension at the start of the step (m). */
     double previous_extension;
-    /**
-     * Length of the step (s); infinity: all viscous processes have come to
-     * rest.
-     */
+    /** Length of the step (s), 0 if no time passes. */
     double dt;
   };
 
@@ -90,6 +87,15 @@ namespace auxfem
                           const double          *committed,
                           double                *trial,
                           ConnectorResponse     *response) const = 0;
+
+    /**
+     * Answer once all viscous processes have come to rest at @p extension (m);
+     * the internal variables are then zero.
+     */
+    ConnectorResponse relaxed(const double extension) const
+    {
+      return {long_time_stiffness() * extension, long_time_stiffness(), 0};
+    }
 
     /** Energies of one connector over the step described by the same data. */
     virtual ConnectorEnergy energy(const ConnectorMotion &motion,

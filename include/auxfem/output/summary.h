@@ -33,13 +33,12 @@ namespace auxfem
   /** What a run took from the machine. */
   struct Resources
   {
-    unsigned long largest_memory =
-      /** Peak of the rank that used most (bytes). */
-      0;
-    unsigned long memory       = 0; ///< sum of the ranks' peaks (bytes)
-    double        cpu_seconds  = 0; ///< over all ranks
-    double        wall_seconds = 0; ///< of the run, on the slowest rank
-    PhaseTimes    wall;             ///< of the slowest rank in each phase
+    /** Peak of the rank that used most (bytes). */
+    unsigned long largest_memory = 0;
+    unsigned long memory         = 0; ///< sum of the ranks' peaks (bytes)
+    double        cpu_seconds    = 0; ///< over all ranks
+    double        wall_seconds   = 0; ///< of the run, on the slowest rank
+    PhaseTimes    wall;               ///< of the slowest rank in each phase
     /** Before the run; wall times of the slowest rank, processor time of all.
      */
     StartTimes start;

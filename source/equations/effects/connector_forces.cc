@@ -3,27 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace auxfem
 {
-  namespace
-  {
-    /** The time that viscous processes have in an evaluation (s). */
-    double duration(const Evaluation &evaluation)
-    {
-      switch (evaluation.kind)
-        {
-          case Evaluation::Kind::equilibrium:
-            return std::numeric_limits<double>::infinity();
-          case Evaluation::Kind::rates:
-            return 0;
-          default:
-            return evaluation.dt;
-        }
-    }
-  } // namespace
-
   ConnectorResults::ConnectorResults(const unsigned int n_connectors)
     : motion(n_connectors)
     , response(n_connectors)
@@ -163,7 +145,6 @@ namespace auxfem
     const double *u      = evaluation.to.displacement.Values();
     const double *v =
       evaluation.to.velocity ? evaluation.to.velocity->Values() : nullptr;
-    const double dt = duration(evaluation);
     for (unsigned int i = 0; i < connectors.size(); ++i)
       {
         const Ends                &ends = connectors[i];
@@ -172,7 +153,7 @@ namespace auxfem
         ConnectorMotion &motion         = results.motion[i];
         motion.previous_extension = extension(ends, difference(ends, before));
         motion.extension          = extension(ends, du);
-        motion.dt                 = dt;
+        motion.dt                 = evaluation.dt;
         results.current_length[i] = line.norm();
         results.direction[i] =
           follows_line ? line / results.current_length[i] : ends.direction;
@@ -181,9 +162,27 @@ namespace auxfem
         // Without inertia a velocity is a difference over a step in which the
         // line turns; that of the extension does not see the turn.
         motion.rate = evaluation.kind == Evaluation::Kind::static_step
-          ? (motion.extension - motion.previous_extension) / dt
+          ? (motion.extension - motion.previous_extension) / evaluation.dt
           : results.direction[i] * results.velocity_difference[i];
       }
+  }
+
+  void ConnectorForces::find_response(const Evaluation &evaluation,
+                                      ConnectorResults &results) const
+  {
+    double *const internal = evaluation.to.history.data() + first_history;
+    if (evaluation.kind != Evaluation::Kind::equilibrium)
+      {
+        law->evaluate(connectors.size(),
+                      results.motion.data(),
+                      evaluation.from.history.data() + first_history,
+                      internal,
+                      results.response.data());
+        return;
+      }
+    for (unsigned int i = 0; i < connectors.size(); ++i)
+      results.response[i] = law->relaxed(results.motion[i].extension);
+    std::fill(internal, internal + connectors.size() * law->n_history(), 0.);
   }
 
   void ConnectorForces::add_residual(const Evaluation &evaluation,
@@ -192,11 +191,7 @@ namespace auxfem
   {
     auto &of_group = static_cast<ConnectorResults &>(*results);
     find_motion(evaluation, of_group);
-    law->evaluate(connectors.size(),
-                  of_group.motion.data(),
-                  evaluation.from.history.data() + first_history,
-                  evaluation.to.history.data() + first_history,
-                  of_group.response.data());
+    find_response(evaluation, of_group);
     for (unsigned int i = 0; i < connectors.size(); ++i)
       for (unsigned int c = 0; c < 3; ++c)
         {

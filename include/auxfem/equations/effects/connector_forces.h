@@ -106,6 +106,10 @@ namespace auxfem
     void   find_motion(const Evaluation &evaluation,
                        ConnectorResults &results) const;
 
+    /** Forces of the motion in @p results, and internal variables. */
+    void find_response(const Evaluation &evaluation,
+                       ConnectorResults &results) const;
+
     std::string                         group_name;
     std::shared_ptr<const ConnectorLaw> law;
     bool                                follows_line;
