@@ -1,0 +1,42 @@
+#ifndef auxfem_output_memory_recorder_h
+#define auxfem_output_memory_recorder_h
+
+#include <auxfem/output/history.h>
+#include <auxfem/output/recorder.h>
+
+#include <optional>
+#include <vector>
+
+namespace auxfem
+{
+  /**
+   * Keeps the history of a lattice in memory and writes nothing: the columns of
+   * history.csv with a row for each step of the scene. The same on all ranks.
+   */
+  class MemoryRecorder : public Recorder
+  {
+  public:
+    /** @param scene must outlive the recording. */
+    MemoryRecorder(const Scene &scene, MPI_Comm communicator);
+
+    void begin(const Equations &equations) override;
+    void start(const Solution &solution) override;
+    void step(const Solution &solution, const StepReport &report) override;
+
+    const std::vector<Column>              &columns() const;
+    const std::vector<std::vector<double>> &rows() const;
+
+    /** The numbers of a column, from t = 0 on. Throws InputError if there is no
+     * such column. */
+    std::vector<double> column(const std::string &name) const;
+
+  private:
+    const Scene                     &scene;
+    const MPI_Comm                   communicator;
+    std::optional<History>           history; ///< from begin() on
+    std::vector<Column>              column_list;
+    std::vector<std::vector<double>> row_list;
+  };
+} // namespace auxfem
+
+#endif

@@ -1,0 +1,58 @@
+#include <auxfem/output/memory_recorder.h>
+#include <auxfem/parameters/errors.h>
+
+#include <algorithm>
+
+namespace auxfem
+{
+  MemoryRecorder::MemoryRecorder(const Scene   &scene,
+                                 const MPI_Comm communicator)
+    : scene(scene)
+    , communicator(communicator)
+  {}
+
+  void MemoryRecorder::begin(const Equations &equations)
+  {
+    history.emplace(scene, equations, communicator);
+    column_list = history->columns();
+    row_list.clear();
+  }
+
+  void MemoryRecorder::start(const Solution &solution)
+  {
+    row_list.push_back(history->values(solution));
+  }
+
+  void MemoryRecorder::step(const Solution &solution,
+                            const StepReport & /*report*/)
+  {
+    row_list.push_back(history->values(solution));
+  }
+
+  const std::vector<Column> &MemoryRecorder::columns() const
+  {
+    return column_list;
+  }
+
+  const std::vector<std::vector<double>> &MemoryRecorder::rows() const
+  {
+    return row_list;
+  }
+
+  std::vector<double> MemoryRecorder::column(const std::string &name) const
+  {
+    const auto place = std::find_if(column_list.begin(),
+                                    column_list.end(),
+                                    [&name](const Column &candidate) {
+                                      return candidate.name == name;
+                                    });
+    if (place == column_list.end())
+      throw InputError("The history of " + scene.file + " has no column '" +
+                       name + "'.");
+    std::vector<double> numbers;
+    numbers.reserve(row_list.size());
+    for (const std::vector<double> &row : row_list)
+      numbers.push_back(row[place - column_list.begin()]);
+    return numbers;
+  }
+} // namespace auxfem
