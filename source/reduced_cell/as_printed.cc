@@ -123,7 +123,6 @@ namespace auxfem
           give_up();
         grid.shift(grid.before() + 4 * dt * dt * a);
 
-        cell.connector(motion);
         CellSample now  = cell.accept(motion);
         now.transmitted = transmitted(motion);
         if (connector.is_maxwell)

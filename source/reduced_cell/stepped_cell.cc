@@ -68,6 +68,7 @@ namespace auxfem
 
   CellSample SteppedCell::accept(const CellMotion &motion)
   {
+    connector(motion);
     const ConnectorEnergy of_connector =
       law.energy(connector_motion, committed.data(), trial.data());
     energies[cell_kinetic] = cell.kinetic_energy(motion);

@@ -51,10 +51,7 @@ namespace auxfem
     /** As write_struts(), for rigid parts. */
     void write_rigid_parts(const State &state);
 
-    /**
-     * As write_struts(), for connectors; nothing without any. @p state must be
-     * the last given to System::residual(), to which connectors report.
-     */
+    /** As write_struts(), for connectors; nothing without any. */
     void write_connectors(const Solution &solution);
 
   private:

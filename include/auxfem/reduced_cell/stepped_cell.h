@@ -33,8 +33,7 @@ namespace auxfem
     const ConnectorResponse &connector(const CellMotion &motion);
 
     /**
-     * Ends the step with @p motion, the one last given to connector(): internal
-     * variables and energies follow. The work of the load is that of its mean
+     * Ends the step with @p motion: internal variables and energies follow. The work of the load is that of its mean
      * over the step, as for lattices.
      */
     CellSample accept(const CellMotion &motion);
