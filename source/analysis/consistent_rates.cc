@@ -52,24 +52,24 @@ namespace auxfem
     const State before     = state;
     Evaluation  evaluation = Evaluation::rates(before, state);
     evaluation.jumps_at_to = true;
-    restore(evaluation);
-    if (state.algorithmic_acceleration)
+    if (restore(evaluation) && state.algorithmic_acceleration)
       *state.algorithmic_acceleration = *state.acceleration;
   }
 
-  void ConsistentRates::restore(const Evaluation &evaluation)
+  bool ConsistentRates::restore(const Evaluation &evaluation)
   {
     if (is_singular)
-      return;
+      return false;
     State &state = evaluation.to;
     solver.residual(evaluation, results);
     if (!prepare_mass(evaluation))
-      return;
+      return false;
     std::vector<double> rates;
     find_rates(state, rates);
     project_velocities(state, rates);
     solver.residual(evaluation, results);
     find_accelerations(evaluation);
+    return true;
   }
 
   bool ConsistentRates::prepare_mass(const Evaluation &evaluation)

@@ -53,7 +53,8 @@ namespace auxfem
     void renew(State &state);
 
   private:
-    void restore(const Evaluation &evaluation);
+    /** As restore(); false if a free unknown has no mass. */
+    bool restore(const Evaluation &evaluation);
     /** M at evaluation.to; false if it is singular. */
     bool prepare_mass(const Evaluation &evaluation);
     /** M + dt / 2 C + dt^2 / 4 K, factorized. */
