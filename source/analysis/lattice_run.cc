@@ -133,7 +133,7 @@ namespace auxfem
         recorder.finish(solution, result(failure.what()));
         throw;
       }
-    const RunResult completed = result("completed");
+    RunResult completed = result("completed");
     recorder.finish(solution, completed);
     return completed;
   }
