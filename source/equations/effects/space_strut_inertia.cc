@@ -26,14 +26,15 @@ namespace auxfem
      * L_a. Small rotations: P_a = I and no product of W and L.
      */
     template <int order, bool large_rotation, bool damped>
-    class SpaceStrutInertia : public Effect
+    class SpaceStrutInertia : public StrutInertia
     {
     public:
       SpaceStrutInertia(const Lattice              &lattice,
                         const DofNumbering         &numbering,
                         const std::vector<Section> &sections,
                         const bool                  rotary_inertia)
-        : numbering(numbering)
+        : StrutInertia(damped)
+        , numbering(numbering)
         , node_rotations(numbering)
         , rotary(rotary_inertia)
       {
@@ -110,27 +111,17 @@ namespace auxfem
           }
       }
 
-      void register_in(StateLayout &layout) override
-      {
-        kinetic_entry = layout.energies.enter(kinetic_energy_entry());
-        if (damped)
-          damping_entry = layout.energies.enter(mass_damping_entry());
-      }
-
-      void account(const Evaluation &step,
-                   const EffectResults * /*results*/,
-                   EnergyAccount &account) const override
-      {
-        account.add(kinetic_entry,
-                    sum_v_M_v(step.to, [](const Element &) { return 0.5; }));
-        if (damped)
-          account.add_power(damping_entry,
-                            sum_v_M_v(step.to, [](const Element &e) {
-                              return e.damping;
-                            }));
-      }
-
     private:
+      double kinetic_energy(const State &state) const override
+      {
+        return sum_v_M_v(state, [](const Element &) { return 0.5; });
+      }
+
+      double damping_power(const State &state) const override
+      {
+        return sum_v_M_v(state, [](const Element &e) { return e.damping; });
+      }
+
       static constexpr int n_components = 6;
       static constexpr int n            = n_components * (order + 1);
       static constexpr int n_pairs      = (order + 1) * (order + 1);
@@ -325,7 +316,6 @@ namespace auxfem
       const bool             rotary;
       const BeamShape<order> shape;
       std::vector<Element>   elements;
-      unsigned int           kinetic_entry = 0, damping_entry = 0;
       /** M_ab (kg m2), n_pairs an element; none without rotary inertia. */
       std::vector<SpaceTensor> pair_inertias;
     };

@@ -10,14 +10,15 @@ namespace auxfem
      * rho I, and with damping the force alpha M v. Constant.
      */
     template <int order, bool damped>
-    class PlaneStrutInertia : public Effect
+    class PlaneStrutInertia : public StrutInertia
     {
     public:
       PlaneStrutInertia(const Lattice              &lattice,
                         const DofNumbering         &numbering,
                         const std::vector<Section> &sections,
                         const bool                  rotary_inertia)
-        : numbering(numbering)
+        : StrutInertia(damped)
+        , numbering(numbering)
       {
         for (const DofNumbering::Element &element : numbering.elements())
           {
@@ -89,27 +90,17 @@ namespace auxfem
           }
       }
 
-      void register_in(StateLayout &layout) override
-      {
-        kinetic_entry = layout.energies.enter(kinetic_energy_entry());
-        if (damped)
-          damping_entry = layout.energies.enter(mass_damping_entry());
-      }
-
-      void account(const Evaluation &step,
-                   const EffectResults * /*results*/,
-                   EnergyAccount &account) const override
-      {
-        account.add(kinetic_entry,
-                    sum_v_M_v(step.to, [](const Element &) { return 0.5; }));
-        if (damped)
-          account.add_power(damping_entry,
-                            sum_v_M_v(step.to, [](const Element &e) {
-                              return e.damping;
-                            }));
-      }
-
     private:
+      double kinetic_energy(const State &state) const override
+      {
+        return sum_v_M_v(state, [](const Element &) { return 0.5; });
+      }
+
+      double damping_power(const State &state) const override
+      {
+        return sum_v_M_v(state, [](const Element &e) { return e.damping; });
+      }
+
       static constexpr int n = 3 * (order + 1);
 
       struct Element
@@ -149,7 +140,6 @@ namespace auxfem
       const DofNumbering    &numbering;
       const BeamShape<order> shape;
       std::vector<Element>   elements;
-      unsigned int           kinetic_entry = 0, damping_entry = 0;
     };
   } // namespace
 
@@ -159,6 +149,25 @@ namespace auxfem
             "mass_damping_dissipated",
             "energy lost by mass-proportional damping of the struts since the "
             "start"};
+  }
+
+  StrutInertia::StrutInertia(const bool damped) : is_damped(damped)
+  {}
+
+  void StrutInertia::register_in(StateLayout &layout)
+  {
+    kinetic_entry = layout.energies.enter(kinetic_energy_entry());
+    if (is_damped)
+      damping_entry = layout.energies.enter(mass_damping_entry());
+  }
+
+  void StrutInertia::account(const Evaluation &step,
+                             const EffectResults * /*results*/,
+                             EnergyAccount &account) const
+  {
+    account.add(kinetic_entry, kinetic_energy(step.to));
+    if (is_damped)
+      account.add_power(damping_entry, damping_power(step.to));
   }
 
   std::unique_ptr<Effect>

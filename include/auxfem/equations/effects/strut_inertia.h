@@ -18,6 +18,29 @@ namespace auxfem
   /** What mass-proportional damping of struts takes from the motion. */
   EnergyEntry mass_damping_entry();
 
+  /** What the inertia of struts has in the plane and in space: its energies. */
+  class StrutInertia : public Effect
+  {
+  public:
+    /** @param damped whether a section has mass-proportional damping. */
+    explicit StrutInertia(bool damped);
+
+    void register_in(StateLayout &layout) override;
+    void account(const Evaluation    &step,
+                 const EffectResults *results,
+                 EnergyAccount       &account) const override;
+
+  private:
+    /** Of the struts this rank counts (J). */
+    virtual double kinetic_energy(const State &state) const = 0;
+
+    /** Lost by mass-proportional damping in these struts (W). */
+    virtual double damping_power(const State &state) const = 0;
+
+    const bool   is_damped;
+    unsigned int kinetic_entry = 0, damping_entry = 0;
+  };
+
   /**
    * Inertia of the struts, with mass-proportional damping where a section has
    * it.
