@@ -1,6 +1,7 @@
 #ifndef auxfem_model_numbering_h
 #define auxfem_model_numbering_h
 
+#include <auxfem/algebra/unknowns.h>
 #include <auxfem/mesh/motion_components.h>
 #include <auxfem/mesh/strut_mesh.h>
 
@@ -86,15 +87,6 @@ namespace auxfem
                   const std::vector<std::array<bool, 2>> &released);
 
   class ClaimedUnknowns;
-
-  /** Kinds of unknowns, measured apart in convergence tests. */
-  enum class UnknownKind : unsigned char
-  {
-    translation,
-    rotation,
-    prescribed,
-    multiplier
-  };
 
   /** Owned rows apart by what is measured and by whether they are free. */
   struct OwnedRows

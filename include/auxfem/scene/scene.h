@@ -1,6 +1,7 @@
 #ifndef auxfem_scene_scene_h
 #define auxfem_scene_scene_h
 
+#include <auxfem/algebra/solver_parameters.h>
 #include <auxfem/connectors/connector_law.h>
 #include <auxfem/elements/section.h>
 #include <auxfem/loads/time_function.h>
@@ -251,16 +252,6 @@ namespace auxfem
     bool         keep_factorization = true; ///< false: full Newton
     /** A kept factorization must reduce the residual so much an iteration. */
     double kept_reduction = 5;
-  };
-
-  /** `Solver`: linear solver. */
-  struct SolverParameters
-  {
-    std::string type           = "auto"; ///< `auto`, `klu`, `mumps`, `gmres`
-    std::string preconditioner = "amg";  ///< `amg`, `ilu`
-    /** Of an iterative solution, relative to the right-hand side. */
-    double       tolerance          = 1e-8;
-    unsigned int maximum_iterations = 1000;
   };
 
   /** `Discretization`. */

@@ -1,0 +1,19 @@
+#ifndef auxfem_algebra_solver_parameters_h
+#define auxfem_algebra_solver_parameters_h
+
+#include <string>
+
+namespace auxfem
+{
+  /** `Solver`: linear solver. */
+  struct SolverParameters
+  {
+    std::string type           = "auto"; ///< `auto`, `klu`, `mumps`, `gmres`
+    std::string preconditioner = "amg";  ///< `amg`, `ilu`
+    /** Of an iterative solution, relative to the right-hand side. */
+    double       tolerance          = 1e-8;
+    unsigned int maximum_iterations = 1000;
+  };
+} // namespace auxfem
+
+#endif

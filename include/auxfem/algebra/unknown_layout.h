@@ -1,0 +1,81 @@
+#ifndef auxfem_algebra_unknown_layout_h
+#define auxfem_algebra_unknown_layout_h
+
+#include <deal.II/base/mpi_noncontiguous_partitioner.h>
+
+#include <memory>
+#include <unordered_map>
+#include <vector>
+
+namespace auxfem
+{
+  /**
+   * How unknowns are spread over the ranks: each rank owns a contiguous range
+   * of global numbers and stores ("local" numbers) its owned unknowns first,
+   * then ghosts: copies of unknowns of other ranks that it needs.
+   */
+  class UnknownLayout
+  {
+  public:
+    /**
+     * @param ghosts global numbers of unknowns of other ranks, in the order
+     * they are to be stored in, each once. Collective.
+     */
+    UnknownLayout(MPI_Comm                communicator,
+                  unsigned int            n_owned,
+                  const std::vector<int> &ghosts);
+
+    MPI_Comm     communicator() const;
+    unsigned int rank() const;
+    unsigned int n_ranks() const;
+
+    unsigned int n_owned() const;
+    unsigned int n_local() const;
+    /** Of all ranks. */
+    unsigned int n_global() const;
+
+    /** First global number of @p rank; with rank = n_ranks() their number. */
+    int first_of(unsigned int rank) const;
+
+    /** Rank that owns a global number. */
+    unsigned int owner(int global) const;
+
+    /** Whether a local number is this rank's own; false for -1. */
+    bool is_owned(int local) const;
+
+    int global(unsigned int local) const;
+
+    /** Local number of a global one; -1 if it is not on this rank. */
+    int local(int global) const;
+
+    /** Brings owned values to the ghosts of other ranks. Collective. */
+    void update_ghosts(double *values) const;
+
+    /**
+     * Appends ghosts; those that are local already are left out. The numbers
+     * of the others stay. Returns whether any rank has gained one. Collective.
+     */
+    bool add_ghosts(const std::vector<int> &globals);
+
+    /** @name Over all ranks, of what each contributes. Collective. */
+    ///@{
+    double              sum(double mine) const;
+    std::vector<double> sum(const std::vector<double> &mine) const;
+    double              largest(double mine) const;
+    ///@}
+
+  private:
+    void make_exchange();
+
+    MPI_Comm                     comm;
+    unsigned int                 my_rank;
+    std::vector<int>             first; ///< by rank, and the end of the last
+    std::vector<int>             ghosts;
+    std::unordered_map<int, int> local_of_ghost;
+    /** None on one rank. */
+    std::shared_ptr<const dealii::Utilities::MPI::NoncontiguousPartitioner>
+      exchange;
+  };
+} // namespace auxfem
+
+#endif

@@ -1,0 +1,57 @@
+#ifndef auxfem_algebra_unknowns_h
+#define auxfem_algebra_unknowns_h
+
+#include <auxfem/algebra/unknown_layout.h>
+
+#include <deal.II/base/point.h>
+
+#include <optional>
+
+namespace auxfem
+{
+  /** Kinds of unknowns, measured apart in convergence tests. */
+  enum class UnknownKind : unsigned char
+  {
+    translation,
+    rotation,
+    prescribed,
+    multiplier
+  };
+
+  /**
+   * What linear algebra knows of the unknowns of a structure beside how they
+   * act on each other: which are prescribed, which lie inside a strut and can
+   * be condensed there, which belong to one joint. All ghosts included.
+   */
+  struct Unknowns
+  {
+    explicit Unknowns(const UnknownLayout &layout);
+
+    const UnknownLayout *layout;
+    /** By local unknown. */
+    std::vector<UnknownKind> kinds;
+    /** Whether a local unknown is a rotation, prescribed or not. */
+    std::vector<bool> is_rotation;
+    /** Strut that a local unknown lies inside of; none at joints. */
+    std::vector<std::optional<unsigned int>> strut;
+    /**
+     * Of local unknowns not inside struts: the joint they belong to, of
+     * multipliers one that they constrain. The numbers are the same on all
+     * ranks.
+     */
+    std::vector<unsigned int> joint;
+    /**
+     * Component of motion, 0 to 5, of local unknowns not inside struts;
+     * meaningless for multipliers.
+     */
+    std::vector<unsigned char> component;
+    /** Positions of joints (m). */
+    const std::vector<dealii::Point<3>> *joints;
+    /** Components of motion that nodes have: 0, 1, 5 in the plane, else all. */
+    std::vector<unsigned int> components;
+    /** Ties moments to forces (m). */
+    double length = 1;
+  };
+} // namespace auxfem
+
+#endif
