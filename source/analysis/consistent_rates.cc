@@ -1,6 +1,7 @@
 #include <auxfem/analysis/consistent_rates.h>
 #include <auxfem/equations/node_rotations.h>
 #include <auxfem/equations/prescribed_motion.h>
+#include <auxfem/model/unknown_words.h>
 #include <auxfem/parameters/errors.h>
 
 #include <algorithm>
@@ -13,7 +14,7 @@ namespace auxfem
     : solver(solver)
     , model(solver.model())
     , results(solver.equations().make_results())
-    , increment(model.numbering.local_map())
+    , increment(model.numbering.layout().n_local())
   {}
 
   void ConsistentRates::start(State &state, const double dt)
@@ -22,7 +23,7 @@ namespace auxfem
     Evaluation  evaluation = Evaluation::rates(before, state);
     // A load that is switched on at t = 0 acts from there on.
     evaluation.jumps_at_to = true;
-    state.acceleration->PutScalar(0.);
+    state.acceleration->assign(state.acceleration->size(), 0.);
     prescribe_motion(model, evaluation, dt);
     solver.residual(evaluation, results);
 
@@ -79,7 +80,7 @@ namespace auxfem
     if (is_singular)
       return false;
     // Conditions make the matrix indefinite.
-    if (model.numbering.n_multipliers() == 0)
+    if (model.numbering.constraints().n_multipliers() == 0)
       {
         method = Method::conjugate_gradients;
         return true;
@@ -106,14 +107,13 @@ namespace auxfem
                                      std::vector<double> &rates) const
   {
     const DofNumbering &numbering = model.numbering;
-    rates.assign(numbering.n_local(), 0.);
+    rates.assign(numbering.layout().n_local(), 0.);
     for (const Conditions *of_kind : solver.equations().reporting().conditions)
       of_kind->find_rates(state, rates.data());
-    double mine = 0, largest = 0;
+    double mine = 0;
     for (const double rate : rates)
       mine = std::max(mine, std::abs(rate));
-    numbering.communicator().MaxAll(&mine, &largest, 1);
-    return largest;
+    return numbering.layout().largest(mine);
   }
 
   void ConsistentRates::refuse_strain(const State &state,
@@ -147,23 +147,23 @@ namespace auxfem
                                            const std::vector<double> &rates)
   {
     const DofNumbering &numbering = model.numbering;
-    for (unsigned int i = 0; i < numbering.n_owned(); ++i)
+    for (unsigned int i = 0; i < numbering.layout().n_owned(); ++i)
       solver.right_side()[i] = -rates[i];
     solve();
-    for (const int multiplier : numbering.multipliers())
+    for (const int multiplier : numbering.constraints().multipliers())
       increment[multiplier] = 0;
     NodeRotations(model.numbering).make_material(state, increment);
-    state.velocity->Update(1., increment, 1.);
+    add_multiple(1., increment, *state.velocity);
   }
 
   void ConsistentRates::find_accelerations(const Evaluation &evaluation)
   {
     State &state = evaluation.to;
-    find_right_side(model, evaluation, solver.right_side().Values());
+    find_right_side(model, evaluation, solver.right_side().data());
     solve();
     NodeRotations(model.numbering).make_material(state, increment);
-    state.acceleration->Update(1., increment, 1.);
-    for (const int multiplier : model.numbering.multipliers())
+    add_multiple(1., increment, *state.acceleration);
+    for (const int multiplier : model.numbering.constraints().multipliers())
       {
         state.displacement[multiplier] += increment[multiplier];
         (*state.acceleration)[multiplier] = 0;
@@ -189,10 +189,8 @@ namespace auxfem
   bool ConsistentRates::has_empty_row()
   {
     const std::vector<double> sizes = solver.matrix().row_sizes();
-    int                       mine = std::count(sizes.begin(), sizes.end(), 0.);
-    int                       all  = 0;
-    model.numbering.communicator().SumAll(&mine, &all, 1);
-    return all > 0;
+    return model.numbering.layout().sum(
+             std::count(sizes.begin(), sizes.end(), 0.)) > 0;
   }
 
   void ConsistentRates::refuse_empty_rows()
@@ -203,7 +201,8 @@ namespace auxfem
     for (const double size : solver.matrix().row_sizes())
       emptiness.push_back(size == 0 ? 1. : 0.);
     throw InputError(
-      "Nothing resists the " + model.numbering.describe_largest(emptiness) +
+      "Nothing resists the " +
+      describe_largest(model.lattice, model.numbering, emptiness) +
       ": no mass, no strut and no connector. Give the joint a mass, "
       "connect it or leave it out.");
   }

@@ -12,7 +12,7 @@ namespace auxfem
                     Epetra_Vector                           &mode)
   {
     const auto restrict_mode = [&]() {
-      for (int i = 0; i < mode.MyLength(); ++i)
+      for (int i = 0; i < mode.size(); ++i)
         if (!takes_part(i))
           mode[i] = 0;
     };

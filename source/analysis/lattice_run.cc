@@ -122,7 +122,7 @@ namespace auxfem
     catch (const std::bad_alloc &)
       {
         // On several ranks the others know nothing of it, and would wait.
-        if (has_begun && model.numbering.n_ranks() == 1)
+        if (has_begun && model.numbering.layout().n_ranks() == 1)
           recorder.finish(solution, result(out_of_memory_text()));
         throw;
       }

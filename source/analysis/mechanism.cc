@@ -1,4 +1,5 @@
 #include <auxfem/analysis/inverse_iteration.h>
+#include <auxfem/model/unknown_words.h>
 #include <auxfem/parameters/errors.h>
 
 #include <algorithm>
@@ -23,13 +24,15 @@ namespace auxfem
                              const Epetra_Vector &mode)
     {
       const DofNumbering &numbering = model.numbering;
-      std::vector<double> sizes(numbering.n_owned());
+      std::vector<double> sizes(numbering.layout().n_owned());
       // A strut that turns about its end moves the other by its length times
       // the angle; half of that leaves the first word to the joint.
       for (unsigned int i = 0; i < sizes.size(); ++i)
         sizes[i] = std::abs(mode[i]) *
-          (numbering.is_rotation(i) ? model.mean_strut_length / 2 : 1.);
-      const std::string words = numbering.describe_largest(sizes);
+          (numbering.unknowns().is_rotation[i] ? model.mean_strut_length / 2
+                                               : 1.);
+      const std::string words =
+        describe_largest(model.lattice, numbering, sizes);
       throw InputError(
         "The structure is not supported: it can move without any resistance, most of "
         "all the " +
@@ -46,7 +49,7 @@ namespace auxfem
   {
     const LatticeModel &model     = solver.model();
     const DofNumbering &numbering = model.numbering;
-    if (numbering.n_free() == 0)
+    if (numbering.unknowns().n_free() == 0)
       return;
     State             now        = state;
     EvaluationResults results    = solver.equations().make_results();
@@ -65,11 +68,11 @@ namespace auxfem
     diagonal.MaxValue(&stiffest);
     const double  length = model.mean_strut_length;
     Epetra_Vector weight(diagonal), shifted(diagonal);
-    for (unsigned int i = 0; i < numbering.n_owned(); ++i)
+    for (unsigned int i = 0; i < numbering.layout().n_owned(); ++i)
       {
         // Multipliers carry no energy; G^T and G hold the mode to what rigid
         // parts allow.
-        if (numbering.kind(i) == UnknownKind::multiplier)
+        if (numbering.unknowns().kinds[i] == UnknownKind::multiplier)
           {
             weight[i] = 0;
             continue;
@@ -78,7 +81,7 @@ namespace auxfem
         // then the softest of all.
         if (weight[i] <= 0)
           weight[i] = (stiffest > 0 ? stiffest : 1.) *
-            (numbering.is_rotation(i) ? length * length : 1.);
+            (numbering.unknowns().is_rotation[i] ? length * length : 1.);
         shifted[i] += softest * weight[i];
       }
     const Epetra_CrsMatrix stiffness(matrix);
@@ -89,8 +92,8 @@ namespace auxfem
       solver,
       weight,
       [&](const unsigned int i) {
-        return numbering.kind(i) != UnknownKind::multiplier &&
-          numbering.kind(i) != UnknownKind::prescribed;
+        return numbering.unknowns().kinds[i] != UnknownKind::multiplier &&
+          numbering.unknowns().kinds[i] != UnknownKind::prescribed;
       },
       n_inverse_iterations,
       mode);

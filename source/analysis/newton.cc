@@ -23,7 +23,7 @@ namespace auxfem
     , parameters(parameters)
     , is_linear(solver.equations().is_linear())
     , rotations(solver.model().numbering)
-    , increment(solver.model().numbering.local_map())
+    , increment(solver.model().numbering.layout().n_local())
   {}
 
   Newton::Result Newton::solve(const ImplicitScheme &scheme,
@@ -118,7 +118,7 @@ namespace auxfem
                               const Evaluation     &evaluation)
   {
     const LatticeModel &model = solver.model();
-    find_right_side(model, evaluation, solver.right_side().Values());
+    find_right_side(model, evaluation, solver.right_side().data());
     solver.solve(increment);
     if (!solver.failure().empty())
       return solver.failure();

@@ -1,4 +1,5 @@
 #include <auxfem/analysis/inverse_iteration.h>
+#include <auxfem/model/unknown_words.h>
 #include <auxfem/parameters/errors.h>
 
 #include <algorithm>
@@ -29,11 +30,11 @@ namespace auxfem
       const double        rotation = model.lattice.dimension == 3
                ? model.mean_strut_length * model.mean_strut_length
                : 1.;
-      for (unsigned int i = 0; i < numbering.n_owned(); ++i)
-        diagonal[i] = numbering.kind(i) == UnknownKind::multiplier
+      for (unsigned int i = 0; i < numbering.layout().n_owned(); ++i)
+        diagonal[i] = numbering.unknowns().kinds[i] == UnknownKind::multiplier
           ? -smallest_eigenvalue / 10
-          : numbering.kind(i) == UnknownKind::rotation ? rotation
-                                                       : 1.;
+          : numbering.unknowns().kinds[i] == UnknownKind::rotation ? rotation
+                                                                   : 1.;
       matrix.ReplaceDiagonalValues(diagonal);
     }
 
@@ -41,14 +42,14 @@ namespace auxfem
                              const Epetra_Vector &mode)
     {
       const DofNumbering &numbering = model.numbering;
-      std::vector<double> sizes(numbering.n_owned());
+      std::vector<double> sizes(numbering.layout().n_owned());
       for (unsigned int i = 0; i < sizes.size(); ++i)
         sizes[i] = std::abs(mode[i]);
       throw InputError(
         std::string(model.lattice.dimension == 3
                       ? "Rigid parts and revolute hinges: a "
                       : "Rigid parts: a ") +
-        numbering.describe_largest(sizes) +
+        describe_largest(model.lattice, numbering, sizes) +
         " follows from the conditions of other parts and the supports, so the "
         "forces in them are not determined.\n" +
         (model.lattice.dimension == 3
@@ -66,7 +67,7 @@ namespace auxfem
   {
     const LatticeModel &model     = solver.model();
     const DofNumbering &numbering = model.numbering;
-    if (numbering.n_multipliers() == 0)
+    if (numbering.constraints().n_multipliers() == 0)
       return;
     State             now        = state;
     EvaluationResults results    = solver.equations().make_results();
@@ -82,7 +83,7 @@ namespace auxfem
       solver,
       ones,
       [&](const unsigned int i) {
-        return numbering.kind(i) == UnknownKind::multiplier;
+        return numbering.unknowns().kinds[i] == UnknownKind::multiplier;
       },
       n_inverse_iterations,
       mode);

@@ -81,8 +81,8 @@ namespace auxfem
     // Prescribed rows are those of the identity, but their columns stand in
     // free rows: from the values there on, the search stays in the free rows,
     // where the matrix is symmetric.
-    for (unsigned int i = 0; i < numbering.n_owned(); ++i)
-      if (numbering.kind(i) == UnknownKind::prescribed)
+    for (unsigned int i = 0; i < numbering.layout().n_owned(); ++i)
+      if (numbering.unknowns().kinds[i] == UnknownKind::prescribed)
         solution[i] = b[i];
     if (size > 0)
       {

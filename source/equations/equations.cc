@@ -1,4 +1,7 @@
 #include <auxfem/equations/equations.h>
+#include <auxfem/model/unknown_words.h>
+
+#include <deal.II/base/mpi.h>
 
 #include <algorithm>
 #include <cmath>
@@ -36,7 +39,7 @@ namespace auxfem
      */
     void hold_multipliers(const DofNumbering &numbering, State &state)
     {
-      for (const int multiplier : numbering.multipliers())
+      for (const int multiplier : numbering.constraints().multipliers())
         for (std::optional<Vector> *rate : {&state.velocity,
                                             &state.acceleration,
                                             &state.algorithmic_acceleration})
@@ -81,7 +84,7 @@ namespace auxfem
 
   State Equations::initial_state() const
   {
-    State state(structure.numbering.local_map(), state_layout);
+    State state(structure.numbering.layout().n_local(), state_layout);
     for (const auto &[unknown, velocity] : initial_velocities)
       (*state.velocity)[unknown] = velocity;
     return state;
@@ -99,8 +102,8 @@ namespace auxfem
   void Equations::residual(const Evaluation  &evaluation,
                            EvaluationResults &results) const
   {
-    double *residual = evaluation.to.residual.Values();
-    std::fill(residual, residual + structure.numbering.n_local(), 0.);
+    double *residual = evaluation.to.residual.data();
+    std::fill(residual, residual + structure.numbering.layout().n_local(), 0.);
     // Sums of squares of forces and moments: of internal forces, of internal
     // and inertia forces, and of the residual in free rows; then of conditions.
     std::vector<double> sums(7, 0.);
@@ -128,7 +131,7 @@ namespace auxfem
     sums[4] = sum_of_squares(residual, rows.free_translations);
     sums[5] = sum_of_squares(residual, rows.free_rotations);
     sums[6] = sum_of_squares(residual, rows.multipliers);
-    sums    = sum_over_ranks(structure, sums);
+    sums    = structure.numbering.layout().sum(sums);
 
     results.force        = std::sqrt(sums[4]);
     results.moment       = std::sqrt(sums[5]);
@@ -155,9 +158,9 @@ namespace auxfem
 
   Vector Equations::load_derivative(const Evaluation &evaluation) const
   {
-    Vector derivative(structure.numbering.local_map());
+    Vector derivative(structure.numbering.layout().n_local());
     for (const auto &effect : effects)
-      effect->add_load_derivative(evaluation, derivative.Values());
+      effect->add_load_derivative(evaluation, derivative.data());
     return derivative;
   }
 
@@ -169,7 +172,7 @@ namespace auxfem
     for (unsigned int i = 0; i < effects.size(); ++i)
       effects[i]->account(evaluation, results.of_effects[i].get(), account);
     evaluation.to.energies.amounts() =
-      sum_over_ranks(structure, account.close());
+      structure.numbering.layout().sum(account.close());
   }
 
   void Equations::update_pattern(const State &accepted)
@@ -188,34 +191,35 @@ namespace auxfem
   {
     const auto [displacement, rotation] =
       largest_motion(structure, state.displacement);
-    double mine = 0, scale_of_row = 0;
+    double mine = 0;
     for (unsigned int i = 0; i < effects.size(); ++i)
       mine = std::max(mine,
                       effects[i]->round_off_scale(state,
                                                   results.of_effects[i].get(),
                                                   displacement,
                                                   rotation));
-    const DofNumbering &numbering = structure.numbering;
-    numbering.communicator().MaxAll(&mine, &scale_of_row, 1);
+    const DofNumbering &numbering    = structure.numbering;
+    const double        scale_of_row = numbering.layout().largest(mine);
     // A row sums a few roundings of a few products each.
     const double safety = 4;
     return safety * std::numeric_limits<double>::epsilon() * scale_of_row *
-      std::sqrt(double(numbering.n_unknowns()));
+      std::sqrt(double(numbering.layout().n_global()));
   }
 
   std::pair<double, double> largest_motion(const LatticeModel &model,
                                            const Vector       &motion)
   {
     const OwnedRows &rows   = model.rows;
-    const double    *values = motion.Values();
+    const double    *values = motion.data();
     double mine[2]          = {std::max(largest(values, rows.free_translations),
                                largest(values, rows.prescribed_translations)),
                                std::max(largest(values, rows.free_rotations),
                                largest(values, rows.prescribed_rotations))};
-    if (model.numbering.n_ranks() == 1)
+    const UnknownLayout &layout = model.numbering.layout();
+    if (layout.n_ranks() == 1)
       return {mine[0], mine[1]};
     double all[2];
-    model.numbering.communicator().MaxAll(mine, all, 2);
+    dealii::Utilities::MPI::max(mine, layout.communicator(), all);
     return {all[0], all[1]};
   }
 
@@ -230,18 +234,17 @@ namespace auxfem
     for (const Conditions *of_kind : conditions)
       length = std::max(length, of_kind->length());
     // Parts lie on some ranks only, and all must decide alike.
-    double longest = 0;
-    model.numbering.communicator().MaxAll(&length, &longest, 1);
+    const double longest = model.numbering.layout().largest(length);
     // A condition sums a few products of displacements and lengths.
     const double safety = 16;
     return safety * std::numeric_limits<double>::epsilon() *
       (longest + largest_motion(model, state.displacement).first) *
-      std::sqrt(double(model.numbering.n_multipliers()));
+      std::sqrt(double(model.numbering.constraints().n_multipliers()));
   }
 
   std::string worst_unknown(const LatticeModel &model, const State &state)
   {
-    std::vector<double> sizes(model.numbering.n_owned(), 0.);
+    std::vector<double> sizes(model.numbering.layout().n_owned(), 0.);
     const auto measure = [&](const std::vector<int> &of, const double unit) {
       for (const int row : of)
         {
@@ -252,19 +255,6 @@ namespace auxfem
     };
     measure(model.rows.free_translations, 1.);
     measure(model.rows.free_rotations, model.mean_strut_length);
-    return model.numbering.describe_largest(sizes);
-  }
-
-  std::vector<double> sum_over_ranks(const LatticeModel        &model,
-                                     const std::vector<double> &mine)
-  {
-    if (model.numbering.n_ranks() == 1)
-      return mine;
-    std::vector<double> all(mine.size());
-    // Epetra reads the values only, but asks for ones it may write.
-    model.numbering.communicator().SumAll(const_cast<double *>(mine.data()),
-                                          all.data(),
-                                          mine.size());
-    return all;
+    return describe_largest(model.lattice, model.numbering, sizes);
   }
 } // namespace auxfem

@@ -65,8 +65,8 @@ namespace auxfem
                             const auto        &end) {
                           springs->add(base[0] < 0
                                          ? -1
-                                         : numbering.spatial_rotation(base[0]),
-                                       numbering.spatial_rotation(end[0]),
+                                         : numbering.rotations().with(base[0]),
+                                       numbering.rotations().with(end[0]),
                                        stiffness,
                                        number);
                         });
@@ -103,8 +103,8 @@ namespace auxfem
                                                         large_rotation,
                                                         length);
             const std::array<int, 2> multipliers = {
-              {numbering.hinge_multiplier(number, 0),
-               numbering.hinge_multiplier(number, 1)}};
+              {numbering.constraints().hinge_multiplier(number, 0),
+               numbering.constraints().hinge_multiplier(number, 1)}};
             ++number;
             if (multipliers[0] >= 0)
               hinges->add(spins(numbering, pair.base),

@@ -2,6 +2,7 @@
 #include <auxfem/equations/effects/following_loads.h>
 #include <auxfem/equations/make_loads.h>
 #include <auxfem/mesh/sets.h>
+#include <auxfem/model/unknown_words.h>
 #include <auxfem/model/line_rule.h>
 #include <auxfem/parameters/errors.h>
 
@@ -49,7 +50,7 @@ namespace auxfem
               if (!numbering.joint_has(joint, c))
                 throw InputError(definition.path + "/Moment " +
                                  "xyz"[c - first_rotation] + ": " +
-                                 numbering.why_no_rotation(joint));
+                                 why_no_rotation(lattice, numbering, joint));
               const int unknown = numbering.joint_unknown(joint, c);
               if (unknown >= 0)
                 loads.add_weight(load, unknown, 1.);
@@ -74,7 +75,7 @@ namespace auxfem
           if (!numbering.joint_has(joint, rotation_z))
             throw InputError(definition.path +
                              "/Direction = follows the joint: " +
-                             numbering.why_no_rotation(joint));
+                             why_no_rotation(lattice, numbering, joint));
           if (numbering.joint_unknown(joint, rotation_z) >= 0)
             loads.add_joint(load, joint);
         }

@@ -2,6 +2,7 @@
 #include <auxfem/equations/effects/rotary_masses.h>
 #include <auxfem/equations/make_masses.h>
 #include <auxfem/mesh/sets.h>
+#include <auxfem/model/unknown_words.h>
 #include <auxfem/parameters/errors.h>
 
 namespace auxfem
@@ -17,13 +18,14 @@ namespace auxfem
     }
 
     void refuse_missing_rotation(const MassDefinition &mass,
+                                 const Lattice        &lattice,
                                  const DofNumbering   &numbering,
                                  const unsigned int    joint)
     {
       if (mass.rotary_inertia.norm() > 0 &&
           !numbering.joint_has(joint, rotation_z))
         throw InputError(
-          mass.path + "/Rotary inertia: " + numbering.why_no_rotation(joint));
+          mass.path + "/Rotary inertia: " + why_no_rotation(lattice, numbering, joint));
     }
 
     SpaceTensor along_global_axes(const SpaceVector &values)
@@ -53,7 +55,7 @@ namespace auxfem
                                                     scene.context,
                                                     mass.path + "/Joints"))
         {
-          refuse_missing_rotation(mass, numbering, joint);
+          refuse_missing_rotation(mass, lattice, numbering, joint);
           for (const unsigned int c : numbering.components())
             {
               const int unknown = numbering.joint_unknown(joint, c);
@@ -64,7 +66,7 @@ namespace auxfem
             }
           const int spin = numbering.joint_unknown(joint, rotation_z);
           if (is_spatial && spin >= 0 && mass.rotary_inertia.norm() > 0)
-            rotary->add(numbering.spatial_rotation(spin),
+            rotary->add(numbering.rotations().with(spin),
                         along_global_axes(mass.rotary_inertia));
         }
     for (const TurningBody &body : bodies.turning)
@@ -74,7 +76,7 @@ namespace auxfem
           continue;
         for (const int unknown : body.centre)
           points->add(unknown, part.mass);
-        rotary->add(numbering.spatial_rotation(body.rotation[0]),
+        rotary->add(numbering.rotations().with(body.rotation[0]),
                     part.rotary_inertia);
       }
     std::vector<std::unique_ptr<Effect>> effects;

@@ -80,14 +80,14 @@ namespace auxfem
   SpaceVector NodeRotations::values(const Vector      &vector,
                                     const unsigned int i) const
   {
-    return vector_at(vector.Values(), numbering.spatial_rotations()[i].data());
+    return vector_at(vector.data(), numbering.rotations()[i].data());
   }
 
   void NodeRotations::set_values(const SpaceVector &values,
                                  const unsigned int i,
                                  Vector            &vector) const
   {
-    const std::array<int, 3> &spins = numbering.spatial_rotations()[i];
+    const std::array<int, 3> &spins = numbering.rotations()[i];
     for (unsigned int c = 0; c < 3; ++c)
       vector[spins[c]] = values[c];
   }

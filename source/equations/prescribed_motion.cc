@@ -134,7 +134,7 @@ namespace auxfem
     const State        &state     = evaluation.to;
     const DofNumbering &numbering = model.numbering;
     const NodeRotations rotations(numbering);
-    for (unsigned int i = 0; i < numbering.n_owned(); ++i)
+    for (unsigned int i = 0; i < numbering.layout().n_owned(); ++i)
       right_side[i] = -state.residual[i];
     for (const Support &support : model.supports)
       {
@@ -142,7 +142,7 @@ namespace auxfem
         for (unsigned int c = 0; c < n_motion_components; ++c)
           positions[c] = support.motion[c].value(state.time);
         for (const Support::PrescribedUnknown &prescribed : support.unknowns)
-          if (numbering.is_owned(prescribed.unknown) &&
+          if (numbering.layout().is_owned(prescribed.unknown) &&
               !support.moves_as_rotation(prescribed))
             right_side[prescribed.unknown] = positions[prescribed.component] -
               state.displacement[prescribed.unknown];
@@ -153,9 +153,9 @@ namespace auxfem
                       ? rotation_vector(exponential(rotation_of(support, state.time)) *
                                 conjugate(state.rotations[i]))
                       : -rotations.spatial_turn(evaluation, i);
-            const std::array<int, 3> &spins = numbering.spatial_rotations()[i];
+            const std::array<int, 3> &spins   = numbering.rotations()[i];
             for (unsigned int c = 0; c < 3; ++c)
-              if (prescribed.fixed[c] && numbering.is_owned(spins[c]))
+              if (prescribed.fixed[c] && numbering.layout().is_owned(spins[c]))
                 right_side[spins[c]] = missing[c];
           }
       }
@@ -212,17 +212,18 @@ namespace auxfem
         double sum = 0;
         for (const Support::PrescribedUnknown &prescribed : support.unknowns)
           if (const int i = prescribed.unknown;
-              numbering.is_owned(i) && !support.moves_as_rotation(prescribed))
+              numbering.layout().is_owned(i) &&
+              !support.moves_as_rotation(prescribed))
             sum += mean_force(i) *
               (step.to.displacement[i] - step.from.displacement[i]);
         for (const Support::PrescribedRotation &prescribed : support.rotations)
           {
             const std::array<int, 3> &spins =
-              numbering.spatial_rotations()[prescribed.rotation];
+              numbering.rotations()[prescribed.rotation];
             const SpaceVector turn =
               rotations.spatial_turn(step, prescribed.rotation);
             for (unsigned int c = 0; c < 3; ++c)
-              if (prescribed.fixed[c] && numbering.is_owned(spins[c]))
+              if (prescribed.fixed[c] && numbering.layout().is_owned(spins[c]))
                 sum += mean_force(spins[c]) * turn[c];
           }
         return sum;

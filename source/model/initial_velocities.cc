@@ -39,10 +39,10 @@ namespace auxfem
     std::vector<std::pair<int, double>> velocities;
     // A rigid part turns with a set only if all of it does.
     std::set<int> of_rigid_parts;
-    for (const unsigned int p : numbering.rigid_parts())
+    for (const unsigned int p : numbering.constraints().rigid_parts())
       if (lattice.rigid_parts[p].has_rotation)
         for (const unsigned int c : components)
-          of_rigid_parts.insert(numbering.rigid_part_unknown(p, c));
+          of_rigid_parts.insert(numbering.constraints().motion(p, c));
     const auto is_of_rigid_part = [&](const int unknown) {
       return of_rigid_parts.count(unknown) > 0;
     };
@@ -70,7 +70,7 @@ namespace auxfem
                 velocities.emplace_back(numbering.joint_unknown(joint, c),
                                         velocity[c]);
           }
-        for (const unsigned int p : numbering.rigid_parts())
+        for (const unsigned int p : numbering.constraints().rigid_parts())
           {
             const RigidPart &part = lattice.rigid_parts[p];
             if (!part.has_rotation ||
@@ -81,7 +81,7 @@ namespace auxfem
             const Velocity velocity =
               velocity_at(part.centre_of_mass, centre, definition.velocity);
             for (const unsigned int c : components)
-              velocities.emplace_back(numbering.rigid_part_unknown(p, c),
+              velocities.emplace_back(numbering.constraints().motion(p, c),
                                       velocity[c]);
           }
         for (unsigned int e = 0; e < numbering.elements().size(); ++e)

@@ -108,7 +108,7 @@ namespace auxfem
                 scene.discretization.order,
                 all_ties(scene, lattice, releases, connector_pairs),
                 communicator)
-    , rows(numbering.owned_rows())
+    , rows(numbering.unknowns().owned_rows())
     , supports(
         make_supports(scene, lattice, numbering, simulated.large_rotation))
     , bodies(rigid_bodies(lattice, numbering))
@@ -116,6 +116,6 @@ namespace auxfem
 
   unsigned int LatticeModel::n_large_rotations() const
   {
-    return simulated.large_rotation ? numbering.spatial_rotations().size() : 0;
+    return simulated.large_rotation ? numbering.rotations().size() : 0;
   }
 } // namespace auxfem

@@ -1,8 +1,6 @@
-#include <auxfem/model/claimed_unknowns.h>
-#include <auxfem/model/rigid_parts.h>
+#include <auxfem/model/numbering.h>
 
-#include <deal.II/dofs/dof_handler.h>
-#include <deal.II/fe/fe_q.h>
+#include <deal.II/base/mpi.h>
 
 #include <algorithm>
 
@@ -10,13 +8,11 @@ namespace auxfem
 {
   namespace
   {
-    /** Active cells of @p container on @p mesh, which may have none. */
-    template <class Container>
-    auto active_cells(const Container &container, const StrutMesh &mesh)
+    std::vector<unsigned int> components_of_nodes(const unsigned int dimension)
     {
-      using Range = decltype(container.active_cell_iterators());
-      return mesh.n_cells() > 0 ? container.active_cell_iterators()
-                                : Range(container.end(), container.end());
+      if (dimension == 2)
+        return {0, 1, rotation_z};
+      return {0, 1, 2, 3, 4, 5};
     }
   } // namespace
 
@@ -27,172 +23,190 @@ namespace auxfem
                              const MPI_Comm     communicator)
     : lattice(lattice)
     , polynomial_order(order)
-    , node_components(lattice.dimension == 2
-                        ? std::vector<unsigned int>{0, 1, rotation_z}
-                        : std::vector<unsigned int>{0, 1, 2, 3, 4, 5})
-    , comm(communicator)
-    , is_of_rigid_part(joints_of_rigid_parts(lattice))
+    , node_components(components_of_nodes(lattice.dimension))
+    , numbers(lattice,
+              mesh,
+              order,
+              node_components,
+              ties,
+              dealii::Utilities::MPI::n_mpi_processes(communicator))
+    , kept(find_kept(mesh,
+                     ties,
+                     dealii::Utilities::MPI::this_mpi_process(communicator)))
+    , unknown_layout(communicator, kept.n_owned, kept.ghosts)
+    , of_unknowns(unknown_layout)
+    , of_constraints(numbers, unknown_layout, kept.rigid_parts)
+    , in_space(unknown_layout.n_local())
   {
-    number_unknowns(mesh, ties);
-    collect_local(mesh, ties);
+    take_elements();
+    mark_unknowns();
+    mark_constraints();
+    mark_prescribed(ties.prescribed);
+    if (lattice.dimension == 3)
+      find_rotations();
   }
 
-  void DofNumbering::number_unknowns(const StrutMesh &mesh, const Ties &ties)
+  DofNumbering::Kept DofNumbering::find_kept(const StrutMesh   &mesh,
+                                             const Ties        &ties,
+                                             const unsigned int rank)
   {
-    const dealii::FE_Q<1> fe(polynomial_order);
-    dealii::DoFHandler<1> nodes(mesh.triangulation());
-    if (mesh.n_cells() > 0)
-      nodes.distribute_dofs(fe);
-
-    // Every node gets the numbers its joint has, if it lies at one, else those
-    // of its own. Numbers are first counted apart for each rank (the rank whose
-    // cell touches the unknown first owns it), then shifted to rank ranges.
-    using Unknown = ClaimedUnknowns::Unknown;
-    ClaimedUnknowns      claimed(lattice, ties, comm.NumProc());
-    std::vector<Unknown> of_node(std::size_t(nodes.n_dofs()) * n_components());
-    std::vector<const Unknown *> of_cell;
-    of_cell.reserve(std::size_t(mesh.n_cells()) * fe.n_dofs_per_cell() *
-                    n_components());
-
-    std::vector<dealii::types::global_dof_index> of_this(fe.n_dofs_per_cell());
-    for (const auto &cell : active_cells(nodes, mesh))
-      {
-        const StrutMesh::Place place = StrutMesh::place(cell);
-        const int              rank  = cell->subdomain_id();
-        cell->get_dof_indices(of_this);
-        for (unsigned int node = 0; node < of_this.size(); ++node)
-          {
-            const bool at_joint = (node == 0 && place.begin == 0.) ||
-              (node == 1 && place.end == 1.);
-            Unknown *own =
-              &of_node[std::size_t(of_this[node]) * n_components()];
-            for (const unsigned int component : node_components)
-              of_cell.push_back(
-                at_joint ? claimed.claim_end(place.strut, node, component, rank)
-                         : claimed.claim(*own++, rank));
-          }
-      }
-    claimed.claim_joints(mesh);
-    claimed.claim_rigid_parts();
-    claimed.claim_hinges();
-    take_numbers(claimed);
-
-    cell_numbers.resize(of_cell.size());
-    std::transform(of_cell.begin(),
-                   of_cell.end(),
-                   cell_numbers.begin(),
-                   [&](const Unknown *unknown) {
-                     return first_owned[unknown->owner] + unknown->number;
-                   });
-    for (unsigned int h = 0; h < of_hinge.size(); ++h)
-      of_hinge[h].joint = ties.hinged[h].joint;
-  }
-
-  void DofNumbering::take_numbers(const ClaimedUnknowns &claimed)
-  {
-    first_owned.assign(1, 0);
-    for (const int n_owned_by_rank : claimed.counts())
-      first_owned.push_back(first_owned.back() + n_owned_by_rank);
-    const auto global = [this](const ClaimedUnknowns::Unknown &unknown) {
-      return unknown.owner < 0 ? -1
-                               : first_owned[unknown.owner] + unknown.number;
-    };
-    const auto all_global = [&](const ClaimedUnknowns::Motion &unknowns) {
-      MotionNumbers numbers;
-      std::transform(unknowns.begin(), unknowns.end(), numbers.begin(), global);
-      return numbers;
-    };
-    joint_numbers.reserve(lattice.joints.size());
-    for (unsigned int joint = 0; joint < lattice.joints.size(); ++joint)
-      joint_numbers.push_back(all_global(claimed.joint(joint)));
-    for (const auto &[end, rotation] : claimed.released_ends())
-      released_end_numbers[end] = all_global(rotation);
-    for (const ClaimedUnknowns::RigidPartClaims &part : claimed.rigid_parts())
-      {
-        of_rigid_part.push_back(
-          {part.clamped_joints, all_global(part.motion), {}});
-        for (const ClaimedUnknowns::Unknown &multiplier : part.multipliers)
-          of_rigid_part.back().multipliers.push_back(global(multiplier));
-      }
-    for (const auto &hinge : claimed.hinges())
-      of_hinge.push_back(
-        {invalid_index, {{global(hinge[0]), global(hinge[1])}}});
-  }
-
-  void DofNumbering::collect_local(const StrutMesh &mesh, const Ties &ties)
-  {
-    const int my_rank = comm.MyPID();
-    const int begin = first_owned[my_rank], end = first_owned[my_rank + 1];
+    const int begin      = numbers.first_owned[rank],
+              end        = numbers.first_owned[rank + 1];
     const unsigned int n = (polynomial_order + 1) * n_components();
     const auto is_mine   = [=](const int g) { return g >= begin && g < end; };
+    Kept       result;
+    result.n_owned = end - begin;
 
-    std::vector<int> rows(end - begin);
-    for (int i = 0; i < end - begin; ++i)
-      rows[i] = begin + i;
-    owned = std::make_unique<Epetra_Map>(-1, rows.size(), rows.data(), 0, comm);
-
-    std::vector<bool> is_known(n_unknowns(), false);
+    std::vector<bool> is_known(numbers.first_owned.back(), false);
     const auto        keep = [&](const int g) {
       if (g >= 0 && !is_mine(g) && !is_known[g])
         {
           is_known[g] = true;
-          rows.push_back(g);
+          result.ghosts.push_back(g);
         }
     };
-    std::vector<std::size_t> kept_cells;
     for (const auto &cell : active_cells(mesh.triangulation(), mesh))
       {
-        const std::size_t c       = cell->active_cell_index();
-        const int        *numbers = &cell_numbers[c * n];
-        if (std::none_of(numbers, numbers + n, is_mine))
+        const std::size_t c    = cell->active_cell_index();
+        const int *const first = &numbers.cells[c * n], *const last = first + n;
+        if (std::none_of(first, last, is_mine))
           continue;
-        std::for_each(numbers, numbers + n, keep);
-        kept_cells.push_back(c);
+        std::for_each(first, last, keep);
+        result.cells.push_back(c);
         // The rank of the last node owns an unknown of the element, so it
         // keeps the element; the rank of the cell may not.
-        const int last_rank = std::upper_bound(first_owned.begin(),
-                                               first_owned.end(),
-                                               numbers[n - 1]) -
-          first_owned.begin() - 1;
-        element_list.push_back(
-          {StrutMesh::place(cell), static_cast<unsigned int>(last_rank)});
+        element_list.push_back({StrutMesh::place(cell), is_mine(last[-1])});
       }
     for (const JointPair &pair : ties.connected)
       for (const unsigned int mine : {pair.first, pair.second})
-        if (mine != invalid_index && is_mine(joint_numbers[mine][0]))
+        if (mine != invalid_index && is_mine(numbers.joints[mine][0]))
           for (const unsigned int other : {pair.first, pair.second})
             if (other != invalid_index)
               for (unsigned int component = 0; component < lattice.dimension;
                    ++component)
-                keep(joint_numbers[other][component]);
-    for (const std::vector<int> &numbers : coupled_numbers(ties))
-      if (std::any_of(numbers.begin(), numbers.end(), is_mine))
-        std::for_each(numbers.begin(), numbers.end(), keep);
-    for (unsigned int p = 0; p < of_rigid_part.size(); ++p)
+                keep(numbers.joints[other][component]);
+    for (const std::vector<int> &of_tie : numbers.coupled(ties))
+      if (std::any_of(of_tie.begin(), of_tie.end(), is_mine))
+        std::for_each(of_tie.begin(), of_tie.end(), keep);
+    for (unsigned int p = 0; p < numbers.rigid_parts.size(); ++p)
       {
-        const std::vector<int> numbers = rigid_part_numbers(p);
-        if (std::none_of(numbers.begin(), numbers.end(), is_mine))
+        const std::vector<int> of_part = numbers.of_rigid_part(lattice, p);
+        if (std::none_of(of_part.begin(), of_part.end(), is_mine))
           continue;
-        std::for_each(numbers.begin(), numbers.end(), keep);
-        kept_rigid_parts.push_back(p);
+        std::for_each(of_part.begin(), of_part.end(), keep);
+        result.rigid_parts.push_back(p);
       }
+    return result;
+  }
 
-    local = std::make_unique<Epetra_Map>(-1, rows.size(), rows.data(), 0, comm);
-    import = std::make_unique<Epetra_Import>(*local, *owned);
-    kinds.assign(rows.size(), UnknownKind::translation);
-    rotations.assign(rows.size(), false);
-
-    element_numbers.reserve(kept_cells.size() * n);
-    for (const std::size_t c : kept_cells)
+  void DofNumbering::take_elements()
+  {
+    const unsigned int n = (polynomial_order + 1) * n_components();
+    element_numbers.reserve(kept.cells.size() * n);
+    for (const std::size_t c : kept.cells)
       for (unsigned int i = 0; i < n; ++i)
-        element_numbers.push_back(local->LID(cell_numbers[c * n + i]));
-    cell_numbers.clear();
-    cell_numbers.shrink_to_fit();
-    mark_rotations();
-    index_multipliers();
-    mark_prescribed(ties.prescribed);
-    if (lattice.dimension == 3)
-      index_rotations();
+        element_numbers.push_back(
+          unknown_layout.local(numbers.cells[c * n + i]));
+    numbers.cells.clear();
+    numbers.cells.shrink_to_fit();
+    kept = Kept();
+  }
+
+  void DofNumbering::mark(const int          unknown,
+                          const unsigned int node,
+                          const unsigned int component)
+  {
+    if (unknown < 0)
+      return;
+    of_unknowns.joint[unknown]     = node;
+    of_unknowns.component[unknown] = component;
+    if (component < first_rotation)
+      return;
+    of_unknowns.kinds[unknown]       = UnknownKind::rotation;
+    of_unknowns.is_rotation[unknown] = true;
+  }
+
+  void DofNumbering::mark_unknowns()
+  {
+    of_unknowns.positions  = lattice.joints;
+    of_unknowns.components = node_components;
+    const auto mark_all    = [this](const GlobalNumbers::OfMotion &of_motion,
+                                 const unsigned int             node) {
+      for (unsigned int c = 0; c < n_motion_components; ++c)
+        if (of_motion[c] >= 0)
+          mark(unknown_layout.local(of_motion[c]), node, c);
+    };
+    const unsigned int n_nodes = polynomial_order + 1;
+    for (std::size_t e = 0; e < element_list.size(); ++e)
+      for (unsigned int node = 0; node < n_nodes; ++node)
+        if (!element_list[e].place.is_joint(node))
+          for (unsigned int c = 0; c < n_components(); ++c)
+            {
+              const int unknown =
+                element_unknowns(e)[node * n_components() + c];
+              mark(unknown, 0, node_components[c]);
+              of_unknowns.strut[unknown] = element_list[e].place.strut;
+            }
+    for (unsigned int p = 0; p < numbers.rigid_parts.size(); ++p)
+      {
+        const RigidPart &part = lattice.rigid_parts[p];
+        dealii::Point<3> middle;
+        for (const unsigned int joint : part.joints)
+          middle += lattice.joints[joint] / double(part.joints.size());
+        mark_all(numbers.rigid_parts[p].motion, of_unknowns.positions.size());
+        of_unknowns.positions.push_back(middle);
+      }
+    for (unsigned int joint = 0; joint < numbers.joints.size(); ++joint)
+      mark_all(numbers.joints[joint], joint);
+    for (const auto &[end, of_motion] : numbers.released_ends)
+      mark_all(of_motion, lattice.struts[end.first].joints[end.second]);
+  }
+
+  void DofNumbering::mark_constraints()
+  {
+    const auto mark_multiplier = [this](const int global, const int joint) {
+      const int unknown = unknown_layout.local(global);
+      if (unknown < 0)
+        return;
+      of_unknowns.kinds[unknown] = UnknownKind::multiplier;
+      of_unknowns.joint[unknown] = joint;
+    };
+    for (unsigned int p = 0; p < numbers.rigid_parts.size(); ++p)
+      for (unsigned int i = 0; i < numbers.rigid_parts[p].multipliers.size();
+           ++i)
+        mark_multiplier(numbers.rigid_parts[p].multipliers[i],
+                        numbers.constrained_joint(lattice, p, i));
+    for (const GlobalNumbers::OfHinge &hinge : numbers.hinges)
+      for (const int global : hinge.multipliers)
+        mark_multiplier(global, hinge.joint);
+  }
+
+  void DofNumbering::mark_prescribed(const std::vector<JointMotion> &motions)
+  {
+    for (const JointMotion &motion : motions)
+      if (const int unknown = joint_unknown(motion.joint, motion.component);
+          unknown >= 0)
+        of_unknowns.kinds[unknown] = UnknownKind::prescribed;
+  }
+
+  void DofNumbering::find_rotations()
+  {
+    const auto add_global = [this](const GlobalNumbers::OfMotion &of_motion) {
+      if (of_motion[first_rotation] >= 0)
+        in_space.add({{unknown_layout.local(of_motion[3]),
+                       unknown_layout.local(of_motion[4]),
+                       unknown_layout.local(of_motion[5])}});
+    };
+    for (std::size_t i = 0; i < element_numbers.size(); i += n_components())
+      in_space.add({{element_numbers[i + 3],
+                     element_numbers[i + 4],
+                     element_numbers[i + 5]}});
+    for (const GlobalNumbers::OfMotion &joint : numbers.joints)
+      add_global(joint);
+    for (const auto &end : numbers.released_ends)
+      add_global(end.second);
+    for (const GlobalNumbers::OfRigidPart &part : numbers.rigid_parts)
+      add_global(part.motion);
   }
 
   unsigned int DofNumbering::order() const
@@ -210,87 +224,34 @@ namespace auxfem
     return node_components;
   }
 
-  const std::vector<std::array<int, 3>> &DofNumbering::spatial_rotations() const
+  const UnknownLayout &DofNumbering::layout() const
   {
-    return rotations_in_space;
+    return unknown_layout;
   }
 
-  int DofNumbering::spatial_rotation(const unsigned int local_number) const
+  const Unknowns &DofNumbering::unknowns() const
   {
-    return rotation_of_unknown.empty() ? -1 : rotation_of_unknown[local_number];
+    return of_unknowns;
   }
 
-  unsigned int DofNumbering::spin_axis(const unsigned int local_number) const
+  const ConstraintUnknowns &DofNumbering::constraints() const
   {
-    const std::array<int, 3> &spins =
-      rotations_in_space[rotation_of_unknown[local_number]];
-    return std::find(spins.begin(), spins.end(), int(local_number)) -
-      spins.begin();
+    return of_constraints;
   }
 
-  unsigned int DofNumbering::n_unknowns() const
+  const SpatialRotations &DofNumbering::rotations() const
   {
-    return first_owned.back();
+    return in_space;
   }
 
-  unsigned int DofNumbering::n_owned() const
+  const GlobalNumbers &DofNumbering::global() const
   {
-    return owned->NumMyElements();
-  }
-
-  unsigned int DofNumbering::n_local() const
-  {
-    return local->NumMyElements();
-  }
-
-  unsigned int DofNumbering::rank() const
-  {
-    return comm.MyPID();
-  }
-
-  unsigned int DofNumbering::n_ranks() const
-  {
-    return comm.NumProc();
-  }
-
-  const Epetra_MpiComm &DofNumbering::communicator() const
-  {
-    return comm;
-  }
-
-  const Epetra_Map &DofNumbering::owned_map() const
-  {
-    return *owned;
-  }
-
-  const Epetra_Map &DofNumbering::local_map() const
-  {
-    return *local;
-  }
-
-  const Epetra_Import &DofNumbering::importer() const
-  {
-    return *import;
+    return numbers;
   }
 
   const std::vector<DofNumbering::Element> &DofNumbering::elements() const
   {
     return element_list;
-  }
-
-  bool DofNumbering::is_owned(const Element &element) const
-  {
-    return element.owner == rank();
-  }
-
-  bool DofNumbering::is_owned(const int local_number) const
-  {
-    return local_number >= 0 && local_number < static_cast<int>(n_owned());
-  }
-
-  bool DofNumbering::is_rotation(const unsigned int local_number) const
-  {
-    return rotations[local_number];
   }
 
   const int *DofNumbering::element_unknowns(const unsigned int e) const
@@ -302,20 +263,13 @@ namespace auxfem
   int DofNumbering::joint_unknown(const unsigned int joint,
                                   const unsigned int component) const
   {
-    const int global = joint_numbers[joint][component];
-    return global < 0 ? -1 : local->LID(global);
+    return unknown_layout.local(numbers.joints[joint][component]);
   }
 
   bool DofNumbering::joint_has(const unsigned int joint,
                                const unsigned int component) const
   {
-    return joint_numbers[joint][component] >= 0;
-  }
-
-  int DofNumbering::global_number(const unsigned int joint,
-                                  const unsigned int component) const
-  {
-    return joint_numbers[joint][component];
+    return numbers.joints[joint][component] >= 0;
   }
 
   int DofNumbering::end_rotation(const unsigned int strut,
@@ -324,42 +278,17 @@ namespace auxfem
   {
     if (lattice.struts[strut].is_rigid())
       return -1;
-    const auto           released = released_end_numbers.find({strut, end});
-    const MotionNumbers &numbers  = released == released_end_numbers.end()
-       ? joint_numbers[lattice.struts[strut].joints[end]]
-       : released->second;
-    return numbers[component] < 0 ? -1 : local->LID(numbers[component]);
+    const auto released = numbers.released_ends.find({strut, end});
+    const GlobalNumbers::OfMotion &of_end =
+      released == numbers.released_ends.end()
+      ? numbers.joints[lattice.struts[strut].joints[end]]
+      : released->second;
+    return unknown_layout.local(of_end[component]);
   }
 
-  UnknownKind DofNumbering::kind(const unsigned int local_number) const
+  int DofNumbering::rotation_unknown(const Turning     &turning,
+                                     const unsigned int component) const
   {
-    return kinds[local_number];
+    return unknown_layout.local(numbers.rotation(turning)[component]);
   }
-
-  OwnedRows DofNumbering::owned_rows() const
-  {
-    OwnedRows rows;
-    for (unsigned int i = 0; i < n_owned(); ++i)
-      if (kinds[i] == UnknownKind::multiplier)
-        rows.multipliers.push_back(i);
-      else if (kinds[i] == UnknownKind::prescribed)
-        (rotations[i] ? rows.prescribed_rotations
-                      : rows.prescribed_translations)
-          .push_back(i);
-      else
-        (rotations[i] ? rows.free_rotations : rows.free_translations)
-          .push_back(i);
-    return rows;
-  }
-
-  unsigned int DofNumbering::n_free() const
-  {
-    int mine = 0, all = 0;
-    for (unsigned int i = 0; i < n_owned(); ++i)
-      mine += (kinds[i] == UnknownKind::translation ||
-               kinds[i] == UnknownKind::rotation);
-    comm.SumAll(&mine, &all, 1);
-    return all;
-  }
-
 } // namespace auxfem

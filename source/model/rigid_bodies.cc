@@ -40,7 +40,8 @@ namespace auxfem
                                transverse_inertia<dim>(part, body.rest),
                                body.length,
                                body.centre);
-      body.counted = numbering.is_owned(numbering.multiplier(number, 0));
+      body.counted = numbering.layout().is_owned(
+        numbering.constraints().multiplier(number, 0));
       return body;
     }
 
@@ -77,18 +78,19 @@ namespace auxfem
                            const DofNumbering &numbering)
   {
     RigidBodies bodies;
-    for (const unsigned int number : numbering.rigid_parts())
+    for (const unsigned int number : numbering.constraints().rigid_parts())
       if (lattice.rigid_parts[number].has_rotation)
         {
           TurningBody body;
           body.part = number;
           for (unsigned int c = 0; c < 3; ++c)
             {
-              body.centre[c] = numbering.rigid_part_unknown(number, c);
+              body.centre[c] = numbering.constraints().motion(number, c);
               body.rotation[c] =
-                numbering.rigid_part_unknown(number, first_rotation + c);
+                numbering.constraints().motion(number, first_rotation + c);
             }
-          body.counted = numbering.is_owned(numbering.multiplier(number, 0));
+          body.counted = numbering.layout().is_owned(
+            numbering.constraints().multiplier(number, 0));
           bodies.turning.push_back(body);
         }
       else if (lattice.dimension == 3)

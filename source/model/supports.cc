@@ -1,5 +1,7 @@
 #include <auxfem/mesh/sets.h>
+#include <auxfem/model/rigid_parts.h>
 #include <auxfem/model/supports.h>
+#include <auxfem/model/unknown_words.h>
 #include <auxfem/parameters/errors.h>
 
 #include <algorithm>
@@ -36,8 +38,9 @@ namespace auxfem
       {
         const bool at_rest = definition.motion[component].is_zero();
         // Joints of one rigid part may share a rotation.
-        const auto [holder, is_new] = holders.insert(
-          {numbering.global_number(joint, component), {&definition, at_rest}});
+        const auto [holder, is_new] =
+          holders.insert({numbering.global().joints[joint][component],
+                          {&definition, at_rest}});
         if (!is_new && !(at_rest && holder->second.at_rest) &&
             holder->second.support != &definition)
           throw InputError(definition.path + ": the " +
@@ -62,17 +65,18 @@ namespace auxfem
     bool is_needless(const SupportDefinition &definition,
                      const unsigned int       joint,
                      const unsigned int       component,
-                     const DofNumbering      &numbering)
+                     const Lattice           &lattice,
+                     const DofNumbering      &numbering,
+                     const std::vector<bool> &is_of_rigid_part)
     {
       if (numbering.joint_has(joint, component))
         return false;
       // A hinge may be clamped: then its rotation is not there.
-      if (definition.motion[component].is_zero() &&
-          !numbering.is_rigid_joint(joint))
+      if (definition.motion[component].is_zero() && !is_of_rigid_part[joint])
         return true;
       throw InputError(definition.path + "/Rotation " +
                        "xyz"[component - first_rotation] + ": " +
-                       numbering.why_no_rotation(joint) +
+                       why_no_rotation(lattice, numbering, joint) +
                        " Type = pin holds displacements only.");
     }
 
@@ -83,7 +87,7 @@ namespace auxfem
           if (prescribed.component < first_rotation)
             continue;
           const unsigned int rotation =
-            numbering.spatial_rotation(prescribed.unknown);
+            numbering.rotations().with(prescribed.unknown);
           if (support.rotations.empty() ||
               support.rotations.back().rotation != rotation)
             support.rotations.push_back({rotation, {{false, false, false}}});
@@ -119,8 +123,9 @@ namespace auxfem
                                      const DofNumbering &numbering,
                                      const bool          large_rotations)
   {
-    Holders              holders;
-    std::vector<Support> supports;
+    const std::vector<bool> is_of_rigid_part = joints_of_rigid_parts(lattice);
+    Holders                 holders;
+    std::vector<Support>    supports;
     for (const SupportDefinition &definition : scene.supports)
       {
         Support support{definition.name, {}, {}, definition.motion};
@@ -128,7 +133,12 @@ namespace auxfem
           for (const unsigned int c : numbering.components())
             {
               if (!definition.fixed[c] ||
-                  is_needless(definition, joint, c, numbering) ||
+                  is_needless(definition,
+                              joint,
+                              c,
+                              lattice,
+                              numbering,
+                              is_of_rigid_part) ||
                   !holders.is_first(definition, joint, c, lattice, numbering))
                 continue;
               const int unknown = numbering.joint_unknown(joint, c);

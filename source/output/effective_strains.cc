@@ -73,7 +73,7 @@ namespace auxfem
           for (const unsigned int joint : joints)
             {
               const int unknown = numbering.joint_unknown(joint, span.axis);
-              if (numbering.is_owned(unknown))
+              if (numbering.layout().is_owned(unknown))
                 of_axis.push_back(
                   {unknown, sign / (joints.size() * span.length)});
             }

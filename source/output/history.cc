@@ -60,8 +60,9 @@ namespace auxfem
       column_list.push_back(column);
     row.resize(column_list.size());
     const DofNumbering &numbering = equations.model().numbering;
-    for (unsigned int i = 0; i < numbering.n_owned(); ++i)
-      if (numbering.is_rotation(i) && equations.model().lattice.dimension == 2)
+    for (unsigned int i = 0; i < numbering.layout().n_owned(); ++i)
+      if (numbering.unknowns().is_rotation[i] &&
+          equations.model().lattice.dimension == 2)
         rotations.push_back(i);
   }
 
@@ -116,7 +117,7 @@ namespace auxfem
       {
         const int unknown =
           equations.model().numbering.joint_unknown(joint, component);
-        if (equations.model().numbering.is_owned(unknown))
+        if (equations.model().numbering.layout().is_owned(unknown))
           sum.unknowns.push_back(unknown);
       }
     sums.push_back(std::move(sum));
@@ -134,7 +135,7 @@ namespace auxfem
         UnknownSum sum{Quantity::residual, {}, 1.};
         for (const Support::PrescribedUnknown &prescribed : support.unknowns)
           if (prescribed.component == component &&
-              numbering.is_owned(prescribed.unknown))
+              numbering.layout().is_owned(prescribed.unknown))
             sum.unknowns.push_back(prescribed.unknown);
         sums.push_back(std::move(sum));
         column_list.push_back(
@@ -229,7 +230,7 @@ namespace auxfem
     column              = add_rigid_part_values(state, column);
     column              = add_connector_sums(solution, column);
     column              = add_strains(state, column);
-    if (equations.model().numbering.n_ranks() > 1)
+    if (equations.model().numbering.layout().n_ranks() > 1)
       MPI_Allreduce(MPI_IN_PLACE,
                     row.data() + 1,
                     column - 1,

@@ -7,7 +7,7 @@ namespace auxfem
 {
   RotationVectors::RotationVectors(const LatticeModel &model)
     : model(model)
-    , rotations(model.numbering.spatial_rotations().size())
+    , rotations(model.numbering.rotations().size())
   {}
 
   void RotationVectors::follow(const State &state)
@@ -32,8 +32,8 @@ namespace auxfem
   double RotationVectors::operator[](const int unknown) const
   {
     const DofNumbering &numbering = model.numbering;
-    return rotations[numbering.spatial_rotation(unknown)]
-      .vector[numbering.spin_axis(unknown)];
+    return rotations[numbering.rotations().with(unknown)]
+      .vector[numbering.rotations().axis(unknown)];
   }
 
   double RotationVectors::largest() const

@@ -228,7 +228,7 @@ namespace auxfem
   void print_overview(const Scene &scene, const Equations &equations)
   {
     const Counts counts = count(equations);
-    if (equations.model().numbering.rank() == 0)
+    if (equations.model().numbering.layout().rank() == 0)
       std::cout << overview_text(scene,
                                  counts,
                                  equations.model().simulated.decisions)

@@ -108,7 +108,7 @@ namespace auxfem
     const DofNumbering         &numbering = equations.model().numbering;
     std::array<unsigned int, 2> mine{{0, 0}};
     for (const DofNumbering::Element &element : numbering.elements())
-      mine[0] += numbering.is_owned(element);
+      mine[0] += element.is_owned;
     for (const ConnectorGroup &group : equations.reporting().connectors)
       mine[1] += group.forces->n_reported();
     MPI_Allreduce(MPI_IN_PLACE,
@@ -116,7 +116,7 @@ namespace auxfem
                   mine.size(),
                   MPI_UNSIGNED,
                   MPI_SUM,
-                  numbering.communicator().Comm());
+                  numbering.layout().communicator());
 
     Counts counts;
     counts.joints        = equations.model().lattice.joints.size();
@@ -124,10 +124,10 @@ namespace auxfem
     counts.elements      = mine[0];
     counts.connectors    = mine[1];
     counts.rigid_parts   = equations.model().lattice.rigid_parts.size();
-    counts.unknowns      = numbering.n_unknowns();
-    counts.free_unknowns = numbering.n_free();
-    counts.conditions    = numbering.n_multipliers();
-    counts.ranks         = numbering.n_ranks();
+    counts.unknowns      = numbering.layout().n_global();
+    counts.free_unknowns = numbering.unknowns().n_free();
+    counts.conditions    = numbering.constraints().n_multipliers();
+    counts.ranks         = numbering.layout().n_ranks();
     return counts;
   }
 

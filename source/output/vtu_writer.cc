@@ -145,7 +145,7 @@ namespace auxfem
     for (unsigned int e = 0; e < numbering.elements().size(); ++e)
       {
         const DofNumbering::Element &element = numbering.elements()[e];
-        if (!numbering.is_owned(element))
+        if (!element.is_owned)
           continue;
 
         const unsigned int number = element.place.strut;
@@ -161,7 +161,7 @@ namespace auxfem
             append_point(point, values);
             values.push_back(radius);
             for (const unsigned int value :
-                 {number, strut.cell, strut.section, numbering.rank()})
+                 {number, strut.cell, strut.section, numbering.layout().rank()})
               values.push_back(value);
             for (const SetMembers &set : sets)
               values.push_back(set[number] ? 1 : 0);

@@ -1,9 +1,6 @@
 #include <auxfem/parameters/errors.h>
 #include <auxfem/reduced_cell/stepped_cell.h>
 
-#include <Epetra_Map.h>
-#include <Epetra_SerialComm.h>
-
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -18,7 +15,7 @@ namespace auxfem
       layout.velocity                 = true;
       layout.acceleration             = true;
       layout.algorithmic_acceleration = scheme.uses_algorithmic_acceleration();
-      return {Epetra_Map(2, 0, Epetra_SerialComm()), layout};
+      return {2, layout};
     }
 
     CellVector pair(const Vector &vector)
@@ -56,7 +53,7 @@ namespace auxfem
         , cell(scene)
         , state(state_of_cell(scheme))
         , trial(state)
-        , increment(state.displacement.Map())
+        , increment(state.displacement.size())
       {}
 
       CellSample start() override

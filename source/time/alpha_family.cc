@@ -27,16 +27,16 @@ namespace auxfem
   {
     // Unchanged true acceleration; the auxiliary one follows from its
     // recurrence.
-    const int     n      = from.displacement.MyLength();
-    const double *u      = from.displacement.Values();
-    const double *v      = from.velocity->Values();
-    const double *dv     = from.acceleration->Values();
+    const int     n      = from.displacement.size();
+    const double *u      = from.displacement.data();
+    const double *v      = from.velocity->data();
+    const double *dv     = from.acceleration->data();
     const double *a      = uses_algorithmic_acceleration()
-           ? from.algorithmic_acceleration->Values()
+           ? from.algorithmic_acceleration->data()
            : dv;
-    double       *u_new  = to.displacement.Values();
-    double       *v_new  = to.velocity->Values();
-    double       *dv_new = to.acceleration->Values();
+    double       *u_new  = to.displacement.data();
+    double       *v_new  = to.velocity->data();
+    double       *dv_new = to.acceleration->data();
     for (int i = 0; i < n; ++i)
       {
         const double a_new = (dv[i] - c.alpha_m * a[i]) / (1 - c.alpha_m);
@@ -62,11 +62,11 @@ namespace auxfem
                             State        &trial) const
   {
     const TangentFactors f  = factors(dt);
-    const int            n  = increment.MyLength();
-    const double        *du = increment.Values();
-    double              *u  = trial.displacement.Values();
-    double              *v  = trial.velocity->Values();
-    double              *dv = trial.acceleration->Values();
+    const int            n  = increment.size();
+    const double        *du = increment.data();
+    double              *u  = trial.displacement.data();
+    double              *v  = trial.velocity->data();
+    double              *dv = trial.acceleration->data();
     for (int i = 0; i < n; ++i)
       {
         u[i] += du[i];
@@ -74,8 +74,8 @@ namespace auxfem
         dv[i] += f.mass * du[i];
       }
     if (uses_algorithmic_acceleration())
-      trial.algorithmic_acceleration->Update(1 / (c.beta * dt * dt),
-                                             increment,
-                                             1.);
+      add_multiple(1 / (c.beta * dt * dt),
+                   increment,
+                   *trial.algorithmic_acceleration);
   }
 } // namespace auxfem

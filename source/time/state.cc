@@ -23,9 +23,9 @@ namespace auxfem
         records.back().items.size() * records.back().values_per_item;
   }
 
-  State::State(const Epetra_BlockMap &unknowns, const StateLayout &layout)
-    : displacement(unknowns)
-    , residual(unknowns)
+  State::State(const unsigned int n_unknowns, const StateLayout &layout)
+    : displacement(n_unknowns, 0.)
+    , residual(n_unknowns, 0.)
     , rotations(layout.n_rotations)
     , history(layout.n_history(), 0.)
     , energies(std::make_shared<const EnergyLedger>(layout.energies))
@@ -33,10 +33,10 @@ namespace auxfem
     , powers(energies.amounts())
   {
     if (layout.velocity)
-      velocity.emplace(unknowns);
+      velocity.emplace(n_unknowns, 0.);
     if (layout.acceleration)
-      acceleration.emplace(unknowns);
+      acceleration.emplace(n_unknowns, 0.);
     if (layout.algorithmic_acceleration)
-      algorithmic_acceleration.emplace(unknowns);
+      algorithmic_acceleration.emplace(n_unknowns, 0.);
   }
 } // namespace auxfem

@@ -11,9 +11,9 @@ namespace auxfem
     {
       to.displacement = from.displacement;
       if (to.velocity)
-        to.velocity->PutScalar(0.);
+        to.velocity->assign(to.velocity->size(), 0.);
       if (to.acceleration)
-        to.acceleration->PutScalar(0.);
+        to.acceleration->assign(to.acceleration->size(), 0.);
     }
 
     std::unique_ptr<TimeScheme> make_static(dealii::ParameterHandler & /*prm*/,
@@ -41,9 +41,9 @@ namespace auxfem
                             const double  dt,
                             State        &trial) const
   {
-    trial.displacement.Update(1., increment, 1.);
+    add_multiple(1., increment, trial.displacement);
     if (trial.velocity)
-      trial.velocity->Update(1 / dt, increment, 1.);
+      add_multiple(1 / dt, increment, *trial.velocity);
   }
 
   bool QuasiStatic::is_dynamic() const
@@ -71,7 +71,7 @@ namespace auxfem
                             const double /*dt*/,
                             State &trial) const
   {
-    trial.displacement.Update(1., increment, 1.);
+    add_multiple(1., increment, trial.displacement);
   }
 
   bool Equilibrium::is_dynamic() const

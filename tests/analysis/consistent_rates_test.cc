@@ -140,7 +140,7 @@ namespace
     EquationsOnRanks of_scene(text,
                               {"Supports/shaker/Displacement x=0.02 * t^2"},
                               MPI_COMM_SELF);
-    ASSERT_EQ(of_scene.dofs().n_multipliers(), 0u);
+    ASSERT_EQ(of_scene.dofs().constraints().n_multipliers(), 0u);
     State         state = of_scene.equations.initial_state();
     Work          work;
     TangentSolver solver(of_scene.equations, of_scene.scene.solver, work);
@@ -149,9 +149,9 @@ namespace
 
     State      direct  = state;
     const auto is_free = [&](const unsigned int i) {
-      return of_scene.dofs().kind(i) != UnknownKind::prescribed;
+      return of_scene.dofs().unknowns().kinds[i] != UnknownKind::prescribed;
     };
-    for (unsigned int i = 0; i < of_scene.dofs().n_owned(); ++i)
+    for (unsigned int i = 0; i < of_scene.dofs().layout().n_owned(); ++i)
       if (is_free(i))
         (*direct.acceleration)[i] = 0;
     const State      before  = direct;
@@ -159,15 +159,15 @@ namespace
     of_scene.residual(instant);
     solver.assemble(instant, of_scene.results, {0., 0., 1.});
     ASSERT_TRUE(solver.factorize());
-    for (unsigned int i = 0; i < of_scene.dofs().n_owned(); ++i)
+    for (unsigned int i = 0; i < of_scene.dofs().layout().n_owned(); ++i)
       solver.right_side()[i] = is_free(i) ? -direct.residual[i] : 0.;
-    Vector increment(of_scene.dofs().local_map());
+    Vector increment(of_scene.dofs().layout().n_local());
     solver.solve(increment);
     direct.acceleration->Update(1., increment, 1.);
 
     double largest = 0, prescribed = 0;
     direct.acceleration->NormInf(&largest);
-    for (unsigned int i = 0; i < of_scene.dofs().n_owned(); ++i)
+    for (unsigned int i = 0; i < of_scene.dofs().layout().n_owned(); ++i)
       {
         // Residuals of 1e-13, and inertias that differ by some hundreds.
         EXPECT_NEAR((*state.acceleration)[i],

@@ -18,7 +18,7 @@ namespace
     void begin(const Equations &equations) override
     {
       calls.push_back("begin");
-      n_unknowns = equations.model().numbering.n_unknowns();
+      n_unknowns = equations.model().numbering.layout().n_global();
     }
 
     void start(const Solution &solution) override
@@ -81,8 +81,8 @@ namespace
 
   void expect_same(const Vector &a, const Vector &b)
   {
-    ASSERT_EQ(a.MyLength(), b.MyLength());
-    for (int i = 0; i < a.MyLength(); ++i)
+    ASSERT_EQ(a.size(), b.size());
+    for (int i = 0; i < a.size(); ++i)
       EXPECT_EQ(a[i], b[i]);
   }
 
@@ -100,7 +100,7 @@ TEST(LatticeRun, TellsItsRecorderInOrder)
   const RunResult result = run.run(diary);
 
   EXPECT_EQ(diary.calls, calls_of(10));
-  EXPECT_EQ(diary.n_unknowns, run.model.numbering.n_unknowns());
+  EXPECT_EQ(diary.n_unknowns, run.model.numbering.layout().n_global());
   ASSERT_EQ(diary.times.size(), 12u);
   for (unsigned int i = 0; i <= 10; ++i)
     EXPECT_EQ(diary.times[i], i * 0.1);
@@ -185,7 +185,7 @@ TEST(LatticeRun, AFailureLeavesTheLastAcceptedSolutionAndTheReason)
                        until_there),
             "");
   ASSERT_TRUE(diary.final && until_there.final);
-  for (int i = 0; i < diary.final->MyLength(); ++i)
+  for (int i = 0; i < diary.final->size(); ++i)
     // Residuals of 1e-8 near a limit point.
     EXPECT_NEAR((*diary.final)[i], (*until_there.final)[i], 1e-5);
 }

@@ -51,8 +51,8 @@ namespace
 
   void expect_same(const Vector &a, const Vector &b)
   {
-    ASSERT_EQ(a.MyLength(), b.MyLength());
-    for (int i = 0; i < a.MyLength(); ++i)
+    ASSERT_EQ(a.size(), b.size());
+    for (int i = 0; i < a.size(); ++i)
       EXPECT_EQ(a[i], b[i]);
   }
 } // namespace

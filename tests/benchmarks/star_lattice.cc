@@ -75,7 +75,7 @@ namespace
     result.factorizations = work.factorizations - at_start.factorizations;
     result.phases         = work.wall;
     result.phases.output  = output_seconds;
-    result.unknowns       = run.model.numbering.n_free();
+    result.unknowns       = run.model.numbering.unknowns().n_free();
     const std::vector<unsigned int> &top = run.lattice.joint_sets.at("top");
     result.displacement                  = run.motion(top[c.cells / 2], 1);
     return result;

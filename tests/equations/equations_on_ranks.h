@@ -103,23 +103,25 @@ namespace auxfem
           const dealii::Point<3> &centre =
             lattice.rigid_parts[part].centre_of_mass;
           for (unsigned int c = 0; c < n_motion_components; ++c)
-            if (dofs.rigid_part_unknown(part, c) >= 0)
-              names[dofs.rigid_part_unknown(part, c)] = {{true, number, 0., c},
-                                                         centre};
+            if (dofs.constraints().motion(part, c) >= 0)
+              names[dofs.constraints().motion(part, c)] =
+                {{true, number, 0., c}, centre};
           ++number;
-          for (unsigned int i = 0; i < dofs.n_multipliers(part); ++i)
-            if (dofs.multiplier(part, i) >= 0)
-              names[dofs.multiplier(part, i)] =
+          for (unsigned int i = 0; i < dofs.constraints().n_multipliers(part);
+               ++i)
+            if (dofs.constraints().multiplier(part, i) >= 0)
+              names[dofs.constraints().multiplier(part, i)] =
                 {{true, number, double(i), n_motion_components}, centre};
           ++number;
-          n_of_parts += dofs.n_multipliers(part);
+          n_of_parts += dofs.constraints().n_multipliers(part);
         }
       // A hinge has two.
-      const unsigned int n_hinges = (dofs.n_multipliers() - n_of_parts) / 2;
+      const unsigned int n_hinges =
+        (dofs.constraints().n_multipliers() - n_of_parts) / 2;
       for (unsigned int hinge = 0; hinge < n_hinges; ++hinge, ++number)
         for (unsigned int i = 0; i < 2; ++i)
-          if (dofs.hinge_multiplier(hinge, i) >= 0)
-            names[dofs.hinge_multiplier(hinge, i)] =
+          if (dofs.constraints().hinge_multiplier(hinge, i) >= 0)
+            names[dofs.constraints().hinge_multiplier(hinge, i)] =
               {{true, number, double(i), n_motion_components}, {}};
     }
 
@@ -128,7 +130,7 @@ namespace auxfem
     {
       const DofNumbering       &dofs    = model.numbering;
       const Lattice            &lattice = model.lattice;
-      std::vector<NamedUnknown> names(dofs.n_local());
+      std::vector<NamedUnknown> names(dofs.layout().n_local());
       const dealii::FE_Q<1>     fe(dofs.order());
       for (unsigned int e = 0; e < dofs.elements().size(); ++e)
         {
@@ -189,7 +191,7 @@ namespace auxfem
     {
       const std::vector<NamedUnknown> names = name_unknowns(model);
       std::map<UnknownName, double>   values;
-      for (unsigned int i = 0; i < model.numbering.n_owned(); ++i)
+      for (unsigned int i = 0; i < model.numbering.layout().n_owned(); ++i)
         values[names[i].name] = vector[i];
       return values;
     }

@@ -61,7 +61,7 @@ namespace
     of_scene.residual(trial.step());
     of_scene.tangent(trial.step(), factors, *matrix);
 
-    const int     n = dofs.n_unknowns();
+    const int     n = dofs.layout().n_global();
     Epetra_Vector unit(dofs.owned_map()), column(unit);
     double        worst = 0, scale = 0;
     const double  h = 1e-5;
@@ -73,7 +73,7 @@ namespace
         const Vector right = trial.moved_residual(j, h, factors),
                      left  = trial.moved_residual(j, -h, factors);
         for (int i = 0; i < n; ++i)
-          if (dofs.kind(i) == UnknownKind::prescribed)
+          if (dofs.unknowns().kinds[i] == UnknownKind::prescribed)
             EXPECT_EQ(column[i], i == j ? 1. : 0.);
           else
             {
@@ -136,9 +136,10 @@ TEST(Equations, ResidualNormLeavesPrescribedRowsOut)
   const DofNumbering      &dofs    = trial.of_scene.dofs();
   const EvaluationResults &norm    = trial.of_scene.residual(trial.step());
   double                   sums[2] = {0, 0};
-  for (unsigned int i = 0; i < dofs.n_owned(); ++i)
-    if (dofs.kind(i) != UnknownKind::prescribed)
-      sums[dofs.is_rotation(i)] += trial.to.residual[i] * trial.to.residual[i];
+  for (unsigned int i = 0; i < dofs.layout().n_owned(); ++i)
+    if (dofs.unknowns().kinds[i] != UnknownKind::prescribed)
+      sums[dofs.unknowns().is_rotation[i]] +=
+        trial.to.residual[i] * trial.to.residual[i];
   EXPECT_DOUBLE_EQ(norm.force, std::sqrt(sums[0]));
   EXPECT_DOUBLE_EQ(norm.moment, std::sqrt(sums[1]));
   EXPECT_GT(norm.force_scale, 0);
@@ -180,14 +181,15 @@ TEST(Equations, PrescribedMotionAndRightSideFollowTheSupports)
   Epetra_Vector    right_side(dofs.owned_map());
   state.displacement[shaken] = 0.001;
   state.residual.PutScalar(7);
-  find_right_side(of_scene.model, step, right_side.Values());
+  find_right_side(of_scene.model, step, right_side.data());
   const double place = 0.02 * std::sin(3 * 0.2);
   EXPECT_NEAR(right_side[shaken], place - 0.001, 1e-16);
-  for (unsigned int i = 0; i < dofs.n_owned(); ++i)
+  for (unsigned int i = 0; i < dofs.layout().n_owned(); ++i)
     if (int(i) != shaken)
       {
         EXPECT_EQ(right_side[i],
-                  dofs.kind(i) == UnknownKind::prescribed ? 0. : -7.);
+                  dofs.unknowns().kinds[i] == UnknownKind::prescribed ? 0.
+                                                                      : -7.);
       }
 
   prescribe_motion(of_scene.model, step, 0.01);
@@ -326,8 +328,8 @@ namespace
     std::vector<double> residual()
     {
       of_scene.equations.residual(evaluation(), results);
-      std::vector<double> answer(to.residual.Values(),
-                                 to.residual.Values() + to.residual.MyLength());
+      std::vector<double> answer(to.residual.data(),
+                                 to.residual.data() + to.residual.size());
       answer.insert(answer.end(), to.history.begin(), to.history.end());
       answer.insert(answer.end(),
                     {results.force,
@@ -433,7 +435,7 @@ TEST(Equations, LoadDerivativeIsTheDifferenceOfResiduals)
       more.NormInf(&largest);
       EXPECT_GT(size, 0.1);
       // The residual is linear in the factor: rounding alone.
-      for (int i = 0; i < derivative.MyLength(); ++i)
+      for (int i = 0; i < derivative.size(); ++i)
         EXPECT_NEAR(derivative[i], (more[i] - less[i]) / 2.5, 1e-15 * largest);
     }
 }

@@ -48,7 +48,8 @@ TEST(MakeEquations, TwoSupportsMayHoldTheSameJointAtRest)
   EXPECT_EQ(of_scene.model.supports[1].unknowns[0].component, 1u);
   EXPECT_EQ(of_scene.model.supports[1].unknowns[0].unknown,
             of_scene.dofs().joint_unknown(2, 1));
-  EXPECT_EQ(of_scene.dofs().n_free(), of_scene.dofs().n_unknowns() - 4);
+  EXPECT_EQ(of_scene.dofs().unknowns().n_free(),
+            of_scene.dofs().layout().n_global() - 4);
 }
 
 TEST(MakeEquations, ContradictingSupportsAreRefusedByName)
@@ -144,9 +145,10 @@ TEST(MakeEquations, HingesAddRotationsAndCanBeSwitchedOff)
   const EquationsOnRanks rigid(two_struts(""), {}, MPI_COMM_SELF),
     hinged(two_struts(hinge_in_the_middle), {}, MPI_COMM_SELF),
     off(two_struts(hinge_in_the_middle), {"Effects/Hinges=off"}, MPI_COMM_SELF);
-  EXPECT_EQ(hinged.dofs().n_unknowns(), rigid.dofs().n_unknowns() + 1);
+  EXPECT_EQ(hinged.dofs().layout().n_global(),
+            rigid.dofs().layout().n_global() + 1);
   EXPECT_FALSE(hinged.dofs().joint_has(1, rotation_z));
-  EXPECT_EQ(off.dofs().n_unknowns(), rigid.dofs().n_unknowns());
+  EXPECT_EQ(off.dofs().layout().n_global(), rigid.dofs().layout().n_global());
 }
 
 TEST(MakeEquations, ASpringActsBetweenTheReleasedStrutAndTheJoint)

@@ -28,7 +28,7 @@ namespace
                   const double                    t,
                   const std::vector<std::string> &overrides = {})
       : of_scene(text, complete(overrides), MPI_COMM_SELF)
-      , forces(of_scene.dofs().local_map())
+      , forces(of_scene.dofs().layout().n_local())
     {
       State from = of_scene.equations.initial_state(), to = from;
       to.time               = t;

@@ -29,7 +29,7 @@ namespace
     State from = of_scene.equations.initial_state(), to = from;
     to.acceleration->PutScalar(1.);
     const Evaluation    step = Evaluation::step(from, to, 1.);
-    std::vector<double> residual(of_scene.dofs().n_local(), 0.);
+    std::vector<double> residual(of_scene.dofs().layout().n_local(), 0.);
     for (const auto &effect : make_masses(of_scene.scene,
                                           of_scene.lattice,
                                           of_scene.dofs(),

@@ -39,10 +39,10 @@ namespace
       on_ranks.residual(step);
       on_ranks.tangent(step, {1., 3., 5.}, *matrix);
 
-      Vector        direction(on_ranks.dofs().local_map());
+      Vector        direction(on_ranks.dofs().layout().n_local());
       Epetra_Vector owned(on_ranks.dofs().owned_map());
       fill_by_place(model, 1., direction);
-      for (int i = 0; i < owned.MyLength(); ++i)
+      for (int i = 0; i < owned.size(); ++i)
         owned[i] = direction[i];
       matrix->matrix().Multiply(false, owned, product);
     }
@@ -76,8 +76,8 @@ namespace
   void compare_evaluated(const std::string &text)
   {
     const Evaluated all(text, MPI_COMM_WORLD), alone(text, MPI_COMM_SELF);
-    ASSERT_EQ(all.on_ranks.dofs().n_unknowns(),
-              alone.on_ranks.dofs().n_unknowns());
+    ASSERT_EQ(all.on_ranks.dofs().layout().n_global(),
+              alone.on_ranks.dofs().layout().n_global());
     // Rows are summed in another order: some roundings.
     const double tolerance = 1e-13;
     expect_equal(all.on_ranks.model,
@@ -97,7 +97,8 @@ namespace
     EXPECT_NEAR(of_all.force_scale,
                 of_alone.force_scale,
                 tolerance * of_alone.force_scale);
-    EXPECT_EQ(all.on_ranks.dofs().n_free(), alone.on_ranks.dofs().n_free());
+    EXPECT_EQ(all.on_ranks.dofs().unknowns().n_free(),
+              alone.on_ranks.dofs().unknowns().n_free());
     EXPECT_EQ(worst_unknown(all.on_ranks.model, all.to),
               worst_unknown(alone.on_ranks.model, alone.to));
   }
@@ -445,12 +446,12 @@ TEST(Ranks, GhostsOfAnAcceptedStateHaveTheValuesOfTheirOwners)
                                &*all.state.velocity,
                                &*all.state.acceleration})
     {
-      Epetra_Vector owned(dofs.owned_map()), local(dofs.local_map());
-      for (unsigned int i = 0; i < dofs.n_owned(); ++i)
+      Epetra_Vector owned(dofs.owned_map()), local(dofs.layout().n_local());
+      for (unsigned int i = 0; i < dofs.layout().n_owned(); ++i)
         owned[i] = (*vector)[i];
       local.Import(owned, dofs.importer(), Insert);
       // Each rank adds the same increments in the same order.
-      for (unsigned int i = 0; i < dofs.n_local(); ++i)
+      for (unsigned int i = 0; i < dofs.layout().n_local(); ++i)
         EXPECT_EQ(local[i], (*vector)[i]);
     }
 }

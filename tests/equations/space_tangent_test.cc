@@ -178,7 +178,7 @@ end
 
     void add_noise(const double size, Vector &vector)
     {
-      for (int i = 0; i < vector.MyLength(); ++i)
+      for (int i = 0; i < vector.size(); ++i)
         vector[i] += noise(size);
     }
 
@@ -203,15 +203,15 @@ end
     Epetra_Vector unit(dofs.owned_map()), column(unit);
     double        worst = 0, scale = 0;
     const double  h = 1e-5;
-    for (int j = 0; j < unit.MyLength(); ++j)
+    for (int j = 0; j < unit.size(); ++j)
       {
         unit.PutScalar(0);
         unit[j] = 1;
         matrix->matrix().Multiply(false, unit, column);
         const Vector right = trial.moved_residual(j, h, factors),
                      left  = trial.moved_residual(j, -h, factors);
-        for (int i = 0; i < unit.MyLength(); ++i)
-          if (dofs.kind(i) != UnknownKind::prescribed)
+        for (int i = 0; i < unit.size(); ++i)
+          if (dofs.unknowns().kinds[i] != UnknownKind::prescribed)
             {
               const double difference = (right[i] - left[i]) / (2 * h);
               worst = std::max(worst, std::abs(column[i] - difference));

@@ -80,11 +80,12 @@ TEST(JointReleases, AHingeInSpaceReleasesAllThreeRotations)
     {
       EXPECT_NE(dofs.end_rotation(1, 0, c), dofs.joint_unknown(0, c));
       EXPECT_EQ(dofs.end_rotation(2, 0, c), dofs.joint_unknown(0, c));
-      EXPECT_EQ(dofs.kind(dofs.end_rotation(1, 0, c)), UnknownKind::rotation);
+      EXPECT_EQ(dofs.unknowns().kinds[dofs.end_rotation(1, 0, c)],
+                UnknownKind::rotation);
     }
-  EXPECT_NE(dofs.spatial_rotation(dofs.end_rotation(1, 0, 3)),
-            dofs.spatial_rotation(dofs.joint_unknown(0, 3)));
-  EXPECT_EQ(dofs.n_multipliers(), 0u);
+  EXPECT_NE(dofs.rotations().with(dofs.end_rotation(1, 0, 3)),
+            dofs.rotations().with(dofs.joint_unknown(0, 3)));
+  EXPECT_EQ(dofs.constraints().n_multipliers(), 0u);
 }
 
 TEST(JointReleases, EndsTurnAgainstTheJoint)

@@ -127,7 +127,7 @@ TEST_F(SmallRotationVectorsTest, AreTheEntriesOfTheDisplacement)
 {
   ASSERT_TRUE(state.rotations.empty());
   const SpaceVector entries({7, -8, 9});
-  for (unsigned int i = 0; i < model.numbering.spatial_rotations().size(); ++i)
+  for (unsigned int i = 0; i < model.numbering.rotations().size(); ++i)
     rotations.set_values(entries, i, state.displacement);
   vectors.follow(state);
   EXPECT_EQ(vector_of(0), entries);

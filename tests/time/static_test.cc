@@ -12,9 +12,9 @@ namespace
   {
     ViscousStates()
       : of_scene(frame_scene("0 0; 1 0", "0 1", ""), {}, MPI_COMM_SELF)
-      , from(of_scene.dofs().local_map(), layout())
+      , from(of_scene.dofs().layout().n_local(), layout())
       , to(from)
-      , increment(of_scene.dofs().local_map())
+      , increment(of_scene.dofs().layout().n_local())
     {
       fill_by_place(of_scene.model, 0.3, from.displacement);
       fill_by_place(of_scene.model, 1.7, *from.velocity);
@@ -42,7 +42,7 @@ TEST(QuasiStatic, VelocityIsTheBackwardDifference)
   scheme.predict(states.from, dt, states.to);
   scheme.correct(states.increment, dt, states.to);
   scheme.correct(states.increment, dt, states.to);
-  for (int i = 0; i < states.increment.MyLength(); ++i)
+  for (int i = 0; i < states.increment.size(); ++i)
     {
       EXPECT_NEAR(states.to.displacement[i],
                   states.from.displacement[i] + 2 * states.increment[i],
@@ -74,7 +74,7 @@ TEST(Equilibrium, MovesOnlyDisplacements)
     {
       scheme.predict(states.from, dt, states.to);
       scheme.correct(states.increment, dt, states.to);
-      for (int i = 0; i < states.increment.MyLength(); ++i)
+      for (int i = 0; i < states.increment.size(); ++i)
         EXPECT_EQ(states.to.displacement[i],
                   states.from.displacement[i] + states.increment[i]);
       double size = 1;

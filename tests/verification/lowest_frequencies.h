@@ -24,7 +24,7 @@ namespace auxfem
       const auto tangent = run.make_tangent();
       run.tangent(step, factors, *tangent);
 
-      std::vector<int> place(run.model.numbering.n_owned(), -1);
+      std::vector<int> place(run.model.numbering.layout().n_owned(), -1);
       for (unsigned int i = 0; i < unknowns.size(); ++i)
         place[unknowns[i]] = i;
       dealii::LAPACKFullMatrix<double> matrix(unknowns.size(), unknowns.size());
@@ -35,8 +35,9 @@ namespace auxfem
           int    *columns;
           tangent->matrix().ExtractMyRowView(unknowns[i], n, values, columns);
           for (int k = 0; k < n; ++k)
-            if (const int column = place[run.model.numbering.local_map().LID(
-                  tangent->matrix().GCID(columns[k]))];
+            if (const int column =
+                  place[run.model.numbering.layout().n_local().LID(
+                    tangent->matrix().GCID(columns[k]))];
                 column >= 0)
               matrix(i, column) += values[k];
         }

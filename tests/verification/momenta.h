@@ -28,9 +28,9 @@ namespace auxfem
       Momenta operator()()
       {
         mass->matrix().Multiply(false, *run.state.velocity, momentum);
-        const double *u = run.state.displacement.Values();
+        const double *u = run.state.displacement.data();
         Momenta       sum;
-        for (int i = 0; i < momentum.MyLength(); ++i)
+        for (int i = 0; i < momentum.size(); ++i)
           {
             const NodeUnknown &at = unknowns[i];
             if (at.component == 0)

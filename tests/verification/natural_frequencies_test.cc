@@ -62,13 +62,13 @@ subsection Discretization
   std::vector<int> bending_unknowns(const LatticeModel &model)
   {
     const DofNumbering &numbering = model.numbering;
-    std::vector<bool>   along(numbering.n_owned(), false);
+    std::vector<bool>   along(numbering.layout().n_owned(), false);
     for (unsigned int e = 0; e < numbering.elements().size(); ++e)
       for (unsigned int node = 0; node <= numbering.order(); ++node)
         along[numbering.element_unknowns(e)[3 * node]] = true;
     std::vector<int> unknowns;
-    for (unsigned int i = 0; i < numbering.n_owned(); ++i)
-      if (!along[i] && numbering.kind(i) != UnknownKind::prescribed)
+    for (unsigned int i = 0; i < numbering.layout().n_owned(); ++i)
+      if (!along[i] && numbering.unknowns().kinds[i] != UnknownKind::prescribed)
         unknowns.push_back(i);
     return unknowns;
   }

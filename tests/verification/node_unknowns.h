@@ -21,7 +21,7 @@ namespace auxfem
     inline std::vector<NodeUnknown> node_unknowns(const SceneRun &run)
     {
       const DofNumbering      &numbering = run.model.numbering;
-      std::vector<NodeUnknown> result(numbering.n_local());
+      std::vector<NodeUnknown> result(numbering.layout().n_local());
       const auto               nodes =
         dealii::FE_Q<1>(numbering.order()).get_unit_support_points();
       for (unsigned int e = 0; e < numbering.elements().size(); ++e)

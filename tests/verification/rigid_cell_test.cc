@@ -403,7 +403,8 @@ TEST(RigidArrayVerification, SupportsAndLoadsBalanceTheInertiaOfAllParts)
 {
   SceneRun run(text_of("rigid-array.prm"));
   // Upper part, lower part and rod of 12 cells, less the 4 rods on the ground.
-  EXPECT_EQ(run.model.numbering.n_free() - run.model.numbering.n_multipliers(),
+  EXPECT_EQ(run.model.numbering.unknowns().n_free() -
+              run.model.numbering.constraints().n_multipliers(),
             32u);
   run.run([&] {
     const double t = run.state.time, f1 = 2500 * std::pow(t / 0.05, 3);

@@ -29,8 +29,8 @@ namespace auxfem
       const DofNumbering &numbering = run.model.numbering;
       Epetra_Vector       vector(numbering.owned_map());
       std::mt19937        generator(1);
-      for (unsigned int i = 0; i < numbering.n_owned(); ++i)
-        vector[i] = numbering.kind(i) == UnknownKind::prescribed
+      for (unsigned int i = 0; i < numbering.layout().n_owned(); ++i)
+        vector[i] = numbering.unknowns().kinds[i] == UnknownKind::prescribed
           ? 0
           : generator() / double(generator.max()) - 0.5;
 

@@ -53,7 +53,7 @@ namespace auxfem
       SpaceVector result;
       for (unsigned int c = 0; c < 3; ++c)
         result[c] =
-          vector[run.model.numbering.rigid_part_unknown(part, first + c)];
+          vector[run.model.numbering.constraints().motion(part, first + c)];
       return result;
     }
 

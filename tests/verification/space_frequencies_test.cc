@@ -59,8 +59,8 @@ namespace
     SceneRun         run(oblique_bar(height), dynamic);
     const auto      &dofs = run.model.numbering;
     std::vector<int> unknowns;
-    for (unsigned int i = 0; i < dofs.n_owned(); ++i)
-      if (dofs.kind(i) != UnknownKind::prescribed)
+    for (unsigned int i = 0; i < dofs.layout().n_owned(); ++i)
+      if (dofs.unknowns().kinds[i] != UnknownKind::prescribed)
         unknowns.push_back(i);
     const unsigned int n_modes = 9;
     std::sort(modes.begin(), modes.end(), [](const Mode &a, const Mode &b) {

@@ -64,7 +64,7 @@ namespace auxfem
                                          values(run.state.displacement, first),
                                        p);
             sum.angular +=
-              rotated(run.state.rotations[dofs.spatial_rotation(first + 3)],
+              rotated(run.state.rotations[dofs.rotations().with(first + 3)],
                       values(momentum, first + 3));
           }
         return sum;

@@ -114,7 +114,7 @@ namespace auxfem
       const Quaternion &rotation(const unsigned int joint) const
       {
         const DofNumbering &numbering = model.numbering;
-        return state.rotations.at(numbering.spatial_rotation(
+        return state.rotations.at(numbering.rotations().with(
           numbering.joint_unknown(joint, first_rotation)));
       }
 

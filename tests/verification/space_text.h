@@ -55,7 +55,7 @@ namespace auxfem
                                         const unsigned int joint)
     {
       const DofNumbering &dofs = run.model.numbering;
-      return run.state.rotations[dofs.spatial_rotation(
+      return run.state.rotations[dofs.rotations().with(
         dofs.joint_unknown(joint, first_rotation))];
     }
   } // namespace testing_support

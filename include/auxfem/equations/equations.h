@@ -146,10 +146,6 @@ namespace auxfem
 
   /** Unknown with the largest free residual, in words, over all ranks. */
   std::string worst_unknown(const LatticeModel &model, const State &state);
-
-  /** Sums over all ranks. */
-  std::vector<double> sum_over_ranks(const LatticeModel        &model,
-                                     const std::vector<double> &mine);
 } // namespace auxfem
 
 #endif

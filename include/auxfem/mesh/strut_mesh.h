@@ -34,6 +34,12 @@ namespace auxfem
       {
         return begin + (end - begin) * (1 + xi) / 2;
       }
+
+      /** Whether @p node of the cell, in the order of FE_Q, lies at a joint. */
+      bool is_joint(const unsigned int node) const
+      {
+        return (node == 0 && begin == 0.) || (node == 1 && end == 1.);
+      }
     };
 
     /**
@@ -60,6 +66,15 @@ namespace auxfem
     Triangulation                   mesh;
     const std::vector<unsigned int> ranks; ///< by strut
   };
+
+  /** Active cells of @p container on @p mesh, which may have none. */
+  template <class Container>
+  auto active_cells(const Container &container, const StrutMesh &mesh)
+  {
+    using Range = decltype(container.active_cell_iterators());
+    return mesh.n_cells() > 0 ? container.active_cell_iterators()
+                              : Range(container.end(), container.end());
+  }
 
   /**
    * Rank of every strut: METIS on the graph of struts that meet at a joint.

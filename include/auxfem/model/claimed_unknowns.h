@@ -1,9 +1,9 @@
 #ifndef auxfem_model_claimed_unknowns_h
 #define auxfem_model_claimed_unknowns_h
 
-#include <auxfem/model/numbering.h>
+#include <auxfem/model/global_numbers.h>
 
-#include <map>
+
 
 namespace auxfem
 {
@@ -49,6 +49,11 @@ namespace auxfem
 
     /** Multipliers of hinges, on the rank of the rotation that they guide. */
     void claim_hinges();
+
+    unsigned int n_joints() const
+    {
+      return of_joint.size();
+    }
 
     /** Number of unknowns of each rank. */
     const std::vector<int> &counts() const

@@ -1,22 +1,15 @@
 #ifndef auxfem_time_state_h
 #define auxfem_time_state_h
 
+#include <auxfem/algebra/vector.h>
 #include <auxfem/elements/rotation.h>
 #include <auxfem/time/energies.h>
-
-#include <Epetra_Vector.h>
 
 #include <optional>
 #include <vector>
 
 namespace auxfem
 {
-  /**
-   * Values at all local unknowns (owned, then ghosts). Ghosts are up to date,
-   * but for residuals, which are complete in owned rows only.
-   */
-  using Vector = Epetra_Vector;
-
   /** Three of @p values, of a displacement or a rotation, say. */
   inline SpaceVector vector_at(const double *values, const int *unknowns)
   {
@@ -70,12 +63,13 @@ namespace auxfem
   /**
    * Everything that describes the structure at one time, and all that a run
    * needs to go on from there. There is one accepted state, owned by the
-   * analysis, and one trial state, owned by the time stepper.
+   * analysis, and one trial state, owned by the time stepper. Ghosts are up to
+   * date, but for residuals, which are complete in owned rows only.
    */
   struct State
   {
-    /** At rest; @p unknowns are all local ones (DofNumbering::local_map()). */
-    State(const Epetra_BlockMap &unknowns, const StateLayout &layout);
+    /** At rest; @p n_unknowns of UnknownLayout::n_local(). */
+    State(unsigned int n_unknowns, const StateLayout &layout);
 
     double        time = 0; ///< s
     unsigned long step = 0;
@@ -104,7 +98,7 @@ namespace auxfem
 
     /**
      * Large rotations in space since rest, in the order of
-     * DofNumbering::spatial_rotations().
+     * DofNumbering::rotations().
      */
     std::vector<Quaternion> rotations;
 

@@ -82,7 +82,7 @@ namespace auxfem
       {
         double along = 0;
         for (const Weight &w : load.weights)
-          if (numbering.is_owned(w.unknown))
+          if (numbering.layout().is_owned(w.unknown))
             along += w.weight * motion(step, w.unknown);
         const double mean =
           (step.from.load_factor * value_before(load, step) +
@@ -94,9 +94,10 @@ namespace auxfem
 
   double AppliedLoads::motion(const Evaluation &step, const int unknown) const
   {
-    if (const int i = numbering.spatial_rotation(unknown);
+    if (const int i = numbering.rotations().with(unknown);
         i >= 0 && !step.to.rotations.empty())
-      return rotations.spatial_turn(step, i)[numbering.spin_axis(unknown)];
+      return rotations.spatial_turn(step,
+                                    i)[numbering.rotations().axis(unknown)];
     return step.to.displacement[unknown] - step.from.displacement[unknown];
   }
 } // namespace auxfem

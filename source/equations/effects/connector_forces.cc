@@ -31,7 +31,9 @@ namespace auxfem
         Ends ends = make_ends(definition, pairs[number], numbering);
         if (std::none_of(ends.unknowns.begin(),
                          ends.unknowns.end(),
-                         [&](const int u) { return numbering.is_owned(u); }))
+                         [&](const int u) {
+                           return numbering.layout().is_owned(u);
+                         }))
           continue;
         ends.number = number;
         if (ends.counted)
@@ -56,7 +58,7 @@ namespace auxfem
         ends.unknowns[i] =
           joint == invalid_index ? -1 : numbering.joint_unknown(joint, i % 3);
       }
-    ends.counted     = numbering.is_owned(ends.unknowns[0]);
+    ends.counted     = numbering.layout().is_owned(ends.unknowns[0]);
     ends.span        = pair.second == invalid_index
              ? ground_offset
              : lattice.joints[pair.second] - lattice.joints[pair.first];
@@ -141,10 +143,10 @@ namespace auxfem
   void ConnectorForces::find_motion(const Evaluation &evaluation,
                                     ConnectorResults &results) const
   {
-    const double *before = evaluation.from.displacement.Values();
-    const double *u      = evaluation.to.displacement.Values();
+    const double *before = evaluation.from.displacement.data();
+    const double *u      = evaluation.to.displacement.data();
     const double *v =
-      evaluation.to.velocity ? evaluation.to.velocity->Values() : nullptr;
+      evaluation.to.velocity ? evaluation.to.velocity->data() : nullptr;
     for (unsigned int i = 0; i < connectors.size(); ++i)
       {
         const Ends                &ends = connectors[i];

@@ -95,7 +95,7 @@ namespace auxfem
     const int turn_about_z = joint[rotation_z];
     return is_planar
       ? exponential(SpaceVector({0, 0, state.displacement[turn_about_z]}))
-      : state.rotations[numbering.spatial_rotation(turn_about_z)];
+      : state.rotations[numbering.rotations().with(turn_about_z)];
   }
 
   void FollowingLoads::subtract(const double      factor,
@@ -172,7 +172,7 @@ namespace auxfem
           (factor_before * before.moment + factor_now * now.moment) / 2;
         for (const Joint &joint : load.joints)
           {
-            if (!numbering.is_owned(joint[0]))
+            if (!numbering.layout().is_owned(joint[0]))
               continue;
             const SpaceVector force =
               (factor_before *

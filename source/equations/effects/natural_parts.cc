@@ -25,7 +25,7 @@ namespace auxfem
     joint_begin.push_back(joints.size());
     clamp_begin.push_back(clamps.size());
     const auto multiplier = [&] {
-      return numbering.multiplier(body.part, next++);
+      return numbering.constraints().multiplier(body.part, next++);
     };
     Base base{{}, {body.rest, body.length}};
     std::copy(body.base.begin(), body.base.end(), base.unknowns.begin());
@@ -49,7 +49,8 @@ namespace auxfem
         joints.push_back(joint);
       }
     if constexpr (dim == 2)
-      for (const unsigned int joint : numbering.clamped_joints(body.part))
+      for (const unsigned int joint :
+           numbering.constraints().clamped_joints(body.part))
         clamps.push_back({{{body.base[0],
                             body.base[1],
                             body.base[2],
@@ -63,7 +64,7 @@ namespace auxfem
   void NaturalParts<dim>::add_base_rows(const Evaluation &evaluation,
                                         double           *residual) const
   {
-    const double *u = evaluation.to.displacement.Values();
+    const double *u = evaluation.to.displacement.data();
     for (const Base &base : bases)
       {
         const auto &unknowns = base.unknowns;
@@ -77,10 +78,10 @@ namespace auxfem
         if (evaluation.wants_constraint_accelerations())
           {
             row += G *
-              across_base<dim>(unknowns, evaluation.to.acceleration->Values());
+              across_base<dim>(unknowns, evaluation.to.acceleration->data());
             if (large_rotation)
               row += base.condition.curvature() *
-                across_base<dim>(unknowns, evaluation.to.velocity->Values())
+                across_base<dim>(unknowns, evaluation.to.velocity->data())
                   .norm_square();
           }
         else
@@ -95,9 +96,9 @@ namespace auxfem
   void NaturalParts<dim>::add_joint_rows(const Evaluation &evaluation,
                                          double           *residual) const
   {
-    const double *u = evaluation.to.displacement.Values();
+    const double *u = evaluation.to.displacement.data();
     const double *q = evaluation.wants_constraint_accelerations()
-      ? evaluation.to.acceleration->Values()
+      ? evaluation.to.acceleration->data()
       : u;
     for (const Joint &joint : joints)
       {
@@ -121,7 +122,7 @@ namespace auxfem
   void NaturalParts<dim>::add_clamp_rows(const Evaluation &evaluation,
                                          double           *residual) const
   {
-    const double *u = evaluation.to.displacement.Values();
+    const double *u = evaluation.to.displacement.data();
     for (const Clamp &clamp : clamps)
       {
         const auto &unknowns     = clamp.unknowns;
@@ -137,8 +138,8 @@ namespace auxfem
         double &row = residual[unknowns[5]];
         if (evaluation.wants_constraint_accelerations())
           {
-            const double *a = evaluation.to.acceleration->Values();
-            const double *v = evaluation.to.velocity->Values();
+            const double *a = evaluation.to.acceleration->data();
+            const double *v = evaluation.to.velocity->data();
             row += along * across_base<2>(unknowns, a) + turn * a[unknowns[4]];
             if (large_rotation)
               {
@@ -165,7 +166,7 @@ namespace auxfem
                                           std::size_t          &block) const
   {
     constexpr unsigned int n = 2 * dim + 1;
-    const double          *u = evaluation.to.displacement.Values();
+    const double          *u = evaluation.to.displacement.data();
     for (const Base &base : bases)
       {
         const Vec    G                  = gradient(base, u);
@@ -209,7 +210,7 @@ namespace auxfem
                                            TangentMatrix        &matrix,
                                            std::size_t          &block) const
   {
-    const double *u = evaluation.to.displacement.Values();
+    const double *u = evaluation.to.displacement.data();
     for (const Clamp &clamp : clamps)
       {
         const auto [along, turn]      = gradient(clamp, u);
@@ -242,8 +243,8 @@ namespace auxfem
   void NaturalParts<dim>::find_clamp_rates(const State &state,
                                            double      *rates) const
   {
-    const double *u = state.displacement.Values();
-    const double *v = state.velocity->Values();
+    const double *u = state.displacement.data();
+    const double *v = state.velocity->data();
     for (const Clamp &clamp : clamps)
       {
         const auto [along, turn] = gradient(clamp, u);
@@ -276,7 +277,7 @@ namespace auxfem
   {
     const unsigned int      b    = reported[i];
     const NaturalBody<dim> &body = bodies[b];
-    const double           *u    = state.displacement.Values();
+    const double           *u    = state.displacement.data();
     RigidPartReport         report;
     report.part = body.part;
     report.forces.resize(lattice.rigid_parts[body.part].joints.size());

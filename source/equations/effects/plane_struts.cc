@@ -31,12 +31,12 @@ namespace auxfem
                            const State &state)
       {
         Motion        motion;
-        const double *u = state.displacement.Values();
+        const double *u = state.displacement.data();
         for (int i = 0; i < n; ++i)
           motion.u[i] = u[unknowns[i]];
         if constexpr (damped)
           {
-            const double *v = state.velocity->Values();
+            const double *v = state.velocity->data();
             for (int i = 0; i < n; ++i)
               motion.v[i] = v[unknowns[i]];
           }

@@ -39,7 +39,7 @@ namespace auxfem
                                  double           *residual,
                                  EffectResults * /*results*/) const
   {
-    const double *a = evaluation.to.acceleration->Values();
+    const double *a = evaluation.to.acceleration->data();
     for (const Mass &mass : masses)
       residual[mass.unknown] += mass.mass * a[mass.unknown];
   }
@@ -60,9 +60,9 @@ namespace auxfem
                             const EffectResults * /*results*/,
                             EnergyAccount &account) const
   {
-    const double *v = step.to.velocity->Values();
+    const double *v = step.to.velocity->data();
     for (const Mass &mass : masses)
-      if (numbering.is_owned(mass.unknown))
+      if (numbering.layout().is_owned(mass.unknown))
         account.add(kinetic_entry,
                     mass.mass / 2 * v[mass.unknown] * v[mass.unknown]);
   }

@@ -10,7 +10,7 @@ namespace auxfem
     SpaceVector values_at(const Vector &vector, const int *unknowns)
     {
       return unknowns[0] < 0 ? SpaceVector()
-                             : vector_at(vector.Values(), unknowns);
+                             : vector_at(vector.data(), unknowns);
     }
   } // namespace
 
@@ -68,7 +68,7 @@ namespace auxfem
   {
     const int spin = hinge.unknowns[3 * which];
     return large_rotation && spin >= 0
-      ? state.rotations[numbering.spatial_rotation(spin)]
+      ? state.rotations[numbering.rotations().with(spin)]
       : Quaternion();
   }
 

@@ -66,7 +66,7 @@ namespace auxfem
                                        const double /*largest_rotation*/) const
   {
     double largest_multiplier = 0;
-    for (const int multiplier : numbering.multipliers())
+    for (const int multiplier : numbering.constraints().multipliers())
       largest_multiplier =
         std::max(largest_multiplier, std::abs(state.displacement[multiplier]));
     return largest_multiplier;

@@ -32,7 +32,7 @@ namespace auxfem
                                       double           *residual,
                                       EffectResults * /*results*/) const
   {
-    const double *a = evaluation.to.acceleration->Values();
+    const double *a = evaluation.to.acceleration->data();
     for_each([&](const auto &body) {
       constexpr unsigned int n = std::tuple_size_v<decltype(body.base)>;
       for (unsigned int i = 0; i < n; ++i)
@@ -59,7 +59,7 @@ namespace auxfem
                                  const EffectResults * /*results*/,
                                  EnergyAccount &account) const
   {
-    const double *v = step.to.velocity->Values();
+    const double *v = step.to.velocity->data();
     for_each([&](const auto &body) {
       constexpr unsigned int n = std::tuple_size_v<decltype(body.base)>;
       if (body.counted)

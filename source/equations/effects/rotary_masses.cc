@@ -39,7 +39,7 @@ namespace auxfem
     for (unsigned int i = 0; i < masses.size(); ++i)
       {
         const std::size_t block = pattern.register_block(
-          numbering.spatial_rotations()[masses[i].rotation].data(),
+          numbering.rotations()[masses[i].rotation].data(),
           3);
         if (i == 0)
           first_block = block;
@@ -66,8 +66,7 @@ namespace auxfem
                                   evaluation.to.rotations[mass.rotation],
                                   now)
                       : inertial;
-        const std::array<int, 3>   &spins =
-          numbering.spatial_rotations()[mass.rotation];
+        const std::array<int, 3> &spins = numbering.rotations()[mass.rotation];
         for (unsigned int c = 0; c < 3; ++c)
           residual[spins[c]] += torque[c];
       }
@@ -124,7 +123,7 @@ namespace auxfem
                              EnergyAccount &account) const
   {
     for (const Mass &mass : masses)
-      if (numbering.is_owned(numbering.spatial_rotations()[mass.rotation][0]))
+      if (numbering.layout().is_owned(numbering.rotations()[mass.rotation][0]))
         account.add(
           kinetic_entry,
           RotaryInertia::kinetic_energy(mass.inertia,

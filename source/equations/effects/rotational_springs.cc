@@ -46,7 +46,7 @@ namespace auxfem
                                        double           *residual,
                                        EffectResults * /*results*/) const
   {
-    const double *u = evaluation.to.displacement.Values();
+    const double *u = evaluation.to.displacement.data();
     for (const Spring &spring : springs)
       {
         const double moment = spring.stiffness * angle(spring, u);
@@ -73,9 +73,9 @@ namespace auxfem
                                   const EffectResults * /*results*/,
                                   EnergyAccount &account) const
   {
-    const double *u = step.to.displacement.Values();
+    const double *u = step.to.displacement.data();
     for (const Spring &spring : springs)
-      if (numbering.is_owned(spring.unknowns[1]))
+      if (numbering.layout().is_owned(spring.unknowns[1]))
         account.add(strain_entry,
                     spring.stiffness / 2 * angle(spring, u) * angle(spring, u));
   }

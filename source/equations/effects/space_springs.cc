@@ -22,8 +22,8 @@ namespace auxfem
     for (unsigned int c = 0; c < 3; ++c)
       {
         if (first >= 0)
-          spring.unknowns[c] = numbering.spatial_rotations()[first][c];
-        spring.unknowns[3 + c] = numbering.spatial_rotations()[second][c];
+          spring.unknowns[c] = numbering.rotations()[first][c];
+        spring.unknowns[3 + c] = numbering.rotations()[second][c];
       }
     springs.push_back(spring);
   }
@@ -133,7 +133,7 @@ namespace auxfem
                              EnergyAccount &account) const
   {
     for (unsigned int i = 0; i < springs.size(); ++i)
-      if (numbering.is_owned(springs[i].unknowns[3]))
+      if (numbering.layout().is_owned(springs[i].unknowns[3]))
         account.add(strain_entry,
                     springs[i].stiffness / 2 *
                       material_angle(i, step).norm_square());

@@ -46,7 +46,7 @@ namespace auxfem
               (element.place.end - element.place.begin) / 2;
             elements.push_back({section.mass_per_length() * jacobian,
                                 section.mass_proportional_damping,
-                                numbering.is_owned(element)});
+                                element.is_owned});
             if (rotary)
               add_rotary_inertia(lattice, element.place, section, jacobian);
           }
@@ -147,7 +147,7 @@ namespace auxfem
           rate                = inertia.momenta(e, acceleration);
           if constexpr (large_rotation)
             for (int i = 0; i <= order; ++i)
-              rotation[i] = state.rotations[inertia.numbering.spatial_rotation(
+              rotation[i] = state.rotations[inertia.numbering.rotations().with(
                 unknowns[n_components * i + 3])];
         }
 
@@ -172,7 +172,7 @@ namespace auxfem
       gather(const Vector &vector, const int *unknowns, const int first)
       {
         NodeVectors<order> result;
-        const double      *values = vector.Values();
+        const double      *values = vector.data();
         for (int i = 0; i <= order; ++i)
           for (int c = 0; c < 3; ++c)
             result[i][c] = values[unknowns[n_components * i + first + c]];
@@ -262,7 +262,7 @@ namespace auxfem
         for (int i = 0; i <= order; ++i)
           by_spin[i] =
             node_rotations.turn_by_spin(evaluation,
-                                        numbering.spatial_rotation(
+                                        numbering.rotations().with(
                                           unknowns[n_components * i + 3]));
         for (int i = 0; i <= order; ++i)
           {

@@ -52,14 +52,14 @@ namespace auxfem
                            const State        &state)
       {
         Motion        motion;
-        const double *u = state.displacement.Values(),
-                     *v = damped ? state.velocity->Values() : nullptr;
+        const double *u = state.displacement.data(),
+                     *v = damped ? state.velocity->data() : nullptr;
         if constexpr (large_rotation)
           for (int a = 0; a <= order; ++a)
             {
               const int        *node = unknowns + n_components * a;
               const Quaternion &rotation =
-                state.rotations[numbering.spatial_rotation(node[3])];
+                state.rotations[numbering.rotations().with(node[3])];
               motion.nodes[a] = {vector_at(u, node), rotation};
               motion.turns[a] = vector_at(u, node + 3);
               if constexpr (damped)
@@ -342,7 +342,7 @@ namespace auxfem
         for (int a = 0; a <= order; ++a)
           {
             const int i =
-              numbering.spatial_rotation(unknowns[n_components * a + 3]);
+              numbering.rotations().with(unknowns[n_components * a + 3]);
             by_spin[a] = -factors.stiffness *
                 cross_product_tensor(motion.velocities[a].angular) +
               factors.damping *

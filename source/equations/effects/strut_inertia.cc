@@ -32,7 +32,7 @@ namespace auxfem
                  ? section.rotary_inertia_per_length()[2] * jacobian
                  : 0.,
                section.mass_proportional_damping,
-               numbering.is_owned(element)});
+               element.is_owned});
           }
       }
 
@@ -45,8 +45,8 @@ namespace auxfem
                         double           *residual,
                         EffectResults * /*results*/) const override
       {
-        const double *a = evaluation.to.acceleration->Values();
-        const double *v = evaluation.to.velocity->Values();
+        const double *a = evaluation.to.acceleration->data();
+        const double *v = evaluation.to.velocity->data();
         double        local[n];
         for (unsigned int e = 0; e < elements.size(); ++e)
           {
@@ -114,7 +114,7 @@ namespace auxfem
       template <class Weight>
       double sum_v_M_v(const State &state, const Weight &weight) const
       {
-        const double *v   = state.velocity->Values();
+        const double *v   = state.velocity->data();
         double        sum = 0;
         for (unsigned int e = 0; e < elements.size(); ++e)
           if (elements[e].counted)

@@ -42,7 +42,7 @@ namespace auxfem
                     joint.unknowns[3 + c] = body.centre[c];
                     joint.unknowns[6 + c] = body.rotation[c];
                     joint.unknowns[9 + c] =
-                      numbering.multiplier(body.part, 3 * k + c);
+                      numbering.constraints().multiplier(body.part, 3 * k + c);
                   }
                 longest_arm = std::max(longest_arm, joint.arm.norm());
                 joints.push_back(joint);
@@ -160,7 +160,7 @@ namespace auxfem
         const std::array<int, 3> &spins = bodies[reported[i]].rotation;
         return large_rotation
           ? rotation_vector(quaternion(bodies[reported[i]], state))
-          : vector_at(state.displacement.Values(), spins.data());
+          : vector_at(state.displacement.data(), spins.data());
       }
 
       PointMotion motion(const unsigned int      i,
@@ -204,7 +204,7 @@ namespace auxfem
       static SpaceVector
       values(const Vector &vector, const Joint &joint, const unsigned int first)
       {
-        return vector_at(vector.Values(), &joint.unknowns[first]);
+        return vector_at(vector.data(), &joint.unknowns[first]);
       }
 
       /** Of the joint less of the centre. */
@@ -217,7 +217,7 @@ namespace auxfem
       Quaternion quaternion(const TurningBody &body, const State &state) const
       {
         return large_rotation
-          ? state.rotations[numbering.spatial_rotation(body.rotation[0])]
+          ? state.rotations[numbering.rotations().with(body.rotation[0])]
           : Quaternion();
       }
 

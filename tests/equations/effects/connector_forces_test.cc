@@ -58,7 +58,7 @@ namespace
                of_scene.dofs(),
                large_rotation)
       , layout(layout_of(forces, is_dynamic))
-      , from(of_scene.dofs().local_map(), layout)
+      , from(of_scene.dofs().layout().n_local(), layout)
       , to(from)
     {}
 
@@ -263,7 +263,7 @@ namespace
     TangentAlone tangent(connector.forces, connector.of_scene.dofs());
     tangent.fill(connector.evaluated(), factors);
 
-    const unsigned int n     = connector.of_scene.dofs().n_unknowns();
+    const unsigned int n     = connector.of_scene.dofs().layout().n_global();
     const double       h     = 1e-5;
     double             worst = 0, scale = 0;
     for (unsigned int j = 0; j < n; ++j)

@@ -27,7 +27,7 @@ namespace auxfem
       EvaluatedAlone(const Effect &effect, const Evaluation &evaluation)
         : effect(effect)
         , evaluation(evaluation)
-        , residual(evaluation.to.displacement.MyLength(), 0.)
+        , residual(evaluation.to.displacement.size(), 0.)
         , results(effect.make_results())
       {
         effect.add_residual(evaluation, residual.data(), results.get());
@@ -80,9 +80,9 @@ namespace auxfem
       std::vector<double> times(const std::vector<double> &direction) const
       {
         Epetra_Vector x(pattern.numbering().owned_map()), y(x);
-        std::copy(direction.begin(), direction.end(), x.Values());
+        std::copy(direction.begin(), direction.end(), x.data());
         matrix.matrix().Multiply(false, x, y);
-        return {y.Values(), y.Values() + y.MyLength()};
+        return {y.data(), y.data() + y.size()};
       }
 
       const Effect        &effect;

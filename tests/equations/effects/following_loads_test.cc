@@ -42,7 +42,7 @@ TEST(FollowingLoads, TurnWithTheJointInSpace)
   const auto               &dofs = one.of_scene.dofs();
   const std::vector<double> rows = one.residual(one.loads, one.to);
   const Quaternion         &P =
-    one.to.rotations[dofs.spatial_rotation(dofs.joint_unknown(1, rotation_z))];
+    one.to.rotations[dofs.rotations().with(dofs.joint_unknown(1, rotation_z))];
   const SpaceVector force  = rotated(P, SpaceVector({3, -2, 1.5})),
                     moment = rotated(P, SpaceVector({0.7, 5, -4}));
   double others            = 0;
@@ -129,7 +129,7 @@ TEST(FollowingLoads, WorkOfASmallStepIsThatOfTheLoadAlongIt)
     }
   const SpaceVector turn =
     one.rotations.spatial_turn(step,
-                               dofs.spatial_rotation(
+                               dofs.rotations().with(
                                  dofs.joint_unknown(1, rotation_z)));
   for (unsigned int c = 0; c < 3; ++c)
     work -= rows[dofs.joint_unknown(1, 3 + c)] * turn[c];

@@ -47,8 +47,8 @@ namespace
       for (unsigned int h = 0; h < 2; ++h)
         hinges.add(spins(0, 1),
                    spins(1 + h, 0),
-                   {{of_scene.dofs().hinge_multiplier(h, 0),
-                     of_scene.dofs().hinge_multiplier(h, 1)}},
+                   {{of_scene.dofs().constraints().hinge_multiplier(h, 0),
+                     of_scene.dofs().constraints().hinge_multiplier(h, 1)}},
                    of_scene.scene.joints[0].axis);
     }
 
@@ -60,9 +60,9 @@ TEST(RevoluteHinges, EveryReleasedStrutHasTwoConditions)
 {
   const EquationsOnRanks of_scene(forked, {}, MPI_COMM_SELF);
   const auto            &dofs = of_scene.dofs();
-  EXPECT_EQ(dofs.n_multipliers(), 4u);
+  EXPECT_EQ(dofs.constraints().n_multipliers(), 4u);
   EXPECT_EQ(of_scene.equations.reporting().conditions.size(), 1u);
-  EXPECT_EQ(dofs.describe(dofs.hinge_multiplier(1, 0)),
+  EXPECT_EQ(dofs.describe(dofs.constraints().hinge_multiplier(1, 0)),
             "condition of the revolute hinge at joint 1");
 }
 

@@ -42,7 +42,7 @@ namespace
       , tangent(conditions, of_scene.dofs())
       , from(of_scene.equations.initial_state())
       , to(from)
-      , n(of_scene.dofs().n_unknowns())
+      , n(of_scene.dofs().layout().n_global())
     {
       for (unsigned int i = 0; i < n; ++i)
         {
@@ -54,7 +54,7 @@ namespace
 
     bool is_multiplier(const unsigned int i) const
     {
-      return of_scene.dofs().kind(i) == UnknownKind::multiplier;
+      return of_scene.dofs().unknowns().kinds[i] == UnknownKind::multiplier;
     }
 
     EvaluatedAlone evaluated()
@@ -230,8 +230,8 @@ TEST(RigidPartConditions, SmallDisplacementsAreLinear)
   EXPECT_TRUE(plate.conditions.is_linear());
   EXPECT_FALSE(PlateConditions(true).conditions.is_linear());
   // A linear residual without constant is its tangent times the unknowns.
-  const std::vector<double> unknowns(plate.to.displacement.Values(),
-                                     plate.to.displacement.Values() + plate.n);
+  const std::vector<double> unknowns(plate.to.displacement.data(),
+                                     plate.to.displacement.data() + plate.n);
   const std::vector<double> product = plate.tangent_times(unknowns),
                             rows    = plate.residual();
   for (unsigned int i = 0; i < plate.n; ++i)

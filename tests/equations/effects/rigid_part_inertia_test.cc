@@ -104,7 +104,7 @@ TEST(RigidPartInertia, KineticEnergyIsThatOfTheRigidBody)
 TEST(RigidPartInertia, TangentIsTheDerivativeByAccelerations)
 {
   InertiaOfL          L;
-  std::vector<double> a(L.of_scene.dofs().n_unknowns());
+  std::vector<double> a(L.of_scene.dofs().layout().n_global());
   for (unsigned int i = 0; i < a.size(); ++i)
     a[i] = (*L.to.acceleration)[i] = std::sin(1 + 1.7 * i);
   const EvaluatedAlone evaluated(L.inertia, L.step());

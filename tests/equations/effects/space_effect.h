@@ -49,7 +49,7 @@ end
         , rotations(of_scene.dofs())
         , from(of_scene.equations.initial_state())
         , to(from)
-        , n(of_scene.dofs().n_unknowns())
+        , n(of_scene.dofs().layout().n_global())
       {
         to = moved(irregular(0.4), 1.5);
         for (unsigned int i = 0; i < n; ++i)
@@ -61,7 +61,7 @@ end
 
       bool is_multiplier(const unsigned int i) const
       {
-        return of_scene.dofs().kind(i) == UnknownKind::multiplier;
+        return of_scene.dofs().unknowns().kinds[i] == UnknownKind::multiplier;
       }
 
       std::vector<double> irregular(const double phase) const

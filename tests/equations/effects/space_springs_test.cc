@@ -24,8 +24,8 @@ namespace
     {
       const auto &dofs = of_scene.dofs();
       first =
-        to_ground ? -1 : dofs.spatial_rotation(dofs.end_rotation(0, 1, 3));
-      second = dofs.spatial_rotation(dofs.end_rotation(1, 0, 3));
+        to_ground ? -1 : dofs.rotations().with(dofs.end_rotation(0, 1, 3));
+      second = dofs.rotations().with(dofs.end_rotation(1, 0, 3));
       spring.add(first, second, 1.7, /*number=*/0);
       make_room_for(spring);
     }

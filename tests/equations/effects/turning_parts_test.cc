@@ -58,9 +58,9 @@ TEST(TurningParts, ConditionsAreThreeAJointAndThoseOfABar)
   const EquationsOnRanks of_scene(body_and_bar, {}, MPI_COMM_SELF);
   EXPECT_TRUE(of_scene.lattice.rigid_parts.at(0).has_rotation);
   EXPECT_FALSE(of_scene.lattice.rigid_parts.at(1).has_rotation);
-  EXPECT_EQ(of_scene.dofs().n_multipliers(0), 12u);
+  EXPECT_EQ(of_scene.dofs().constraints().n_multipliers(0), 12u);
   // 3 joints keep 5 of 9 freedoms.
-  EXPECT_EQ(of_scene.dofs().n_multipliers(1), 4u);
+  EXPECT_EQ(of_scene.dofs().constraints().n_multipliers(1), 4u);
 }
 
 TEST(TurningParts, ClampedStrutsHaveTheRotationOfTheBody)
@@ -69,13 +69,13 @@ TEST(TurningParts, ClampedStrutsHaveTheRotationOfTheBody)
   const auto            &dofs = of_scene.dofs();
   for (unsigned int c = 3; c < 6; ++c)
     {
-      EXPECT_EQ(dofs.end_rotation(3, 0, c), dofs.rigid_part_unknown(0, c));
-      EXPECT_EQ(dofs.end_rotation(4, 0, c), dofs.rigid_part_unknown(0, c));
-      EXPECT_EQ(dofs.joint_unknown(1, c), dofs.rigid_part_unknown(0, c));
-      EXPECT_NE(dofs.joint_unknown(4, c), dofs.rigid_part_unknown(0, c));
+      EXPECT_EQ(dofs.end_rotation(3, 0, c), dofs.constraints().motion(0, c));
+      EXPECT_EQ(dofs.end_rotation(4, 0, c), dofs.constraints().motion(0, c));
+      EXPECT_EQ(dofs.joint_unknown(1, c), dofs.constraints().motion(0, c));
+      EXPECT_NE(dofs.joint_unknown(4, c), dofs.constraints().motion(0, c));
       EXPECT_FALSE(dofs.joint_has(6, c));
     }
-  EXPECT_EQ(dofs.describe(dofs.rigid_part_unknown(0, 4)),
+  EXPECT_EQ(dofs.describe(dofs.constraints().motion(0, 4)),
             "rotation about y of the rigid part of joints 0 1 2 3");
 }
 
@@ -124,7 +124,7 @@ TEST(TurningParts, MotionOfItsJointsIsThatOfTheBody)
       for (unsigned int c = 0; c < 3; ++c)
         EXPECT_NEAR(motion.displacement[c],
                     parts.to.displacement[dofs.joint_unknown(joint, c)] -
-                      rows[dofs.multiplier(0, 3 * k + c)],
+                      rows[dofs.constraints().multiplier(0, 3 * k + c)],
                     1e-13);
     }
 }
@@ -192,7 +192,7 @@ TEST(TurningParts, LoadsOnRigidStrutsAndMomentsActAtTheirPlace)
       const double x          = 2 - part.centre_of_mass[0],
                    y          = 0.5 - part.centre_of_mass[1];
       const auto acceleration = [&](const unsigned int c) {
-        return (*run.state.acceleration)[dofs.rigid_part_unknown(0, c)];
+        return (*run.state.acceleration)[dofs.constraints().motion(0, c)];
       };
       EXPECT_NEAR(acceleration(2), 12. / 6, 1e-13);
       EXPECT_NEAR(acceleration(3), 12 * y / 2, 1e-13);

@@ -58,7 +58,7 @@ namespace auxfem
             length * (element.place.end - element.place.begin) / 2;
           data.stiffness =
             Beam::stiffness(section, shear_flexibility ? 0. : length);
-          data.counted          = numbering.is_owned(element);
+          data.counted          = element.is_owned;
           const double stiffest = Beam::largest_stiffness(data.stiffness);
           largest_stiffness     = std::max(largest_stiffness, stiffest);
           largest_stiffness_per_length =

@@ -106,8 +106,8 @@ namespace auxfem
 
     void find_rates(const State &state, double *rates) const override
     {
-      const double *u = state.displacement.Values();
-      const double *v = state.velocity->Values();
+      const double *u = state.displacement.data();
+      const double *v = state.velocity->data();
       for (const Base &base : bases)
         rates[base.unknowns[2 * dim]] =
           gradient(base, u) * across_base<dim>(base.unknowns, v);
@@ -138,7 +138,7 @@ namespace auxfem
     {
       const NaturalBody<dim> &body = bodies[reported[i]];
       const Vec               stretch =
-        across_base<dim>(body.base, state.displacement.Values());
+        across_base<dim>(body.base, state.displacement.data());
       SpaceVector result;
       if constexpr (dim == 2)
         {

@@ -1,0 +1,82 @@
+#ifndef auxfem_model_global_numbers_h
+#define auxfem_model_global_numbers_h
+
+#include <auxfem/mesh/motion_components.h>
+#include <auxfem/mesh/strut_mesh.h>
+#include <auxfem/model/ties.h>
+
+#include <map>
+
+namespace auxfem
+{
+  class ClaimedUnknowns;
+
+  /**
+   * Global numbers of the unknowns of a lattice, the same on every rank; each
+   * rank owns a contiguous range. -1: there is no such unknown.
+   */
+  struct GlobalNumbers
+  {
+    /** By component of motion. */
+    using OfMotion = std::array<int, n_motion_components>;
+
+    struct OfRigidPart
+    {
+      std::vector<unsigned int> clamped_joints; ///< in the plane
+      /** Displacement of its centre of mass and rotation, if they are unknowns
+       * of its own. */
+      OfMotion         motion;
+      std::vector<int> multipliers;
+    };
+
+    struct OfHinge
+    {
+      unsigned int       joint;
+      std::array<int, 2> multipliers;
+    };
+
+    /**
+     * @param components of motion that nodes have.
+     * Collective.
+     */
+    GlobalNumbers(const Lattice                   &lattice,
+                  const StrutMesh                 &mesh,
+                  unsigned int                     order,
+                  const std::vector<unsigned int> &components,
+                  const Ties                      &ties,
+                  unsigned int                     n_ranks);
+
+    std::vector<OfMotion> joints;
+    /** Rotations of the released ends of elastic struts, by strut and end. */
+    std::map<std::pair<unsigned int, unsigned int>, OfMotion> released_ends;
+    std::vector<OfRigidPart>                                  rigid_parts;
+    std::vector<OfHinge>                                      hinges;
+    /** Of all elements' nodes, in the order of active cells. */
+    std::vector<int> cells;
+    /** Numbers owned by rank r: [first_owned[r], first_owned[r + 1]). */
+    std::vector<int> first_owned;
+
+    /** Of a rotation; components below first_rotation are -1. */
+    OfMotion rotation(const Turning &turning) const;
+
+    /** Of all unknowns that the conditions of a rigid part couple. */
+    std::vector<int> of_rigid_part(const Lattice &lattice,
+                                   unsigned int   rigid_part) const;
+
+    /** Joint that multiplier @p number of a rigid part holds to the others. */
+    unsigned int constrained_joint(const Lattice &lattice,
+                                   unsigned int   rigid_part,
+                                   unsigned int   number) const;
+
+    /**
+     * Of unknowns that act on each other through rotational springs and hinges,
+     * each with the multipliers.
+     */
+    std::vector<std::vector<int>> coupled(const Ties &ties) const;
+
+  private:
+    void take(const ClaimedUnknowns &claimed);
+  };
+} // namespace auxfem
+
+#endif

@@ -1,0 +1,172 @@
+#include <auxfem/model/claimed_unknowns.h>
+
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/fe/fe_q.h>
+
+#include <algorithm>
+
+namespace auxfem
+{
+  GlobalNumbers::GlobalNumbers(const Lattice                   &lattice,
+                               const StrutMesh                 &mesh,
+                               const unsigned int               order,
+                               const std::vector<unsigned int> &components,
+                               const Ties                      &ties,
+                               const unsigned int               n_ranks)
+  {
+    const dealii::FE_Q<1> fe(order);
+    dealii::DoFHandler<1> nodes(mesh.triangulation());
+    if (mesh.n_cells() > 0)
+      nodes.distribute_dofs(fe);
+
+    // Every node gets the numbers its joint has, if it lies at one, else those
+    // of its own. Numbers are first counted apart for each rank (the rank whose
+    // cell touches the unknown first owns it), then shifted to rank ranges.
+    using Unknown                     = ClaimedUnknowns::Unknown;
+    const std::size_t    n_components = components.size();
+    ClaimedUnknowns      claimed(lattice, ties, n_ranks);
+    std::vector<Unknown> of_node(std::size_t(nodes.n_dofs()) * n_components);
+    std::vector<const Unknown *> of_cell;
+    of_cell.reserve(std::size_t(mesh.n_cells()) * fe.n_dofs_per_cell() *
+                    n_components);
+
+    std::vector<dealii::types::global_dof_index> of_this(fe.n_dofs_per_cell());
+    for (const auto &cell : active_cells(nodes, mesh))
+      {
+        const StrutMesh::Place place = StrutMesh::place(cell);
+        const int              rank  = cell->subdomain_id();
+        cell->get_dof_indices(of_this);
+        for (unsigned int node = 0; node < of_this.size(); ++node)
+          {
+            Unknown *own = &of_node[of_this[node] * n_components];
+            for (const unsigned int component : components)
+              of_cell.push_back(
+                place.is_joint(node)
+                  ? claimed.claim_end(place.strut, node, component, rank)
+                  : claimed.claim(*own++, rank));
+          }
+      }
+    claimed.claim_joints(mesh);
+    claimed.claim_rigid_parts();
+    claimed.claim_hinges();
+    take(claimed);
+
+    cells.resize(of_cell.size());
+    std::transform(of_cell.begin(),
+                   of_cell.end(),
+                   cells.begin(),
+                   [&](const Unknown *unknown) {
+                     return first_owned[unknown->owner] + unknown->number;
+                   });
+    for (unsigned int h = 0; h < hinges.size(); ++h)
+      hinges[h].joint = ties.hinged[h].joint;
+  }
+
+  void GlobalNumbers::take(const ClaimedUnknowns &claimed)
+  {
+    first_owned.assign(1, 0);
+    for (const int n_owned_by_rank : claimed.counts())
+      first_owned.push_back(first_owned.back() + n_owned_by_rank);
+    const auto global = [this](const ClaimedUnknowns::Unknown &unknown) {
+      return unknown.owner < 0 ? -1
+                               : first_owned[unknown.owner] + unknown.number;
+    };
+    const auto all_global = [&](const ClaimedUnknowns::Motion &unknowns) {
+      OfMotion numbers;
+      std::transform(unknowns.begin(), unknowns.end(), numbers.begin(), global);
+      return numbers;
+    };
+    for (unsigned int joint = 0; joint < claimed.n_joints(); ++joint)
+      joints.push_back(all_global(claimed.joint(joint)));
+    for (const auto &[end, rotation] : claimed.released_ends())
+      released_ends[end] = all_global(rotation);
+    for (const ClaimedUnknowns::RigidPartClaims &part : claimed.rigid_parts())
+      {
+        rigid_parts.push_back(
+          {part.clamped_joints, all_global(part.motion), {}});
+        for (const ClaimedUnknowns::Unknown &multiplier : part.multipliers)
+          rigid_parts.back().multipliers.push_back(global(multiplier));
+      }
+    for (const auto &hinge : claimed.hinges())
+      hinges.push_back({invalid_index, {{global(hinge[0]), global(hinge[1])}}});
+  }
+
+  std::vector<int>
+  GlobalNumbers::of_rigid_part(const Lattice     &lattice,
+                               const unsigned int rigid_part) const
+  {
+    const OfRigidPart &part   = rigid_parts[rigid_part];
+    std::vector<int>   result = part.multipliers;
+    result.insert(result.end(), part.motion.begin(), part.motion.end());
+    for (const unsigned int joint : lattice.rigid_parts[rigid_part].joints)
+      for (unsigned int component = 0; component < lattice.dimension;
+           ++component)
+        result.push_back(joints[joint][component]);
+    for (const unsigned int joint : part.clamped_joints)
+      result.push_back(joints[joint][rotation_z]);
+    return result;
+  }
+
+  unsigned int GlobalNumbers::constrained_joint(const Lattice     &lattice,
+                                                const unsigned int rigid_part,
+                                                const unsigned int number) const
+  {
+    const RigidPart   &part = lattice.rigid_parts[rigid_part];
+    const unsigned int d    = lattice.dimension;
+    if (part.has_rotation)
+      return part.joints[number / d];
+    if (number == 0)
+      return part.joints[1];
+    const unsigned int joint = 2 + (number - 1) / d;
+    return joint < part.joints.size()
+      ? part.joints[joint]
+      : rigid_parts[rigid_part]
+          .clamped_joints[number - 1 - d * (part.joints.size() - 2)];
+  }
+
+  GlobalNumbers::OfMotion GlobalNumbers::rotation(const Turning &turning) const
+  {
+    OfMotion   numbers = {{-1, -1, -1, -1, -1, -1}};
+    const auto take    = [&numbers](const OfMotion &from) {
+      for (unsigned int c = first_rotation; c < n_motion_components; ++c)
+        numbers[c] = from[c];
+    };
+    switch (turning.what)
+      {
+        case Turning::What::ground:
+          break;
+        case Turning::What::joint:
+          take(joints[turning.index]);
+          break;
+        case Turning::What::strut_end:
+          take(released_ends.at({turning.index, turning.end}));
+          break;
+        case Turning::What::rigid_part:
+          take(rigid_parts[turning.index].motion);
+          break;
+      }
+    return numbers;
+  }
+
+  std::vector<std::vector<int>> GlobalNumbers::coupled(const Ties &ties) const
+  {
+    std::vector<std::vector<int>> result;
+    const auto                    add = [&](const TurningPair &pair) {
+      result.emplace_back();
+      for (const Turning &turning : {pair.base, pair.end})
+        for (const int number : rotation(turning))
+          if (number >= 0)
+            result.back().push_back(number);
+    };
+    for (const TurningPair &pair : ties.sprung)
+      add(pair);
+    for (unsigned int h = 0; h < ties.hinged.size(); ++h)
+      {
+        add(ties.hinged[h]);
+        result.back().insert(result.back().end(),
+                             hinges[h].multipliers.begin(),
+                             hinges[h].multipliers.end());
+      }
+    return result;
+  }
+} // namespace auxfem

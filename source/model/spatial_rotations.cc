@@ -1,0 +1,53 @@
+#include <auxfem/model/spatial_rotations.h>
+
+#include <algorithm>
+
+namespace auxfem
+{
+  SpatialRotations::SpatialRotations(const unsigned int n_local_unknowns)
+    : of_unknown(n_local_unknowns, -1)
+  {}
+
+  void SpatialRotations::add(const std::array<int, 3> &spins)
+  {
+    if (spins[0] < 0 || of_unknown[spins[0]] >= 0)
+      return;
+    for (const int spin : spins)
+      of_unknown[spin] = rotations.size();
+    rotations.push_back(spins);
+  }
+
+  unsigned int SpatialRotations::size() const
+  {
+    return rotations.size();
+  }
+
+  const std::array<int, 3> &
+  SpatialRotations::operator[](const unsigned int i) const
+  {
+    return rotations[i];
+  }
+
+  std::vector<std::array<int, 3>>::const_iterator
+  SpatialRotations::begin() const
+  {
+    return rotations.begin();
+  }
+
+  std::vector<std::array<int, 3>>::const_iterator SpatialRotations::end() const
+  {
+    return rotations.end();
+  }
+
+  int SpatialRotations::with(const unsigned int unknown) const
+  {
+    return of_unknown[unknown];
+  }
+
+  unsigned int SpatialRotations::axis(const unsigned int unknown) const
+  {
+    const std::array<int, 3> &spins = rotations[of_unknown[unknown]];
+    return std::find(spins.begin(), spins.end(), static_cast<int>(unknown)) -
+      spins.begin();
+  }
+} // namespace auxfem

@@ -1,0 +1,166 @@
+#include <auxfem/model/rigid_parts.h>
+#include <auxfem/model/unknown_words.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <sstream>
+
+namespace auxfem
+{
+  const char *motion_in_words(const unsigned int component,
+                              const unsigned int dimension)
+  {
+    constexpr std::array<const char *, n_motion_components> in_plane = {
+      {"horizontal displacement",
+       "vertical displacement",
+       "",
+       "",
+       "",
+       "rotation"}};
+    constexpr std::array<const char *, n_motion_components> in_space = {
+      {"displacement along x",
+       "displacement along y",
+       "displacement along z",
+       "rotation about x",
+       "rotation about y",
+       "rotation about z"}};
+    return (dimension == 2 ? in_plane : in_space)[component];
+  }
+
+  namespace
+  {
+    /** Words for an unknown of a rigid part or a hinge; empty for others. */
+    std::string describe_constraint(const Lattice       &lattice,
+                                    const GlobalNumbers &numbers,
+                                    const int            global)
+    {
+      const auto has = [global](const auto &of_kind) {
+        return std::find(of_kind.begin(), of_kind.end(), global) !=
+          of_kind.end();
+      };
+      for (unsigned int p = 0; p < numbers.rigid_parts.size(); ++p)
+        {
+          const GlobalNumbers::OfMotion &motion = numbers.rigid_parts[p].motion;
+          std::ostringstream             words;
+          if (has(numbers.rigid_parts[p].multipliers))
+            words << "condition";
+          else if (has(motion))
+            words << motion_in_words(
+              std::find(motion.begin(), motion.end(), global) - motion.begin(),
+              lattice.dimension);
+          else
+            continue;
+          words << " of the rigid part of joints";
+          const auto &joints = lattice.rigid_parts[p].joints;
+          for (unsigned int i = 0; i < joints.size() && i < 4; ++i)
+            words << ' ' << joints[i];
+          words << (joints.size() > 4 ? " ..." : "");
+          return words.str();
+        }
+      for (const GlobalNumbers::OfHinge &hinge : numbers.hinges)
+        if (has(hinge.multipliers))
+          return "condition of the revolute hinge at joint " +
+            std::to_string(hinge.joint);
+      return "";
+    }
+
+    /** Words for an unknown of a joint; empty for others. */
+    std::string describe_of_joint(const Lattice      &lattice,
+                                  const DofNumbering &numbering,
+                                  const int           global)
+    {
+      for (unsigned int j = 0; j < lattice.joints.size(); ++j)
+        for (const unsigned int c : numbering.components())
+          if (numbering.global().joints[j][c] == global)
+            {
+              std::ostringstream words;
+              words << motion_in_words(c, lattice.dimension) << " of joint "
+                    << j << " at (" << lattice.joints[j][0] << ", "
+                    << lattice.joints[j][1];
+              if (lattice.dimension == 3)
+                words << ", " << lattice.joints[j][2];
+              words << ")";
+              return words.str();
+            }
+      return "";
+    }
+
+    /** Words for an unknown of a node inside a strut or of a released end. */
+    std::string describe_of_strut(const Lattice      &lattice,
+                                  const DofNumbering &numbering,
+                                  const unsigned int  unknown)
+    {
+      const unsigned int n = numbering.n_components() * (numbering.order() + 1);
+      for (unsigned int e = 0; e < numbering.elements().size(); ++e)
+        {
+          const int *const        begin = numbering.element_unknowns(e),
+                           *const end   = begin + n,
+                           *const found =
+                             std::find(begin, end, static_cast<int>(unknown));
+          if (found == end)
+            continue;
+          const unsigned int number = numbering.elements()[e].place.strut;
+          const Strut       &strut  = lattice.struts[number];
+          std::ostringstream words;
+          words
+            << motion_in_words(numbering.components()[(found - begin) %
+                                                      numbering.n_components()],
+                               lattice.dimension)
+            << " of strut " << number << " (joints " << strut.joints[0] << " - "
+            << strut.joints[1] << ")";
+          return words.str();
+        }
+      return "";
+    }
+  } // namespace
+
+  std::string describe(const Lattice      &lattice,
+                       const DofNumbering &numbering,
+                       const unsigned int  unknown)
+  {
+    const int   global = numbering.layout().global(unknown);
+    std::string words =
+      describe_constraint(lattice, numbering.global(), global);
+    if (words.empty())
+      words = describe_of_joint(lattice, numbering, global);
+    return words.empty() ? describe_of_strut(lattice, numbering, unknown)
+                         : words;
+  }
+
+  std::string describe_largest(const Lattice             &lattice,
+                               const DofNumbering        &numbering,
+                               const std::vector<double> &size)
+  {
+    namespace MPI = dealii::Utilities::MPI;
+
+    const UnknownLayout &layout  = numbering.layout();
+    const auto           place   = std::max_element(size.begin(), size.end());
+    const double         largest = size.empty() ? -1. : *place;
+    // Every rank gets the words of the lowest rank that has the largest value.
+    const unsigned int who =
+      MPI::min(largest == layout.largest(largest) ? layout.rank()
+                                                  : layout.n_ranks(),
+               layout.communicator());
+    const std::string words = who == layout.rank()
+      ? describe(lattice, numbering, place - size.begin())
+      : "";
+    return MPI::broadcast(layout.communicator(), words, who);
+  }
+
+  std::string why_no_rotation(const Lattice      &lattice,
+                              const DofNumbering &numbering,
+                              const unsigned int  joint)
+  {
+    const bool is_of_rigid_part = joints_of_rigid_parts(lattice)[joint] &&
+      !numbering.joint_has(joint, rotation_z);
+    return "joint " + std::to_string(joint) +
+      " has no rotation of its own, because " +
+      (is_of_rigid_part
+         ? "a rigid part is hinged there. Act on a second joint of the part "
+           "(hold it, load it, give it a mass), or give the part a Rotary "
+           "inertia."
+         : "every strut is released there or no strut ends there. Leave one "
+           "strut unreleased, or take another joint.");
+  }
+} // namespace auxfem
