@@ -97,7 +97,8 @@ namespace auxfem
     const double end = parameters.time_at(state.step + 1);
     while (state.time < end)
       {
-        equations.update_pattern(state);
+        if (equations.update_couplings(state))
+          trial.state.take_ghosts(equations.unknowns().layout);
         renew_rates(solution);
         const PlannedStep planned =
           control->plan(state.time, next_target(state.time, end));

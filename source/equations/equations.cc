@@ -84,7 +84,7 @@ namespace auxfem
 
   State Equations::initial_state() const
   {
-    State state(structure.numbering.layout().n_local(), state_layout);
+    State state(unknowns().layout.n_local(), state_layout);
     for (const auto &[unknown, velocity] : initial_velocities)
       (*state.velocity)[unknown] = velocity;
     return state;
@@ -103,7 +103,7 @@ namespace auxfem
                            EvaluationResults &results) const
   {
     double *residual = evaluation.to.residual.data();
-    std::fill(residual, residual + structure.numbering.layout().n_local(), 0.);
+    std::fill(residual, residual + evaluation.to.residual.size(), 0.);
     // Sums of squares of forces and moments: of internal forces, of internal
     // and inertia forces, and of the residual in free rows; then of conditions.
     std::vector<double> sums(7, 0.);
@@ -158,7 +158,7 @@ namespace auxfem
 
   Vector Equations::load_derivative(const Evaluation &evaluation) const
   {
-    Vector derivative(structure.numbering.layout().n_local());
+    Vector derivative(unknowns().layout.n_local(), 0.);
     for (const auto &effect : effects)
       effect->add_load_derivative(evaluation, derivative.data());
     return derivative;
@@ -175,15 +175,29 @@ namespace auxfem
       structure.numbering.layout().sum(account.close());
   }
 
-  void Equations::update_pattern(const State &accepted)
+  const Unknowns &Equations::unknowns() const
   {
-    bool changed = false;
+    return with_ghosts ? *with_ghosts : structure.numbering.unknowns();
+  }
+
+  bool Equations::update_couplings(State &accepted)
+  {
+    bool             changed = false;
+    std::vector<int> wanted;
     for (const auto &effect : effects)
-      changed = effect->update_couplings(accepted) || changed;
-    if (!changed)
-      return;
-    tangent_pattern.clear();
+      changed = effect->update_couplings(accepted, wanted) || changed;
+    if (unknowns().layout.largest(changed || !wanted.empty()) == 0)
+      return false;
+    auto       more = std::make_unique<Unknowns>(unknowns());
+    const bool grow = more->add_ghosts(wanted);
+    if (grow)
+      {
+        with_ghosts = std::move(more);
+        accepted.take_ghosts(unknowns().layout);
+      }
+    tangent_pattern.reset(unknowns());
     register_blocks();
+    return grow;
   }
 
   double Equations::round_off_floor(const State             &state,

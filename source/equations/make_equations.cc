@@ -37,13 +37,16 @@ namespace auxfem
     }
   } // namespace
 
-  Equations::Equations(const Scene &scene, const LatticeModel &model)
+  Equations::Equations(const Scene                         &scene,
+                       const LatticeModel                  &model,
+                       std::vector<std::unique_ptr<Effect>> further)
     : structure(model)
     , state_layout(layout_of_scheme(scene, model))
-    , tangent_pattern(model.numbering)
+    , tangent_pattern(model.numbering.unknowns())
   {
     make_internal_forces(scene);
     make_conditions(scene);
+    std::move(further.begin(), further.end(), std::back_inserter(effects));
     n_internal = effects.size();
     if (model.simulated.inertia)
       make_inertia(scene);
@@ -76,6 +79,10 @@ namespace auxfem
 
   void Equations::register_blocks()
   {
+    const DofNumbering &numbering = structure.numbering;
+    const unsigned int  n = (numbering.order() + 1) * numbering.n_components();
+    for (unsigned int e = 0; e < numbering.elements().size(); ++e)
+      tangent_pattern.register_block(numbering.element_unknowns(e), n);
     for (const auto &effect : effects)
       effect->register_blocks(tangent_pattern);
   }

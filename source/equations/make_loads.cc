@@ -2,8 +2,8 @@
 #include <auxfem/equations/effects/following_loads.h>
 #include <auxfem/equations/make_loads.h>
 #include <auxfem/mesh/sets.h>
-#include <auxfem/model/unknown_words.h>
 #include <auxfem/model/line_rule.h>
+#include <auxfem/model/unknown_words.h>
 #include <auxfem/parameters/errors.h>
 
 #include <algorithm>

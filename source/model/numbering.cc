@@ -33,10 +33,9 @@ namespace auxfem
     , kept(find_kept(mesh,
                      ties,
                      dealii::Utilities::MPI::this_mpi_process(communicator)))
-    , unknown_layout(communicator, kept.n_owned, kept.ghosts)
-    , of_unknowns(unknown_layout)
-    , of_constraints(numbers, unknown_layout, kept.rigid_parts)
-    , in_space(unknown_layout.n_local())
+    , of_unknowns(UnknownLayout(communicator, kept.n_owned, kept.ghosts))
+    , of_constraints(numbers, layout(), kept.rigid_parts)
+    , in_space(layout().n_local())
   {
     take_elements();
     mark_unknowns();
@@ -105,8 +104,7 @@ namespace auxfem
     element_numbers.reserve(kept.cells.size() * n);
     for (const std::size_t c : kept.cells)
       for (unsigned int i = 0; i < n; ++i)
-        element_numbers.push_back(
-          unknown_layout.local(numbers.cells[c * n + i]));
+        element_numbers.push_back(layout().local(numbers.cells[c * n + i]));
     numbers.cells.clear();
     numbers.cells.shrink_to_fit();
     kept = Kept();
@@ -134,7 +132,7 @@ namespace auxfem
                                  const unsigned int             node) {
       for (unsigned int c = 0; c < n_motion_components; ++c)
         if (of_motion[c] >= 0)
-          mark(unknown_layout.local(of_motion[c]), node, c);
+          mark(layout().local(of_motion[c]), node, c);
     };
     const unsigned int n_nodes = polynomial_order + 1;
     for (std::size_t e = 0; e < element_list.size(); ++e)
@@ -165,7 +163,7 @@ namespace auxfem
   void DofNumbering::mark_constraints()
   {
     const auto mark_multiplier = [this](const int global, const int joint) {
-      const int unknown = unknown_layout.local(global);
+      const int unknown = layout().local(global);
       if (unknown < 0)
         return;
       of_unknowns.kinds[unknown] = UnknownKind::multiplier;
@@ -193,9 +191,9 @@ namespace auxfem
   {
     const auto add_global = [this](const GlobalNumbers::OfMotion &of_motion) {
       if (of_motion[first_rotation] >= 0)
-        in_space.add({{unknown_layout.local(of_motion[3]),
-                       unknown_layout.local(of_motion[4]),
-                       unknown_layout.local(of_motion[5])}});
+        in_space.add({{layout().local(of_motion[3]),
+                       layout().local(of_motion[4]),
+                       layout().local(of_motion[5])}});
     };
     for (std::size_t i = 0; i < element_numbers.size(); i += n_components())
       in_space.add({{element_numbers[i + 3],
@@ -226,7 +224,7 @@ namespace auxfem
 
   const UnknownLayout &DofNumbering::layout() const
   {
-    return unknown_layout;
+    return of_unknowns.layout;
   }
 
   const Unknowns &DofNumbering::unknowns() const
@@ -263,7 +261,7 @@ namespace auxfem
   int DofNumbering::joint_unknown(const unsigned int joint,
                                   const unsigned int component) const
   {
-    return unknown_layout.local(numbers.joints[joint][component]);
+    return layout().local(numbers.joints[joint][component]);
   }
 
   bool DofNumbering::joint_has(const unsigned int joint,
@@ -283,12 +281,12 @@ namespace auxfem
       released == numbers.released_ends.end()
       ? numbers.joints[lattice.struts[strut].joints[end]]
       : released->second;
-    return unknown_layout.local(of_end[component]);
+    return layout().local(of_end[component]);
   }
 
   int DofNumbering::rotation_unknown(const Turning     &turning,
                                      const unsigned int component) const
   {
-    return unknown_layout.local(numbers.rotation(turning)[component]);
+    return layout().local(numbers.rotation(turning)[component]);
   }
 } // namespace auxfem

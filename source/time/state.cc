@@ -39,4 +39,18 @@ namespace auxfem
     if (layout.algorithmic_acceleration)
       algorithmic_acceleration.emplace(n_unknowns, 0.);
   }
+
+  void State::take_ghosts(const UnknownLayout &layout)
+  {
+    const auto take = [&layout](Vector &values) {
+      values.resize(layout.n_local(), 0.);
+      layout.update_ghosts(values.data());
+    };
+    take(displacement);
+    residual.resize(layout.n_local(), 0.);
+    for (std::optional<Vector> *rate :
+         {&velocity, &acceleration, &algorithmic_acceleration})
+      if (*rate)
+        take(**rate);
+  }
 } // namespace auxfem

@@ -34,7 +34,7 @@ namespace auxfem
   {
     explicit Unknowns(const UnknownLayout &layout);
 
-    const UnknownLayout *layout;
+    UnknownLayout layout;
     /** By local unknown. */
     std::vector<UnknownKind> kinds;
     /** Whether a local unknown is a rotation, prescribed or not. */
@@ -58,6 +58,12 @@ namespace auxfem
     std::vector<unsigned int> components;
     /** Ties moments to forces (m). */
     double length = 1;
+
+    /**
+     * Keeps copies of further unknowns of other ranks. Returns whether any rank
+     * has gained one. Collective.
+     */
+    bool add_ghosts(const std::vector<int> &globals);
 
     OwnedRows owned_rows() const;
 

@@ -40,8 +40,11 @@ namespace auxfem
     /**
      * Brings what couples unknowns up to date with an accepted state, between
      * steps. Returns whether blocks must be registered anew.
+     * @param wanted receives global numbers of unknowns that the effect needs
+     *   from now on; they are local when blocks are registered. Collective.
      */
-    virtual bool update_couplings(const State & /*accepted*/)
+    virtual bool update_couplings(const State & /*accepted*/,
+                                  std::vector<int> & /*wanted*/)
     {
       return false;
     }

@@ -47,13 +47,19 @@ namespace auxfem
      * @param scene, model must outlive the object. Throws InputError for
      * contradictions only the model can show (a moment on a joint without
      * rotation).
+     * @param further internal forces beside those of the scene
      */
-    Equations(const Scene &scene, const LatticeModel &model);
+    Equations(const Scene                         &scene,
+              const LatticeModel                  &model,
+              std::vector<std::unique_ptr<Effect>> further = {});
 
     const LatticeModel     &model() const;
     const StateLayout      &layout() const;
     const TangentPattern   &pattern() const;
     const ReportingEffects &reporting() const;
+
+    /** Those of the model, with the ghosts that effects have asked for. */
+    const Unknowns &unknowns() const;
 
     /** Whether one tangent serves all states (for a constant step). */
     bool is_linear() const;
@@ -93,9 +99,11 @@ namespace auxfem
 
     /**
      * Brings the couplings of the effects up to date with an accepted state.
-     * Where they change, the pattern does.
+     * Where they change, the pattern does; where they reach unknowns of other
+     * ranks, @p accepted gains them as ghosts, and other states must
+     * (State::take_ghosts()): then true is returned. Collective.
      */
-    void update_pattern(const State &accepted);
+    bool update_couplings(State &accepted);
 
     /**
      * Norm (N) below which the residual at @p state is round-off.
@@ -126,6 +134,8 @@ namespace auxfem
     unsigned int     n_balanced = 0;
     ReportingEffects reporting_effects;
     StateLayout      state_layout;
+    /** If they are more than the model's. */
+    std::unique_ptr<Unknowns> with_ghosts;
     TangentPattern   tangent_pattern;
     /** Local unknown, value. */
     std::vector<std::pair<int, double>> initial_velocities;

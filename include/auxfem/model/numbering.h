@@ -126,7 +126,6 @@ namespace auxfem
     GlobalNumbers                   numbers;
     std::vector<Element>            element_list;
     Kept                            kept; ///< emptied after set-up
-    UnknownLayout                   unknown_layout;
     std::vector<int>                element_numbers;
     Unknowns                        of_unknowns;
     ConstraintUnknowns              of_constraints;

@@ -1,7 +1,7 @@
 #ifndef auxfem_time_state_h
 #define auxfem_time_state_h
 
-#include <auxfem/algebra/vector.h>
+#include <auxfem/algebra/unknown_layout.h>
 #include <auxfem/elements/rotation.h>
 #include <auxfem/time/energies.h>
 
@@ -70,6 +70,10 @@ namespace auxfem
   {
     /** At rest; @p n_unknowns of UnknownLayout::n_local(). */
     State(unsigned int n_unknowns, const StateLayout &layout);
+
+    /** Makes room for ghosts that @p layout has gained, and fetches them.
+     * Collective. */
+    void take_ghosts(const UnknownLayout &layout);
 
     double        time = 0; ///< s
     unsigned long step = 0;
