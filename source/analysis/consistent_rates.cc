@@ -201,8 +201,7 @@ namespace auxfem
     for (const double size : solver.matrix().row_sizes())
       emptiness.push_back(size == 0 ? 1. : 0.);
     throw InputError(
-      "Nothing resists the " +
-      describe_largest(model.lattice, model.numbering, emptiness) +
+      "Nothing resists the " + describe_largest(model.numbering, emptiness) +
       ": no mass, no strut and no connector. Give the joint a mass, "
       "connect it or leave it out.");
   }

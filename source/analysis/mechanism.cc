@@ -31,8 +31,7 @@ namespace auxfem
         sizes[i] = std::abs(mode[i]) *
           (numbering.unknowns().is_rotation[i] ? model.mean_strut_length / 2
                                                : 1.);
-      const std::string words =
-        describe_largest(model.lattice, numbering, sizes);
+      const std::string words = describe_largest(numbering, sizes);
       throw InputError(
         "The structure is not supported: it can move without any resistance, most of "
         "all the " +

@@ -49,7 +49,7 @@ namespace auxfem
         std::string(model.lattice.dimension == 3
                       ? "Rigid parts and revolute hinges: a "
                       : "Rigid parts: a ") +
-        describe_largest(model.lattice, numbering, sizes) +
+        describe_largest(numbering, sizes) +
         " follows from the conditions of other parts and the supports, so the "
         "forces in them are not determined.\n" +
         (model.lattice.dimension == 3

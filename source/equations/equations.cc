@@ -269,6 +269,6 @@ namespace auxfem
     };
     measure(model.rows.free_translations, 1.);
     measure(model.rows.free_rotations, model.mean_strut_length);
-    return describe_largest(model.lattice, model.numbering, sizes);
+    return describe_largest(model.numbering, sizes);
   }
 } // namespace auxfem

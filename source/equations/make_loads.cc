@@ -50,7 +50,7 @@ namespace auxfem
               if (!numbering.joint_has(joint, c))
                 throw InputError(definition.path + "/Moment " +
                                  "xyz"[c - first_rotation] + ": " +
-                                 why_no_rotation(lattice, numbering, joint));
+                                 why_no_rotation(numbering, joint));
               const int unknown = numbering.joint_unknown(joint, c);
               if (unknown >= 0)
                 loads.add_weight(load, unknown, 1.);
@@ -75,7 +75,7 @@ namespace auxfem
           if (!numbering.joint_has(joint, rotation_z))
             throw InputError(definition.path +
                              "/Direction = follows the joint: " +
-                             why_no_rotation(lattice, numbering, joint));
+                             why_no_rotation(numbering, joint));
           if (numbering.joint_unknown(joint, rotation_z) >= 0)
             loads.add_joint(load, joint);
         }

@@ -18,14 +18,13 @@ namespace auxfem
     }
 
     void refuse_missing_rotation(const MassDefinition &mass,
-                                 const Lattice        &lattice,
                                  const DofNumbering   &numbering,
                                  const unsigned int    joint)
     {
       if (mass.rotary_inertia.norm() > 0 &&
           !numbering.joint_has(joint, rotation_z))
-        throw InputError(mass.path + "/Rotary inertia: " +
-                         why_no_rotation(lattice, numbering, joint));
+        throw InputError(
+          mass.path + "/Rotary inertia: " + why_no_rotation(numbering, joint));
     }
 
     SpaceTensor along_global_axes(const SpaceVector &values)
@@ -55,7 +54,7 @@ namespace auxfem
                                                     scene.context,
                                                     mass.path + "/Joints"))
         {
-          refuse_missing_rotation(mass, lattice, numbering, joint);
+          refuse_missing_rotation(mass, numbering, joint);
           for (const unsigned int c : numbering.components())
             {
               const int unknown = numbering.joint_unknown(joint, c);

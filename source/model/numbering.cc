@@ -21,7 +21,7 @@ namespace auxfem
                              const unsigned int order,
                              const Ties        &ties,
                              const MPI_Comm     communicator)
-    : lattice(lattice)
+    : of_lattice(lattice)
     , polynomial_order(order)
     , node_components(components_of_nodes(lattice.dimension))
     , numbers(lattice,
@@ -41,7 +41,7 @@ namespace auxfem
     mark_unknowns();
     mark_constraints();
     mark_prescribed(ties.prescribed);
-    if (lattice.dimension == 3)
+    if (of_lattice.dimension == 3)
       find_rotations();
   }
 
@@ -81,7 +81,7 @@ namespace auxfem
         if (mine != invalid_index && is_mine(numbers.joints[mine][0]))
           for (const unsigned int other : {pair.first, pair.second})
             if (other != invalid_index)
-              for (unsigned int component = 0; component < lattice.dimension;
+              for (unsigned int component = 0; component < of_lattice.dimension;
                    ++component)
                 keep(numbers.joints[other][component]);
     for (const std::vector<int> &of_tie : numbers.coupled(ties))
@@ -89,7 +89,7 @@ namespace auxfem
         std::for_each(of_tie.begin(), of_tie.end(), keep);
     for (unsigned int p = 0; p < numbers.rigid_parts.size(); ++p)
       {
-        const std::vector<int> of_part = numbers.of_rigid_part(lattice, p);
+        const std::vector<int> of_part = numbers.of_rigid_part(of_lattice, p);
         if (std::none_of(of_part.begin(), of_part.end(), is_mine))
           continue;
         std::for_each(of_part.begin(), of_part.end(), keep);
@@ -126,7 +126,7 @@ namespace auxfem
 
   void DofNumbering::mark_unknowns()
   {
-    of_unknowns.positions  = lattice.joints;
+    of_unknowns.positions  = of_lattice.joints;
     of_unknowns.components = node_components;
     const auto mark_all    = [this](const GlobalNumbers::OfMotion &of_motion,
                                  const unsigned int             node) {
@@ -147,17 +147,17 @@ namespace auxfem
             }
     for (unsigned int p = 0; p < numbers.rigid_parts.size(); ++p)
       {
-        const RigidPart &part = lattice.rigid_parts[p];
+        const RigidPart &part = of_lattice.rigid_parts[p];
         dealii::Point<3> middle;
         for (const unsigned int joint : part.joints)
-          middle += lattice.joints[joint] / double(part.joints.size());
+          middle += of_lattice.joints[joint] / double(part.joints.size());
         mark_all(numbers.rigid_parts[p].motion, of_unknowns.positions.size());
         of_unknowns.positions.push_back(middle);
       }
     for (unsigned int joint = 0; joint < numbers.joints.size(); ++joint)
       mark_all(numbers.joints[joint], joint);
     for (const auto &[end, of_motion] : numbers.released_ends)
-      mark_all(of_motion, lattice.struts[end.first].joints[end.second]);
+      mark_all(of_motion, of_lattice.struts[end.first].joints[end.second]);
   }
 
   void DofNumbering::mark_constraints()
@@ -173,7 +173,7 @@ namespace auxfem
       for (unsigned int i = 0; i < numbers.rigid_parts[p].multipliers.size();
            ++i)
         mark_multiplier(numbers.rigid_parts[p].multipliers[i],
-                        numbers.constrained_joint(lattice, p, i));
+                        numbers.constrained_joint(of_lattice, p, i));
     for (const GlobalNumbers::OfHinge &hinge : numbers.hinges)
       for (const int global : hinge.multipliers)
         mark_multiplier(global, hinge.joint);
@@ -205,6 +205,11 @@ namespace auxfem
       add_global(end.second);
     for (const GlobalNumbers::OfRigidPart &part : numbers.rigid_parts)
       add_global(part.motion);
+  }
+
+  const Lattice &DofNumbering::lattice() const
+  {
+    return of_lattice;
   }
 
   unsigned int DofNumbering::order() const
@@ -274,12 +279,12 @@ namespace auxfem
                                  const unsigned int end,
                                  const unsigned int component) const
   {
-    if (lattice.struts[strut].is_rigid())
+    if (of_lattice.struts[strut].is_rigid())
       return -1;
     const auto released = numbers.released_ends.find({strut, end});
     const GlobalNumbers::OfMotion &of_end =
       released == numbers.released_ends.end()
-      ? numbers.joints[lattice.struts[strut].joints[end]]
+      ? numbers.joints[of_lattice.struts[strut].joints[end]]
       : released->second;
     return layout().local(of_end[component]);
   }

@@ -65,7 +65,6 @@ namespace auxfem
     bool is_needless(const SupportDefinition &definition,
                      const unsigned int       joint,
                      const unsigned int       component,
-                     const Lattice           &lattice,
                      const DofNumbering      &numbering,
                      const std::vector<bool> &is_of_rigid_part)
     {
@@ -76,7 +75,7 @@ namespace auxfem
         return true;
       throw InputError(definition.path + "/Rotation " +
                        "xyz"[component - first_rotation] + ": " +
-                       why_no_rotation(lattice, numbering, joint) +
+                       why_no_rotation(numbering, joint) +
                        " Type = pin holds displacements only.");
     }
 
@@ -136,7 +135,6 @@ namespace auxfem
                   is_needless(definition,
                               joint,
                               c,
-                              lattice,
                               numbering,
                               is_of_rigid_part) ||
                   !holders.is_first(definition, joint, c, lattice, numbering))

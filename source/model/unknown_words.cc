@@ -115,12 +115,12 @@ namespace auxfem
     }
   } // namespace
 
-  std::string describe(const Lattice      &lattice,
-                       const DofNumbering &numbering,
+  std::string describe(const DofNumbering &numbering,
                        const unsigned int  unknown)
   {
-    const int   global = numbering.layout().global(unknown);
-    std::string words =
+    const Lattice &lattice = numbering.lattice();
+    const int      global  = numbering.layout().global(unknown);
+    std::string    words =
       describe_constraint(lattice, numbering.global(), global);
     if (words.empty())
       words = describe_of_joint(lattice, numbering, global);
@@ -128,8 +128,7 @@ namespace auxfem
                          : words;
   }
 
-  std::string describe_largest(const Lattice             &lattice,
-                               const DofNumbering        &numbering,
+  std::string describe_largest(const DofNumbering        &numbering,
                                const std::vector<double> &size)
   {
     namespace MPI = dealii::Utilities::MPI;
@@ -142,17 +141,16 @@ namespace auxfem
       MPI::min(largest == layout.largest(largest) ? layout.rank()
                                                   : layout.n_ranks(),
                layout.communicator());
-    const std::string words = who == layout.rank()
-      ? describe(lattice, numbering, place - size.begin())
-      : "";
+    const std::string words =
+      who == layout.rank() ? describe(numbering, place - size.begin()) : "";
     return MPI::broadcast(layout.communicator(), words, who);
   }
 
-  std::string why_no_rotation(const Lattice      &lattice,
-                              const DofNumbering &numbering,
+  std::string why_no_rotation(const DofNumbering &numbering,
                               const unsigned int  joint)
   {
-    const bool is_of_rigid_part = joints_of_rigid_parts(lattice)[joint] &&
+    const bool is_of_rigid_part =
+      joints_of_rigid_parts(numbering.lattice())[joint] &&
       !numbering.joint_has(joint, rotation_z);
     return "joint " + std::to_string(joint) +
       " has no rotation of its own, because " +

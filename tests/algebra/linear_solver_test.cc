@@ -53,7 +53,7 @@ namespace
     }
 
     /** Largest |A x - b|, b being about one. */
-    double residual(const Epetra_Vector &x)
+    double residual(const Vector &x)
     {
       Epetra_Vector image(of_scene.dofs().owned_map());
       matrix->matrix().Multiply(false, x, image);
@@ -228,7 +228,7 @@ TEST(LinearSolver, AKeptFactorizationServesOldEquations)
       system.fill(0.3);
       system.set_right_side();
       Epetra_Vector difference = system.solver.solve();
-      difference.Update(-1., first, 1.);
+      add_multiple(-1., first, difference);
       double size = 0;
       difference.NormInf(&size);
       EXPECT_LT(size, round_off);
@@ -281,7 +281,7 @@ TEST(LinearSolver, ServesThePatternAsItIsNow)
       // GMRES stops at 1e-13 of the norm of some 200 rows of about one.
       EXPECT_LT(system.residual(second), type == "gmres" ? 1e-11 : round_off);
       Epetra_Vector difference = second;
-      difference.Update(-1., first, 1.);
+      add_multiple(-1., first, difference);
       double size = 0;
       difference.NormInf(&size);
       EXPECT_GT(size, 1e-3);

@@ -169,7 +169,7 @@ TEST(StrutCondensation, CondensedSolutionFulfilsAllEquations)
   system.condensation.expand(z, x);
 
   system.matrix->matrix().Multiply(false, x, image);
-  image.Update(-1., b, 1.);
+  add_multiple(-1., b, image);
   double error = 0;
   image.NormInf(&error);
   // Rounding of a right-hand side of one, in several stages.

@@ -163,10 +163,10 @@ namespace
       solver.right_side()[i] = is_free(i) ? -direct.residual[i] : 0.;
     Vector increment(of_scene.dofs().layout().n_local());
     solver.solve(increment);
-    direct.acceleration->Update(1., increment, 1.);
+    add_multiple(1., increment, *direct.acceleration);
 
     double largest = 0, prescribed = 0;
-    direct.acceleration->NormInf(&largest);
+    largest = largest_size(*direct.acceleration);
     for (unsigned int i = 0; i < of_scene.dofs().layout().n_owned(); ++i)
       {
         // Residuals of 1e-13, and inertias that differ by some hundreds.

@@ -186,8 +186,8 @@ namespace auxfem
     }
 
     /** Values of @p vector at this rank's own unknowns, by their names. */
-    inline std::map<UnknownName, double> by_name(const LatticeModel  &model,
-                                                 const Epetra_Vector &vector)
+    inline std::map<UnknownName, double> by_name(const LatticeModel &model,
+                                                 const Vector       &vector)
     {
       const std::vector<NamedUnknown> names = name_unknowns(model);
       std::map<UnknownName, double>   values;

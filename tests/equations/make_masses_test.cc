@@ -27,7 +27,7 @@ namespace
   std::vector<double> under_unit_acceleration(const EquationsOnRanks &of_scene)
   {
     State from = of_scene.equations.initial_state(), to = from;
-    to.acceleration->PutScalar(1.);
+    to.acceleration->assign(to.acceleration->size(), 1.);
     const Evaluation    step = Evaluation::step(from, to, 1.);
     std::vector<double> residual(of_scene.dofs().layout().n_local(), 0.);
     for (const auto &effect : make_masses(of_scene.scene,

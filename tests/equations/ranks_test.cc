@@ -26,7 +26,7 @@ namespace
       , from(on_ranks.equations.initial_state())
       , to(from)
       , matrix(on_ranks.make_tangent())
-      , product(on_ranks.dofs().owned_map())
+      , product(on_ranks.dofs().layout().n_owned())
     {
       const LatticeModel &model = on_ranks.model;
       to.time                   = 0.3;
@@ -39,29 +39,25 @@ namespace
       on_ranks.residual(step);
       on_ranks.tangent(step, {1., 3., 5.}, *matrix);
 
-      Vector        direction(on_ranks.dofs().layout().n_local());
-      Epetra_Vector owned(on_ranks.dofs().owned_map());
+      Vector direction(on_ranks.dofs().layout().n_local());
       fill_by_place(model, 1., direction);
-      for (int i = 0; i < owned.size(); ++i)
-        owned[i] = direction[i];
-      matrix->matrix().Multiply(false, owned, product);
+      matrix->multiply(direction.data(), product.data());
     }
 
     EquationsOnRanks               on_ranks;
     State                          from, to;
     std::unique_ptr<TangentMatrix> matrix;
-    Epetra_Vector                  product;
+    Vector                         product;
   };
 
   /** Compares this rank's own values with those of the same unknowns alone. */
-  void expect_equal(const LatticeModel  &model,
-                    const Epetra_Vector &values,
-                    const LatticeModel  &alone,
-                    const Epetra_Vector &values_alone,
-                    const double         relative_tolerance)
+  void expect_equal(const LatticeModel &model,
+                    const Vector       &values,
+                    const LatticeModel &alone,
+                    const Vector       &values_alone,
+                    const double        relative_tolerance)
   {
-    double scale = 0;
-    values_alone.NormInf(&scale);
+    const double scale = largest_size(values_alone);
     ASSERT_GT(scale, 0);
     const auto reference = by_name(alone, values_alone);
     for (const auto &[name, value] : by_name(model, values))
@@ -446,10 +442,9 @@ TEST(Ranks, GhostsOfAnAcceptedStateHaveTheValuesOfTheirOwners)
                                &*all.state.velocity,
                                &*all.state.acceleration})
     {
-      Epetra_Vector owned(dofs.owned_map()), local(dofs.layout().n_local());
-      for (unsigned int i = 0; i < dofs.layout().n_owned(); ++i)
-        owned[i] = (*vector)[i];
-      local.Import(owned, dofs.importer(), Insert);
+      Vector local(dofs.layout().n_local());
+      std::copy_n(vector->begin(), dofs.layout().n_owned(), local.begin());
+      dofs.layout().update_ghosts(local.data());
       // Each rank adds the same increments in the same order.
       for (unsigned int i = 0; i < dofs.layout().n_local(); ++i)
         EXPECT_EQ(local[i], (*vector)[i]);

@@ -159,14 +159,14 @@ end
     {
       State  moved = to;
       Vector increment(to.displacement);
-      increment.PutScalar(0);
+      increment.assign(increment.size(), 0);
       increment[i] = h;
       rotations.turn(step(moved), increment);
-      moved.displacement.Update(factors.stiffness, increment, 1);
+      add_multiple(factors.stiffness, increment, moved.displacement);
       if (moved.velocity)
-        moved.velocity->Update(factors.damping, increment, 1);
+        add_multiple(factors.damping, increment, *moved.velocity);
       if (moved.acceleration)
-        moved.acceleration->Update(factors.mass, increment, 1);
+        add_multiple(factors.mass, increment, *moved.acceleration);
       of_scene.residual(step(moved));
       return moved.residual;
     }
@@ -200,14 +200,14 @@ end
     of_scene.residual(step);
     of_scene.tangent(step, factors, *matrix);
 
-    Epetra_Vector unit(dofs.owned_map()), column(unit);
-    double        worst = 0, scale = 0;
-    const double  h = 1e-5;
+    Vector       unit(dofs.layout().n_local()), column(unit);
+    double       worst = 0, scale = 0;
+    const double h = 1e-5;
     for (int j = 0; j < unit.size(); ++j)
       {
-        unit.PutScalar(0);
+        unit.assign(unit.size(), 0);
         unit[j] = 1;
-        matrix->matrix().Multiply(false, unit, column);
+        matrix->multiply(unit.data(), column.data());
         const Vector right = trial.moved_residual(j, h, factors),
                      left  = trial.moved_residual(j, -h, factors);
         for (int i = 0; i < unit.size(); ++i)

@@ -202,7 +202,7 @@ namespace
     scheme.predict(states.from, 1., states.to);
     const TangentFactors factors = scheme.factors(1.);
     Vector               increment(states.to.displacement);
-    increment.PutScalar(0);
+    increment.assign(increment.size(), 0);
     increment[0] =
       -((*states.to.acceleration)[0] + k * states.to.displacement[0]) /
       (factors.mass + k * factors.stiffness);

@@ -21,13 +21,13 @@ namespace auxfem
       explicit MomentumMeter(SceneRun &run)
         : run(run)
         , mass(run.mass())
-        , momentum(run.model.numbering.owned_map())
+        , momentum(run.model.numbering.layout().n_owned())
         , unknowns(node_unknowns(run))
       {}
 
       Momenta operator()()
       {
-        mass->matrix().Multiply(false, *run.state.velocity, momentum);
+        mass->multiply(run.state.velocity->data(), momentum.data());
         const double *u = run.state.displacement.data();
         Momenta       sum;
         for (int i = 0; i < momentum.size(); ++i)
@@ -52,7 +52,7 @@ namespace auxfem
     private:
       SceneRun                      &run;
       std::unique_ptr<TangentMatrix> mass;
-      Epetra_Vector                  momentum;
+      Vector                         momentum;
       std::vector<NodeUnknown>       unknowns;
     };
   } // namespace testing_support

@@ -22,9 +22,8 @@ namespace
   double distance(const State &a, const State &b)
   {
     Vector difference(a.displacement);
-    difference.Update(-1, b.displacement, 1);
-    double largest;
-    difference.NormInf(&largest);
+    add_multiple(-1, b.displacement, difference);
+    double largest = largest_size(difference);
     for (unsigned int i = 0; i < a.rotations.size(); ++i)
       largest = std::max(
         largest,

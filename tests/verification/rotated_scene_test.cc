@@ -1,3 +1,5 @@
+#include <auxfem/model/unknown_words.h>
+
 #include <gtest/gtest.h>
 #include <verification/space_text.h>
 
@@ -160,7 +162,7 @@ namespace
   double largest(const Vector &vector)
   {
     double size = 0;
-    vector.NormInf(&size);
+    size = largest_size(vector);
     return size;
   }
 
@@ -192,7 +194,7 @@ namespace
         };
         EXPECT_LT((at(turned) - rotated(rotation, at(reference))).norm(),
                   tolerance)
-          << run.model.numbering.describe(first);
+          << describe(run.model.numbering, first);
       }
   }
 

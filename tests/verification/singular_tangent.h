@@ -39,9 +39,9 @@ namespace auxfem
       for (unsigned int iteration = 0; iteration < 200; ++iteration)
         {
           vector.Scale(1 / size);
-          solver.right_side()       = vector;
-          const Epetra_Vector &next = solver.solve();
-          double               product;
+          solver.right_side() = vector;
+          const Vector &next  = solver.solve();
+          double        product;
           next.Dot(vector, &product);
           next.Norm2(&size);
           vector = next;

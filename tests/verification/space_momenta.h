@@ -30,7 +30,7 @@ namespace auxfem
       explicit SpaceMomentumMeter(SceneRun &run)
         : run(run)
         , mass(run.mass())
-        , momentum(run.model.numbering.owned_map())
+        , momentum(run.model.numbering.layout().n_owned())
       {
         const DofNumbering &dofs = run.model.numbering;
         const auto          points =
@@ -52,7 +52,7 @@ namespace auxfem
 
       SpaceMomenta operator()()
       {
-        mass->matrix().Multiply(false, *run.state.velocity, momentum);
+        mass->multiply(run.state.velocity->data(), momentum.data());
         const DofNumbering &dofs = run.model.numbering;
         SpaceMomenta        sum;
         for (const auto &[first, position] : nodes)
@@ -71,7 +71,7 @@ namespace auxfem
       }
 
     private:
-      static SpaceVector values(const Epetra_Vector &vector, const int first)
+      static SpaceVector values(const Vector &vector, const int first)
       {
         return SpaceVector(
           {vector[first], vector[first + 1], vector[first + 2]});
@@ -79,7 +79,7 @@ namespace auxfem
 
       SceneRun                      &run;
       std::unique_ptr<TangentMatrix> mass;
-      Epetra_Vector                  momentum;
+      Vector                         momentum;
       /** Position at rest by the first unknown of the node. */
       std::map<int, SpaceVector> nodes;
     };

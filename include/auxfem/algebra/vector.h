@@ -1,6 +1,8 @@
 #ifndef auxfem_algebra_vector_h
 #define auxfem_algebra_vector_h
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace auxfem
@@ -13,6 +15,15 @@ namespace auxfem
   {
     for (std::size_t i = 0; i < y.size(); ++i)
       y[i] += factor * x[i];
+  }
+
+  /** Largest |value|; zero if there are none. */
+  inline double largest_size(const Vector &x)
+  {
+    double result = 0;
+    for (const double value : x)
+      result = std::max(result, std::abs(value));
+    return result;
   }
 } // namespace auxfem
 

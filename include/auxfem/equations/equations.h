@@ -136,7 +136,7 @@ namespace auxfem
     StateLayout      state_layout;
     /** If they are more than the model's. */
     std::unique_ptr<Unknowns> with_ghosts;
-    TangentPattern   tangent_pattern;
+    TangentPattern            tangent_pattern;
     /** Local unknown, value. */
     std::vector<std::pair<int, double>> initial_velocities;
   };

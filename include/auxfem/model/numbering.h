@@ -46,6 +46,8 @@ namespace auxfem
     DofNumbering(const DofNumbering &)            = delete;
     DofNumbering &operator=(const DofNumbering &) = delete;
 
+    const Lattice &lattice() const;
+
     unsigned int order() const;
 
     /** Unknowns a node: 3 in the plane, 6 in space. */
@@ -120,7 +122,7 @@ namespace auxfem
     void mark_prescribed(const std::vector<JointMotion> &motions);
     void find_rotations();
 
-    const Lattice                  &lattice;
+    const Lattice                  &of_lattice;
     const unsigned int              polynomial_order;
     const std::vector<unsigned int> node_components;
     GlobalNumbers                   numbers;

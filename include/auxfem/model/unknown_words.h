@@ -15,22 +15,18 @@ namespace auxfem
    * Words for a local unknown, e.g. `rotation of joint 12 at (0.01, 0.02)`; for
    * nodes inside a strut that strut is named.
    */
-  std::string describe(const Lattice      &lattice,
-                       const DofNumbering &numbering,
-                       unsigned int        unknown);
+  std::string describe(const DofNumbering &numbering, unsigned int unknown);
 
   /**
    * Words for the owned unknown of largest @p size (by owned unknown, rotations
    * made comparable by the caller) over all ranks; the same on every rank.
    * Collective.
    */
-  std::string describe_largest(const Lattice             &lattice,
-                               const DofNumbering        &numbering,
+  std::string describe_largest(const DofNumbering        &numbering,
                                const std::vector<double> &size);
 
   /** Why @p joint has no rotation and what to do, as a sentence. */
-  std::string why_no_rotation(const Lattice      &lattice,
-                              const DofNumbering &numbering,
+  std::string why_no_rotation(const DofNumbering &numbering,
                               unsigned int        joint);
 } // namespace auxfem
 

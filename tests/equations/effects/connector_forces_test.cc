@@ -254,7 +254,7 @@ namespace
   void check_tangent(ConnectorAlone &connector, const TangentFactors &factors)
   {
     // Nearly upside down, long, and fast.
-    connector.from.displacement.PutScalar(0.1);
+    connector.from.displacement.assign(connector.from.displacement.size(), 0.1);
     connector.move(0, 1, 2);
     connector.move(1, -5, -9);
     connector.push(0, 3, -2);
@@ -456,9 +456,9 @@ TEST(ConnectorForces, ANonlinearLawMakesAllEquationsNonlinear)
     const Evaluation step = Evaluation::step(from, to, 1.);
     equations.residual(step, results);
     equations.tangent(step, results, {1., 0., 0.}, matrix);
-    Epetra_Vector unit(model.numbering.owned_map()), column(unit);
+    Vector unit(model.numbering.layout().n_local()), column(unit);
     unit[row] = 1;
-    matrix.matrix().Multiply(false, unit, column);
+    matrix.multiply(unit.data(), column.data());
     return column[row];
   };
   EXPECT_NEAR(stiffness(0.6) - stiffness(0.),

@@ -3,8 +3,6 @@
 
 #include <auxfem/equations/effect.h>
 
-#include <Epetra_Vector.h>
-
 #include <memory>
 #include <vector>
 
@@ -52,7 +50,7 @@ namespace auxfem
     inline TangentPattern pattern_of(Effect             &effect,
                                      const DofNumbering &numbering)
     {
-      TangentPattern pattern(numbering);
+      TangentPattern pattern(numbering.unknowns());
       effect.register_blocks(pattern);
       return pattern;
     }
@@ -79,10 +77,9 @@ namespace auxfem
       /** The tangent times @p direction. */
       std::vector<double> times(const std::vector<double> &direction) const
       {
-        Epetra_Vector x(pattern.numbering().owned_map()), y(x);
-        std::copy(direction.begin(), direction.end(), x.data());
-        matrix.matrix().Multiply(false, x, y);
-        return {y.data(), y.data() + y.size()};
+        std::vector<double> y(direction.size());
+        matrix.multiply(direction.data(), y.data());
+        return y;
       }
 
       const Effect        &effect;

@@ -1,4 +1,5 @@
 #include <auxfem/equations/effects/revolute_hinges.h>
+#include <auxfem/model/unknown_words.h>
 #include <auxfem/parameters/errors.h>
 
 #include <equations/effects/space_effect.h>
@@ -62,7 +63,7 @@ TEST(RevoluteHinges, EveryReleasedStrutHasTwoConditions)
   const auto            &dofs = of_scene.dofs();
   EXPECT_EQ(dofs.constraints().n_multipliers(), 4u);
   EXPECT_EQ(of_scene.equations.reporting().conditions.size(), 1u);
-  EXPECT_EQ(dofs.describe(dofs.constraints().hinge_multiplier(1, 0)),
+  EXPECT_EQ(describe(dofs, dofs.constraints().hinge_multiplier(1, 0)),
             "condition of the revolute hinge at joint 1");
 }
 

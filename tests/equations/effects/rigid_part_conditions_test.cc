@@ -1,4 +1,5 @@
 #include <auxfem/equations/effects/rigid_part_conditions.h>
+#include <auxfem/model/unknown_words.h>
 
 #include <equations/effects/effect_alone.h>
 #include <equations/equations_on_ranks.h>
@@ -169,7 +170,7 @@ TEST(RigidPartConditions, ForcesAreDerivativesOfTheConditions)
                        plate.virtual_work(i, here - h)) /
                         (2 * h),
                       2e-9)
-            << plate.of_scene.dofs().describe(i);
+            << describe(plate.of_scene.dofs(), i);
         }
     }
 }
@@ -193,7 +194,7 @@ TEST(RigidPartConditions, TangentIsThatOfDifferencesAtALargeRotation)
         EXPECT_NEAR(product[i],
                     (forward[i] - backward[i]) / (2 * h),
                     1e-8 * size)
-          << plate.of_scene.dofs().describe(i);
+          << describe(plate.of_scene.dofs(), i);
     }
 }
 
@@ -219,7 +220,7 @@ TEST(RigidPartConditions, AtRestInTimeTheRowsAreSecondDerivatives)
             EXPECT_NEAR(rows[i],
                         (forward[i] - 2 * here[i] + backward[i]) / (h * h),
                         1e-5)
-              << plate.of_scene.dofs().describe(i);
+              << describe(plate.of_scene.dofs(), i);
           }
     }
 }
@@ -241,7 +242,7 @@ TEST(RigidPartConditions, SmallDisplacementsAreLinear)
 TEST(RigidPartConditions, AFiniteRigidMotionMeetsThem)
 {
   PlateConditions plate(true);
-  plate.to.displacement.PutScalar(0.);
+  plate.to.displacement.assign(plate.to.displacement.size(), 0.);
   const double angle = 2.2;
   for (unsigned int joint = 0; joint < 4; ++joint)
     {

@@ -3,6 +3,7 @@
 
 #include <auxfem/equations/conditions.h>
 #include <auxfem/equations/node_rotations.h>
+#include <auxfem/model/unknown_words.h>
 
 #include <equations/effects/effect_alone.h>
 #include <equations/equations_on_ranks.h>
@@ -106,9 +107,9 @@ end
         for (unsigned int i = 0; i < n; ++i)
           increment[i] = size * direction[i];
         rotations.turn(Evaluation::step(from, state, 1.), increment);
-        state.displacement.Update(1., increment, 1.);
-        state.velocity->Update(factors.damping, increment, 1.);
-        state.acceleration->Update(factors.mass, increment, 1.);
+        add_multiple(1., increment, state.displacement);
+        add_multiple(factors.damping, increment, *state.velocity);
+        add_multiple(factors.mass, increment, *state.acceleration);
         return state;
       }
 
@@ -116,12 +117,13 @@ end
       State at_time(const double t) const
       {
         State  state = to;
-        Vector turn(to.displacement);
-        turn.Update(t, *to.velocity, t * t / 2, *to.acceleration, 0.);
+        Vector turn(to.displacement.size());
+        add_multiple(t, *to.velocity, turn);
+        add_multiple(t * t / 2, *to.acceleration, turn);
         for (unsigned int i = 0; i < state.rotations.size(); ++i)
           state.rotations[i] =
             state.rotations[i] * exponential(rotations.values(turn, i));
-        state.displacement.Update(1., turn, 1.);
+        add_multiple(1., turn, state.displacement);
         return state;
       }
 
@@ -144,7 +146,7 @@ end
         for (unsigned int i = 0; i < n; ++i)
           // h^2 and round-off 1e-15 / h.
           EXPECT_NEAR(y[i], (forward[i] - backward[i]) / (2 * h), 1e-8 * size)
-            << of_scene.dofs().describe(i);
+            << describe(of_scene.dofs(), i);
       }
 
       /** Expects forces of multipliers to be derivatives of the conditions. */
@@ -165,7 +167,7 @@ end
               if (is_multiplier(k))
                 work += to.displacement[k] * (forward[k] - backward[k]);
             EXPECT_NEAR(rows[i], work / (2 * h), 1e-8)
-              << of_scene.dofs().describe(i);
+              << describe(of_scene.dofs(), i);
           }
       }
 
@@ -193,7 +195,7 @@ end
                           (later[i] - 2 * here[i] + before[i]) /
                             (long_step * long_step),
                           1e-5)
-                << of_scene.dofs().describe(i);
+                << describe(of_scene.dofs(), i);
             }
           else
             EXPECT_EQ(rates[i], 0);

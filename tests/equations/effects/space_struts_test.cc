@@ -112,7 +112,7 @@ TEST(SpaceStruts, InertiaHasThePowerOfItsKineticEnergy)
       const auto rows   = struts.residual(*inertia, struts.to);
       const auto energy = [&](const double time) {
         State state = struts.to;
-        state.velocity->Update(time, *struts.to.acceleration, 1.);
+        add_multiple(time, *struts.to.acceleration, *state.velocity);
         return EvaluatedAlone(*inertia,
                               Evaluation::step(struts.from, state, 1.))
           .accept()

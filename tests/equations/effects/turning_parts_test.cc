@@ -1,4 +1,5 @@
 #include <auxfem/equations/effects/rigid_part_conditions.h>
+#include <auxfem/model/unknown_words.h>
 
 #include <equations/effects/space_effect.h>
 #include <mesh/cell_from_text.h>
@@ -75,7 +76,7 @@ TEST(TurningParts, ClampedStrutsHaveTheRotationOfTheBody)
       EXPECT_NE(dofs.joint_unknown(4, c), dofs.constraints().motion(0, c));
       EXPECT_FALSE(dofs.joint_has(6, c));
     }
-  EXPECT_EQ(dofs.describe(dofs.constraints().motion(0, 4)),
+  EXPECT_EQ(describe(dofs, dofs.constraints().motion(0, 4)),
             "rotation about y of the rigid part of joints 0 1 2 3");
 }
 
