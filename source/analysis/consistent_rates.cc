@@ -148,7 +148,7 @@ namespace auxfem
   {
     const DofNumbering &numbering = model.numbering;
     for (unsigned int i = 0; i < numbering.layout().n_owned(); ++i)
-      solver.right_side()[i] = -rates[i];
+      increment[i] = -rates[i];
     solve();
     for (const int multiplier : numbering.constraints().multipliers())
       increment[multiplier] = 0;
@@ -159,7 +159,7 @@ namespace auxfem
   void ConsistentRates::find_accelerations(const Evaluation &evaluation)
   {
     State &state = evaluation.to;
-    find_right_side(model, evaluation, solver.right_side().data());
+    find_right_side(model, evaluation, increment.data());
     solve();
     NodeRotations(model.numbering).make_material(state, increment);
     add_multiple(1., increment, *state.acceleration);
@@ -181,9 +181,8 @@ namespace auxfem
                                  "the mass matrix is not positive definite.");
         return;
       }
-    solver.solve(increment);
-    if (!solver.failure().empty())
-      throw ComputationError(found + solver.failure());
+    if (!solver.solve(increment))
+      throw ComputationError(found + solver.why() + '.');
   }
 
   bool ConsistentRates::has_empty_row()

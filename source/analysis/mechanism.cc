@@ -20,8 +20,7 @@ namespace auxfem
     /** The softest mode is found far sooner when it is that of a mechanism. */
     constexpr unsigned int n_inverse_iterations = 6;
 
-    [[noreturn]] void refuse(const LatticeModel  &model,
-                             const Epetra_Vector &mode)
+    [[noreturn]] void refuse(const LatticeModel &model, const Vector &mode)
     {
       const DofNumbering &numbering = model.numbering;
       std::vector<double> sizes(numbering.layout().n_owned());
@@ -60,14 +59,14 @@ namespace auxfem
                     results,
                     {1., first_step ? 1 / *first_step : 0., 0.});
 
-    Epetra_CrsMatrix &matrix = solver.matrix().matrix();
-    Epetra_Vector     diagonal(numbering.owned_map());
-    matrix.ExtractDiagonalCopy(diagonal);
-    double stiffest = 0;
-    diagonal.MaxValue(&stiffest);
-    const double  length = model.mean_strut_length;
-    Epetra_Vector weight(diagonal), shifted(diagonal);
-    for (unsigned int i = 0; i < numbering.layout().n_owned(); ++i)
+    const UnknownLayout &layout   = numbering.layout();
+    TangentMatrix       &matrix   = solver.matrix();
+    const Vector         diagonal = matrix.diagonal();
+    const double         stiffest =
+      layout.largest(*std::max_element(diagonal.begin(), diagonal.end()));
+    const double length = model.mean_strut_length;
+    Vector       weight(diagonal), shift(diagonal.size(), 0.);
+    for (unsigned int i = 0; i < layout.n_owned(); ++i)
       {
         // Multipliers carry no energy; G^T and G hold the mode to what rigid
         // parts allow.
@@ -81,13 +80,12 @@ namespace auxfem
         if (weight[i] <= 0)
           weight[i] = (stiffest > 0 ? stiffest : 1.) *
             (numbering.unknowns().is_rotation[i] ? length * length : 1.);
-        shifted[i] += softest * weight[i];
+        shift[i] = softest * weight[i];
       }
-    const Epetra_CrsMatrix stiffness(matrix);
-    matrix.ReplaceDiagonalValues(shifted);
+    matrix.add_to_diagonal(shift);
 
-    Epetra_Vector mode(numbering.owned_map()), image(numbering.owned_map());
-    const auto    growth = inverse_iteration(
+    Vector     mode;
+    const auto growth = inverse_iteration(
       solver,
       weight,
       [&](const unsigned int i) {
@@ -96,12 +94,15 @@ namespace auxfem
       },
       n_inverse_iterations,
       mode);
+    Vector image(layout.n_owned());
+    matrix.multiply(mode.data(), image.data());
     double energy = 0, scale = 0;
-    stiffness.Multiply(false, mode, image);
-    mode.Dot(image, &energy);
-    image.Multiply(1., weight, mode, 0.);
-    mode.Dot(image, &scale);
-    if (!growth || !(energy > softest * scale))
+    for (unsigned int i = 0; i < layout.n_owned(); ++i)
+      {
+        energy += mode[i] * (image[i] - shift[i] * mode[i]);
+        scale += mode[i] * weight[i] * mode[i];
+      }
+    if (!growth || !(layout.sum(energy) > softest * layout.sum(scale)))
       refuse(model, mode);
   }
 } // namespace auxfem

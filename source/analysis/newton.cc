@@ -23,7 +23,7 @@ namespace auxfem
     , parameters(parameters)
     , is_linear(solver.equations().is_linear())
     , rotations(solver.model().numbering)
-    , increment(solver.model().numbering.layout().n_local())
+    , exactness(is_linear ? Exactness::exact : Exactness::approximate)
   {}
 
   Newton::Result Newton::solve(const ImplicitScheme &scheme,
@@ -31,6 +31,8 @@ namespace auxfem
                                EvaluationResults    &results)
   {
     Result result;
+    if (!is_linear)
+      exactness = Exactness::approximate;
     solver.residual(evaluation, results);
     double size      = in_force_units(results);
     double reduction = std::numeric_limits<double>::infinity();
@@ -72,7 +74,7 @@ namespace auxfem
 
         if (!prepare(scheme, evaluation, results, reduction))
           {
-            result.reason = "the tangent is singular";
+            result.reason = solver.why();
             return result;
           }
         result.reason = iterate(scheme, evaluation);
@@ -105,12 +107,24 @@ namespace auxfem
        (parameters.keep_factorization &&
         reduction >= parameters.kept_reduction));
     if (serves)
-      return true;
+      {
+        kept->is_fresh = false;
+        return true;
+      }
+    // A symmetric part that does not even serve where it was made is not near
+    // enough to the tangent.
+    if (kept && kept->is_fresh && !kept->is_exact &&
+        reduction < parameters.kept_reduction)
+      exactness = Exactness::exact;
     kept.reset();
     solver.assemble(evaluation, results, scheme.factors(evaluation.dt));
-    if (!solver.factorize())
+    if (!solver.factorize(exactness))
       return false;
-    kept = Kept{evaluation.kind, evaluation.dt, solver.matrix().version()};
+    kept = Kept{evaluation.kind,
+                evaluation.dt,
+                solver.matrix().version(),
+                solver.linear_solver().is_exact(),
+                /*is_fresh=*/true};
     return true;
   }
 
@@ -118,10 +132,10 @@ namespace auxfem
                               const Evaluation     &evaluation)
   {
     const LatticeModel &model = solver.model();
-    find_right_side(model, evaluation, solver.right_side().data());
-    solver.solve(increment);
-    if (!solver.failure().empty())
-      return solver.failure();
+    increment.resize(evaluation.to.displacement.size());
+    find_right_side(model, evaluation, increment.data());
+    if (!solver.solve(increment))
+      return solver.why();
     if (!is_linear && largest_motion(model, increment).second > half_turn)
       return "an iteration turned a section by more than half a turn";
     rotations.turn(evaluation, increment);

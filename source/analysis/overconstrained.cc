@@ -23,10 +23,10 @@ namespace auxfem
      * complement is -(G G^T + small) on unknowns that are free. Rotations in
      * space count as displacements at the length of a strut.
      */
-    void replace_diagonal(const LatticeModel &model, Epetra_CrsMatrix &matrix)
+    void replace_diagonal(const LatticeModel &model, TangentMatrix &matrix)
     {
       const DofNumbering &numbering = model.numbering;
-      Epetra_Vector       diagonal(numbering.owned_map());
+      Vector              diagonal(numbering.layout().n_owned());
       const double        rotation = model.lattice.dimension == 3
                ? model.mean_strut_length * model.mean_strut_length
                : 1.;
@@ -35,11 +35,10 @@ namespace auxfem
           ? -smallest_eigenvalue / 10
           : numbering.unknowns().kinds[i] == UnknownKind::rotation ? rotation
                                                                    : 1.;
-      matrix.ReplaceDiagonalValues(diagonal);
+      matrix.set_diagonal(diagonal);
     }
 
-    [[noreturn]] void refuse(const LatticeModel  &model,
-                             const Epetra_Vector &mode)
+    [[noreturn]] void refuse(const LatticeModel &model, const Vector &mode)
     {
       const DofNumbering &numbering = model.numbering;
       std::vector<double> sizes(numbering.layout().n_owned());
@@ -75,11 +74,11 @@ namespace auxfem
     solver.residual(evaluation, results);
     // Only the gradients of the conditions stand in it.
     solver.assemble(evaluation, results, {0., 0., 0.});
-    replace_diagonal(model, solver.matrix().matrix());
+    replace_diagonal(model, solver.matrix());
 
-    Epetra_Vector mode(numbering.owned_map()), ones(numbering.owned_map());
-    ones.PutScalar(1.);
-    const auto growth = inverse_iteration(
+    const Vector ones(numbering.layout().n_owned(), 1.);
+    Vector       mode;
+    const auto   growth = inverse_iteration(
       solver,
       ones,
       [&](const unsigned int i) {

@@ -432,7 +432,7 @@ TEST(Equations, LoadDerivativeIsTheDifferenceOfResiduals)
                      of_scene.equations.load_derivative(trial.evaluation()),
                    more = residual(2.75), less = residual(0.25);
       double size = 0, largest = 0;
-      size = largest_size(derivative);
+      size    = largest_size(derivative);
       largest = largest_size(more);
       EXPECT_GT(size, 0.1);
       // The residual is linear in the factor: rounding alone.

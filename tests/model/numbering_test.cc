@@ -143,7 +143,8 @@ TEST(DofNumbering, AReleasedEndHasARotationOfItsOwn)
             tripods.dofs.joint_unknown(0, rotation_z));
   EXPECT_EQ(tripods.dofs.end_rotation(1, 0),
             tripods.dofs.joint_unknown(0, rotation_z));
-  EXPECT_TRUE(tripods.dofs.unknowns().is_rotation[tripods.dofs.end_rotation(0, 0)]);
+  EXPECT_TRUE(
+    tripods.dofs.unknowns().is_rotation[tripods.dofs.end_rotation(0, 0)]);
 }
 
 TEST(DofNumbering, AJointWithAllStrutsReleasedHasNoRotation)
@@ -213,7 +214,8 @@ TEST(DofNumbering, KindsTellRotationsAndPrescribedUnknownsApart)
   const Numbered held(tripod(), 2, 0, ties, MPI_COMM_SELF);
   EXPECT_EQ(held.dofs.unknowns().kinds[held.dofs.joint_unknown(1, rotation_z)],
             UnknownKind::prescribed);
-  EXPECT_TRUE(held.dofs.unknowns().is_rotation[held.dofs.joint_unknown(1, rotation_z)]);
+  EXPECT_TRUE(
+    held.dofs.unknowns().is_rotation[held.dofs.joint_unknown(1, rotation_z)]);
 }
 
 TEST(DofNumbering, NeighbouringUnknownsOfOneRankHaveEveryNumberOnce)
@@ -335,7 +337,8 @@ TEST(DofNumbering, BothEndsOfAConnectorAreKeptWhereOneIsOwned)
     if (pair.second != invalid_index)
       for (const auto &[mine, other] : {std::pair(pair.first, pair.second),
                                         std::pair(pair.second, pair.first)})
-        if (numbered.dofs.layout().is_owned(numbered.dofs.joint_unknown(mine, 0)))
+        if (numbered.dofs.layout().is_owned(
+              numbered.dofs.joint_unknown(mine, 0)))
           {
             EXPECT_GE(numbered.dofs.joint_unknown(other, 0), 0);
             EXPECT_GE(numbered.dofs.joint_unknown(other, 1), 0);
@@ -386,7 +389,8 @@ TEST(DofNumbering, WordsForAGhostAreThoseOfItsOwner)
         {
           EXPECT_EQ(describe(numbered.dofs, unknown),
                     describe(self.dofs, self.dofs.joint_unknown(joint, c)));
-          EXPECT_EQ(numbered.dofs.unknowns().is_rotation[unknown], c >= first_rotation);
+          EXPECT_EQ(numbered.dofs.unknowns().is_rotation[unknown],
+                    c >= first_rotation);
         }
 }
 
@@ -429,7 +433,8 @@ TEST(DofNumbering, JointsOfRigidPartsAloneHaveNoRotation)
   EXPECT_EQ(dofs.elements().size(), 1u);
   // Multipliers are unknowns of the matrix, but no freedoms.
   EXPECT_EQ(dofs.unknowns().n_free(), dofs.layout().n_global() - 3);
-  EXPECT_EQ(dofs.unknowns().kinds[dofs.constraints().multiplier(0, 2)], UnknownKind::multiplier);
+  EXPECT_EQ(dofs.unknowns().kinds[dofs.constraints().multiplier(0, 2)],
+            UnknownKind::multiplier);
   EXPECT_EQ(describe(dofs, dofs.constraints().multiplier(0, 0)),
             "condition of the rigid part of joints 1 2 0");
 }
@@ -438,7 +443,8 @@ TEST(DofNumbering, AClampedRotationHasAConditionOfItsOwn)
 {
   const Numbered clamped(tripod_with_rigid_part(true), 2, 0, {}, MPI_COMM_SELF);
   EXPECT_EQ(clamped.dofs.layout().n_global(), 3u * 3 + 2 * 2 + 4);
-  EXPECT_EQ(clamped.dofs.constraints().clamped_joints(0), std::vector<unsigned int>{0});
+  EXPECT_EQ(clamped.dofs.constraints().clamped_joints(0),
+            std::vector<unsigned int>{0});
   // A released end is not of the joint.
   Ties ties;
   ties.released = {{{false, false}}, {{false, false}}, {{true, false}}};
@@ -469,7 +475,7 @@ TEST(DofNumbering, ARigidPartIsKeptWholeWhereItHasARow)
   const auto    &dofs = numbered.dofs;
   EXPECT_EQ(sum_over_ranks(dofs.layout().n_owned()), dofs.layout().n_global());
 
-  const std::vector<unsigned int> &kept          = dofs.constraints().rigid_parts();
+  const std::vector<unsigned int> &kept = dofs.constraints().rigid_parts();
   unsigned int                     n_owned_first = 0;
   for (unsigned int p = 0; p < lattice.rigid_parts.size(); ++p)
     {
@@ -490,7 +496,8 @@ TEST(DofNumbering, ARigidPartIsKeptWholeWhereItHasARow)
       if (has_row)
         {
           EXPECT_EQ(std::count(unknowns.begin(), unknowns.end(), -1), 0);
-          EXPECT_EQ(dofs.unknowns().kinds[dofs.constraints().multiplier(p, 0)], UnknownKind::multiplier);
+          EXPECT_EQ(dofs.unknowns().kinds[dofs.constraints().multiplier(p, 0)],
+                    UnknownKind::multiplier);
         }
     }
   EXPECT_EQ(sum_over_ranks(n_owned_first), lattice.rigid_parts.size());

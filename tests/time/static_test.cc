@@ -78,7 +78,7 @@ TEST(Equilibrium, MovesOnlyDisplacements)
         EXPECT_EQ(states.to.displacement[i],
                   states.from.displacement[i] + states.increment[i]);
       double size = 1;
-      size = largest_size(*states.to.velocity);
+      size        = largest_size(*states.to.velocity);
       EXPECT_EQ(size, 0.);
       EXPECT_EQ(scheme.factors(dt).stiffness, 1.);
       EXPECT_EQ(scheme.factors(dt).damping, 0.);

@@ -162,7 +162,7 @@ namespace
   double largest(const Vector &vector)
   {
     double size = 0;
-    size = largest_size(vector);
+    size        = largest_size(vector);
     return size;
   }
 

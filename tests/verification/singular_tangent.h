@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <functional>
+#include <numeric>
 #include <random>
 #include <string>
 
@@ -23,29 +24,30 @@ namespace auxfem
       run.residual(step);
       const auto matrix = run.make_tangent();
       run.tangent(step, {1, 0, 0}, *matrix);
-      LinearSolver solver(run.scene.solver, *matrix, run.model);
-      solver.factorize();
+      LinearSolver solver(run.scene.solver, *matrix);
+      solver.factorize(Exactness::exact);
 
       const DofNumbering &numbering = run.model.numbering;
-      Epetra_Vector       vector(numbering.owned_map());
+      Vector              vector(numbering.layout().n_local());
       std::mt19937        generator(1);
       for (unsigned int i = 0; i < numbering.layout().n_owned(); ++i)
         vector[i] = numbering.unknowns().kinds[i] == UnknownKind::prescribed
           ? 0
           : generator() / double(generator.max()) - 0.5;
 
-      double eigenvalue = 0, before, size = 1;
-      vector.Norm2(&size);
+      const auto product = [](const Vector &a, const Vector &b) {
+        return std::inner_product(a.begin(), a.end(), b.begin(), 0.);
+      };
+      double eigenvalue = 0;
       for (unsigned int iteration = 0; iteration < 200; ++iteration)
         {
-          vector.Scale(1 / size);
-          solver.right_side() = vector;
-          const Vector &next  = solver.solve();
-          double        product;
-          next.Dot(vector, &product);
-          next.Norm2(&size);
-          vector = next;
-          before = std::exchange(eigenvalue, product / (size * size));
+          Vector next = vector;
+          EXPECT_TRUE(solver.solve(next)) << solver.why();
+          const double size = std::sqrt(product(next, next));
+          const double before =
+            std::exchange(eigenvalue, product(next, vector) / (size * size));
+          for (unsigned int i = 0; i < vector.size(); ++i)
+            vector[i] = next[i] / size;
           if (std::abs(eigenvalue - before) <= 1e-12 * std::abs(eigenvalue))
             break;
         }

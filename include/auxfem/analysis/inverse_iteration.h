@@ -15,16 +15,16 @@ namespace auxfem
    * @param weight diagonal of W, on owned rows
    * @param takes_part whether a local unknown is part of the mode; the others
    *   are zero
-   * @param mode receives the last iterate
+   * @param mode receives the last iterate, on local unknowns
    * @return by how much the last iteration has made the largest entry grow;
    *   nothing if A is singular
    */
   std::optional<double>
   inverse_iteration(TangentSolver                           &solver,
-                    const Epetra_Vector                     &weight,
+                    const Vector                            &weight,
                     const std::function<bool(unsigned int)> &takes_part,
                     unsigned int                             n_iterations,
-                    Epetra_Vector                           &mode);
+                    Vector                                  &mode);
 
   /**
    * Refuses a structure that can move without resistance, where equilibrium

@@ -53,6 +53,9 @@ namespace auxfem
       Evaluation::Kind kind;
       double           dt;
       unsigned long    pattern_version;
+      bool             is_exact;
+      /** Whether no iteration has used it yet but the last. */
+      bool is_fresh;
     };
 
     /** Factorizes unless the kept factorization serves; false if singular. */
@@ -73,6 +76,7 @@ namespace auxfem
     const NodeRotations    rotations;
     Vector                 increment;
     std::optional<Kept>    kept;
+    Exactness              exactness;
   };
 } // namespace auxfem
 

@@ -33,33 +33,40 @@ namespace auxfem
                   const EvaluationResults &results,
                   const TangentFactors    &factors);
 
-    /** Factorizes matrix() as it is now; false if it is singular. */
-    bool factorize();
+    /**
+     * Factorizes matrix() as it is now. Returns false if it is singular or not
+     * finite; why() says what was found. Throws ComputationError where the
+     * factors find no room.
+     */
+    bool factorize(Exactness exactness = Exactness::exact);
 
     /**
-     * Solves for the right-hand side set in right_side(), ghosts included;
-     * not finite if that fails, and failure() says why.
+     * Solves for the right-hand side in the owned rows of @p values, increments
+     * in prescribed ones, and replaces them by the solution, ghosts included.
+     * Returns false if that fails: why() says so, and the values are not
+     * finite.
      */
-    void solve(Vector &increment);
-
-    /** As above, on the owned rows. */
-    const Epetra_Vector &solve();
+    bool solve(Vector &values);
 
     /**
-     * Solves with matrix(), symmetric and positive definite in free rows, by
-     * conjugate gradients with its diagonal; needs no factorization. Returns
-     * false if that does not converge.
+     * As solve(), with a matrix() that is symmetric and positive definite in
+     * free rows, by conjugate gradients with its diagonal; needs no
+     * factorization. Returns false if that does not converge.
      */
-    bool solve_by_conjugate_gradients(Vector &increment);
+    bool solve_by_conjugate_gradients(Vector &values);
 
-    Epetra_Vector     &right_side();
-    const std::string &failure() const;
-    TangentMatrix     &matrix();
+    /** Why the last factorization or solution failed. */
+    const std::string &why() const;
+
+    /** Which linear solver, its factorization, its inertia. */
+    const LinearSolver &linear_solver() const;
+
+    TangentMatrix &matrix();
 
   private:
     const Equations &equation_system;
     TangentMatrix    tangent;
-    LinearSolver     linear_solver;
+    LinearSolver     solver;
     Work            &work;
   };
 } // namespace auxfem
