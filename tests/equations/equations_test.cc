@@ -431,9 +431,7 @@ TEST(Equations, LoadDerivativeIsTheDifferenceOfResiduals)
       const Vector derivative =
                      of_scene.equations.load_derivative(trial.evaluation()),
                    more = residual(2.75), less = residual(0.25);
-      double size = 0, largest = 0;
-      size    = largest_size(derivative);
-      largest = largest_size(more);
+      const double size = largest_size(derivative), largest = largest_size(more);
       EXPECT_GT(size, 0.1);
       // The residual is linear in the factor: rounding alone.
       for (int i = 0; i < derivative.size(); ++i)

@@ -77,8 +77,7 @@ TEST(Equilibrium, MovesOnlyDisplacements)
       for (int i = 0; i < states.increment.size(); ++i)
         EXPECT_EQ(states.to.displacement[i],
                   states.from.displacement[i] + states.increment[i]);
-      double size = 1;
-      size        = largest_size(*states.to.velocity);
+      const double size = largest_size(*states.to.velocity);
       EXPECT_EQ(size, 0.);
       EXPECT_EQ(scheme.factors(dt).stiffness, 1.);
       EXPECT_EQ(scheme.factors(dt).damping, 0.);

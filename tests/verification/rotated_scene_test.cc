@@ -159,13 +159,6 @@ namespace
     return scene.time(0.5, is_dynamic ? 0.005 : 0.05).str();
   }
 
-  double largest(const Vector &vector)
-  {
-    double size = 0;
-    size        = largest_size(vector);
-    return size;
-  }
-
   /** Spatial vectors among the unknowns, by their first one. */
   std::vector<int> first_of_vectors(const SceneRun &run)
   {
@@ -204,7 +197,7 @@ namespace
     const State &to = turned.state, &from = run.state;
     const auto   compare =
       [&](const Vector &a, const Vector &b, const double tolerance = 1e-9) {
-        expect_turned(run, a, b, by.rotation, tolerance * largest(b));
+        expect_turned(run, a, b, by.rotation, tolerance * largest_size(b));
       };
     compare(to.displacement, from.displacement);
     compare(to.residual, from.residual);
