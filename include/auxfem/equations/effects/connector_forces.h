@@ -3,6 +3,7 @@
 
 #include <auxfem/connectors/connector_law.h>
 #include <auxfem/equations/effect.h>
+#include <auxfem/model/numbering.h>
 #include <auxfem/scene/scene.h>
 
 namespace auxfem

@@ -2,6 +2,7 @@
 #define auxfem_equations_effects_point_masses_h
 
 #include <auxfem/equations/effect.h>
+#include <auxfem/model/numbering.h>
 
 namespace auxfem
 {

@@ -4,6 +4,7 @@
 #include <auxfem/elements/beam_shape.h>
 #include <auxfem/elements/section.h>
 #include <auxfem/equations/effect.h>
+#include <auxfem/model/numbering.h>
 
 namespace auxfem
 {
