@@ -11,6 +11,8 @@ namespace auxfem
                        n_joints = lattice.joints.size(),
                        n_ends   = 2 * lattice.struts.size();
     std::vector<unsigned int> numbers(numbering.spatial_rotations().size());
+    if (numbers.empty())
+      return numbers;
     const auto name = [&](const int spin, const unsigned int number) {
       if (spin >= 0)
         numbers[numbering.spatial_rotation(spin)] = number;

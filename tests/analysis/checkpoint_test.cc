@@ -203,7 +203,7 @@ namespace
 subsection Initial velocities
   subsection spin
     set Joints = all
-    set Angular velocity = 0 0 20
+    set Angular velocity z = 20
   end
 end
 subsection Time
@@ -270,12 +270,12 @@ subsection Probes
 end
 )";
 
-  /** A body of three joints and a bar in space, thrown about z. */
+  /** A body of three joints and a bar in free space, turning about z. */
   const std::string rigid_body_in_space = R"(
 set Dimension = 3
 subsection Lattice
   set Cell = frame
-  set Joints = 0 0 0; 1 0 0; 0 1 0; 1 0 0.5
+  set Joints = 0 0 0; 1 0 0; 0 1 0; 1.2 0 0
   set Struts = 0 1; 0 2; 1 3
 end
 subsection Rigid parts
@@ -288,20 +288,10 @@ subsection Rigid parts
     set Mass = 0.5
   end
 end
-subsection Supports
-  subsection pivot
-    set Joints = 0
-    set Type = pin
-  end
-end
 subsection Initial velocities
   subsection throw
-    set Joints = 1, 3
-    set Velocity y = 12
-  end
-  subsection throw back
-    set Joints = 2
-    set Velocity x = -12
+    set Joints = all
+    set Angular velocity z = 20
   end
 end
 subsection Time
