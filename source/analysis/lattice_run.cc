@@ -10,6 +10,9 @@ namespace auxfem
 {
   namespace
   {
+    const std::string work_record =
+      "work: steps, iterations, factorizations, retries, linear iterations";
+
     double solver_seconds(const PhaseTimes &wall)
     {
       return wall.residual + wall.tangent + wall.factorize + wall.solve;
@@ -45,7 +48,7 @@ namespace auxfem
     , lattice(build_lattice(scene))
     , model(scene, lattice, communicator)
     , equations(scene, model)
-    , solution{equations.initial_state(), equations.make_results()}
+    , solution(equations.initial_solution())
     , stepper(equations, scene, work_done)
   {
     set_up_watch.reset();
@@ -71,6 +74,34 @@ namespace auxfem
   StepReport LatticeRun::advance()
   {
     return stepper.advance(solution);
+  }
+
+  Checkpoint LatticeRun::checkpoint(const Recorder &recorder)
+  {
+    Checkpoint taken{solution.state, {}};
+    stepper.save(taken.records);
+    recorder.save(taken.records);
+    taken.records.keep(work_record,
+                       {double(work_done.steps),
+                        double(work_done.iterations),
+                        double(work_done.factorizations),
+                        double(work_done.retries),
+                        double(work_done.linear_iterations)});
+    return taken;
+  }
+
+  void LatticeRun::resume(const Checkpoint &checkpoint, Recorder &recorder)
+  {
+    const std::vector<double> before =
+      checkpoint.records.values(work_record, 5);
+    work_done.steps += before[0];
+    work_done.iterations += before[1];
+    work_done.factorizations += before[2];
+    work_done.retries += before[3];
+    work_done.linear_iterations += before[4];
+    solution.state = checkpoint.state;
+    stepper.resume(solution, checkpoint.records);
+    recorder.resume(solution, checkpoint.records);
   }
 
   void LatticeRun::advance_to_end(Recorder &recorder)

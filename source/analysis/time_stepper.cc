@@ -16,14 +16,26 @@ namespace auxfem
     , rates(solver)
   {}
 
+  TimeStepper::Solvers::Solvers(const Equations        &equations,
+                                const SolverParameters &parameters,
+                                const NewtonParameters &newton_parameters,
+                                const bool              restores_rates,
+                                Work                   &work)
+    : tangent(equations, parameters, work)
+    , newton(tangent, newton_parameters)
+    , rates(restores_rates
+              ? std::make_unique<RateSolver>(equations, parameters, work)
+              : nullptr)
+  {}
+
   TimeStepper::TimeStepper(Equations &equations, const Scene &scene, Work &work)
     : equations(equations)
     , parameters(scene.time)
+    , solver_parameters(scene.solver)
+    , newton_parameters(scene.newton)
     , scheme(parameters.implicit_scheme())
     , work(work)
-    , tangent_solver(equations, scene.solver, work)
-    , newton(tangent_solver, scene.newton)
-    , trial(initial_solution())
+    , trial(equations.initial_solution())
     , rotations(equations.model().numbering)
     , control(make_constant_steps(parameters.step,
                                   parameters.smallest_step > 0
@@ -31,19 +43,39 @@ namespace auxfem
                                     : parameters.step / 1024))
     , events(step_ends(scene))
   {
-    if (!equations.reporting().conditions.empty() &&
-        scheme.carries_on_alternating_errors())
-      rate_solver = std::make_unique<RateSolver>(equations, scene.solver, work);
+    make_solvers();
   }
 
-  Solution TimeStepper::initial_solution() const
+  void TimeStepper::make_solvers()
   {
-    return {equations.initial_state(), equations.make_results()};
+    // There is not always room in memory for two.
+    solvers.reset();
+    solvers =
+      std::make_unique<Solvers>(equations,
+                                solver_parameters,
+                                newton_parameters,
+                                !equations.reporting().conditions.empty() &&
+                                  scheme.carries_on_alternating_errors(),
+                                work);
   }
 
   TangentSolver &TimeStepper::solver()
   {
-    return tangent_solver;
+    return solvers->tangent;
+  }
+
+  void TimeStepper::save(Records &records)
+  {
+    control->save(records);
+    make_solvers();
+  }
+
+  void TimeStepper::resume(Solution &solution, const Records &records)
+  {
+    control->resume(records);
+    State evaluated = solution.state;
+    solvers->tangent.residual(Evaluation::rates(solution.state, evaluated),
+                              solution.results);
   }
 
   void TimeStepper::start(Solution &solution)
@@ -53,13 +85,13 @@ namespace auxfem
       find_static_equilibrium(state);
     if (scheme.is_dynamic())
       {
-        ConsistentRates(tangent_solver).start(state, parameters.step);
-        newton.drop_factorization();
+        ConsistentRates(solvers->tangent).start(state, parameters.step);
+        solvers->newton.drop_factorization();
       }
     const State before  = state;
     Evaluation  instant = Evaluation::rates(before, state);
     instant.jumps_at_to = true;
-    tangent_solver.residual(instant, solution.results);
+    solvers->tangent.residual(instant, solution.results);
     equations.accept(instant, solution.results);
     state.largest_energy = state.energies.total();
   }
@@ -72,8 +104,8 @@ namespace auxfem
     search.predict(state, /*dt=*/0., trial.state);
     rotations.follow(evaluation);
     const Newton::Result result =
-      newton.solve(search, evaluation, trial.results);
-    newton.drop_factorization();
+      solvers->newton.solve(search, evaluation, trial.results);
+    solvers->newton.drop_factorization();
     work.iterations += result.iterations;
     if (!result.converged)
       throw ComputationError(
@@ -100,23 +132,32 @@ namespace auxfem
         if (equations.update_couplings(state))
           trial.state.take_ghosts(equations.unknowns().layout);
         renew_rates(solution);
-        const PlannedStep planned =
-          control->plan(state.time, next_target(state.time, end));
+        take_step(solution, next_target(state.time, end), report);
+      }
+    ++state.step;
+    ++work.steps;
+    return report;
+  }
+
+  void TimeStepper::take_step(Solution    &solution,
+                              const double target,
+                              StepReport  &report)
+  {
+    while (true)
+      {
+        const PlannedStep planned = control->plan(solution.state.time, target);
         if (try_step(solution, planned, report))
           {
             control->accepted();
             ++report.substeps;
             report.dt = std::min(report.dt, planned.dt);
-            continue;
+            return;
           }
         ++report.retries;
         ++work.retries;
         if (!control->rejected())
-          give_up(state, planned.dt);
+          give_up(solution.state, planned.dt);
       }
-    ++state.step;
-    ++work.steps;
-    return report;
   }
 
   double TimeStepper::next_target(const double time,
@@ -148,12 +189,12 @@ namespace auxfem
     State &state = solution.state;
     if (!scheme.is_dynamic() || !is_jump(state.time))
       return;
-    ConsistentRates(tangent_solver).renew(state);
-    newton.drop_factorization();
+    ConsistentRates(solvers->tangent).renew(state);
+    solvers->newton.drop_factorization();
     const State before = state;
     Evaluation  now    = Evaluation::rates(before, state);
     now.jumps_at_to    = true;
-    tangent_solver.residual(now, solution.results);
+    solvers->tangent.residual(now, solution.results);
   }
 
   bool TimeStepper::try_step(Solution          &solution,
@@ -168,7 +209,8 @@ namespace auxfem
     step.jumps_at_from = state.time == 0 || is_jump(state.time);
     step.jumps_at_to   = is_jump(planned.end);
     predict(step);
-    const Newton::Result result = newton.solve(scheme, step, trial.results);
+    const Newton::Result result =
+      solvers->newton.solve(scheme, step, trial.results);
     report.iterations += result.iterations;
     work.iterations += result.iterations;
     report.relative_residual = result.relative_residual;
@@ -180,7 +222,7 @@ namespace auxfem
                << worst_unknown(equations.model(), trial.state);
         return reject(reason.str());
       }
-    if (rate_solver)
+    if (solvers->rates)
       restore_rates(step);
     equations.accept(step, trial.results);
     if (creates_energy(step))
@@ -205,8 +247,8 @@ namespace auxfem
 
   void TimeStepper::restore_rates(const Evaluation &step)
   {
-    rate_solver->rates.restore(step.to);
-    tangent_solver.residual(step, trial.results);
+    solvers->rates->rates.restore(step.to);
+    solvers->tangent.residual(step, trial.results);
   }
 
   bool TimeStepper::creates_energy(const Evaluation &step) const
@@ -225,7 +267,7 @@ namespace auxfem
   bool TimeStepper::reject(const std::string &reason)
   {
     last_failure = reason;
-    newton.drop_factorization();
+    solvers->newton.drop_factorization();
     return false;
   }
 

@@ -99,6 +99,11 @@ namespace auxfem
     return results;
   }
 
+  Solution Equations::initial_solution() const
+  {
+    return {initial_state(), make_results()};
+  }
+
   void Equations::residual(const Evaluation  &evaluation,
                            EvaluationResults &results) const
   {

@@ -56,9 +56,10 @@ namespace auxfem
     const double fraction = progress.fraction();
     if (fraction >= 1)
       line += "  in " + format_duration(progress.seconds);
-    else if (fraction > 0)
+    else if (progress.time > progress.begin_time)
       line += "  left " +
-        format_duration(progress.seconds * (1 - fraction) / fraction);
+        format_duration(progress.seconds * (progress.end_time - progress.time) /
+                        (progress.time - progress.begin_time));
     return line;
   }
 

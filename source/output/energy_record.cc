@@ -8,6 +8,9 @@ namespace auxfem
 {
   namespace
   {
+    const std::string record_name =
+      "history: energies at the start, largest error of the balance, largest";
+
     struct KindOfEnergy
     {
       EnergyKind  kind;
@@ -69,6 +72,21 @@ namespace auxfem
                                 std::abs(energies.total()),
                                 std::abs(energies.dissipated()),
                                 std::abs(energies.external())});
+  }
+
+  void EnergyRecord::save(Records &records) const
+  {
+    records.keep(record_name, {start.value(), largest_balance, largest_energy});
+  }
+
+  void EnergyRecord::resume(const Energies &energies, const Records &records)
+  {
+    const std::vector<double> values = records.values(record_name, 3);
+    start                            = values[0];
+    largest_balance                  = values[1];
+    largest_energy                   = values[2];
+    latest                           = energies;
+    balance                          = energies.balance(*start);
   }
 
   double EnergyRecord::relative(const double energy) const

@@ -2,6 +2,8 @@
 #include <auxfem/output/first_rank.h>
 #include <auxfem/output/history.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -9,6 +11,8 @@ namespace auxfem
 {
   namespace
   {
+    const std::string rotation_record = "history: largest rotation";
+
     /** A component of what a support exerts. */
     Column reaction_column(const std::string &support,
                            const unsigned int component,
@@ -260,6 +264,25 @@ namespace auxfem
       rotation_so_far = std::max(rotation_so_far, rotation.norm());
     rotation_vectors.follow(state);
     rotation_so_far = std::max(rotation_so_far, rotation_vectors.largest());
+  }
+
+  void History::save(Records &records) const
+  {
+    record.save(records);
+    part_rotations.save(records);
+    rotation_vectors.save(records);
+    strain_so_far.save(records);
+    records.keep(rotation_record,
+                 {dealii::Utilities::MPI::max(rotation_so_far, communicator)});
+  }
+
+  void History::resume(const State &state, const Records &records)
+  {
+    record.resume(state.energies, records);
+    part_rotations.resume(records);
+    rotation_vectors.resume(state, records);
+    strain_so_far.resume(records);
+    rotation_so_far = records.values(rotation_record, 1)[0];
   }
 
   const std::vector<Column> &History::columns() const

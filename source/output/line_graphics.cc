@@ -21,6 +21,9 @@ namespace auxfem
     /** Of the number in a file's name. */
     constexpr unsigned int n_digits = 5;
 
+    const std::string schedule_record =
+      "graphics: next time, time of the last step";
+
     const std::string record_head =
       "<?xml version=\"1.0\"?>\n"
       "<VTKFile type=\"Collection\" version=\"0.1\" "
@@ -174,6 +177,21 @@ namespace auxfem
                   [&]() { append_to_record(time, name + "/" + file); });
   }
 
+  std::string GraphicsSeries::record_name() const
+  {
+    return "graphics: files of " + name;
+  }
+
+  void GraphicsSeries::save(Records &records) const
+  {
+    records.keep(record_name(), {double(n_written)});
+  }
+
+  void GraphicsSeries::resume(const Records &records)
+  {
+    n_written = records.values(record_name(), 1)[0];
+  }
+
   std::string GraphicsSeries::write_pieces(LineGraphics &graphics) const
   {
     const std::string subfolder = folder + "/" + name + "/";
@@ -251,6 +269,18 @@ namespace auxfem
       return false;
     next = (std::floor(reached / interval) + 1) * interval;
     return true;
+  }
+
+  void GraphicsSchedule::save(Records &records) const
+  {
+    records.keep(schedule_record, {next, previous});
+  }
+
+  void GraphicsSchedule::resume(const Records &records)
+  {
+    const std::vector<double> values = records.values(schedule_record, 2);
+    next                             = values[0];
+    previous                         = values[1];
   }
 
   std::string field_name(const std::string &name)

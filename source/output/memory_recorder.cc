@@ -23,6 +23,16 @@ namespace auxfem
     row_list.push_back(history->values(solution));
   }
 
+  void MemoryRecorder::resume(const Solution &solution, const Records &records)
+  {
+    history->resume(solution.state, records);
+  }
+
+  void MemoryRecorder::save(Records &records) const
+  {
+    history->save(records);
+  }
+
   void MemoryRecorder::step(const Solution &solution,
                             const StepReport & /*report*/)
   {

@@ -16,6 +16,8 @@ namespace auxfem
   {
     const std::string prefix = "rigid:";
 
+    const std::string record_name = "history: rotations of rigid parts";
+
     struct Selection
     {
       std::vector<unsigned int> parts;
@@ -94,6 +96,33 @@ namespace auxfem
         else
           rotations[i] = rotation_vector_near(exponential(now), rotations[i]);
       }
+  }
+
+  std::vector<unsigned int> RigidPartRotations::parts() const
+  {
+    std::vector<unsigned int> numbers(rotations.size());
+    for (unsigned int i = 0; i < rotations.size(); ++i)
+      numbers[i] = equations.reporting().rigid_parts->part(i);
+    return numbers;
+  }
+
+  void RigidPartRotations::save(Records &records) const
+  {
+    std::vector<double> components;
+    for (const SpaceVector &rotation : rotations)
+      components.insert(components.end(),
+                        rotation.begin_raw(),
+                        rotation.end_raw());
+    records.keep(record_name, parts(), 3, components);
+  }
+
+  void RigidPartRotations::resume(const Records &records)
+  {
+    const std::vector<double> components =
+      records.values(record_name, parts(), 3);
+    for (unsigned int i = 0; i < rotations.size(); ++i)
+      for (unsigned int c = 0; c < 3; ++c)
+        rotations[i][c] = components[3 * i + c];
   }
 
   const std::vector<SpaceVector> &RigidPartRotations::values() const

@@ -1,10 +1,16 @@
 #include <auxfem/equations/node_rotations.h>
+#include <auxfem/model/rotation_numbers.h>
 #include <auxfem/output/rotation_vectors.h>
 
 #include <algorithm>
 
 namespace auxfem
 {
+  namespace
+  {
+    const std::string record_name = "history: rotation vectors";
+  } // namespace
+
   RotationVectors::RotationVectors(const LatticeModel &model)
     : model(model)
     , rotations(model.numbering.rotations().size())
@@ -26,6 +32,34 @@ namespace auxfem
                                    rotated(state.rotations[i],
                                            entries - rotations[i].entries));
         rotations[i].entries = entries;
+      }
+  }
+
+  void RotationVectors::save(Records &records) const
+  {
+    std::vector<double> vectors;
+    for (const Rotation &rotation : rotations)
+      vectors.insert(vectors.end(),
+                     rotation.vector.begin_raw(),
+                     rotation.vector.end_raw());
+    records.keep(record_name,
+                 rotation_numbers(model.lattice, model.numbering),
+                 3,
+                 vectors);
+  }
+
+  void RotationVectors::resume(const State &state, const Records &records)
+  {
+    const std::vector<double> vectors =
+      records.values(record_name,
+                     rotation_numbers(model.lattice, model.numbering),
+                     3);
+    for (unsigned int i = 0; i < rotations.size(); ++i)
+      {
+        for (unsigned int c = 0; c < 3; ++c)
+          rotations[i].vector[c] = vectors[3 * i + c];
+        rotations[i].entries =
+          NodeRotations(model.numbering).values(state.displacement, i);
       }
   }
 

@@ -14,6 +14,12 @@
 
 namespace auxfem
 {
+  namespace
+  {
+    const std::string row_record      = "output: time of the last row",
+                      graphics_record = "output: time of the last graphics";
+  } // namespace
+
   class RunOutput::Implementation
   {
   public:
@@ -23,6 +29,8 @@ namespace auxfem
 
     void begin(const Equations &equations);
     void start_series(const Solution &solution);
+    void resume(const Solution &solution, const Records &records);
+    void save(Records &records) const;
     void write_step(const Solution &solution, const StepReport &report);
     void finish(const Solution &last, const RunResult &result);
 
@@ -47,6 +55,7 @@ namespace auxfem
 
     const Clock::time_point start;
     Clock::time_point       first_step;
+    double                  begin_time = 0; ///< of the first step (s)
 
     const Equations         *equations = nullptr; ///< from begin() on
     std::ofstream            log;
@@ -123,6 +132,31 @@ namespace auxfem
     write_graphics(solution);
   }
 
+  void RunOutput::Implementation::resume(const Solution &solution,
+                                         const Records  &records)
+  {
+    first_step = Clock::now();
+    begin_time = solution.state.time;
+    history->resume(solution.state, records);
+    last_row = records.values(row_record, 1)[0];
+    if (!graphics)
+      return;
+    graphics->resume(records);
+    schedule.resume(records);
+    last_graphics = records.values(graphics_record, 1)[0];
+  }
+
+  void RunOutput::Implementation::save(Records &records) const
+  {
+    history->save(records);
+    records.keep(row_record, {last_row.value()});
+    if (!graphics)
+      return;
+    graphics->save(records);
+    schedule.save(records);
+    records.keep(graphics_record, {last_graphics.value()});
+  }
+
   void RunOutput::Implementation::write_step(const Solution   &solution,
                                              const StepReport &report)
   {
@@ -149,6 +183,7 @@ namespace auxfem
     progress.retries           = report.retries;
     progress.relative_residual = report.relative_residual;
     progress.seconds           = since(first_step);
+    progress.begin_time        = begin_time;
     progress.n_steps           = scene.time.n_steps();
 
     const EnergyRecord &energies = history->energies();
@@ -212,6 +247,17 @@ namespace auxfem
   {
     const Stopwatch watch(implementation->seconds);
     implementation->start_series(solution);
+  }
+
+  void RunOutput::resume(const Solution &solution, const Records &records)
+  {
+    const Stopwatch watch(implementation->seconds);
+    implementation->resume(solution, records);
+  }
+
+  void RunOutput::save(Records &records) const
+  {
+    implementation->save(records);
   }
 
   void RunOutput::step(const Solution &solution, const StepReport &report)

@@ -280,4 +280,19 @@ namespace auxfem
       }
     connector_series->write(graphics, solution.state.time);
   }
+
+  void VtuWriter::save(Records &records) const
+  {
+    for (const auto *series :
+         {&strut_series, &rigid_part_series, &connector_series})
+      if (*series)
+        (*series)->save(records);
+  }
+
+  void VtuWriter::resume(const Records &records)
+  {
+    for (auto *series : {&strut_series, &rigid_part_series, &connector_series})
+      if (*series)
+        (*series)->resume(records);
+  }
 } // namespace auxfem

@@ -7,6 +7,9 @@ namespace auxfem
 {
   namespace
   {
+    const std::string record_name =
+      "step control: begin, length, target, level and position";
+
     class ConstantSteps : public StepControl
     {
     public:
@@ -49,6 +52,29 @@ namespace auxfem
       double shortest() const override
       {
         return smallest;
+      }
+
+      void save(Records &records) const override
+      {
+        if (target)
+          records.keep(
+            record_name,
+            {begin, length, *target, double(level), double(position)});
+        else
+          records.keep(record_name, /*items=*/{}, 5, {});
+      }
+
+      void resume(const Records &records) override
+      {
+        target.reset();
+        if (records.items(record_name).empty())
+          return;
+        const std::vector<double> values = records.values(record_name, 5);
+        begin                            = values[0];
+        length                           = values[1];
+        target                           = values[2];
+        level                            = values[3];
+        position                         = values[4];
       }
 
     private:

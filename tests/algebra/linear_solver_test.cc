@@ -112,7 +112,7 @@ namespace
     EquationsOnRanks of_scene(star_with_everything(3, 2), overrides);
     Work             work;
     TimeStepper      stepper(of_scene.equations, of_scene.scene, work);
-    Solution         solution = stepper.initial_solution();
+    Solution         solution = of_scene.equations.initial_solution();
     stepper.start(solution);
     for (unsigned int i = 0; i < 3; ++i)
       stepper.advance(solution);

@@ -206,7 +206,7 @@ namespace
   unsigned int n_kept(const StateLayout &layout, const std::string &what)
   {
     unsigned int n = 0;
-    for (const HistoryRecord &record : layout.history())
+    for (const Record &record : layout.history.list())
       if (record.name.size() >= what.size() &&
           record.name.compare(record.name.size() - what.size(),
                               what.size(),
@@ -228,7 +228,7 @@ TEST(Equations, WhatIsLeftOutCostsNoState)
   // these, the 4 in the cells, and 2 anchors.
   EXPECT_EQ(n_kept(whole, ": internal variables"), 6u);
   EXPECT_EQ(n_kept(whole, ": dissipated energy"), 12u);
-  EXPECT_EQ(whole.n_history(), 18u);
+  EXPECT_EQ(whole.history.n_values(), 18u);
 
   const StateLayout in_statics = EquationsOnRanks(star_with_everything(2, 2),
                                                   {"Time/Scheme=static"},
@@ -243,7 +243,7 @@ TEST(Equations, WhatIsLeftOutCostsNoState)
                                   "Effects/Strut damping=off"},
                                  MPI_COMM_SELF);
   EXPECT_FALSE(elastic.equations.layout().velocity);
-  EXPECT_EQ(elastic.equations.layout().n_history(), 0u);
+  EXPECT_EQ(elastic.equations.layout().history.n_values(), 0u);
   EXPECT_FALSE(elastic.equations.layout().energies.has(EnergyKind::dissipated));
   const State state = elastic.equations.initial_state();
   EXPECT_FALSE(state.velocity);
@@ -431,7 +431,8 @@ TEST(Equations, LoadDerivativeIsTheDifferenceOfResiduals)
       const Vector derivative =
                      of_scene.equations.load_derivative(trial.evaluation()),
                    more = residual(2.75), less = residual(0.25);
-      const double size = largest_size(derivative), largest = largest_size(more);
+      const double size    = largest_size(derivative),
+                   largest = largest_size(more);
       EXPECT_GT(size, 0.1);
       // The residual is linear in the factor: rounding alone.
       for (int i = 0; i < derivative.size(); ++i)

@@ -1,10 +1,12 @@
 #include <auxfem/analysis/time_stepper.h>
 #include <auxfem/equations/node_rotations.h>
+#include <auxfem/model/rotation_numbers.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <equations/equations_on_ranks.h>
 #include <gtest/gtest.h>
+#include <support/run_program.h>
 
 #include <map>
 #include <set>
@@ -120,7 +122,7 @@ namespace
              const MPI_Comm                  communicator)
       : on_ranks(text, overrides, communicator)
       , stepper(on_ranks.equations, on_ranks.scene, work)
-      , solution(stepper.initial_solution())
+      , solution(on_ranks.equations.initial_solution())
     {
       stepper.start(solution);
       while (state.step < on_ranks.scene.time.n_steps())
@@ -358,7 +360,7 @@ namespace
   kept_items(const StateLayout &layout, const MPI_Comm communicator)
   {
     std::map<std::string, std::vector<unsigned int>> mine;
-    for (const HistoryRecord &record : layout.history())
+    for (const Record &record : layout.history.list())
       {
         EXPECT_EQ(mine.count(record.name), 0u);
         mine[record.name] = record.items;
@@ -382,8 +384,7 @@ namespace
   kept_values(const Advanced &run)
   {
     std::map<std::string, std::map<unsigned int, std::vector<double>>> values;
-    for (const HistoryRecord &record :
-         run.on_ranks.equations.layout().history())
+    for (const Record &record : run.on_ranks.equations.layout().history.list())
       for (unsigned int i = 0; i < record.items.size(); ++i)
         {
           const double *first = run.state.history.data() + record.first +
@@ -432,6 +433,47 @@ TEST(Ranks, HistoryIsNamedAlikeOnAnyNumberOfRanks)
   compare_history(space_star_with_everything(),
                   {"Time/Scheme=generalized-alpha"},
                   7);
+}
+
+namespace
+{
+  /** The numbers of the rotations of this rank by what they are. */
+  std::map<UnknownName, unsigned int>
+  numbered_rotations(const std::string              &text,
+                     const std::vector<std::string> &overrides,
+                     const MPI_Comm                  communicator)
+  {
+    const EquationsOnRanks          on_ranks(text, overrides, communicator);
+    const std::vector<NamedUnknown> names = name_unknowns(on_ranks.model);
+    const std::vector<unsigned int> numbers =
+      rotation_numbers(on_ranks.lattice, on_ranks.dofs());
+    std::map<UnknownName, unsigned int> result;
+    for (unsigned int i = 0; i < numbers.size(); ++i)
+      result[names[on_ranks.dofs().rotations()[i][0]].name] = numbers[i];
+    EXPECT_EQ(result.size(), numbers.size());
+    return result;
+  }
+
+  void compare_numbers(const std::string              &text,
+                       const std::vector<std::string> &overrides)
+  {
+    const auto alone = numbered_rotations(text, overrides, MPI_COMM_SELF);
+    std::set<unsigned int> numbers;
+    for (const auto &[name, number] : alone)
+      numbers.insert(number);
+    EXPECT_EQ(numbers.size(), alone.size());
+    for (const auto &[name, number] :
+         numbered_rotations(text, overrides, MPI_COMM_WORLD))
+      EXPECT_EQ(number, alone.at(name));
+  }
+} // namespace
+
+TEST(Ranks, RotationsAreNumberedAlikeOnAnyNumberOfRanks)
+{
+  compare_numbers(space_star_with_everything(),
+                  {"Discretization/Order=3",
+                   "Discretization/Global refinements=1"});
+  compare_numbers(data_text("space-parts.prm"), {});
 }
 
 TEST(Ranks, GhostsOfAnAcceptedStateHaveTheValuesOfTheirOwners)

@@ -45,6 +45,14 @@ TEST(Console, ProgressLine)
             "  in 0:01");
 }
 
+TEST(Console, AResumedRunExpectsTheRestAtItsOwnPace)
+{
+  Progress progress   = step(500, 1000);
+  progress.seconds    = 30;
+  progress.begin_time = progress.time / 2;
+  EXPECT_NE(format_progress(progress).find("left 1:00"), std::string::npos);
+}
+
 TEST(Console, ProgressLineWithoutEndTime)
 {
   Progress progress = step(0, 0);

@@ -7,6 +7,13 @@
 
 namespace auxfem
 {
+  /** All that a run needs to go on from there, with the same scene. */
+  struct Checkpoint
+  {
+    State   state;
+    Records records; ///< of the run and of its recorder
+  };
+
   /** A scene with a lattice, set up and taken through time on all ranks. */
   class LatticeRun
   {
@@ -43,6 +50,20 @@ namespace auxfem
 
     /** The next step of the scene, as TimeStepper::advance(). */
     StepReport advance();
+
+    /**
+     * The solution now, with what the run and @p recorder, which has been told
+     * of it, remember of the way there. From here on the run goes on as one
+     * that is resumed, to the last digit: see TimeStepper::save().
+     */
+    Checkpoint checkpoint(const Recorder &recorder);
+
+    /**
+     * In place of start(): goes on from @p checkpoint, taken of the same scene
+     * on as many ranks. @p recorder, which has begun, gets back its part. Throws
+     * InputError if a record is missing.
+     */
+    void resume(const Checkpoint &checkpoint, Recorder &recorder);
 
     /** Steps to the end time, of which @p recorder is told. */
     void advance_to_end(Recorder &recorder);

@@ -4,7 +4,6 @@
 #include <auxfem/analysis/consistent_rates.h>
 #include <auxfem/analysis/newton.h>
 #include <auxfem/analysis/step_ends.h>
-#include <auxfem/equations/solution.h>
 #include <auxfem/time/step_control.h>
 
 namespace auxfem
@@ -23,13 +22,10 @@ namespace auxfem
      */
     TimeStepper(Equations &equations, const Scene &scene, Work &work);
 
-    /** The state at t = 0, before start(). */
-    Solution initial_solution() const;
-
     /**
-     * Brings the initial state into order: prescribed motion, static
-     * equilibrium if the scene starts from it, accelerations in equilibrium,
-     * energies.
+     * Brings Equations::initial_solution() into order: prescribed motion,
+     * static equilibrium if the scene starts from it, accelerations in
+     * equilibrium, energies.
      * Throws ComputationError if there is no equilibrium to be found.
      */
     void start(Solution &solution);
@@ -41,7 +37,20 @@ namespace auxfem
      */
     StepReport advance(Solution &solution);
 
-    /** For what has to be solved before the start; see Newton. */
+    /**
+     * Keeps what resume() needs beside the state. The solvers begin anew, with
+     * nothing kept of earlier factorizations: so the run goes on as one that is
+     * resumed, to the last digit.
+     */
+    void save(Records &records);
+
+    /**
+     * In place of start(): goes on from solution.state, at which @p records were
+     * saved, and finds the results for it.
+     */
+    void resume(Solution &solution, const Records &records);
+
+    /** For what has to be solved before the start; gone after save(). */
     TangentSolver &solver();
 
   private:
@@ -52,6 +61,8 @@ namespace auxfem
     bool is_jump(double time) const;
     /** Rates just after a load has jumped. */
     void renew_rates(Solution &solution);
+    /** One accepted step, to @p target (s) at the latest. */
+    void take_step(Solution &solution, double target, StepReport &report);
     bool try_step(Solution          &solution,
                   const PlannedStep &planned,
                   StepReport        &report);
@@ -62,15 +73,7 @@ namespace auxfem
     bool              reject(const std::string &reason);
     [[noreturn]] void give_up(const State &state, double dt) const;
 
-    Equations            &equations;
-    const TimeParameters  parameters;
-    const ImplicitScheme &scheme;
-    Work                 &work;
-    TangentSolver         tangent_solver;
-    Newton                newton;
-    Solution              trial;
-    const NodeRotations   rotations;
-    /** With the mass matrix; only where rates are restored after each step. */
+    /** With the mass matrix. */
     struct RateSolver
     {
       RateSolver(const Equations        &equations,
@@ -80,7 +83,33 @@ namespace auxfem
       TangentSolver   solver;
       ConsistentRates rates;
     };
-    std::unique_ptr<RateSolver>  rate_solver;
+
+    /** All that keeps factorizations. */
+    struct Solvers
+    {
+      TangentSolver tangent;
+      Newton        newton;
+      /** Only where rates are restored after each step. */
+      std::unique_ptr<RateSolver> rates;
+
+      Solvers(const Equations        &equations,
+              const SolverParameters &parameters,
+              const NewtonParameters &newton_parameters,
+              bool                    restores_rates,
+              Work                   &work);
+    };
+
+    void make_solvers();
+
+    Equations                   &equations;
+    const TimeParameters         parameters;
+    const SolverParameters       solver_parameters;
+    const NewtonParameters       newton_parameters;
+    const ImplicitScheme        &scheme;
+    Work                        &work;
+    Solution                     trial;
+    const NodeRotations          rotations;
+    std::unique_ptr<Solvers>     solvers;
     std::unique_ptr<StepControl> control;
     const std::vector<TimeEvent> events;
     std::string                  last_failure;

@@ -4,6 +4,7 @@
 #include <auxfem/equations/effects/connector_forces.h>
 #include <auxfem/equations/effects/rigid_part_conditions.h>
 #include <auxfem/equations/effects/struts.h>
+#include <auxfem/equations/solution.h>
 #include <auxfem/model/lattice_model.h>
 
 #include <memory>
@@ -69,6 +70,9 @@ namespace auxfem
 
     /** Room for the results of evaluations. */
     EvaluationResults make_results() const;
+
+    /** initial_state() with room for its results. */
+    Solution initial_solution() const;
 
     /**
      * Fills the residual and the internal variables of evaluation.to, and

@@ -25,6 +25,8 @@ namespace auxfem
     std::optional<double> relative_balance;
 
     double seconds = 0; ///< wall time since the first step was begun (s)
+    /** Time (s) the first step began at; not 0 in a run that was resumed. */
+    double begin_time = 0;
 
     /** Part of the time that is done, in [0, 1]. */
     double fraction() const;

@@ -3,6 +3,7 @@
 
 #include <auxfem/model/lattice_model.h>
 #include <auxfem/output/csv_table.h>
+#include <auxfem/time/records.h>
 
 #include <optional>
 #include <string>
@@ -59,6 +60,12 @@ namespace auxfem
     void add(double                           time,
              const std::vector<unsigned int> &axes,
              const double                    *values);
+
+    /** Keeps what resume() needs. */
+    void save(Records &records) const;
+
+    /** Goes on from where @p records were saved. */
+    void resume(const Records &records);
 
     /** When it was (s). */
     double time() const;

@@ -56,7 +56,18 @@ namespace auxfem
     /** Takes note of the energies and rotations of a state that gets no row. */
     void note(const State &state);
 
-    /** Largest |rotation| (rad) in all rows so far, of unknowns of this rank.
+    /**
+     * Keeps what resume() needs, at the state last given to values() or note().
+     * Collective.
+     */
+    void save(Records &records) const;
+
+    /** Goes on from @p state, at which @p records were saved. */
+    void resume(const State &state, const Records &records);
+
+    /**
+     * Largest |rotation| (rad) in all rows so far, of unknowns of this rank; in
+     * those before resume() of all ranks.
      */
     double largest_rotation() const;
 

@@ -1,6 +1,8 @@
 #ifndef auxfem_output_line_graphics_h
 #define auxfem_output_line_graphics_h
 
+#include <auxfem/time/records.h>
+
 #include <deal.II/base/data_out_base.h>
 #include <deal.II/base/mpi.h>
 
@@ -78,7 +80,18 @@ namespace auxfem
      */
     void write(LineGraphics &graphics, double time);
 
+    /** Keeps the number of files so far. */
+    void save(Records &records) const;
+
+    /**
+     * Numbers files on from where @p records were saved. The record NAME.pvd
+     * lists those that follow.
+     */
+    void resume(const Records &records);
+
   private:
+    std::string record_name() const;
+
     /** Returns the name of the file that stands for all ranks. */
     std::string write_pieces(LineGraphics &graphics) const;
 
@@ -114,6 +127,12 @@ namespace auxfem
      * time 0 on.
      */
     bool is_due(double time);
+
+    /** Keeps what resume() needs. */
+    void save(Records &records) const;
+
+    /** Goes on from where @p records were saved. */
+    void resume(const Records &records);
 
   private:
     double interval;

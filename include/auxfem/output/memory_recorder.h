@@ -11,7 +11,8 @@ namespace auxfem
 {
   /**
    * Keeps the history of a lattice in memory and writes nothing: the columns of
-   * history.csv with a row for each step of the scene. The same on all ranks.
+   * history.csv with a row for each step of the scene, of a resumed run for
+   * each that follows. The same on all ranks.
    */
   class MemoryRecorder : public Recorder
   {
@@ -21,6 +22,8 @@ namespace auxfem
 
     void begin(const Equations &equations) override;
     void start(const Solution &solution) override;
+    void resume(const Solution &solution, const Records &records) override;
+    void save(Records &records) const override;
     void step(const Solution &solution, const StepReport &report) override;
 
     const std::vector<Column>              &columns() const;

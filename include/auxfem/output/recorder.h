@@ -46,6 +46,21 @@ namespace auxfem
     virtual void start(const Solution & /*solution*/)
     {}
 
+    /**
+     * In place of start(): the run goes on from @p solution, at which @p records
+     * were saved by a recorder of the same kind.
+     */
+    virtual void resume(const Solution & /*solution*/,
+                        const Records & /*records*/)
+    {}
+
+    /**
+     * Keeps what the recorder remembers of the solutions it has been told of,
+     * for resume(). Called after start() or step().
+     */
+    virtual void save(Records & /*records*/) const
+    {}
+
     /** A step of the scene is done. */
     virtual void step(const Solution & /*solution*/,
                       const StepReport & /*report*/)

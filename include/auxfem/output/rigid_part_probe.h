@@ -20,10 +20,19 @@ namespace auxfem
     /** Goes on to @p state; parts must not have turned by half a turn since the last. */
     void follow(const State &state);
 
+    /** Keeps what resume() needs. */
+    void save(Records &records) const;
+
+    /** Goes on from where @p records were saved. */
+    void resume(const Records &records);
+
     /** By the number of the part in RigidPartConditions::report() (rad). */
     const std::vector<SpaceVector> &values() const;
 
   private:
+    /** Numbers of the parts in the lattice. */
+    std::vector<unsigned int> parts() const;
+
     const Equations         &equations;
     std::vector<SpaceVector> rotations;
   };

@@ -2,6 +2,7 @@
 #define auxfem_output_rotation_vectors_h
 
 #include <auxfem/model/lattice_model.h>
+#include <auxfem/time/records.h>
 
 namespace auxfem
 {
@@ -22,6 +23,12 @@ namespace auxfem
      * axes that change it must stay below half a turn.
      */
     void follow(const State &state);
+
+    /** Keeps what resume() needs, at the state last followed. */
+    void save(Records &records) const;
+
+    /** Goes on from @p state, at which @p records were saved. */
+    void resume(const State &state, const Records &records);
 
     /** The entry that belongs to local unknown @p unknown, a spin (rad). */
     double operator[](int unknown) const;

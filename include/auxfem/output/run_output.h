@@ -46,6 +46,14 @@ namespace auxfem
     void start(const Solution &solution) override;
 
     /**
+     * Rows and files follow those of the run that saved @p records; what that
+     * has written is not read.
+     */
+    void resume(const Solution &solution, const Records &records) override;
+
+    void save(Records &records) const override;
+
+    /**
      * A finished step: progress line; history row and graphics when due. Throws
      * ComputationError if the disk takes no more.
      */

@@ -54,6 +54,12 @@ namespace auxfem
     /** As write_struts(), for connectors; nothing without any. */
     void write_connectors(const Solution &solution);
 
+    /** Keeps the numbers of files so far. */
+    void save(Records &records) const;
+
+    /** Numbers files on from where @p records were saved. */
+    void resume(const Records &records);
+
   private:
     using SetMembers = std::vector<bool>; ///< by strut
 

@@ -4,6 +4,7 @@
 #include <auxfem/algebra/unknown_layout.h>
 #include <auxfem/elements/rotation.h>
 #include <auxfem/time/energies.h>
+#include <auxfem/time/records.h>
 
 #include <optional>
 #include <vector>
@@ -17,26 +18,9 @@ namespace auxfem
       {values[unknowns[0]], values[unknowns[1]], values[unknowns[2]]});
   }
 
-  /**
-   * A part of State::history: internal variables of the same kind. Its items
-   * are named by numbers that are the same on every number of ranks, so that a
-   * run can be resumed on another.
-   */
-  struct HistoryRecord
-  {
-    /** Who keeps it and what it is, e.g. `damper: internal variables`. */
-    std::string name;
-    /** Numbers of the items kept on this rank, in order. */
-    std::vector<unsigned int> items;
-    unsigned int              values_per_item = 1;
-    /** Index of the first value in State::history. */
-    std::size_t first = 0;
-  };
-
   /** Which parts of the state a scene needs, as its effects ask for them. */
-  class StateLayout
+  struct StateLayout
   {
-  public:
     /** Dynamics, or viscosity in statics. */
     bool velocity     = false;
     bool acceleration = false; ///< dynamics
@@ -45,24 +29,12 @@ namespace auxfem
     /** Rotations in space kept as quaternions; none if they stay small. */
     unsigned int n_rotations = 0;
     EnergyLedger energies;
-
-    /** Adds a record; returns the index of its first value. */
-    std::size_t keep(const std::string               &name,
-                     const std::vector<unsigned int> &items,
-                     unsigned int                     values_per_item);
-
-    const std::vector<HistoryRecord> &history() const;
-
-    /** Values of all records. */
-    std::size_t n_history() const;
-
-  private:
-    std::vector<HistoryRecord> records;
+    RecordLayout history; ///< internal variables
   };
 
   /**
-   * Everything that describes the structure at one time, and all that a run
-   * needs to go on from there. There is one accepted state, owned by the
+   * Everything that describes the structure at one time, and all that its
+   * motion from there on depends on. There is one accepted state, owned by the
    * analysis, and one trial state, owned by the time stepper. Ghosts are up to
    * date, but for residuals, which are complete in owned rows only.
    */
@@ -106,7 +78,7 @@ namespace auxfem
      */
     std::vector<Quaternion> rotations;
 
-    /** Internal variables, in the order of StateLayout::history(). */
+    /** Internal variables, in the order of StateLayout::history. */
     std::vector<double> history;
 
     /** Energies of the whole lattice, known for accepted states. */

@@ -1,6 +1,8 @@
 #ifndef auxfem_time_step_control_h
 #define auxfem_time_step_control_h
 
+#include <auxfem/time/records.h>
+
 #include <memory>
 
 namespace auxfem
@@ -36,6 +38,12 @@ namespace auxfem
 
     /** Length of the shortest step (s). */
     virtual double shortest() const = 0;
+
+    /** Keeps what resume() needs. */
+    virtual void save(Records &records) const = 0;
+
+    /** Goes on from where @p records were saved by a control of the same kind. */
+    virtual void resume(const Records &records) = 0;
   };
 
   /**

@@ -87,16 +87,16 @@ namespace auxfem
     for (const Ends &ends : connectors)
       numbers.push_back(ends.number);
     if (law->n_history() > 0)
-      first_history = layout.keep(group_name + ": internal variables",
-                                  numbers,
-                                  law->n_history());
+      first_history = layout.history.keep(group_name + ": internal variables",
+                                          numbers,
+                                          law->n_history());
     stored_entry = layout.energies.enter(stored_energy_entry());
     if (!law->is_viscous())
       return;
     layout.velocity  = true;
-    first_dissipated = layout.keep(group_name + ": dissipated energy",
-                                   numbers,
-                                   /*values_per_item=*/1);
+    first_dissipated = layout.history.keep(group_name + ": dissipated energy",
+                                           numbers,
+                                           /*values_per_item=*/1);
     dissipated_entry =
       layout.energies.enter({EnergyKind::dissipated,
                              group_name + ".dissipated",

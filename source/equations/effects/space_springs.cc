@@ -40,7 +40,9 @@ namespace auxfem
     for (const Spring &spring : springs)
       numbers.push_back(spring.number);
     first_history =
-      layout.keep("rotational springs: material rotation vector", numbers, 3);
+      layout.history.keep("rotational springs: material rotation vector",
+                          numbers,
+                          3);
     strain_entry = layout.energies.enter(strain_energy_entry());
   }
 

@@ -336,7 +336,7 @@ namespace
   unsigned int n_kept(const ConnectorAlone &connector, const std::string &what)
   {
     unsigned int n = 0;
-    for (const HistoryRecord &record : connector.layout.history())
+    for (const Record &record : connector.layout.history.list())
       if (record.name == "one: " + what)
         n += record.items.size() * record.values_per_item;
     return n;
@@ -346,14 +346,14 @@ namespace
 TEST(ConnectorForces, HistoryAndStateAreKeptForWhatTheLawNeedsOnly)
 {
   const std::string internal = "internal variables", lost = "dissipated energy";
-  EXPECT_EQ(ConnectorAlone(spring, from_0_to_1).layout.n_history(), 0u);
+  EXPECT_EQ(ConnectorAlone(spring, from_0_to_1).layout.history.n_values(), 0u);
   const ConnectorAlone parallel(kelvin_voigt, from_0_to_1);
   EXPECT_EQ(n_kept(parallel, internal), 0u);
   EXPECT_EQ(n_kept(parallel, lost), 1u);
   EXPECT_EQ(n_kept(ConnectorAlone(maxwell, from_0_to_1), internal), 1u);
   const ConnectorAlone three(maxwell, "set Between = 0 1; 1 2; 0 2\n");
   EXPECT_EQ(n_kept(three, internal), 3u);
-  EXPECT_EQ(three.layout.n_history(), 6u);
+  EXPECT_EQ(three.layout.history.n_values(), 6u);
 }
 
 TEST(ConnectorForces, AcceptedStepsKnowStoredAndLostEnergy)

@@ -13,7 +13,7 @@ namespace auxfem
     /** Room in @p state for what effects keep that have been added to the layout. */
     inline void make_room(const StateLayout &layout, State &state)
     {
-      state.history.resize(layout.n_history(), 0.);
+      state.history.resize(layout.history.n_values(), 0.);
       state.energies =
         Energies(std::make_shared<const EnergyLedger>(layout.energies));
       state.energy_sums = state.powers = state.energies.amounts();

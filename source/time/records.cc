@@ -1,0 +1,108 @@
+#include <auxfem/parameters/errors.h>
+#include <auxfem/time/records.h>
+
+#include <deal.II/base/exceptions.h>
+
+#include <algorithm>
+#include <map>
+
+namespace auxfem
+{
+  namespace
+  {
+    /** Of a record of the run as a whole. */
+    const std::vector<unsigned int> the_run = {0};
+
+    [[noreturn]] void refuse(const std::string &what)
+    {
+      throw InputError("What the run is to go on from has no " + what +
+                       ": it was left by another scene or another version of "
+                       "auxfem. Go on with those, or start from t = 0.");
+    }
+  } // namespace
+
+  std::size_t RecordLayout::keep(const std::string               &name,
+                                 const std::vector<unsigned int> &items,
+                                 const unsigned int values_per_item)
+  {
+    const std::size_t first = n_values();
+    records.push_back({name, items, values_per_item, first});
+    return first;
+  }
+
+  const std::vector<Record> &RecordLayout::list() const
+  {
+    return records;
+  }
+
+  std::size_t RecordLayout::n_values() const
+  {
+    return records.empty() ? 0
+                           : records.back().first +
+        records.back().items.size() * records.back().values_per_item;
+  }
+
+  void Records::keep(const std::string               &name,
+                     const std::vector<unsigned int> &items,
+                     const unsigned int               values_per_item,
+                     const std::vector<double>       &new_values)
+  {
+    Assert(new_values.size() == items.size() * values_per_item,
+           dealii::ExcInternalError());
+    layout.keep(name, items, values_per_item);
+    all_values.insert(all_values.end(), new_values.begin(), new_values.end());
+  }
+
+  void Records::keep(const std::string         &name,
+                     const std::vector<double> &new_values)
+  {
+    keep(name, the_run, new_values.size(), new_values);
+  }
+
+  const Record &Records::find(const std::string &name) const
+  {
+    const std::vector<Record> &list = layout.list();
+    const auto                 record =
+      std::find_if(list.begin(), list.end(), [&](const Record &candidate) {
+        return candidate.name == name;
+      });
+    if (record == list.end())
+      refuse('"' + name + '"');
+    return *record;
+  }
+
+  const std::vector<unsigned int> &Records::items(const std::string &name) const
+  {
+    return find(name).items;
+  }
+
+  std::vector<double> Records::values(const std::string               &name,
+                                      const std::vector<unsigned int> &items,
+                                      const unsigned int values_per_item) const
+  {
+    const Record &record = find(name);
+    if (record.values_per_item != values_per_item)
+      refuse('"' + name + "\" with " + std::to_string(values_per_item) +
+             " values each");
+    std::map<unsigned int, std::size_t> places;
+    for (std::size_t i = 0; i < record.items.size(); ++i)
+      places[record.items[i]] = record.first + i * values_per_item;
+    std::vector<double> result;
+    result.reserve(items.size() * values_per_item);
+    for (const unsigned int item : items)
+      {
+        const auto place = places.find(item);
+        if (place == places.end())
+          refuse('"' + name + "\" of item " + std::to_string(item));
+        const auto begin = all_values.begin() + place->second;
+        result.insert(result.end(), begin, begin + values_per_item);
+      }
+    return result;
+  }
+
+  std::vector<double> Records::values(const std::string &name,
+                                      const unsigned int n) const
+  {
+    return values(name, the_run, n);
+  }
+} // namespace auxfem

@@ -1,0 +1,484 @@
+#include <auxfem/analysis/lattice_run.h>
+#include <auxfem/output/memory_recorder.h>
+#include <auxfem/output/run_output.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <equations/equations_on_ranks.h>
+#include <gtest/gtest.h>
+#include <support/run_program.h>
+
+#include <array>
+#include <cmath>
+#include <map>
+
+using namespace auxfem;
+using namespace auxfem::testing_support;
+
+// Runs that are interrupted: of the first half no more is handed on than a
+// checkpoint; model, equations, solvers and recorder are made anew.
+
+namespace
+{
+  constexpr double pi = 3.14159265358979323846;
+
+  Scene scene_of(const std::string              &text,
+                 const std::vector<std::string> &overrides)
+  {
+    return read_scene_from_text(text, "test.prm", overrides);
+  }
+
+  /** A run with its recorder, step by step. */
+  template <typename RecorderType>
+  struct Recorded
+  {
+    explicit Recorded(const Scene &scene)
+      : run(scene, MPI_COMM_WORLD)
+      , recorder(scene, MPI_COMM_WORLD)
+    {
+      recorder.begin(run.equations);
+    }
+
+    void start()
+    {
+      run.start();
+      recorder.start(run.solution);
+    }
+
+    /** Returns how many attempts were undone. */
+    unsigned int steps(const unsigned int n)
+    {
+      unsigned int retries = 0;
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          const StepReport report = run.advance();
+          recorder.step(run.solution, report);
+          retries += report.retries;
+        }
+      return retries;
+    }
+
+    void finish()
+    {
+      recorder.finish(run.solution,
+                      {"completed", run.solution.state.time, run.work()});
+    }
+
+    LatticeRun   run;
+    RecorderType recorder;
+  };
+
+  using InMemory = Recorded<MemoryRecorder>;
+
+  /** What a run of @p n steps leaves to those that go on. */
+  Checkpoint checkpoint_after(const Scene &scene, const unsigned int n)
+  {
+    InMemory first(scene);
+    first.start();
+    first.steps(n);
+    return first.run.checkpoint(first.recorder);
+  }
+
+  /** What a test asks of a whole run. */
+  struct Course
+  {
+    /** Values of columns at the checkpoint and at the end. */
+    std::map<std::string, std::array<double, 2>> columns;
+    /** How often steps had to be repeated before the checkpoint and after. */
+    std::array<unsigned int, 2> retries;
+  };
+
+  void expect_same_work(const Work &a, const Work &b)
+  {
+    EXPECT_EQ(a.steps, b.steps);
+    EXPECT_EQ(a.iterations, b.iterations);
+    EXPECT_EQ(a.factorizations, b.factorizations);
+    EXPECT_EQ(a.retries, b.retries);
+    EXPECT_EQ(a.linear_iterations, b.linear_iterations);
+  }
+
+  void expect_same(const std::vector<Column>              &columns,
+                   const std::vector<std::vector<double>> &rows,
+                   const unsigned int                      first,
+                   const std::vector<std::vector<double>> &later_rows)
+  {
+    ASSERT_EQ(rows.size(), first + later_rows.size());
+    for (unsigned int i = 0; i < later_rows.size(); ++i)
+      for (unsigned int c = 0; c < columns.size(); ++c)
+        EXPECT_EQ(rows[first + i][c], later_rows[i][c])
+          << columns[c].name << " at " << rows[first + i][0];
+  }
+
+  /** Runs that are not halted for a checkpoint differ by round-off. */
+  void expect_near(const MemoryRecorder &a,
+                   const MemoryRecorder &b,
+                   const double          relative_tolerance)
+  {
+    for (const Column &column : a.columns())
+      {
+        // Of what nearly cancels nothing but round-off is left.
+        if (column.name == "balance")
+          continue;
+        const std::vector<double> of_a = a.column(column.name),
+                                  of_b = b.column(column.name);
+        double largest                 = 1e-3;
+        for (const double value : of_a)
+          largest = std::max(largest, std::abs(value));
+        for (unsigned int i = 0; i < of_a.size(); ++i)
+          EXPECT_NEAR(of_a[i], of_b.at(i), relative_tolerance * largest)
+            << column.name;
+      }
+  }
+
+  /**
+   * Runs a scene as a whole, with a checkpoint in the middle and without, and
+   * in two halves. After the middle all values are those of the whole run with
+   * the checkpoint, to the last digit.
+   */
+  Course compare_halves(const std::string              &text,
+                        const std::vector<std::string> &overrides,
+                        const double tolerance_without = 1e-6)
+  {
+    const Scene        scene   = scene_of(text, overrides);
+    const unsigned int n_steps = scene.time.n_steps(), n_first = n_steps / 2;
+
+    InMemory whole(scene);
+    whole.start();
+    Course course;
+    course.retries[0] = whole.steps(n_first);
+    whole.run.checkpoint(whole.recorder);
+    course.retries[1] = whole.steps(n_steps - n_first);
+
+    const Checkpoint checkpoint = checkpoint_after(scene, n_first);
+    InMemory         second(scene);
+    second.run.resume(checkpoint, second.recorder);
+    second.steps(n_steps - n_first);
+    expect_same(whole.recorder.columns(),
+                whole.recorder.rows(),
+                n_first + 1,
+                second.recorder.rows());
+    expect_same_work(whole.run.work(), second.run.work());
+
+    InMemory undisturbed(scene);
+    undisturbed.start();
+    undisturbed.steps(n_steps);
+    expect_near(undisturbed.recorder, whole.recorder, tolerance_without);
+
+    for (const Column &column : whole.recorder.columns())
+      {
+        const std::vector<double> values = whole.recorder.column(column.name);
+        course.columns[column.name] = {{values.at(n_first), values.back()}};
+      }
+    return course;
+  }
+} // namespace
+
+TEST(Checkpoint, APlaneLatticeWithConnectorsGoesOnFromIt)
+{
+  for (const char *scheme : {"newmark", "generalized-alpha", "static"})
+    {
+      const Course course =
+        compare_halves(star_with_everything(2, 2) +
+                         "subsection Probes\n  set top = top\nend\n",
+                       {std::string("Time/Scheme=") + scheme,
+                        "Solver/Type=klu",
+                        "Output/Effective strains=true"});
+      EXPECT_GT(course.columns.at("damper.dissipated")[0], 0) << scheme;
+    }
+}
+
+TEST(Checkpoint, ALatticeInSpaceWithEverythingGoesOnFromIt)
+{
+  compare_halves(space_star_with_everything(),
+                 {"Time/Scheme=generalized-alpha", "Solver/Type=klu"});
+}
+
+namespace
+{
+  /** Two struts in free space that turn by 40 rad in 2 s. */
+  const std::string spinning_struts = "set Dimension = 3\n" +
+    frame_scene("0 0 0; 1 0 0; 2 0.5 0",
+                "0 1; 1 2",
+                R"(
+subsection Initial velocities
+  subsection spin
+    set Joints = all
+    set Angular velocity z = 20
+  end
+end
+subsection Time
+  set Scheme = generalized-alpha
+  set End time = 2
+  set Time step = 0.01
+end
+subsection Probes
+  set end = 2
+end
+)");
+} // namespace
+
+TEST(Checkpoint, TurnsInSpaceAreCountedOn)
+{
+  const Course course =
+    compare_halves(spinning_struts,
+                   {"Sections/band/Young's modulus=1e4", "Solver/Type=klu"});
+  EXPECT_GT(std::abs(course.columns.at("end.phi_z")[0]), 2 * pi);
+  EXPECT_GT(std::abs(course.columns.at("end.phi_z")[1]), 4 * pi);
+}
+
+namespace
+{
+  /** Two bars that are thrown round a pivot, by 12 rad each second. */
+  const std::string rigid_bars = R"(
+subsection Lattice
+  set Cell = frame
+  set Joints = 0 0; 1 0; 1.5 0
+  set Struts = 0 1; 1 2
+end
+subsection Rigid parts
+  subsection bars
+    set Struts = all
+    set Parts = single struts
+    set Mass = 0.5
+  end
+end
+subsection Supports
+  subsection pivot
+    set Joints = 0
+    set Type = pin
+  end
+end
+subsection Initial velocities
+  subsection throw
+    set Joints = 1
+    set Velocity y = 12
+  end
+  subsection throw end
+    set Joints = 2
+    set Velocity y = 18
+  end
+end
+subsection Gravity
+  set Acceleration y = -1
+end
+subsection Time
+  set End time = 1
+  set Time step = 0.01
+end
+subsection Probes
+  set bar = rigid: 0 @ 1
+end
+)";
+
+  /** A body of three joints and a bar in free space, turning about z. */
+  const std::string rigid_body_in_space = R"(
+set Dimension = 3
+subsection Lattice
+  set Cell = frame
+  set Joints = 0 0 0; 1 0 0; 0 1 0; 1.2 0 0
+  set Struts = 0 1; 0 2; 1 3
+end
+subsection Rigid parts
+  subsection body
+    set Struts = 0, 1
+    set Mass = 0.5
+  end
+  subsection bar
+    set Struts = 2
+    set Mass = 0.5
+  end
+end
+subsection Initial velocities
+  subsection throw
+    set Joints = all
+    set Angular velocity z = 20
+  end
+end
+subsection Time
+  set End time = 1
+  set Time step = 0.01
+end
+subsection Probes
+  set body = rigid: 0 @ 1
+end
+)";
+} // namespace
+
+TEST(Checkpoint, TurnsOfRigidPartsAreCountedOn)
+{
+  for (const char *scheme : {"newmark", "generalized-alpha"})
+    {
+      const std::string set_scheme = std::string("Time/Scheme=") + scheme;
+      const Course      plane =
+        compare_halves(rigid_bars, {set_scheme, "Solver/Type=klu"});
+      EXPECT_GT(std::abs(plane.columns.at("bar.phi")[0]), pi);
+      EXPECT_GT(std::abs(plane.columns.at("bar.phi")[1]), 2 * pi);
+      const Course space =
+        compare_halves(rigid_body_in_space, {set_scheme, "Solver/Type=klu"});
+      EXPECT_GT(std::abs(space.columns.at("body.phi_z")[0]), pi);
+      EXPECT_GT(std::abs(space.columns.at("body.phi_z")[1]), 2 * pi);
+    }
+}
+
+TEST(Checkpoint, StepsThatAreRepeatedAreThoseOfTheWholeRun)
+{
+  // With so few iterations every step is divided.
+  const Course course = compare_halves(frame_scene("0 0; 1 0; 2 0",
+                                                   "0 1; 1 2",
+                                                   R"(
+subsection Supports
+  subsection wall
+    set Joints = 0
+    set Type = clamp
+  end
+end
+subsection Loads
+  subsection tip
+    set Joints = 2
+    set Force y = 0.5 * t
+  end
+end
+subsection Time
+  set Scheme = static
+  set End time = 1
+  set Time step = 0.25
+end
+subsection Probes
+  set tip = 2
+end
+)"),
+                                       {"Newton/Maximum iterations=3",
+                                        "Newton/Factorization=every iteration",
+                                        "Solver/Type=klu"});
+  EXPECT_GT(course.retries[0], 0u);
+  EXPECT_GT(course.retries[1], 0u);
+}
+
+TEST(Checkpoint, ItMayBeTakenAtTheTimeOfAJump)
+{
+  const std::string text = frame_scene("0 0; 1 0; 2 0",
+                                       "0 1; 1 2",
+                                       R"(
+subsection Supports
+  subsection wall
+    set Joints = 0
+    set Type = clamp
+  end
+end
+subsection Loads
+  subsection tip
+    set Joints = 2
+    set Force y = if(t < 0.5, 0.1, -0.2)
+  end
+end
+subsection Time
+  set End time = 1
+  set Time step = 0.05
+end
+subsection Probes
+  set tip = 2
+end
+)");
+  for (const char *scheme : {"newmark", "generalized-alpha"})
+    compare_halves(text,
+                   {std::string("Time/Scheme=") + scheme, "Solver/Type=klu"});
+}
+
+namespace
+{
+  /** Rows of history.csv, line by line. */
+  std::vector<std::string> rows_in(const std::string &folder)
+  {
+    std::istringstream       text(read_text(folder + "/history.csv"));
+    std::vector<std::string> rows;
+    std::string              line;
+    std::getline(text, line);
+    while (std::getline(text, line))
+      rows.push_back(line);
+    return rows;
+  }
+
+  /** Times in solution.pvd with the files that are there. */
+  std::map<std::string, std::string> frames_in(const std::string &folder)
+  {
+    const std::string text = read_text(folder + "/solution.pvd");
+    const std::regex  entry("timestep=\"([^\"]*)\".*file=\"([^\"]*)\"");
+    std::map<std::string, std::string> frames;
+    for (std::sregex_iterator match(text.begin(), text.end(), entry), end;
+         match != end;
+         ++match)
+      {
+        frames[(*match)[1]] = (*match)[2];
+        EXPECT_TRUE(std::filesystem::exists(folder + "/" + (*match)[2].str()));
+      }
+    return frames;
+  }
+
+  /** The members of summary.json from @p begin to @p end. */
+  std::string part_of_summary(const std::string &folder,
+                              const std::string &begin,
+                              const std::string &end = "")
+  {
+    const std::string text = read_text(folder + "/summary.json");
+    const std::size_t from = text.find('"' + begin + '"');
+    EXPECT_NE(from, std::string::npos);
+    return text.substr(from,
+                       end.empty() ? std::string::npos
+                                   : text.find('"' + end + '"') - from);
+  }
+} // namespace
+
+TEST(Checkpoint, AFolderIsContinuedByRowsFilesAndLargestValues)
+{
+  const std::string folder = std::string(AUXFEM_TEST_OUTPUT_DIRECTORY) +
+    "/checkpoint_" +
+    std::to_string(dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD));
+  // Neither rows nor frames fall on the checkpoint after step 5.
+  const std::vector<std::string> settings = {"Output/Effective strains=true",
+                                             "Output/History interval=2",
+                                             "Output/Graphics interval=0.13",
+                                             "Solver/Type=klu"};
+  const auto                     scene_in = [&](const std::string &name) {
+    std::vector<std::string> overrides = settings;
+    overrides.push_back("Output/Directory=" + folder + name);
+    return scene_of(star_with_everything(2, 2), overrides);
+  };
+  const Scene whole_scene  = scene_in("_whole"),
+              first_scene  = scene_in("_first"),
+              second_scene = scene_in("_second");
+
+  testing::internal::CaptureStdout();
+  Recorded<RunOutput> whole(whole_scene);
+  whole.start();
+  whole.steps(5);
+  whole.run.checkpoint(whole.recorder);
+  whole.steps(5);
+  whole.finish();
+  Recorded<RunOutput> first(first_scene);
+  first.start();
+  first.steps(5);
+  const Checkpoint    checkpoint = first.run.checkpoint(first.recorder);
+  Recorded<RunOutput> second(second_scene);
+  second.run.resume(checkpoint, second.recorder);
+  second.steps(5);
+  second.finish();
+  testing::internal::GetCapturedStdout();
+
+  MPI_Barrier(MPI_COMM_WORLD);
+  const auto join = [](auto a, const auto &b) {
+    a.insert(a.end(), b.begin(), b.end());
+    return a;
+  };
+  EXPECT_EQ(join(rows_in(folder + "_first"), rows_in(folder + "_second")),
+            rows_in(folder + "_whole"));
+  auto frames = frames_in(folder + "_first");
+  EXPECT_GT(frames.size(), 1u);
+  for (const auto &[time, file] : frames_in(folder + "_second"))
+    frames[time] = file;
+  EXPECT_EQ(frames, frames_in(folder + "_whole"));
+  EXPECT_GT(frames.size(), frames_in(folder + "_first").size());
+  for (const auto &[begin, end] :
+       {std::pair("work", "wall_seconds"), std::pair("energies_joule", "")})
+    EXPECT_EQ(part_of_summary(folder + "_second", begin, end),
+              part_of_summary(folder + "_whole", begin, end));
+}
