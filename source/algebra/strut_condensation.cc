@@ -1,330 +1,474 @@
 #include <auxfem/algebra/strut_condensation.h>
-#include <auxfem/parameters/errors.h>
-
-#include <Epetra_SerialComm.h>
-#include <Teuchos_ParameterList.hpp>
 
 #include <algorithm>
-#include <map>
-
-#include <Amesos.h>
+#include <array>
+#include <cmath>
 
 namespace auxfem
 {
-  StrutCondensation::StrutCondensation(const DofNumbering &numbering,
-                                       const JointBlocks  &blocks,
-                                       TangentMatrix      &matrix,
-                                       const double        length)
-    : numbering(numbering)
-    , blocks(blocks)
-    , tangent(matrix)
-    , length(length)
-    , inner_index(numbering.n_local(), -1)
-    , reduced(blocks.map())
-    , prepared(numbering.owned_map())
+  StrutCondensation::StrutCondensation(const TangentMatrix &matrix)
+    : tangent(matrix)
+  {}
+
+  const std::string &StrutCondensation::words() const
   {
-    collect_struts();
-    if (!inner_unknowns.empty())
-      make_inner_matrix();
+    return why_not;
   }
 
-  bool StrutCondensation::condense()
+  const SparseMatrix &StrutCondensation::matrix() const
   {
-    int mine = 1, all = 1;
-    if (!inner_unknowns.empty())
+    return system->matrix();
+  }
+
+  const Unknowns &StrutCondensation::joints() const
+  {
+    return system->unknowns();
+  }
+
+  unsigned long StrutCondensation::version() const
+  {
+    return built_version;
+  }
+
+  const std::optional<Inertia> &StrutCondensation::inner_inertia() const
+  {
+    return inertia;
+  }
+
+  std::size_t StrutCondensation::memory() const
+  {
+    return factors.size() * sizeof(double);
+  }
+
+  void StrutCondensation::follow_pattern()
+  {
+    const TangentPattern &pattern = tangent.pattern();
+    if (system && built_version == tangent.version())
+      return;
+    system.reset();
+    struts        = find_strut_elements(pattern);
+    system        = std::make_unique<JointSystem>(pattern, struts);
+    built_version = tangent.version();
+
+    prescribed_blocks.clear();
+    for (std::size_t b = 0; b < pattern.n_blocks(); ++b)
+      if (std::any_of(pattern.begin(b), pattern.end(b), [&](const int i) {
+            return i >= 0 &&
+              pattern.unknowns().kinds[i] == UnknownKind::prescribed;
+          }))
+        prescribed_blocks.push_back(b);
+  }
+
+  Symmetry StrutCondensation::symmetry_of_nodes() const
+  {
+    return symmetry == Symmetry::enforced ? Symmetry::given : symmetry;
+  }
+
+  std::size_t
+  StrutCondensation::node_size(const StrutElements &elements) const
+  {
+    const std::size_t of_one_coupling =
+      2 * elements.n_of_node * elements.n_of_node;
+    return elements.node->factor_size(symmetry_of_nodes()) +
+      (symmetry == Symmetry::none ? 2 : 1) * of_one_coupling;
+  }
+
+  std::size_t
+  StrutCondensation::factors_size(const StrutElements &elements) const
+  {
+    std::size_t size = 0;
+    if (elements.between_nodes != nullptr)
+      size +=
+        elements.n_elements * elements.between_nodes->factor_size(symmetry);
+    if (elements.n_elements > 1)
+      size += (elements.n_elements - 1) * node_size(elements);
+    return size;
+  }
+
+  FactorizationOutcome StrutCondensation::condense(const Symmetry wanted)
+  {
+    follow_pattern();
+    symmetry = wanted;
+    system->reset(symmetry);
+    std::size_t n_factors = 0;
+    for (const StrutElements &elements : struts)
+      n_factors += factors_size(elements);
+    factors.resize(n_factors);
+
+    Room                 room;
+    unsigned long        n_negative = 0, n_inner = 0;
+    double              *of_strut   = factors.data();
+    const StrutElements *failed     = nullptr;
+    for (std::size_t s = 0; s < struts.size() && failed == nullptr; ++s)
       {
-        fill_inner_matrix();
-        has_symbolic =
-          has_symbolic || inner_solver->SymbolicFactorization() == 0;
-        mine = has_symbolic && inner_solver->NumericFactorization() == 0;
+        if (!condense_strut(struts[s], of_strut, room, n_negative))
+          failed = &struts[s];
+        else
+          system->add_strut(s, room.of_strut.data());
+        of_strut += factors_size(struts[s]);
+        n_inner += struts[s].n_elements * struts[s].n_between_nodes() +
+          (struts[s].n_elements - 1) * struts[s].n_of_node;
       }
-    numbering.communicator().MinAll(&mine, &all, 1);
-    if (all == 0)
-      return false;
-    make_influence();
-    make_joint_matrix();
+
+    // All ranks tell of the last strut of all that failed.
+    const UnknownLayout &layout = *tangent.pattern().unknowns().layout;
+    const double last = layout.largest(failed != nullptr ? failed->strut : -1.);
+    inertia.reset();
+    why_not.clear();
+    if (last >= 0)
+      {
+        why_not = "the inside of strut " +
+          std::to_string(static_cast<unsigned int>(last));
+        const bool is_finite = failed == nullptr || has_finite_entries(*failed);
+        return layout.largest(is_finite ? 0. : 1.) > 0
+          ? FactorizationOutcome::not_finite
+          : FactorizationOutcome::singular;
+      }
+    system->add_others(tangent);
+    if (symmetry != Symmetry::none)
+      {
+        const std::vector<double> sums =
+          layout.sum(std::vector<double>{double(n_negative), double(n_inner)});
+        inertia           = Inertia();
+        inertia->negative = sums[0];
+        inertia->positive = sums[1] - sums[0];
+      }
+    return FactorizationOutcome::done;
+  }
+
+  bool
+  StrutCondensation::has_finite_entries(const StrutElements &elements) const
+  {
+    const std::size_t n =
+      std::size_t(elements.n_of_element) * elements.n_of_element;
+    for (unsigned int e = 0; e < elements.n_elements; ++e)
+      {
+        const double *const block = tangent.values(elements.first_block + e);
+        if (!std::all_of(block, block + n, [](const double entry) {
+              return std::isfinite(entry);
+            }))
+          return false;
+      }
     return true;
   }
 
-  Epetra_CrsMatrix &StrutCondensation::matrix()
+  const double *StrutCondensation::added(const int          *unknowns,
+                                         const unsigned int   n,
+                                         std::vector<double> &room) const
   {
-    return *joint_matrix;
+    if (tangent.added_diagonal().empty())
+      return nullptr;
+    room.resize(n);
+    for (unsigned int i = 0; i < n; ++i)
+      room[i] = tangent.added_diagonal()[unknowns[i]];
+    return room.data();
   }
 
-  const Epetra_Vector &StrutCondensation::reduce(const Epetra_Vector &b)
+  bool StrutCondensation::condense_strut(const StrutElements &elements,
+                                         double              *of_strut,
+                                         Room                &room,
+                                         unsigned long       &n_negative) const
   {
-    Epetra_Vector remaining(b), image(numbering.owned_map());
-    prepared.PutScalar(0.);
-    for (unsigned int i = 0; i < numbering.n_owned(); ++i)
-      if (numbering.kind(i) == UnknownKind::prescribed)
-        prepared[i] = b[i];
-    tangent.matrix().Multiply(false, prepared, image);
-    remaining.Update(-1., image, 1.);
-
-    if (!inner_unknowns.empty())
+    for (unsigned int e = 0; e < elements.n_elements; ++e)
       {
-        Epetra_MultiVector of_inside(*inner_map, 1);
-        for (unsigned int k = 0; k < inner_unknowns.size(); ++k)
-          of_inside[0][k] = remaining[inner_unknowns[k]];
-        solve_inside(of_inside);
-        for (unsigned int k = 0; k < inner_unknowns.size(); ++k)
-          prepared[inner_unknowns[k]] = of_inside[0][k];
-      }
-    tangent.matrix().Multiply(false, prepared, image);
-
-    reduced.PutScalar(0.);
-    for (int k = 0; k < reduced.MyLength(); ++k)
-      {
-        const int unknown = blocks.unknown(k);
-        if (unknown >= 0 && is_free_at_joint(unknown))
-          reduced[k] = scale(unknown) * (b[unknown] - image[unknown]);
-      }
-    return reduced;
-  }
-
-  void StrutCondensation::expand(const Epetra_Vector &z, Epetra_Vector &x) const
-  {
-    influence->Multiply(false, z, x);
-    x.Update(1., prepared, -1.);
-    for (int k = 0; k < z.MyLength(); ++k)
-      {
-        const int unknown = blocks.unknown(k);
-        if (unknown >= 0 && is_free_at_joint(unknown))
-          x[unknown] = scale(unknown) * z[k];
-      }
-  }
-
-  bool StrutCondensation::is_free_at_joint(const int unknown) const
-  {
-    return blocks.row(unknown) >= 0 &&
-      numbering.kind(unknown) != UnknownKind::prescribed;
-  }
-
-  double StrutCondensation::scale(const int unknown) const
-  {
-    return numbering.is_rotation(unknown) ? 1. / length : 1.;
-  }
-
-  void StrutCondensation::collect_struts()
-  {
-    std::map<unsigned int, Inside> by_strut;
-    for (unsigned int i = 0; i < numbering.n_owned(); ++i)
-      if (blocks.strut(i) != invalid_index)
-        {
-          inner_index[i] = inner_unknowns.size();
-          inner_unknowns.push_back(i);
-          by_strut[blocks.strut(i)].unknowns.push_back(i);
-        }
-    for (auto &[strut, inside] : by_strut)
-      {
-        std::vector<int> &at_joints = inside.at_joints;
-        for (const int unknown : inside.unknowns)
-          {
-            int     n = 0, *columns = nullptr;
-            double *values = nullptr;
-            tangent.matrix().ExtractMyRowView(unknown, n, values, columns);
-            refuse_coupled_struts(strut, columns, n);
-            std::copy_if(columns,
-                         columns + n,
-                         std::back_inserter(at_joints),
-                         [this](const int c) { return is_free_at_joint(c); });
-          }
-        std::sort(at_joints.begin(), at_joints.end());
-        at_joints.erase(std::unique(at_joints.begin(), at_joints.end()),
-                        at_joints.end());
-        struts.push_back(std::move(inside));
-      }
-  }
-
-  void StrutCondensation::refuse_coupled_struts(const unsigned int strut,
-                                                const int         *columns,
-                                                const int          n) const
-  {
-    if (std::any_of(columns, columns + n, [&](const int column) {
-          return blocks.strut(column) != invalid_index &&
-            blocks.strut(column) != strut;
-        }))
-      throw InputError(
-        "Solver/Type = gmres: something couples the insides of two struts, "
-        "which are eliminated one by one. Use `auto`, `klu` or `mumps`.");
-  }
-
-  void StrutCondensation::make_inner_matrix()
-  {
-    inner_map    = std::make_unique<Epetra_Map>(int(inner_unknowns.size()),
-                                             0,
-                                             Epetra_SerialComm());
-    inner_matrix = std::make_unique<Epetra_CrsMatrix>(Copy, *inner_map, 0);
-    const std::vector<double> zeros(tangent.matrix().MaxNumEntries(), 0.);
-    std::vector<int>          inner_columns;
-    for (unsigned int k = 0; k < inner_unknowns.size(); ++k)
-      {
-        int     n = 0, *columns = nullptr;
-        double *values = nullptr;
-        tangent.matrix().ExtractMyRowView(inner_unknowns[k],
-                                          n,
-                                          values,
-                                          columns);
-        inner_columns.clear();
-        for (int i = 0; i < n; ++i)
-          if (inner_index[columns[i]] >= 0)
-            inner_columns.push_back(inner_index[columns[i]]);
-        inner_matrix->InsertGlobalValues(k,
-                                         inner_columns.size(),
-                                         zeros.data(),
-                                         inner_columns.data());
-      }
-    inner_matrix->FillComplete();
-    inner_problem.SetOperator(inner_matrix.get());
-    inner_solver.reset(Amesos().Create("Amesos_Klu", inner_problem));
-    Teuchos::ParameterList list;
-    list.set("Refactorize", true);
-    list.set("OutputLevel", 0);
-    inner_solver->SetParameters(list);
-  }
-
-  void StrutCondensation::fill_inner_matrix()
-  {
-    for (unsigned int k = 0; k < inner_unknowns.size(); ++k)
-      {
-        int     n = 0, *columns = nullptr;
-        double *values = nullptr;
-        tangent.matrix().ExtractMyRowView(inner_unknowns[k],
-                                          n,
-                                          values,
-                                          columns);
-        for (int i = 0; i < n; ++i)
-          if (inner_index[columns[i]] >= 0)
-            inner_matrix->ReplaceGlobalValues(k,
-                                              1,
-                                              &values[i],
-                                              &inner_index[columns[i]]);
-      }
-  }
-
-  void StrutCondensation::solve_inside(Epetra_MultiVector &of_inside)
-  {
-    Epetra_MultiVector right_side(of_inside);
-    inner_problem.SetRHS(&right_side);
-    inner_problem.SetLHS(&of_inside);
-    inner_solver->Solve();
-  }
-
-  void StrutCondensation::make_influence()
-  {
-    influence =
-      std::make_unique<Epetra_CrsMatrix>(Copy, numbering.owned_map(), 0);
-    std::size_t n_columns = 0;
-    for (const Inside &inside : struts)
-      n_columns = std::max(n_columns, inside.at_joints.size());
-    if (n_columns > 0)
-      {
-        // No strut's inside acts on that of another, so column k of all of
-        // them is found at once.
-        Epetra_MultiVector of_inside(*inner_map, n_columns);
-        for (const Inside &inside : struts)
-          for (const int unknown : inside.unknowns)
-            {
-              int     n = 0, *columns = nullptr;
-              double *values = nullptr;
-              tangent.matrix().ExtractMyRowView(unknown, n, values, columns);
-              for (int i = 0; i < n; ++i)
-                if (is_free_at_joint(columns[i]))
-                  {
-                    const auto place =
-                      std::lower_bound(inside.at_joints.begin(),
-                                       inside.at_joints.end(),
-                                       columns[i]);
-                    of_inside[place - inside.at_joints.begin()]
-                             [inner_index[unknown]] =
-                               values[i] * scale(columns[i]);
-                  }
-            }
-        solve_inside(of_inside);
-        for (const Inside &inside : struts)
-          {
-            std::vector<int> rows;
-            for (const int at_joint : inside.at_joints)
-              rows.push_back(blocks.row(at_joint));
-            std::vector<double> entries(rows.size());
-            for (const int unknown : inside.unknowns)
-              {
-                for (unsigned int k = 0; k < rows.size(); ++k)
-                  entries[k] = of_inside[k][inner_index[unknown]];
-                influence->InsertGlobalValues(numbering.owned_map().GID(
-                                                unknown),
-                                              rows.size(),
-                                              entries.data(),
-                                              rows.data());
-              }
-          }
-      }
-    influence->FillComplete(blocks.map(), numbering.owned_map());
-  }
-
-  void StrutCondensation::make_joint_matrix()
-  {
-    const Epetra_CrsMatrix           *with_ghosts = influence.get();
-    std::unique_ptr<Epetra_CrsMatrix> imported;
-    if (numbering.n_ranks() > 1)
-      {
-        imported =
-          std::make_unique<Epetra_CrsMatrix>(Copy, numbering.local_map(), 0);
-        imported->Import(*influence, numbering.importer(), Insert);
-        with_ghosts = imported.get();
-      }
-
-    joint_matrix = std::make_unique<Epetra_CrsMatrix>(Copy, blocks.map(), 0);
-    MatrixRow of_influence, row;
-    of_influence.columns.resize(influence->GlobalMaxNumEntries());
-    of_influence.entries.resize(of_influence.columns.size());
-    for (int k = 0; k < blocks.map().NumMyElements(); ++k)
-      {
-        const int unknown = blocks.unknown(k);
-        if (unknown >= 0 && is_free_at_joint(unknown))
-          joint_row(unknown, *with_ghosts, of_influence, row);
+        const std::size_t block = elements.first_block + e;
+        EliminationResult result =
+          condense_element(elements, block, of_strut, room);
+        n_negative += result.n_negative;
+        if (!result.is_regular)
+          return false;
+        if (elements.between_nodes != nullptr)
+          of_strut += elements.between_nodes->factor_size(symmetry);
+        if (e == 0)
+          room.of_strut = room.of_element;
         else
-          row = {{blocks.map().GID(k)}, {1.}};
-        joint_matrix->InsertGlobalValues(blocks.map().GID(k),
-                                         row.columns.size(),
-                                         row.entries.data(),
-                                         row.columns.data());
+          {
+            result = eliminate_node(elements, block, of_strut, room);
+            n_negative += result.n_negative;
+            if (!result.is_regular)
+              return false;
+            of_strut += node_size(elements);
+          }
       }
-    joint_matrix->FillComplete();
-    joint_matrix->OptimizeStorage();
+    return true;
   }
 
-  void StrutCondensation::joint_row(const int               unknown,
-                                    const Epetra_CrsMatrix &with_ghosts,
-                                    MatrixRow              &of_influence,
-                                    MatrixRow              &row) const
+  EliminationResult
+  StrutCondensation::condense_element(const StrutElements &elements,
+                                      const std::size_t    block,
+                                      double              *of_element,
+                                      Room                &room) const
   {
-    std::map<int, double> entries;
-    int                   n = 0, *columns = nullptr;
-    double               *values = nullptr;
-    tangent.matrix().ExtractMyRowView(unknown, n, values, columns);
-    for (int i = 0; i < n; ++i)
-      if (is_free_at_joint(columns[i]))
-        entries[blocks.row(columns[i])] += values[i] * scale(columns[i]);
-      else if (blocks.strut(columns[i]) != invalid_index)
-        {
-          int n_entries = 0;
-          with_ghosts.ExtractGlobalRowCopy(numbering.local_map().GID(
-                                             columns[i]),
-                                           of_influence.columns.size(),
-                                           n_entries,
-                                           of_influence.entries.data(),
-                                           of_influence.columns.data());
-          for (int k = 0; k < n_entries; ++k)
-            entries[of_influence.columns[k]] -=
-              values[i] * of_influence.entries[k];
-        }
-    row.columns.clear();
-    row.entries.clear();
-    for (const auto &[column, value] : entries)
+    const unsigned int n_ends = 2 * elements.n_of_node,
+                       n      = elements.n_of_element;
+    const double *const values = tangent.values(block);
+    room.of_element.resize(n_ends * n_ends);
+    if (elements.between_nodes != nullptr)
+      return elements.between_nodes->eliminate(
+        values,
+        added(tangent.pattern().begin(block) + n_ends, n - n_ends, room.inner),
+        symmetry,
+        of_element,
+        room.of_element.data());
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int j = 0; j < n; ++j)
+        room.of_element[i * n + j] = symmetry == Symmetry::enforced
+          ? (values[i * n + j] + values[j * n + i]) / 2
+          : values[i * n + j];
+    return {};
+  }
+
+  EliminationResult
+  StrutCondensation::eliminate_node(const StrutElements &elements,
+                                    const std::size_t    block,
+                                    double              *of_node,
+                                    Room                &room) const
+  {
+    // The strut so far acts on its first node and on this one, the element on
+    // this one and its last: which stand third, first and second around it.
+    const unsigned int c = elements.n_of_node, n = 3 * c;
+    room.around_node.assign(n * n, 0.);
+    const auto place = [&](const std::vector<double>         &part,
+                           const std::array<unsigned int, 2> &nodes) {
+      for (unsigned int i = 0; i < 2 * c; ++i)
+        for (unsigned int j = 0; j < 2 * c; ++j)
+          room.around_node[(nodes[i / c] * c + i % c) * n + nodes[j / c] * c +
+                           j % c] += part[i * 2 * c + j];
+    };
+    place(room.of_strut, {{0, 2}});
+    place(room.of_element, {{2, 1}});
+    const EliminationResult result = elements.node->eliminate(
+      room.around_node.data(),
+      added(tangent.pattern().begin(block), c, room.inner),
+      symmetry_of_nodes(),
+      of_node,
+      room.of_strut.data());
+
+    double *coupling =
+      of_node + elements.node->factor_size(symmetry_of_nodes());
+    for (unsigned int i = 0; i < c; ++i)
       {
-        row.columns.push_back(column);
-        row.entries.push_back(scale(unknown) * value);
+        const double *const row = &room.around_node[(2 * c + i) * n];
+        coupling                = std::copy(row, row + 2 * c, coupling);
+      }
+    if (symmetry == Symmetry::none)
+      for (unsigned int i = 0; i < 2 * c; ++i)
+        {
+          const double *const row = &room.around_node[i * n + 2 * c];
+          coupling                = std::copy(row, row + c, coupling);
+        }
+    return result;
+  }
+
+  EliminationCouplings
+  StrutCondensation::couplings_of_element(const StrutElements &elements,
+                                          const std::size_t    block) const
+  {
+    const unsigned int  n_ends = 2 * elements.n_of_node,
+                        n      = elements.n_of_element;
+    const double *const values = tangent.values(block);
+    return {values + n_ends * n, n, values + n_ends, n};
+  }
+
+  EliminationCouplings
+  StrutCondensation::couplings_of_node(const StrutElements &elements,
+                                       const double        *of_node) const
+  {
+    const unsigned int  c = elements.n_of_node;
+    const double *const inner_ends =
+      of_node + elements.node->factor_size(symmetry_of_nodes());
+    return {inner_ends, 2 * c, inner_ends + 2 * c * c, c};
+  }
+
+  void StrutCondensation::move_prescribed(std::vector<double> &values) const
+  {
+    const Unknowns      &unknowns = tangent.pattern().unknowns();
+    const UnknownLayout &layout   = *unknowns.layout;
+    bool                 moves    = false;
+    std::vector<double>  prescribed;
+    const auto           is_prescribed = [&](const int unknown) {
+      return unknown >= 0 && unknowns.kinds[unknown] == UnknownKind::prescribed;
+    };
+    for (unsigned int i = 0; i < layout.n_owned() && !moves; ++i)
+      moves = is_prescribed(i) && values[i] != 0;
+    if (layout.largest(moves) == 0)
+      return;
+    prescribed.assign(layout.n_local(), 0.);
+    for (unsigned int i = 0; i < layout.n_owned(); ++i)
+      if (is_prescribed(i))
+        prescribed[i] = values[i];
+    layout.update_ghosts(prescribed.data());
+    for (const std::size_t b : prescribed_blocks)
+      {
+        const int *const    of_block = tangent.pattern().begin(b);
+        const unsigned int  n        = tangent.pattern().size(b);
+        const double *const block    = tangent.values(b);
+        for (unsigned int i = 0; i < n; ++i)
+          if (layout.is_owned(of_block[i]) && !is_prescribed(of_block[i]))
+            for (unsigned int j = 0; j < n; ++j)
+              if (is_prescribed(of_block[j]))
+                values[of_block[i]] -=
+                  block[i * n + j] * prescribed[of_block[j]];
+      }
+  }
+
+  void StrutCondensation::reduce(std::vector<double> &values,
+                                 std::vector<double> &g) const
+  {
+    move_prescribed(values);
+    const Unknowns &joints = system->unknowns();
+    g.assign(joints.layout->n_local(), 0.);
+    Room          room;
+    const double *of_strut = factors.data();
+    for (std::size_t s = 0; s < struts.size(); ++s)
+      {
+        reduce_strut(struts[s], of_strut, values, room);
+        for (unsigned int i = 0; i < 2 * struts[s].n_of_node; ++i)
+          g[system->ends(s)[i]] += room.of_strut[i];
+        of_strut += factors_size(struts[s]);
+      }
+    system->add_ghosts_to_owners(g);
+    const std::vector<int> &numbers = system->numbers();
+    for (unsigned int i = 0; i < tangent.pattern().unknowns().layout->n_owned();
+         ++i)
+      if (numbers[i] >= 0)
+        g[numbers[i]] =
+          values[i] +
+          (joints.kinds[numbers[i]] == UnknownKind::prescribed ? 0.
+                                                               : g[numbers[i]]);
+  }
+
+  void StrutCondensation::reduce_strut(const StrutElements &elements,
+                                       const double        *of_strut,
+                                       std::vector<double> &values,
+                                       Room                &room) const
+  {
+    const unsigned int c = elements.n_of_node,
+                       n = elements.n_between_nodes();
+    room.of_strut.assign(2 * c, 0.);
+    room.inner.resize(std::max(n, c));
+    for (unsigned int e = 0; e < elements.n_elements; ++e)
+      {
+        const std::size_t block      = elements.first_block + e;
+        const int *const  of_element = tangent.pattern().begin(block);
+        room.of_element.assign(2 * c, 0.);
+        if (n > 0)
+          {
+            for (unsigned int i = 0; i < n; ++i)
+              room.inner[i] = values[of_element[2 * c + i]];
+            elements.between_nodes->reduce(of_strut,
+                                           couplings_of_element(elements,
+                                                                block),
+                                           symmetry,
+                                           room.inner.data(),
+                                           room.of_element.data());
+            of_strut += elements.between_nodes->factor_size(symmetry);
+          }
+        if (e == 0)
+          {
+            room.of_strut = room.of_element;
+            continue;
+          }
+        for (unsigned int i = 0; i < c; ++i)
+          {
+            double &of_node = values[of_element[i]];
+            of_node += room.of_strut[c + i] + room.of_element[i];
+            room.inner[i]        = of_node;
+            room.of_strut[c + i] = room.of_element[c + i];
+          }
+        elements.node->reduce(of_strut,
+                              couplings_of_node(elements, of_strut),
+                              symmetry_of_nodes(),
+                              room.inner.data(),
+                              room.of_strut.data());
+        of_strut += node_size(elements);
+      }
+  }
+
+  void StrutCondensation::expand(std::vector<double> &z,
+                                 std::vector<double> &values) const
+  {
+    const Unknowns &joints = system->unknowns();
+    joints.layout->update_ghosts(z.data());
+    const UnknownLayout    &layout  = *tangent.pattern().unknowns().layout;
+    const std::vector<int> &numbers = system->numbers();
+    for (unsigned int i = 0; i < layout.n_local(); ++i)
+      if (numbers[i] >= 0)
+        values[i] = z[numbers[i]];
+
+    Room          room;
+    const double *of_strut = factors.data();
+    for (std::size_t s = 0; s < struts.size(); ++s)
+      {
+        const unsigned int n_ends = 2 * struts[s].n_of_node;
+        room.of_strut.resize(n_ends);
+        for (unsigned int i = 0; i < n_ends; ++i)
+          {
+            // What prescribed ends do to the inside is in its right-hand side.
+            const int end    = system->ends(s)[i];
+            room.of_strut[i] =
+              joints.kinds[end] == UnknownKind::prescribed ? 0. : z[end];
+          }
+        expand_strut(struts[s], of_strut, values, room);
+        of_strut += factors_size(struts[s]);
+      }
+    layout.update_ghosts(values.data());
+  }
+
+  void StrutCondensation::expand_strut(const StrutElements &elements,
+                                       const double        *of_strut,
+                                       std::vector<double> &values,
+                                       Room                &room) const
+  {
+    const unsigned int c = elements.n_of_node,
+                       n = elements.n_between_nodes();
+    const std::size_t of_element =
+      n > 0 ? elements.between_nodes->factor_size(symmetry) : 0;
+    const std::size_t of_node =
+      elements.n_elements > 1 ? node_size(elements) : 0;
+    room.inner.resize(std::max(n, c));
+    room.of_element.resize(2 * c);
+    // Last the node that was eliminated first.
+    std::vector<double> &ends      = room.of_element;
+    std::vector<double> &of_nodes  = room.around_node;
+    of_nodes.resize((elements.n_elements + 1) * c);
+    std::copy_n(room.of_strut.begin(), c, of_nodes.begin());
+    std::copy_n(room.of_strut.begin() + c, c, of_nodes.end() - c);
+    for (unsigned int e = elements.n_elements - 1; e > 0; --e)
+      {
+        const int *const node =
+          tangent.pattern().begin(elements.first_block + e);
+        const double *const factors_of_node =
+          of_strut + (e + 1) * of_element + (e - 1) * of_node;
+        std::copy_n(of_nodes.begin(), c, ends.begin());
+        std::copy_n(of_nodes.begin() + (e + 1) * c, c, ends.begin() + c);
+        double *const inner = &of_nodes[e * c];
+        for (unsigned int i = 0; i < c; ++i)
+          inner[i] = values[node[i]];
+        elements.node->expand(factors_of_node,
+                              couplings_of_node(elements, factors_of_node),
+                              symmetry_of_nodes(),
+                              ends.data(),
+                              inner);
+        for (unsigned int i = 0; i < c; ++i)
+          values[node[i]] = inner[i];
+      }
+    if (n == 0)
+      return;
+    for (unsigned int e = 0; e < elements.n_elements; ++e)
+      {
+        const std::size_t block = elements.first_block + e;
+        const int *const  inner = tangent.pattern().begin(block) + 2 * c;
+        for (unsigned int i = 0; i < n; ++i)
+          room.inner[i] = values[inner[i]];
+        elements.between_nodes->expand(of_strut + e * of_element +
+                                         (e > 0 ? (e - 1) * of_node : 0),
+                                       couplings_of_element(elements, block),
+                                       symmetry,
+                                       &of_nodes[e * c],
+                                       room.inner.data());
+        for (unsigned int i = 0; i < n; ++i)
+          values[inner[i]] = room.inner[i];
       }
   }
 } // namespace auxfem

@@ -1,217 +1,40 @@
 #include <auxfem/algebra/tangent_matrix.h>
-#include <auxfem/parameters/errors.h>
 
 #include <deal.II/base/exceptions.h>
 
-#include <Epetra_CrsGraph.h>
-#include <Epetra_Vector.h>
-
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numeric>
 
 namespace auxfem
 {
-  TangentPattern::TangentPattern(const DofNumbering &numbering)
-    : dofs(numbering)
+  TangentMatrix::TangentMatrix(const TangentPattern &pattern)
+    : of_pattern(pattern)
   {
-    clear();
-  }
-
-  void TangentPattern::clear()
-  {
-    unknowns.clear();
-    first.assign(1, 0);
-    const unsigned int n = (dofs.order() + 1) * dofs.n_components();
-    for (unsigned int e = 0; e < dofs.elements().size(); ++e)
-      register_block(dofs.element_unknowns(e), n);
-    ++changes;
-  }
-
-  std::size_t TangentPattern::register_block(const int         *of_block,
-                                             const unsigned int n)
-  {
-    unknowns.insert(unknowns.end(), of_block, of_block + n);
-    first.push_back(unknowns.size());
-    ++changes;
-    return n_blocks() - 1;
-  }
-
-  unsigned long TangentPattern::version() const
-  {
-    return changes;
-  }
-
-  const DofNumbering &TangentPattern::numbering() const
-  {
-    return dofs;
-  }
-
-  std::size_t TangentPattern::n_blocks() const
-  {
-    return first.size() - 1;
-  }
-
-  const int *TangentPattern::begin(const std::size_t block) const
-  {
-    return unknowns.data() + first[block];
-  }
-
-  const int *TangentPattern::end(const std::size_t block) const
-  {
-    return unknowns.data() + first[block + 1];
-  }
-
-  TangentMatrix::TangentMatrix(const TangentPattern &pattern) : pattern(pattern)
-  {
-    rebuild();
-  }
-
-  void TangentMatrix::rebuild()
-  {
-    const BlockRows blocks(pattern);
-    make_matrix(blocks);
-    find_positions(blocks);
-    built_version = pattern.version();
-  }
-
-  TangentMatrix::BlockRows::BlockRows(const TangentPattern &pattern)
-    : begins(pattern.numbering().n_owned() + 1, 0)
-  {
-    const auto for_each_owned = [&](const auto &action) {
-      const int n_owned = pattern.numbering().n_owned();
-      for (std::size_t b = 0; b < pattern.n_blocks(); ++b)
-        for (const int *i = pattern.begin(b); i != pattern.end(b); ++i)
-          if (*i >= 0 && *i < n_owned)
-            action(*i, b, i - pattern.begin(b));
-    };
-    for_each_owned([this](const int unknown, std::size_t, std::size_t) {
-      ++begins[unknown + 1];
-    });
-    std::partial_sum(begins.begin(), begins.end(), begins.begin());
-    rows.resize(begins.back());
-    std::vector<std::size_t> next(begins.begin(), begins.end() - 1);
-    for_each_owned(
-      [&](const int unknown, const std::size_t b, const std::size_t row) {
-        rows[next[unknown]++] = {static_cast<unsigned int>(b),
-                                 static_cast<unsigned int>(row)};
-      });
-  }
-
-  void TangentMatrix::make_matrix(const BlockRows &blocks)
-  {
-    const DofNumbering &numbering = pattern.numbering();
-    const int           n_owned   = numbering.n_owned();
-    std::vector<int>    last_row(numbering.n_local(), -1), columns;
-    const auto          collect_columns = [&](const int row) {
-      columns.assign(1, row);
-      last_row[row] = row;
-      for (const BlockRow *in = blocks.begin(row); in != blocks.end(row); ++in)
-        for (const int *i = pattern.begin(in->block);
-             i != pattern.end(in->block);
-             ++i)
-          if (const int column = *i; column >= 0 && last_row[column] != row)
-            {
-              columns.push_back(column);
-              last_row[column] = row;
-            }
-    };
-    std::vector<int> row_lengths(n_owned);
-    long long        n_needed = 0, n_largest = 0;
-    for (int row = 0; row < n_owned; ++row)
-      {
-        collect_columns(row);
-        row_lengths[row] = columns.size();
-        n_needed += columns.size();
-      }
-    numbering.communicator().MaxAll(&n_needed, &n_largest, 1);
-    if (n_largest > std::numeric_limits<int>::max())
-      throw InputError(
-        "The matrix of this lattice would have " + std::to_string(n_largest) +
-        " entries on one MPI rank; at most " +
-        std::to_string(std::numeric_limits<int>::max()) +
-        " can be stored. Start auxfem on more ranks (mpirun -n ...), or take "
-        "fewer cells, fewer Refinements or a lower Order.");
-
-    Epetra_CrsGraph graph(Copy,
-                          numbering.owned_map(),
-                          numbering.local_map(),
-                          row_lengths.data(),
-                          /*StaticProfile=*/true);
-    std::fill(last_row.begin(), last_row.end(), -1);
-    for (int row = 0; row < n_owned; ++row)
-      {
-        collect_columns(row);
-        std::sort(columns.begin(), columns.end());
-        graph.InsertMyIndices(row, columns.size(), columns.data());
-      }
-    graph.FillComplete(numbering.owned_map(), numbering.owned_map());
-    graph.OptimizeStorage();
-    crs = std::make_unique<Epetra_CrsMatrix>(Copy, graph);
-    crs->FillComplete(numbering.owned_map(), numbering.owned_map());
-    crs->OptimizeStorage();
-  }
-
-  void TangentMatrix::find_positions(const BlockRows &blocks)
-  {
-    const DofNumbering &numbering = pattern.numbering();
-    const int           n_owned   = numbering.n_owned();
-    int                *offsets = nullptr, *indices = nullptr;
-    const int error = crs->ExtractCrsDataPointers(offsets, indices, entries);
-    AssertThrow(error == 0,
-                dealii::ExcMessage("Epetra storage is not contiguous."));
-    n_entries = n_owned > 0 ? offsets[n_owned] : 0;
-
-    block_begin.assign(1, 0);
-    for (std::size_t b = 0; b < pattern.n_blocks(); ++b)
-      {
-        const std::size_t n = pattern.end(b) - pattern.begin(b);
-        block_begin.push_back(block_begin.back() + n * n);
-      }
-    positions.assign(block_begin.back(), -1);
-    identity_positions.clear();
-    std::vector<int> in_row(numbering.n_local(), -1);
-    for (int row = 0; row < n_owned; ++row)
-      {
-        for (int i = offsets[row]; i < offsets[row + 1]; ++i)
-          in_row[indices[i]] = i;
-        if (numbering.kind(row) == UnknownKind::prescribed)
-          {
-            identity_positions.push_back(in_row[row]);
-            continue;
-          }
-        for (const BlockRow *in = blocks.begin(row); in != blocks.end(row);
-             ++in)
-          {
-            const int *const        begin = pattern.begin(in->block),
-                             *const end   = pattern.end(in->block);
-            int                    *place = &positions[block_begin[in->block] +
-                                    in->row * std::size_t(end - begin)];
-            for (const int *i = begin; i != end; ++i, ++place)
-              if (*i >= 0)
-                *place = in_row[*i];
-          }
-      }
+    reset();
   }
 
   void TangentMatrix::reset()
   {
-    if (built_version != pattern.version())
-      rebuild();
-    std::fill(entries, entries + n_entries, 0.);
-    for (const int position : identity_positions)
-      entries[position] = 1.;
+    further_diagonal.clear();
+    if (first.empty() || built_version != of_pattern.version())
+      {
+        first.assign(1, 0);
+        first.reserve(of_pattern.n_blocks() + 1);
+        for (std::size_t b = 0; b < of_pattern.n_blocks(); ++b)
+          first.push_back(first.back() +
+                          std::size_t(of_pattern.size(b)) * of_pattern.size(b));
+        // What it no longer needs must not count twice against the memory.
+        if (entries.capacity() < first.back())
+          entries = std::vector<double>();
+        entries.resize(first.back());
+        built_version = of_pattern.version();
+      }
+    std::fill(entries.begin(), entries.end(), 0.);
   }
 
-  const Epetra_CrsMatrix &TangentMatrix::matrix() const
+  const TangentPattern &TangentMatrix::pattern() const
   {
-    return *crs;
-  }
-
-  Epetra_CrsMatrix &TangentMatrix::matrix()
-  {
-    return *crs;
+    return of_pattern;
   }
 
   unsigned long TangentMatrix::version() const
@@ -219,17 +42,163 @@ namespace auxfem
     return built_version;
   }
 
+  /** Calls action(unknowns, n, values) for each block. */
+  template <class Action>
+  void TangentMatrix::for_each_block(const Action &action) const
+  {
+    Assert(built_version == of_pattern.version(),
+           dealii::ExcMessage("The pattern has changed; reset the matrix."));
+    for (std::size_t b = 0; b + 1 < first.size(); ++b)
+      action(of_pattern.begin(b), of_pattern.size(b), values(b));
+  }
+
+  void TangentMatrix::add_to_diagonal(const std::vector<double> &of_owned)
+  {
+    const Unknowns &unknowns = of_pattern.unknowns();
+    further_diagonal.resize(unknowns.layout->n_owned(), 0.);
+    for (unsigned int i = 0; i < further_diagonal.size(); ++i)
+      if (unknowns.kinds[i] != UnknownKind::prescribed)
+        further_diagonal[i] += of_owned[i];
+  }
+
+  const std::vector<double> &TangentMatrix::added_diagonal() const
+  {
+    return further_diagonal;
+  }
+
+  std::vector<double> TangentMatrix::diagonal() const
+  {
+    const Unknowns     &unknowns = of_pattern.unknowns();
+    const int           n_owned  = unknowns.layout->n_owned();
+    std::vector<double> sums     = further_diagonal;
+    sums.resize(n_owned, 0.);
+    for_each_block(
+      [&](const int *of_block, const unsigned int n, const double *block) {
+        // An unknown may stand in several rows of a block.
+        for (unsigned int i = 0; i < n; ++i)
+          if (of_block[i] >= 0 && of_block[i] < n_owned)
+            for (unsigned int j = 0; j < n; ++j)
+              if (of_block[j] == of_block[i])
+                sums[of_block[i]] += block[i * n + j];
+      });
+    for (int i = 0; i < n_owned; ++i)
+      if (unknowns.kinds[i] == UnknownKind::prescribed)
+        sums[i] = 1;
+    return sums;
+  }
+
+  void TangentMatrix::set_diagonal(const std::vector<double> &of_owned)
+  {
+    std::vector<double> difference = diagonal();
+    for (unsigned int i = 0; i < difference.size(); ++i)
+      difference[i] = of_owned[i] - difference[i];
+    add_to_diagonal(difference);
+  }
+
   std::vector<double> TangentMatrix::row_sizes() const
   {
-    std::vector<double> sizes(crs->NumMyRows(), 0.);
-    for (int row = 0; row < crs->NumMyRows(); ++row)
-      {
-        int     n      = 0;
-        double *values = nullptr;
-        crs->ExtractMyRowView(row, n, values);
-        for (int i = 0; i < n; ++i)
-          sizes[row] = std::max(sizes[row], std::abs(values[i]));
-      }
+    const Unknowns     &unknowns = of_pattern.unknowns();
+    const int           n_owned  = unknowns.layout->n_owned();
+    std::vector<double> sizes    = further_diagonal;
+    sizes.resize(n_owned, 0.);
+    for (double &size : sizes)
+      size = std::abs(size);
+    for_each_block(
+      [&](const int *of_block, const unsigned int n, const double *block) {
+        for (unsigned int i = 0; i < n; ++i)
+          if (of_block[i] >= 0 && of_block[i] < n_owned)
+            for (unsigned int j = 0; j < n; ++j)
+              if (of_block[j] >= 0)
+                sizes[of_block[i]] =
+                  std::max(sizes[of_block[i]], std::abs(block[i * n + j]));
+      });
+    for (int i = 0; i < n_owned; ++i)
+      if (unknowns.kinds[i] == UnknownKind::prescribed)
+        sizes[i] = 1;
     return sizes;
+  }
+
+  void TangentMatrix::multiply(const double  *x,
+                               double        *y,
+                               const Symmetry symmetry) const
+  {
+    const Unknowns     &unknowns = of_pattern.unknowns();
+    const int           n_owned  = unknowns.layout->n_owned();
+    const bool          enforced = symmetry == Symmetry::enforced;
+    std::vector<double> of_block, free;
+    std::fill(y, y + n_owned, 0.);
+    for_each_block([&](const int         *in_block,
+                       const unsigned int n,
+                       const double      *block) {
+      of_block.assign(n, 0.);
+      for (unsigned int j = 0; j < n; ++j)
+        if (in_block[j] >= 0)
+          of_block[j] = x[in_block[j]];
+      if (enforced)
+        {
+          // (B x + B^T x_free + B x_prescribed)/2
+          free = of_block;
+          for (unsigned int j = 0; j < n; ++j)
+            if (in_block[j] >= 0 &&
+                unknowns.kinds[in_block[j]] == UnknownKind::prescribed)
+              {
+                free[j] = 0;
+                of_block[j] *= 2;
+              }
+        }
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          if (in_block[i] < 0 || in_block[i] >= n_owned)
+            continue;
+          double sum = 0;
+          for (unsigned int j = 0; j < n; ++j)
+            sum += block[i * n + j] * of_block[j];
+          if (enforced)
+            {
+              for (unsigned int j = 0; j < n; ++j)
+                sum += block[j * n + i] * free[j];
+              sum /= 2;
+            }
+          y[in_block[i]] += sum;
+        }
+    });
+    for (int i = 0; i < n_owned; ++i)
+      if (unknowns.kinds[i] == UnknownKind::prescribed)
+        y[i] = x[i];
+      else if (!further_diagonal.empty())
+        y[i] += further_diagonal[i] * x[i];
+  }
+
+  double TangentMatrix::asymmetry() const
+  {
+    const Unknowns     &unknowns = of_pattern.unknowns();
+    double              difference = 0, size = 0;
+    std::vector<double> scale;
+    for_each_block(
+      [&](const int *of_block, const unsigned int n, const double *block) {
+        scale.assign(n, 0.);
+        for (unsigned int i = 0; i < n; ++i)
+          if (of_block[i] >= 0 &&
+              unknowns.kinds[of_block[i]] != UnknownKind::prescribed)
+            scale[i] =
+              unknowns.is_rotation[of_block[i]] ? 1 / unknowns.length : 1.;
+        for (unsigned int i = 0; i < n; ++i)
+          for (unsigned int j = 0; j < i; ++j)
+            {
+              const double factor = scale[i] * scale[j],
+                           lower  = factor * block[i * n + j],
+                           upper  = factor * block[j * n + i];
+              difference += 2 * (lower - upper) * (lower - upper);
+              size += lower * lower + upper * upper;
+            }
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            const double entry = scale[i] * scale[i] * block[i * n + i];
+            size += entry * entry;
+          }
+      });
+    const std::vector<double> sums = unknowns.layout->sum(
+      std::vector<double>{difference, size});
+    return sums[1] > 0 ? std::sqrt(sums[0] / sums[1]) : 0.;
   }
 } // namespace auxfem

@@ -1,112 +1,136 @@
 #ifndef auxfem_algebra_strut_condensation_h
 #define auxfem_algebra_strut_condensation_h
 
-#include <auxfem/algebra/joint_blocks.h>
-#include <auxfem/algebra/tangent_matrix.h>
-
-#include <Amesos_BaseSolver.h>
-#include <Epetra_CrsMatrix.h>
-#include <Epetra_LinearProblem.h>
-#include <Epetra_MultiVector.h>
-#include <Epetra_Vector.h>
+#include <auxfem/algebra/direct_solver.h>
+#include <auxfem/algebra/joint_system.h>
 
 #include <memory>
-#include <vector>
+#include <string>
 
 namespace auxfem
 {
   /**
    * Static condensation: what equations A x = b leave at the joints once the
-   * unknowns inside the struts and the prescribed ones are eliminated,
+   * unknowns inside the struts are eliminated,
    *
    *     S z = g,  S = A_JJ - A_JI A_II^-1 A_IJ,
    *
-   * I inside the struts, J free at joints. Rows and columns are those of
-   * JointBlocks; moments are divided by a length and rotations measured in that
-   * length times radian, so all entries have the unit N/m. Rows that are
-   * prescribed or stand for nothing are rows of the identity.
+   * I inside struts, J at joints (E. L. Wilson, The static condensation
+   * algorithm, Int. J. Numer. Meth. Eng. 8, 1974, 198-203). Element after
+   * element along each strut, first what is between its nodes, then the node
+   * shared with those before, so the cost is linear in the number of elements.
+   * The inside of a strut that other blocks act on stays among the joints.
+   *
+   * Prescribed rows of S are those of the identity, prescribed columns go to
+   * the right-hand side, so S is symmetric if A is in free rows and columns.
    */
   class StrutCondensation
   {
   public:
     /**
-     * @param length that ties moments to forces (m).
-     * @p matrix must stay as it is between condense() and the last expand().
+     * @param matrix must outlive the object, and stay as it is between
+     *   condense() and the last expand().
      */
-    StrutCondensation(const DofNumbering &numbering,
-                      const JointBlocks  &blocks,
-                      TangentMatrix      &matrix,
-                      double              length);
+    explicit StrutCondensation(const TangentMatrix &matrix);
 
     /**
-     * Makes S from the matrix as it is now. Returns false if the inside of a
-     * strut is singular on any rank. Collective.
+     * Makes S from the matrix as it is now. `singular` if the inside of a strut
+     * is; see words(). Collective.
      */
-    bool condense();
+    FactorizationOutcome condense(Symmetry symmetry);
 
-    /** S; a new one with each condense(). */
-    Epetra_CrsMatrix &matrix();
+    /** Which strut has not been condensed; empty if all have. */
+    const std::string &words() const;
 
-    /** Returns g for the right-hand side @p b on owned rows of the numbering. */
-    const Epetra_Vector &reduce(const Epetra_Vector &b);
+    /** S. Valid until a condense() after a change of the pattern. */
+    const SparseMatrix &matrix() const;
 
-    /** Completes @p x, owned rows, from @p z and the last reduce(). */
-    void expand(const Epetra_Vector &z, Epetra_Vector &x) const;
+    /** Unknowns of S. Valid as matrix(). */
+    const Unknowns &joints() const;
+
+    /** Version of the pattern that matrix() was made for. */
+    unsigned long version() const;
+
+    /**
+     * Of A_II, over all ranks; none if it is unsymmetric. The inertia of A is
+     * the sum of this and that of S (Haynsworth 1968), whose prescribed rows
+     * add one positive eigenvalue each.
+     */
+    const std::optional<Inertia> &inner_inertia() const;
+
+    /**
+     * Makes the right-hand side @p g of S, owned rows with room for ghosts,
+     * from @p values: b in owned rows, increments in prescribed ones.
+     * Afterwards @p values are what expand() wants. Collective.
+     */
+    void reduce(std::vector<double> &values, std::vector<double> &g) const;
+
+    /**
+     * Completes @p values at all local unknowns, ghosts included, from the
+     * solution @p z of S z = g on owned rows. Collective.
+     */
+    void expand(std::vector<double> &z, std::vector<double> &values) const;
+
+    /** Memory of the factors (bytes). */
+    std::size_t memory() const;
 
   private:
-    /** A strut's inner unknowns and the free ones at joints they act on. */
-    struct Inside
+    void        follow_pattern();
+    std::size_t node_size(const StrutElements &elements) const;
+    std::size_t factors_size(const StrutElements &elements) const;
+
+    /** Room that all struts use in turn. */
+    struct Room
     {
-      std::vector<int> unknowns, at_joints;
+      std::vector<double> of_element, of_strut, around_node, inner;
     };
 
-    /** Global columns and entries. */
-    struct MatrixRow
-    {
-      std::vector<int>    columns;
-      std::vector<double> entries;
-    };
+    /** Eliminates a strut, its factors into @p of_strut, what is left into
+     * Room::of_strut; whether it is regular. */
+    bool condense_strut(const StrutElements &elements,
+                        double              *of_strut,
+                        Room                &room,
+                        unsigned long       &n_negative) const;
+    EliminationResult condense_element(const StrutElements &elements,
+                                       std::size_t          block,
+                                       double              *of_element,
+                                       Room                &room) const;
+    EliminationResult eliminate_node(const StrutElements &elements,
+                                     std::size_t          block,
+                                     double              *of_node,
+                                     Room                &room) const;
+    /** What is added to the diagonal at the unknowns; nullptr if nothing. */
+    const double *
+    added(const int *unknowns, unsigned int n, std::vector<double> &room) const;
+    bool has_finite_entries(const StrutElements &elements) const;
+    void move_prescribed(std::vector<double> &values) const;
+    /** What is left for the ends of a strut goes into Room::of_strut. */
+    void reduce_strut(const StrutElements &elements,
+                      const double        *of_strut,
+                      std::vector<double> &values,
+                      Room                &room) const;
+    /** Values at the ends are those in Room::of_strut. */
+    void expand_strut(const StrutElements &elements,
+                      const double        *of_strut,
+                      std::vector<double> &values,
+                      Room                &room) const;
 
-    void collect_struts();
-    /** Throws InputError if a row inside @p strut acts on the inside of another. */
-    void
-    refuse_coupled_struts(unsigned int strut, const int *columns, int n) const;
-    void make_inner_matrix();
-    void fill_inner_matrix();
-    void make_influence();
-    void make_joint_matrix();
-    /**
-     * Row of S for an owned unknown.
-     * @param with_ghosts rows of A_II^-1 A_IJ for all local unknowns.
-     * @param of_influence room for one of these rows.
-     */
-    void joint_row(int                     unknown,
-                   const Epetra_CrsMatrix &with_ghosts,
-                   MatrixRow              &of_influence,
-                   MatrixRow              &row) const;
-    /** Solves A_II y = r for the inner unknowns, in place. */
-    void solve_inside(Epetra_MultiVector &of_inside);
+    EliminationCouplings couplings_of_element(const StrutElements &elements,
+                                              std::size_t block) const;
+    EliminationCouplings couplings_of_node(const StrutElements &elements,
+                                           const double *of_node) const;
+    /** Of nodes between elements, which stand symmetrized. */
+    Symmetry symmetry_of_nodes() const;
 
-    bool   is_free_at_joint(int unknown) const;
-    double scale(int unknown) const;
-
-    const DofNumbering                &numbering;
-    const JointBlocks                 &blocks;
-    TangentMatrix                     &tangent;
-    const double                       length;
-    std::vector<Inside>                struts;
-    std::vector<int>                   inner_unknowns;
-    std::vector<int>                   inner_index;
-    std::unique_ptr<Epetra_Map>        inner_map;
-    std::unique_ptr<Epetra_CrsMatrix>  inner_matrix;
-    Epetra_LinearProblem               inner_problem;
-    std::unique_ptr<Amesos_BaseSolver> inner_solver;
-    bool                               has_symbolic = false;
-    /** A_II^-1 A_IJ, rows of the numbering, columns of JointBlocks. */
-    std::unique_ptr<Epetra_CrsMatrix> influence;
-    std::unique_ptr<Epetra_CrsMatrix> joint_matrix;
-    /** g, and x but for what z adds. */
-    Epetra_Vector reduced, prepared;
+    const TangentMatrix          &tangent;
+    unsigned long                 built_version = 0;
+    std::vector<StrutElements>    struts;
+    std::unique_ptr<JointSystem>  system;
+    std::vector<std::size_t>      prescribed_blocks;
+    Symmetry                      symmetry = Symmetry::given;
+    std::vector<double>           factors;
+    std::optional<Inertia>        inertia;
+    std::string                   why_not;
   };
 } // namespace auxfem
 

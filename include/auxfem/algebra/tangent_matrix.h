@@ -1,56 +1,22 @@
 #ifndef auxfem_algebra_tangent_matrix_h
 #define auxfem_algebra_tangent_matrix_h
 
-#include <auxfem/model/numbering.h>
-
-#include <Epetra_CrsMatrix.h>
+#include <auxfem/algebra/tangent_pattern.h>
 
 namespace auxfem
 {
-  /**
-   * Which unknowns act on each other: dense blocks on the unknowns of each
-   * element and on those that effects register. It may change between steps;
-   * its version then changes too.
-   */
-  class TangentPattern
+  /** How the equations of a matrix A are to be solved. */
+  enum class Symmetry
   {
-  public:
-    /** Registers block e on the unknowns of each element e of @p numbering. */
-    explicit TangentPattern(const DofNumbering &numbering);
-
-    /**
-     * Announces a dense block on @p n local unknowns (entries -1: not there).
-     * Returns its number; blocks of one effect are numbered consecutively.
-     */
-    std::size_t register_block(const int *unknowns, unsigned int n);
-
-    /** Back to the blocks of elements. */
-    void clear();
-
-    /** A number that grows with every change. */
-    unsigned long version() const;
-
-    const DofNumbering &numbering() const;
-
-    std::size_t n_blocks() const;
-
-    /** Begin and end of the unknowns of a block. */
-    ///@{
-    const int *begin(std::size_t block) const;
-    const int *end(std::size_t block) const;
-    ///@}
-
-  private:
-    const DofNumbering      &dofs;
-    std::vector<int>         unknowns;
-    std::vector<std::size_t> first; ///< of each block, and the end of the last
-    unsigned long            changes = 0;
+    given,    ///< A is symmetric (to round-off)
+    enforced, ///< its symmetric part (A + A^T)/2 takes its place
+    none
   };
 
   /**
-   * The tangent (or mass) matrix: an Epetra matrix of this rank's rows with the
-   * pattern of registered blocks. Each block remembers where its entries lie,
-   * so adding a block is a plain scatter.
+   * The tangent (or mass) matrix, not assembled: the dense values of every block
+   * of a pattern, one after the other, so adding a block is a plain sum. The
+   * matrix is the sum of its blocks; on each rank the owned rows are complete.
    *
    * Rows of prescribed unknowns are identity rows; their columns are kept, so
    * that a prescribed increment on the right-hand side moves the rest along.
@@ -58,86 +24,83 @@ namespace auxfem
   class TangentMatrix
   {
   public:
-    /**
-     * Throws InputError if the rows of a rank have more entries than an int can
-     * count.
-     * @param pattern must outlive the object.
-     */
+    /** @param pattern must outlive the object. */
     explicit TangentMatrix(const TangentPattern &pattern);
 
     /**
-     * All entries zero, identity in prescribed rows; where the pattern has
-     * changed since the last time, a new matrix with the new pattern.
+     * All entries zero, identity in prescribed rows; with the blocks of the
+     * pattern as it is now. Until then the matrix must not be used if the
+     * pattern has changed.
      */
     void reset();
 
-    /** Adds the row-major block @p values to the entries of block @p block. */
-    void add(std::size_t block, const double *values)
+    /** Adds the row-major block @p values to block @p block. */
+    void add(const std::size_t block, const double *values)
     {
-      const std::size_t begin = block_begin[block],
-                        end   = block_begin[block + 1];
+      const std::size_t begin = first[block], end = first[block + 1];
       for (std::size_t i = begin; i < end; ++i)
-        if (positions[i] >= 0)
-          entries[positions[i]] += values[i - begin];
+        entries[i] += values[i - begin];
     }
 
-    const Epetra_CrsMatrix &matrix() const;
-    Epetra_CrsMatrix       &matrix();
+    const TangentPattern &pattern() const;
 
-    /** Version of the pattern that matrix() has. */
+    /** Version of the pattern that the matrix has. */
     unsigned long version() const;
 
-    /** Largest |entry| of each owned row. */
+    /** The row-major values of a block. */
+    const double *values(const std::size_t block) const
+    {
+      return entries.data() + first[block];
+    }
+
+    /**
+     * Adds @p of_owned, one value for each owned row, to the diagonal of free
+     * rows, until the next reset().
+     */
+    void add_to_diagonal(const std::vector<double> &of_owned);
+
+    /** What was added by add_to_diagonal(), zero in prescribed rows; empty if
+     * nothing was. */
+    const std::vector<double> &added_diagonal() const;
+
+    /** The diagonal of the owned rows; 1 if prescribed. */
+    std::vector<double> diagonal() const;
+
+    /** As add_to_diagonal(), so that diagonal() becomes @p of_owned. */
+    void set_diagonal(const std::vector<double> &of_owned);
+
+    /**
+     * Size of each owned row: the largest |entry| of its blocks and its
+     * diagonal; zero for a row that nothing has been added to.
+     */
     std::vector<double> row_sizes() const;
 
-  private:
-    /** A row of a block. */
-    struct BlockRow
-    {
-      unsigned int block;
-      unsigned int row;
-    };
-
-    /** The rows of blocks that are added to each owned row of the matrix. */
-    class BlockRows
-    {
-    public:
-      explicit BlockRows(const TangentPattern &pattern);
-
-      const BlockRow *begin(const unsigned int owned) const
-      {
-        return rows.data() + begins[owned];
-      }
-
-      const BlockRow *end(const unsigned int owned) const
-      {
-        return rows.data() + begins[owned + 1];
-      }
-
-    private:
-      std::vector<std::size_t> begins;
-      std::vector<BlockRow>    rows;
-    };
-
-    void rebuild();
-    void make_matrix(const BlockRows &blocks);
-    void find_positions(const BlockRows &blocks);
-
-
-    const TangentPattern &pattern;
-    unsigned long         built_version = 0;
-
-    std::vector<std::size_t> block_begin;
     /**
-     * Index into `entries` for each block entry; -1: row of another rank or
-     * prescribed.
+     * @p y = A x in owned rows.
+     * @param x values at local unknowns, ghosts up to date
+     * @param symmetry with `enforced` the free rows and columns are those of
+     *   the symmetric part; prescribed columns stay as they are.
      */
-    std::vector<int> positions;
+    void multiply(const double *x,
+                  double       *y,
+                  Symmetry      symmetry = Symmetry::none) const;
 
-    std::unique_ptr<Epetra_CrsMatrix> crs;
-    double                           *entries   = nullptr;
-    int                               n_entries = 0;
-    std::vector<int>                  identity_positions;
+    /**
+     * |B - B^T| / |B| over all blocks B, in Frobenius' norm of their free rows
+     * and columns; rotations are measured in Unknowns::length times radian.
+     * Zero for no entries. Collective.
+     */
+    double asymmetry() const;
+
+  private:
+    template <class Action>
+    void for_each_block(const Action &action) const;
+
+    const TangentPattern    &of_pattern;
+    unsigned long            built_version = 0;
+    std::vector<std::size_t> first; ///< of each block, and the end of the last
+    std::vector<double>      entries;
+    std::vector<double>      further_diagonal;
   };
 } // namespace auxfem
 

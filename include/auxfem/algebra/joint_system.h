@@ -1,0 +1,89 @@
+#ifndef auxfem_algebra_joint_system_h
+#define auxfem_algebra_joint_system_h
+
+#include <auxfem/algebra/neighbour_exchange.h>
+#include <auxfem/algebra/sparse_assembly.h>
+#include <auxfem/algebra/strut_elements.h>
+#include <auxfem/algebra/unknown_selection.h>
+
+#include <memory>
+
+namespace auxfem
+{
+  /**
+   * The unknowns that are left when those inside struts are eliminated, and the
+   * matrix of their equations as the sum of one block for each strut and of all
+   * other blocks of the pattern. Prescribed rows are those of the identity and
+   * prescribed columns are left out.
+   *
+   * A strut is eliminated on the rank that owns its inside, which sends its
+   * block to the ranks that own joints at its ends.
+   */
+  class JointSystem
+  {
+  public:
+    /** @param struts those that are eliminated. Collective. */
+    JointSystem(const TangentPattern             &pattern,
+                const std::vector<StrutElements> &struts);
+
+    JointSystem(const JointSystem &)            = delete;
+    JointSystem &operator=(const JointSystem &) = delete;
+
+    const SparseMatrix &matrix() const;
+
+    /** The unknowns of matrix(). */
+    const Unknowns &unknowns() const;
+
+    /** Of the system, by local unknown of the pattern; -1: eliminated. */
+    const std::vector<int> &numbers() const;
+
+    /** Entries zero but for prescribed rows. */
+    void reset(Symmetry symmetry);
+
+    /** Adds the square row-major @p block that is left of strut @p number. */
+    void add_strut(std::size_t number, const double *block);
+
+    /** Adds all blocks that do not belong to struts, and what add_strut() has
+     * set aside for other ranks. Collective. */
+    void add_others(const TangentMatrix &matrix);
+
+    /** Adds the values at ghosts to their owners; those of ghosts at ends of
+     * struts that are eliminated here. Collective. */
+    void add_ghosts_to_owners(std::vector<double> &values) const;
+
+    /** Local unknowns of the system at the ends of strut @p number, first node
+     * first. */
+    const int *ends(std::size_t number) const;
+
+  private:
+    /** What goes to one rank. */
+    struct Neighbour
+    {
+      std::vector<std::size_t> struts;
+      std::vector<int>         ghosts; ///< their ends that it owns
+    };
+
+    void find_neighbours(const TangentPattern &pattern);
+    void share_struts();
+    void share_ends();
+    void make_unknowns(const Unknowns &all);
+    void make_assembly(const TangentPattern &pattern);
+
+    const std::vector<StrutElements>             &struts;
+    std::unique_ptr<UnknownSelection>             selection;
+    Unknowns                                      kept;
+    std::size_t                                   n_ends = 0; ///< of a strut
+    std::vector<int>                              end_unknowns;
+    std::map<unsigned int, Neighbour>             neighbours;
+    std::vector<std::vector<std::size_t>>         places_to_send; ///< by strut
+    std::vector<double>                           to_send;
+    NeighbourExchange                             blocks, ends_of_others;
+    std::vector<int>                              received_unknowns;
+    std::vector<int>                              received_ends;
+    /** Blocks of the pattern that do not belong to struts. */
+    std::vector<std::size_t>                      others;
+    std::unique_ptr<SparseAssembly>               assembly;
+  };
+} // namespace auxfem
+
+#endif

@@ -1,0 +1,58 @@
+#ifndef auxfem_algebra_tangent_pattern_h
+#define auxfem_algebra_tangent_pattern_h
+
+#include <auxfem/algebra/unknowns.h>
+
+#include <cstddef>
+
+namespace auxfem
+{
+  /**
+   * Which unknowns act on each other: dense blocks on the unknowns that effects
+   * register. It may change between steps; its version then changes too.
+   *
+   * The blocks of a strut's elements can be condensed if they are registered
+   * one after the other along it, each on the unknowns of its first node, of
+   * its last one, and then of those between (see StrutCondensation).
+   */
+  class TangentPattern
+  {
+  public:
+    /** @param unknowns must outlive the object. */
+    explicit TangentPattern(const Unknowns &unknowns);
+
+    /**
+     * Announces a dense block on @p n local unknowns (entries -1: not there).
+     * A block is announced on all ranks that own one of its unknowns. Returns
+     * its number; blocks are numbered in the order in which they come.
+     */
+    std::size_t register_block(const int *unknowns, unsigned int n);
+
+    /** No blocks. */
+    void clear();
+
+    /** A number that grows with every change. */
+    unsigned long version() const;
+
+    const Unknowns &unknowns() const;
+
+    std::size_t n_blocks() const;
+
+    /** Begin and end of the unknowns of a block. */
+    ///@{
+    const int *begin(std::size_t block) const;
+    const int *end(std::size_t block) const;
+    ///@}
+
+    /** Number of unknowns of a block. */
+    unsigned int size(std::size_t block) const;
+
+  private:
+    const Unknowns          &all;
+    std::vector<int>         of_blocks;
+    std::vector<std::size_t> first; ///< of each block, and the end of the last
+    unsigned long            changes = 0;
+  };
+} // namespace auxfem
+
+#endif

@@ -1,0 +1,281 @@
+#include <auxfem/algebra/joint_system.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+
+namespace auxfem
+{
+  namespace MPI = dealii::Utilities::MPI;
+
+  namespace
+  {
+    /** All but what is eliminated, on whichever rank. Collective. */
+    std::vector<bool> find_kept(const TangentPattern             &pattern,
+                                const std::vector<StrutElements> &struts)
+    {
+      const Unknowns     &unknowns = pattern.unknowns();
+      std::vector<double> is_kept(unknowns.layout->n_local(), 1.);
+      for (const StrutElements &elements : struts)
+        for (std::size_t b = elements.first_block;
+             b < elements.first_block + elements.n_elements;
+             ++b)
+          for (const int *i = pattern.begin(b); i != pattern.end(b); ++i)
+            if (unknowns.strut[*i])
+              is_kept[*i] = 0;
+      unknowns.layout->update_ghosts(is_kept.data());
+      return std::vector<bool>(is_kept.begin(), is_kept.end());
+    }
+
+    /** Numbers of values by rank, a multiple of those of @p messages. */
+    template <class Messages>
+    std::map<unsigned int, std::size_t> sizes(const Messages   &messages,
+                                              const std::size_t factor)
+    {
+      std::map<unsigned int, std::size_t> n;
+      for (const auto &[rank, message] : messages)
+        n[rank] = message.size() * factor;
+      return n;
+    }
+  } // namespace
+
+  JointSystem::JointSystem(const TangentPattern             &pattern,
+                           const std::vector<StrutElements> &struts)
+    : struts(struts)
+    , selection(
+        std::make_unique<UnknownSelection>(*pattern.unknowns().layout,
+                                           find_kept(pattern, struts)))
+    , kept(selection->layout)
+    , n_ends(2 * pattern.unknowns().components.size())
+  {
+    for (const StrutElements &elements : struts)
+      {
+        const int *const first = pattern.begin(elements.first_block);
+        const int *const last =
+          pattern.begin(elements.first_block + elements.n_elements - 1);
+        for (unsigned int i = 0; i < elements.n_of_node; ++i)
+          end_unknowns.push_back(selection->number[first[i]]);
+        for (unsigned int i = 0; i < elements.n_of_node; ++i)
+          end_unknowns.push_back(
+            selection->number[last[elements.n_of_node + i]]);
+      }
+    places_to_send.resize(struts.size());
+    if (selection->layout.n_ranks() > 1)
+      {
+        find_neighbours(pattern);
+        share_struts();
+        share_ends();
+      }
+    make_unknowns(pattern.unknowns());
+    make_assembly(pattern);
+  }
+
+  void JointSystem::find_neighbours(const TangentPattern &pattern)
+  {
+    const UnknownLayout &layout = selection->layout;
+    for (std::size_t s = 0; s < struts.size(); ++s)
+      for (std::size_t i = 0; i < n_ends; ++i)
+        {
+          const int end = ends(s)[i];
+          if (layout.is_owned(end))
+            continue;
+          Neighbour &neighbour = neighbours[layout.owner(layout.global(end))];
+          if (neighbour.struts.empty() || neighbour.struts.back() != s)
+            neighbour.struts.push_back(s);
+          neighbour.ghosts.push_back(end);
+        }
+    for (auto &[rank, neighbour] : neighbours)
+      {
+        std::vector<int> &ghosts = neighbour.ghosts;
+        std::sort(ghosts.begin(), ghosts.end());
+        ghosts.erase(std::unique(ghosts.begin(), ghosts.end()), ghosts.end());
+      }
+    (void)pattern;
+  }
+
+  void JointSystem::share_struts()
+  {
+    UnknownLayout                           &layout = selection->layout;
+    std::map<unsigned int, std::vector<int>> unknowns;
+    std::size_t                              n_to_send = 0;
+    for (const auto &[rank, neighbour] : neighbours)
+      for (const std::size_t s : neighbour.struts)
+        {
+          for (std::size_t i = 0; i < n_ends; ++i)
+            unknowns[rank].push_back(layout.global(ends(s)[i]));
+          places_to_send[s].push_back(n_to_send);
+          n_to_send += n_ends * n_ends;
+        }
+    to_send.resize(n_to_send);
+    const auto of_others = MPI::some_to_some(layout.communicator(), unknowns);
+    blocks               = NeighbourExchange(layout.communicator(),
+                               sizes(unknowns, n_ends),
+                               sizes(of_others, n_ends));
+
+    // Joints at the far ends may be new to this rank.
+    std::vector<int> globals;
+    for (const auto &[rank, of_rank] : of_others)
+      globals.insert(globals.end(), of_rank.begin(), of_rank.end());
+    layout.add_ghosts(globals);
+    for (const int global : globals)
+      received_unknowns.push_back(layout.local(global));
+  }
+
+  void JointSystem::share_ends()
+  {
+    const UnknownLayout                     &layout = selection->layout;
+    std::map<unsigned int, std::vector<int>> globals;
+    for (const auto &[rank, neighbour] : neighbours)
+      for (const int ghost : neighbour.ghosts)
+        globals[rank].push_back(layout.global(ghost));
+    const auto of_others = MPI::some_to_some(layout.communicator(), globals);
+    ends_of_others       = NeighbourExchange(layout.communicator(),
+                                       sizes(globals, 1),
+                                       sizes(of_others, 1));
+    for (const auto &[rank, of_rank] : of_others)
+      for (const int global : of_rank)
+        received_ends.push_back(layout.local(global));
+  }
+
+  void JointSystem::make_unknowns(const Unknowns &all)
+  {
+    const UnknownLayout &layout = selection->layout;
+    // Ghosts that the pattern's layout does not have are told as values.
+    const auto fill = [&](const auto &value, const auto &take) {
+      std::vector<double> values(layout.n_local());
+      for (unsigned int i = 0; i < layout.n_owned(); ++i)
+        values[i] = static_cast<double>(value(selection->unknowns[i]));
+      layout.update_ghosts(values.data());
+      for (unsigned int i = 0; i < layout.n_local(); ++i)
+        take(i, static_cast<unsigned int>(values[i]));
+    };
+    kept = Unknowns(layout);
+    fill([&](const int i) { return all.kinds[i]; },
+         [&](const unsigned int i, const unsigned int value) {
+           kept.kinds[i] = static_cast<UnknownKind>(value);
+         });
+    fill([&](const int i) { return all.is_rotation[i]; },
+         [&](const unsigned int i, const unsigned int value) {
+           kept.is_rotation[i] = value != 0;
+         });
+    // Zero: none.
+    fill([&](const int i) { return all.strut[i] ? *all.strut[i] + 1. : 0.; },
+         [&](const unsigned int i, const unsigned int value) {
+           if (value > 0)
+             kept.strut[i] = value - 1;
+         });
+    fill([&](const int i) { return all.joint[i]; },
+         [&](const unsigned int i, const unsigned int value) {
+           kept.joint[i] = value;
+         });
+    fill([&](const int i) { return all.component[i]; },
+         [&](const unsigned int i, const unsigned int value) {
+           kept.component[i] = value;
+         });
+    kept.joints     = all.joints;
+    kept.components = all.components;
+    kept.length     = all.length;
+  }
+
+  void JointSystem::make_assembly(const TangentPattern &pattern)
+  {
+    std::vector<std::size_t> first(1, 0);
+    std::vector<int>         unknowns;
+    const auto               append = [&](const int unknown) {
+      unknowns.push_back(unknown >= 0 &&
+                             kept.kinds[unknown] != UnknownKind::prescribed
+                                         ? unknown
+                                         : -1);
+    };
+    const auto append_struts = [&](const std::vector<int> &all_ends) {
+      for (std::size_t i = 0; i < all_ends.size(); i += n_ends)
+        {
+          for (std::size_t k = 0; k < n_ends; ++k)
+            append(all_ends[i + k]);
+          first.push_back(unknowns.size());
+        }
+    };
+    append_struts(end_unknowns);
+    append_struts(received_unknowns);
+
+    const auto is_kept = [&](const int unknown) {
+      return unknown < 0 || selection->number[unknown] >= 0;
+    };
+    for (std::size_t b = 0; b < pattern.n_blocks(); ++b)
+      if (std::all_of(pattern.begin(b), pattern.end(b), is_kept))
+        {
+          others.push_back(b);
+          for (const int *i = pattern.begin(b); i != pattern.end(b); ++i)
+            append(*i < 0 ? -1 : selection->number[*i]);
+          first.push_back(unknowns.size());
+        }
+    assembly =
+      std::make_unique<SparseAssembly>(selection->layout, first, unknowns);
+  }
+
+  const SparseMatrix &JointSystem::matrix() const
+  {
+    return assembly->matrix();
+  }
+
+  const Unknowns &JointSystem::unknowns() const
+  {
+    return kept;
+  }
+
+  const std::vector<int> &JointSystem::numbers() const
+  {
+    return selection->number;
+  }
+
+  const int *JointSystem::ends(const std::size_t number) const
+  {
+    return end_unknowns.data() + number * n_ends;
+  }
+
+  void JointSystem::reset(const Symmetry symmetry)
+  {
+    assembly->reset(symmetry);
+    for (unsigned int i = 0; i < selection->layout.n_owned(); ++i)
+      if (kept.kinds[i] == UnknownKind::prescribed)
+        assembly->add_to_diagonal(i, 1.);
+  }
+
+  void JointSystem::add_strut(const std::size_t number, const double *block)
+  {
+    assembly->add(number, block);
+    for (const std::size_t place : places_to_send[number])
+      std::copy(block, block + n_ends * n_ends, to_send.begin() + place);
+  }
+
+  void JointSystem::add_others(const TangentMatrix &matrix)
+  {
+    std::size_t next = struts.size();
+    if (selection->layout.n_ranks() > 1)
+      {
+        const std::vector<double> received = blocks.exchange(to_send);
+        for (std::size_t i = 0; i < received.size(); i += n_ends * n_ends)
+          assembly->add(next++, received.data() + i);
+      }
+    for (const std::size_t block : others)
+      assembly->add(next++, matrix.values(block));
+    if (!matrix.added_diagonal().empty())
+      for (unsigned int i = 0; i < selection->layout.n_owned(); ++i)
+        if (kept.kinds[i] != UnknownKind::prescribed)
+          assembly->add_to_diagonal(
+            i, matrix.added_diagonal()[selection->unknowns[i]]);
+  }
+
+  void JointSystem::add_ghosts_to_owners(std::vector<double> &values) const
+  {
+    if (selection->layout.n_ranks() == 1)
+      return;
+    std::vector<double> of_ghosts;
+    for (const auto &[rank, neighbour] : neighbours)
+      for (const int ghost : neighbour.ghosts)
+        of_ghosts.push_back(values[ghost]);
+    const std::vector<double> received = ends_of_others.exchange(of_ghosts);
+    for (std::size_t i = 0; i < received.size(); ++i)
+      values[received_ends[i]] += received[i];
+  }
+} // namespace auxfem

@@ -1,0 +1,55 @@
+#include <auxfem/algebra/tangent_pattern.h>
+
+namespace auxfem
+{
+  TangentPattern::TangentPattern(const Unknowns &unknowns)
+    : all(unknowns)
+    , first(1, 0)
+  {}
+
+  void TangentPattern::clear()
+  {
+    of_blocks.clear();
+    first.assign(1, 0);
+    ++changes;
+  }
+
+  std::size_t TangentPattern::register_block(const int         *unknowns,
+                                             const unsigned int n)
+  {
+    of_blocks.insert(of_blocks.end(), unknowns, unknowns + n);
+    first.push_back(of_blocks.size());
+    ++changes;
+    return n_blocks() - 1;
+  }
+
+  unsigned long TangentPattern::version() const
+  {
+    return changes;
+  }
+
+  const Unknowns &TangentPattern::unknowns() const
+  {
+    return all;
+  }
+
+  std::size_t TangentPattern::n_blocks() const
+  {
+    return first.size() - 1;
+  }
+
+  const int *TangentPattern::begin(const std::size_t block) const
+  {
+    return of_blocks.data() + first[block];
+  }
+
+  const int *TangentPattern::end(const std::size_t block) const
+  {
+    return of_blocks.data() + first[block + 1];
+  }
+
+  unsigned int TangentPattern::size(const std::size_t block) const
+  {
+    return first[block + 1] - first[block];
+  }
+} // namespace auxfem
