@@ -5,7 +5,6 @@
 
 #include <memory>
 #include <optional>
-#include <string>
 
 namespace auxfem
 {
@@ -13,9 +12,12 @@ namespace auxfem
   enum class FactorizationOutcome
   {
     done,
+    /** To round-off; of CHOLMOD also: not without pivoting. */
     singular,
     not_finite, ///< the matrix has entries that are no numbers
-    out_of_memory
+    out_of_memory,
+    /** The solver's integers cannot count the entries of its factors. */
+    too_large
   };
 
   /**
@@ -29,8 +31,10 @@ namespace auxfem
   };
 
   /**
-   * Solution of A x = b by factors that serve until the next factorize(). All
-   * functions are collective.
+   * Solution of A x = b by factors that serve until the next analyse() or
+   * factorize(); these neither keep nor change the matrix. All functions but
+   * inertia() and memory() are collective; what one rank meets, lack of memory
+   * included, all ranks report.
    */
   class DirectSolver
   {
@@ -43,12 +47,17 @@ namespace auxfem
     /** Factorizes @p matrix, whose pattern was analysed last. */
     virtual FactorizationOutcome factorize(const SparseMatrix &matrix) = 0;
 
-    /** Replaces the right-hand side @p x on owned rows by the solution. */
+    /**
+     * Replaces the right-hand side @p x on owned rows by the solution. The last
+     * outcome must have been `done`. Throws std::bad_alloc on all ranks if one
+     * has no memory for it.
+     */
     virtual void solve(double *x) = 0;
 
     /**
      * Of the whole matrix factorized last, the same on all ranks; none where
-     * the factors do not tell it (unsymmetric ones).
+     * the factors do not tell it (unsymmetric ones, and singular ones without
+     * pivoting).
      */
     virtual std::optional<Inertia> inertia() const = 0;
 

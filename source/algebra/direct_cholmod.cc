@@ -1,0 +1,262 @@
+#include <auxfem/algebra/direct_solvers.h>
+#include <auxfem/algebra/elimination_order.h>
+#include <auxfem/algebra/factor_checks.h>
+#include <auxfem/algebra/first_rank_solver.h>
+
+#include <deal.II/base/exceptions.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <new>
+
+#include <cholmod.h>
+
+namespace auxfem
+{
+  namespace
+  {
+    /**
+     * The factors are those of a matrix that is off by round-off times this, in
+     * the scale of the equilibrated matrix; beyond, fewer than half of the
+     * digits are left. 1 for definite matrices; 1 to 1e3 for nearly all random
+     * indefinite ones.
+     */
+    constexpr double largest_growth = 1e8;
+
+    /** On one rank. */
+    class Cholmod : public DirectSolver
+    {
+    public:
+      Cholmod();
+      ~Cholmod() override;
+      Cholmod(const Cholmod &)            = delete;
+      Cholmod &operator=(const Cholmod &) = delete;
+
+      FactorizationOutcome   analyse(const SparseMatrix &matrix) override;
+      FactorizationOutcome   factorize(const SparseMatrix &matrix) override;
+      void                   solve(double *x) override;
+      std::optional<Inertia> inertia() const override;
+      std::size_t            memory() const override;
+
+    private:
+      cholmod_sparse       view(const SparseMatrix &matrix);
+      FactorizationOutcome outcome_of_failure() const;
+      bool                 is_sound(const SparseMatrix &matrix);
+      void                 count_signs();
+
+      /** By place in the order of elimination. */
+      double              pivot(std::size_t place) const;
+      std::vector<double> sums_behind_pivots() const;
+
+      cholmod_common         common;
+      cholmod_factor        *factor = nullptr;
+      std::size_t            n      = 0;
+      std::vector<int>       offsets;
+      std::optional<Inertia> signs;
+
+      /** Room that solutions use again. */
+      cholmod_dense *solution = nullptr, *room_1 = nullptr, *room_2 = nullptr;
+    };
+
+    Cholmod::Cholmod()
+    {
+      cholmod_start(&common);
+      common.print = 0;
+      // The order is ours; CHOLMOD still postorders its elimination tree.
+      common.nmethods           = 1;
+      common.method[0].ordering = CHOLMOD_GIVEN;
+      // LDL', which alone takes indefinite matrices; on lattices the supernodal
+      // LL' took up to a hundred times longer.
+      common.supernodal = CHOLMOD_SIMPLICIAL;
+      common.final_ll   = 0;
+    }
+
+    Cholmod::~Cholmod()
+    {
+      cholmod_free_factor(&factor, &common);
+      cholmod_free_dense(&solution, &common);
+      cholmod_free_dense(&room_1, &common);
+      cholmod_free_dense(&room_2, &common);
+      cholmod_finish(&common);
+    }
+
+    cholmod_sparse Cholmod::view(const SparseMatrix &matrix)
+    {
+      cholmod_sparse result = {};
+      result.nrow = result.ncol = n;
+      result.nzmax              = matrix.columns.size();
+      result.p                  = offsets.data();
+      // CHOLMOD reads only.
+      result.i = const_cast<int *>(matrix.columns.data());
+      result.x = const_cast<double *>(matrix.entries.data());
+      // The upper triangle of its columns is the lower one of our rows.
+      result.stype  = 1;
+      result.itype  = CHOLMOD_INT;
+      result.xtype  = CHOLMOD_REAL;
+      result.dtype  = CHOLMOD_DOUBLE;
+      result.sorted = 1;
+      result.packed = 1;
+      return result;
+    }
+
+    FactorizationOutcome Cholmod::outcome_of_failure() const
+    {
+      if (common.status == CHOLMOD_OUT_OF_MEMORY)
+        return FactorizationOutcome::out_of_memory;
+      if (common.status == CHOLMOD_TOO_LARGE)
+        return FactorizationOutcome::too_large;
+      AssertThrow(false,
+                  dealii::ExcMessage("CHOLMOD fails with status " +
+                                     std::to_string(common.status)));
+      return FactorizationOutcome::singular;
+    }
+
+    FactorizationOutcome Cholmod::analyse(const SparseMatrix &matrix)
+    {
+      signs.reset();
+      cholmod_free_factor(&factor, &common);
+      n = matrix.layout->n_owned();
+      if (!fits_narrow_offsets(matrix))
+        return FactorizationOutcome::too_large;
+      offsets                = narrow_offsets(matrix);
+      std::vector<int> order = elimination_order(matrix);
+      cholmod_sparse   a     = view(matrix);
+      a.xtype                = CHOLMOD_PATTERN;
+
+      factor = cholmod_analyze_p(&a, order.data(), nullptr, 0, &common);
+      if (factor == nullptr)
+        return outcome_of_failure();
+      if (common.lnz > std::numeric_limits<int>::max())
+        return FactorizationOutcome::too_large;
+      return FactorizationOutcome::done;
+    }
+
+    FactorizationOutcome Cholmod::factorize(const SparseMatrix &matrix)
+    {
+      Assert(matrix.is_symmetric, dealii::ExcInternalError());
+      signs.reset();
+      cholmod_sparse a = view(matrix);
+      cholmod_factorize(&a, factor, &common);
+      if (common.status < CHOLMOD_OK)
+        return outcome_of_failure();
+      // A zero pivot.
+      if (factor->minor < n || !is_sound(matrix))
+        return FactorizationOutcome::singular;
+      count_signs();
+      return FactorizationOutcome::done;
+    }
+
+    double Cholmod::pivot(const std::size_t place) const
+    {
+      const int *first = static_cast<const int *>(factor->p);
+      return static_cast<const double *>(factor->x)[first[place]];
+    }
+
+    /**
+     * The diagonal of |L| |D| |L'|: a_ii without cancellation.
+     */
+    std::vector<double> Cholmod::sums_behind_pivots() const
+    {
+      const int *const    first   = static_cast<const int *>(factor->p);
+      const int *const    rows    = static_cast<const int *>(factor->i);
+      const int *const    lengths = static_cast<const int *>(factor->nz);
+      const double *const l       = static_cast<const double *>(factor->x);
+      std::vector<double> sums(n, 0.);
+      for (std::size_t place = 0; place < n; ++place)
+        {
+          const double size = std::abs(pivot(place));
+          sums[place] += size;
+          for (int i = first[place] + 1; i < first[place] + lengths[place]; ++i)
+            sums[rows[i]] += l[i] * l[i] * size;
+        }
+      return sums;
+    }
+
+    /**
+     * Without pivoting the factors are those of a matrix A + E, with |e_ij| at
+     * most round-off times sqrt(g_i g_j), g being the sums (Higham, Accuracy
+     * and Stability of Numerical Algorithms, 2002, theorem 9.3 and Cauchy and
+     * Schwarz). So they are unsound if g is large beside A, and A is singular
+     * to round-off if the inverse of A, rows and columns divided by sqrt(g), is
+     * about one over round-off.
+     */
+    bool Cholmod::is_sound(const SparseMatrix &matrix)
+    {
+      const std::vector<double> sums  = sums_behind_pivots();
+      const std::vector<double> scale = equilibration(matrix);
+      const int *const unknown        = static_cast<const int *>(factor->Perm);
+      bool             is_suspicious  = false;
+      for (std::size_t place = 0; place < n; ++place)
+        {
+          const double s = scale[unknown[place]];
+          // Written so that a number that is not finite is unsound.
+          if (!(s * s * sums[place] <= largest_growth))
+            return false;
+          is_suspicious = is_suspicious ||
+            std::abs(pivot(place)) < suspicious_pivot * sums[place];
+        }
+      if (!is_suspicious)
+        return true;
+
+      std::vector<double> root(n);
+      for (std::size_t place = 0; place < n; ++place)
+        root[unknown[place]] = std::sqrt(sums[place]);
+      const auto apply_inverse = [&](std::vector<double> &x) {
+        for (std::size_t i = 0; i < n; ++i)
+          x[i] *= root[i];
+        solve(x.data());
+        for (std::size_t i = 0; i < n; ++i)
+          x[i] *= root[i];
+      };
+      return estimate_norm(n, apply_inverse) < singular_inverse_norm;
+    }
+
+    void Cholmod::count_signs()
+    {
+      signs = Inertia();
+      for (std::size_t place = 0; place < n; ++place)
+        ++(pivot(place) > 0 ? signs->positive : signs->negative);
+    }
+
+    void Cholmod::solve(double *x)
+    {
+      cholmod_dense b = {};
+      b.nrow = b.nzmax = b.d = n;
+      b.ncol                 = 1;
+      b.x                    = x;
+      b.xtype                = CHOLMOD_REAL;
+      b.dtype                = CHOLMOD_DOUBLE;
+      if (!cholmod_solve2(CHOLMOD_A,
+                          factor,
+                          &b,
+                          nullptr,
+                          &solution,
+                          nullptr,
+                          &room_1,
+                          &room_2,
+                          &common))
+        throw std::bad_alloc();
+      std::copy_n(static_cast<const double *>(solution->x), n, x);
+    }
+
+    std::optional<Inertia> Cholmod::inertia() const
+    {
+      return signs;
+    }
+
+    std::size_t Cholmod::memory() const
+    {
+      if (factor == nullptr)
+        return 0;
+      // Entries with their rows; four integers a column.
+      return factor->nzmax * (sizeof(double) + sizeof(int)) +
+        4 * n * sizeof(int);
+    }
+  } // namespace
+
+  std::unique_ptr<DirectSolver> make_cholmod()
+  {
+    return std::make_unique<FirstRankSolver>(std::make_unique<Cholmod>());
+  }
+} // namespace auxfem

@@ -1,0 +1,214 @@
+#include <auxfem/algebra/direct_solvers.h>
+#include <auxfem/algebra/elimination_order.h>
+#include <auxfem/algebra/factor_checks.h>
+#include <auxfem/algebra/first_rank_solver.h>
+
+#include <deal.II/base/exceptions.h>
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+
+#include <klu.h>
+
+namespace auxfem
+{
+  namespace
+  {
+    /**
+     * Pivots are kept for new entries until they let the factors grow this much
+     * more than freshly chosen ones did.
+     */
+    constexpr double growth_of_kept_pivots = 100;
+
+    /**
+     * On one rank. KLU goes by columns: it is given the transpose, and solves
+     * with the transpose of that.
+     */
+    class Klu : public DirectSolver
+    {
+    public:
+      Klu();
+      ~Klu() override;
+      Klu(const Klu &)            = delete;
+      Klu &operator=(const Klu &) = delete;
+
+      FactorizationOutcome   analyse(const SparseMatrix &matrix) override;
+      FactorizationOutcome   factorize(const SparseMatrix &matrix) override;
+      void                   solve(double *x) override;
+      std::optional<Inertia> inertia() const override;
+      std::size_t            memory() const override;
+
+    private:
+      FactorizationOutcome outcome_of_failure() const;
+      bool                 refactorize(int *columns, double *entries);
+      bool                 is_singular(const SparseMatrix &matrix);
+
+      klu_common       common;
+      klu_symbolic    *symbolic = nullptr;
+      klu_numeric     *numeric  = nullptr;
+      std::size_t      n        = 0;
+      std::vector<int> offsets;
+      /** Of freshly chosen pivots, as klu_rgrowth() defines it. */
+      double fresh_growth = 0;
+    };
+
+    Klu::Klu()
+    {
+      klu_defaults(&common);
+      // Lattices hang together: blocks of a triangular form would be of one
+      // unknown, and not worth the search.
+      common.btf = 0;
+    }
+
+    Klu::~Klu()
+    {
+      klu_free_numeric(&numeric, &common);
+      klu_free_symbolic(&symbolic, &common);
+    }
+
+    FactorizationOutcome Klu::outcome_of_failure() const
+    {
+      switch (common.status)
+        {
+          case KLU_SINGULAR:
+            return FactorizationOutcome::singular;
+          case KLU_OUT_OF_MEMORY:
+            return FactorizationOutcome::out_of_memory;
+          case KLU_TOO_LARGE:
+            return FactorizationOutcome::too_large;
+          default:
+            AssertThrow(false,
+                        dealii::ExcMessage("KLU fails with status " +
+                                           std::to_string(common.status)));
+            return FactorizationOutcome::singular;
+        }
+    }
+
+    FactorizationOutcome Klu::analyse(const SparseMatrix &matrix)
+    {
+      klu_free_numeric(&numeric, &common);
+      klu_free_symbolic(&symbolic, &common);
+      n = matrix.layout->n_owned();
+      if (!fits_narrow_offsets(matrix))
+        return FactorizationOutcome::too_large;
+      if (n == 0)
+        return FactorizationOutcome::done;
+      offsets                  = narrow_offsets(matrix);
+      std::vector<int> order   = elimination_order(matrix);
+      std::vector<int> columns = matrix.columns;
+      symbolic                 = klu_analyze_given(n,
+                                   offsets.data(),
+                                   columns.data(),
+                                   order.data(),
+                                   order.data(),
+                                   &common);
+      return symbolic == nullptr ? outcome_of_failure()
+                                 : FactorizationOutcome::done;
+    }
+
+    FactorizationOutcome Klu::factorize(const SparseMatrix &matrix)
+    {
+      if (n == 0)
+        return FactorizationOutcome::done;
+      // KLU reads only.
+      int *const    columns = const_cast<int *>(matrix.columns.data());
+      double *const entries = const_cast<double *>(matrix.entries.data());
+      if (numeric == nullptr || !refactorize(columns, entries))
+        {
+          klu_free_numeric(&numeric, &common);
+          numeric =
+            klu_factor(offsets.data(), columns, entries, symbolic, &common);
+          if (numeric == nullptr)
+            return outcome_of_failure();
+          if (!klu_rgrowth(offsets.data(),
+                           columns,
+                           entries,
+                           symbolic,
+                           numeric,
+                           &common))
+            return outcome_of_failure();
+          fresh_growth = common.rgrowth;
+        }
+      if (!is_singular(matrix))
+        return FactorizationOutcome::done;
+      klu_free_numeric(&numeric, &common);
+      return FactorizationOutcome::singular;
+    }
+
+    /** With the pivots of before; false if these do not serve. */
+    bool Klu::refactorize(int *const columns, double *const entries)
+    {
+      return klu_refactor(offsets.data(),
+                          columns,
+                          entries,
+                          symbolic,
+                          numeric,
+                          &common) &&
+        common.status == KLU_OK &&
+        klu_rgrowth(offsets.data(),
+                    columns,
+                    entries,
+                    symbolic,
+                    numeric,
+                    &common) &&
+        common.rgrowth * growth_of_kept_pivots >= fresh_growth;
+    }
+
+    bool Klu::is_singular(const SparseMatrix &matrix)
+    {
+      klu_rcond(symbolic, numeric, &common);
+      if (common.rcond > suspicious_pivot)
+        return false;
+
+      // Units of rows and of columns do not make a matrix singular.
+      std::vector<double> row_size(n, 0.), column_size(n, 0.);
+      for (std::size_t row = 0; row < n; ++row)
+        for (std::size_t i = matrix.first[row]; i < matrix.first[row + 1]; ++i)
+          row_size[row] = std::max(row_size[row], std::abs(matrix.entries[i]));
+      for (std::size_t row = 0; row < n; ++row)
+        for (std::size_t i = matrix.first[row]; i < matrix.first[row + 1]; ++i)
+          column_size[matrix.columns[i]] =
+            std::max(column_size[matrix.columns[i]],
+                     std::abs(matrix.entries[i]) / row_size[row]);
+      const auto apply_inverse_and_transpose = [&](std::vector<double> &x) {
+        for (std::size_t i = 0; i < n; ++i)
+          x[i] *= row_size[i];
+        klu_tsolve(symbolic, numeric, n, 1, x.data(), &common);
+        for (std::size_t i = 0; i < n; ++i)
+          x[i] *= column_size[i] * column_size[i];
+        klu_solve(symbolic, numeric, n, 1, x.data(), &common);
+        for (std::size_t i = 0; i < n; ++i)
+          x[i] *= row_size[i];
+      };
+      const double norm =
+        std::sqrt(estimate_norm(n, apply_inverse_and_transpose));
+      return !(norm < singular_inverse_norm);
+    }
+
+    void Klu::solve(double *x)
+    {
+      if (n > 0)
+        klu_tsolve(symbolic, numeric, n, 1, x, &common);
+    }
+
+    std::optional<Inertia> Klu::inertia() const
+    {
+      return {};
+    }
+
+    std::size_t Klu::memory() const
+    {
+      if (numeric == nullptr)
+        return 0;
+      return (static_cast<std::size_t>(numeric->lnz) + numeric->unz) *
+        (sizeof(double) + sizeof(int)) +
+        numeric->worksize + 10 * n * sizeof(int);
+    }
+  } // namespace
+
+  std::unique_ptr<DirectSolver> make_klu()
+  {
+    return std::make_unique<FirstRankSolver>(std::make_unique<Klu>());
+  }
+} // namespace auxfem

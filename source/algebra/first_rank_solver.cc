@@ -1,0 +1,266 @@
+#include <auxfem/algebra/factor_checks.h>
+#include <auxfem/algebra/first_rank_solver.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <new>
+#include <numeric>
+
+namespace auxfem
+{
+  namespace MPI = dealii::Utilities::MPI;
+
+  namespace
+  {
+    /** More do not fit into the int of one message. */
+    constexpr std::size_t bytes_of_message = 1 << 30;
+
+    template <typename T>
+    void send(const T *values, const std::size_t n, const MPI_Comm communicator)
+    {
+      const char *const bytes = reinterpret_cast<const char *>(values);
+      for (std::size_t at = 0; at < n * sizeof(T); at += bytes_of_message)
+        MPI_Send(bytes + at,
+                 std::min(bytes_of_message, n * sizeof(T) - at),
+                 MPI_BYTE,
+                 0,
+                 0,
+                 communicator);
+    }
+
+    template <typename T>
+    void receive(T                 *values,
+                 const std::size_t  n,
+                 const unsigned int from,
+                 const MPI_Comm     communicator)
+    {
+      char *const bytes = reinterpret_cast<char *>(values);
+      for (std::size_t at = 0; at < n * sizeof(T); at += bytes_of_message)
+        MPI_Recv(bytes + at,
+                 std::min(bytes_of_message, n * sizeof(T) - at),
+                 MPI_BYTE,
+                 from,
+                 0,
+                 communicator,
+                 MPI_STATUS_IGNORE);
+    }
+
+    /**
+     * Brings what the ranks have to @p all of the first rank, that of rank r to
+     * @p first [r]. Collective.
+     */
+    template <typename T>
+    void gather(const T                        *mine,
+                const std::vector<std::size_t> &first,
+                T                              *all,
+                const MPI_Comm                  communicator)
+    {
+      const unsigned int rank = MPI::this_mpi_process(communicator);
+      if (rank > 0)
+        {
+          send(mine, first[rank + 1] - first[rank], communicator);
+          return;
+        }
+      std::copy(mine, mine + first[1], all);
+      for (unsigned int from = 1; from + 1 < first.size(); ++from)
+        receive(all + first[from],
+                first[from + 1] - first[from],
+                from,
+                communicator);
+    }
+
+    std::vector<std::size_t> offsets(const std::vector<std::size_t> &sizes)
+    {
+      std::vector<std::size_t> result(1, 0);
+      for (const std::size_t size : sizes)
+        result.push_back(result.back() + size);
+      return result;
+    }
+  } // namespace
+
+  FirstRankSolver::Gathered::Gathered(const unsigned int n_rows)
+    : layout(MPI_COMM_SELF, n_rows, {})
+    , matrix(layout)
+    , x(n_rows)
+  {}
+
+  FirstRankSolver::FirstRankSolver(std::unique_ptr<DirectSolver> solver)
+    : solver(std::move(solver))
+  {}
+
+  FactorizationOutcome FirstRankSolver::analyse(const SparseMatrix &matrix)
+  {
+    communicator = matrix.layout->communicator();
+    rank         = matrix.layout->rank();
+    n_ranks      = matrix.layout->n_ranks();
+    inertia_of_all.reset();
+    gathered.reset();
+    if (n_ranks == 1)
+      return guard_memory([&] { return solver->analyse(matrix); });
+
+    FactorizationOutcome outcome = collect_pattern(matrix);
+    if (outcome == FactorizationOutcome::done && gathered)
+      outcome = guard_memory([&] { return solver->analyse(gathered->matrix); });
+    return agree(outcome, communicator);
+  }
+
+  FactorizationOutcome
+  FirstRankSolver::collect_pattern(const SparseMatrix &matrix)
+  {
+    first_entry = offsets(MPI::all_gather(communicator, matrix.columns.size()));
+    first_row.clear();
+    for (unsigned int r = 0; r <= n_ranks; ++r)
+      first_row.push_back(matrix.layout->first_of(r));
+
+    const FactorizationOutcome outcome =
+      agree(guard_memory([&] {
+              sort_rows(matrix);
+              if (rank == 0)
+                {
+                  gathered = std::make_unique<Gathered>(first_row.back());
+                  gathered->matrix.columns.resize(first_entry.back());
+                  gathered->matrix.entries.resize(first_entry.back());
+                }
+              return FactorizationOutcome::done;
+            }),
+            communicator);
+    if (outcome != FactorizationOutcome::done)
+      {
+        gathered.reset();
+        return outcome;
+      }
+
+    gather(matrix.first.data(),
+           first_row,
+           gathered ? gathered->matrix.first.data() : nullptr,
+           communicator);
+    gather(columns.data(),
+           first_entry,
+           gathered ? gathered->matrix.columns.data() : nullptr,
+           communicator);
+    if (gathered)
+      {
+        std::vector<std::size_t> &first = gathered->matrix.first;
+        for (unsigned int r = 0; r < n_ranks; ++r)
+          for (std::size_t row = first_row[r]; row < first_row[r + 1]; ++row)
+            first[row] += first_entry[r];
+        first.back() = first_entry.back();
+      }
+    return outcome;
+  }
+
+  void FirstRankSolver::sort_rows(const SparseMatrix &matrix)
+  {
+    order.resize(matrix.columns.size());
+    std::iota(order.begin(), order.end(), 0);
+    columns.resize(order.size());
+    entries.resize(order.size());
+    const auto global = [&](const std::size_t i) {
+      return matrix.layout->global(matrix.columns[i]);
+    };
+    for (std::size_t row = 0; row + 1 < matrix.first.size(); ++row)
+      std::sort(order.begin() + matrix.first[row],
+                order.begin() + matrix.first[row + 1],
+                [&](const std::size_t a, const std::size_t b) {
+                  return global(a) < global(b);
+                });
+    for (std::size_t i = 0; i < order.size(); ++i)
+      columns[i] = global(order[i]);
+  }
+
+  FactorizationOutcome FirstRankSolver::factorize(const SparseMatrix &matrix)
+  {
+    FactorizationOutcome outcome = has_finite_entries(matrix)
+      ? FactorizationOutcome::done
+      : FactorizationOutcome::not_finite;
+    inertia_of_all.reset();
+    if (n_ranks == 1)
+      {
+        if (outcome != FactorizationOutcome::done)
+          return outcome;
+        outcome = guard_memory([&] { return solver->factorize(matrix); });
+        inertia_of_all = solver->inertia();
+        return outcome;
+      }
+
+    outcome = agree(outcome, communicator);
+    if (outcome != FactorizationOutcome::done)
+      return outcome;
+    for (std::size_t i = 0; i < order.size(); ++i)
+      entries[i] = matrix.entries[order[i]];
+    gather(entries.data(),
+           first_entry,
+           gathered ? gathered->matrix.entries.data() : nullptr,
+           communicator);
+    if (gathered)
+      {
+        gathered->matrix.is_symmetric = matrix.is_symmetric;
+        outcome =
+          guard_memory([&] { return solver->factorize(gathered->matrix); });
+        inertia_of_all = solver->inertia();
+      }
+    broadcast_inertia();
+    return agree(outcome, communicator);
+  }
+
+  void FirstRankSolver::broadcast_inertia()
+  {
+    const Inertia mine       = inertia_of_all.value_or(Inertia());
+    unsigned long numbers[4] = {inertia_of_all.has_value(),
+                                mine.negative,
+                                mine.zero,
+                                mine.positive};
+    MPI_Bcast(numbers, 4, MPI_UNSIGNED_LONG, 0, communicator);
+    if (numbers[0] != 0)
+      inertia_of_all = Inertia{numbers[1], numbers[2], numbers[3]};
+  }
+
+  void FirstRankSolver::solve(double *x)
+  {
+    if (n_ranks == 1)
+      {
+        solver->solve(x);
+        return;
+      }
+
+    gather(x, first_row, gathered ? gathered->x.data() : nullptr, communicator);
+    int is_out_of_memory = 0;
+    if (gathered)
+      try
+        {
+          solver->solve(gathered->x.data());
+        }
+      catch (const std::bad_alloc &)
+        {
+          is_out_of_memory = 1;
+        }
+    MPI_Bcast(&is_out_of_memory, 1, MPI_INT, 0, communicator);
+    if (is_out_of_memory != 0)
+      throw std::bad_alloc();
+
+    const std::vector<int> first(first_row.begin(), first_row.end());
+    std::vector<int>       sizes(n_ranks);
+    for (unsigned int r = 0; r < n_ranks; ++r)
+      sizes[r] = first[r + 1] - first[r];
+    MPI_Scatterv(gathered ? gathered->x.data() : nullptr,
+                 sizes.data(),
+                 first.data(),
+                 MPI_DOUBLE,
+                 x,
+                 sizes[rank],
+                 MPI_DOUBLE,
+                 0,
+                 communicator);
+  }
+
+  std::optional<Inertia> FirstRankSolver::inertia() const
+  {
+    return inertia_of_all;
+  }
+
+  std::size_t FirstRankSolver::memory() const
+  {
+    return n_ranks == 1 || gathered ? solver->memory() : 0;
+  }
+} // namespace auxfem
