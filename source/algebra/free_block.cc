@@ -1,49 +1,62 @@
 #include <auxfem/algebra/free_block.h>
 
+#include <deal.II/base/exceptions.h>
+
 namespace auxfem
 {
-  std::unique_ptr<Epetra_CrsMatrix> free_block(const TangentMatrix &matrix,
-                                               const DofNumbering  &numbering)
+  namespace
   {
-    const auto is_free = [&numbering](const int local) {
-      return numbering.kind(local) != UnknownKind::prescribed;
-    };
-    std::vector<int> free_rows;
-    for (unsigned int row = 0; row < numbering.n_owned(); ++row)
-      if (is_free(row))
-        free_rows.push_back(numbering.owned_map().GID(row));
-    const Epetra_Map map(-1,
-                         free_rows.size(),
-                         free_rows.data(),
-                         0,
-                         numbering.communicator());
+    std::vector<bool> is_free(const Unknowns &unknowns)
+    {
+      std::vector<bool> free;
+      for (const UnknownKind kind : unknowns.kinds)
+        free.push_back(kind != UnknownKind::prescribed);
+      return free;
+    }
 
-    auto             block = std::make_unique<Epetra_CrsMatrix>(Copy, map, 0);
-    std::vector<int> columns;
-    std::vector<double> values;
-    for (unsigned int row = 0; row < numbering.n_owned(); ++row)
-      {
-        if (!is_free(row))
-          continue;
-        int     n          = 0;
-        int    *of_row     = nullptr;
-        double *row_values = nullptr;
-        matrix.matrix().ExtractMyRowView(row, n, row_values, of_row);
-        columns.clear();
-        values.clear();
-        for (int i = 0; i < n; ++i)
-          // Columns of the matrix are numbered as local unknowns.
-          if (is_free(of_row[i]))
-            {
-              columns.push_back(numbering.local_map().GID(of_row[i]));
-              values.push_back(row_values[i]);
-            }
-        block->InsertGlobalValues(numbering.owned_map().GID(row),
-                                  columns.size(),
-                                  values.data(),
-                                  columns.data());
-      }
-    block->FillComplete();
-    return block;
+    SparseAssembly make_assembly(const TangentPattern   &pattern,
+                                 const UnknownSelection &free)
+    {
+      std::vector<std::size_t> first(1, 0);
+      std::vector<int>         unknowns;
+      for (std::size_t b = 0; b < pattern.n_blocks(); ++b)
+        {
+          for (const int *i = pattern.begin(b); i != pattern.end(b); ++i)
+            unknowns.push_back(*i < 0 ? -1 : free.number[*i]);
+          first.push_back(unknowns.size());
+        }
+      return SparseAssembly(free.layout, first, unknowns);
+    }
+  } // namespace
+
+  FreeBlock::FreeBlock(const TangentMatrix &matrix)
+    : free(*matrix.pattern().unknowns().layout,
+           is_free(matrix.pattern().unknowns()))
+    , assembly(make_assembly(matrix.pattern(), free))
+    , version(matrix.version())
+  {
+    assemble(matrix);
+  }
+
+  void FreeBlock::assemble(const TangentMatrix &matrix)
+  {
+    Assert(matrix.version() == version,
+           dealii::ExcMessage("The pattern of the matrix has changed."));
+    assembly.reset(Symmetry::none);
+    for (std::size_t b = 0; b < matrix.pattern().n_blocks(); ++b)
+      assembly.add(b, matrix.values(b));
+    if (!matrix.added_diagonal().empty())
+      for (unsigned int i = 0; i < free.layout.n_owned(); ++i)
+        assembly.add_to_diagonal(i, matrix.added_diagonal()[free.unknowns[i]]);
+  }
+
+  const SparseMatrix &FreeBlock::matrix() const
+  {
+    return assembly.matrix();
+  }
+
+  const UnknownSelection &FreeBlock::selection() const
+  {
+    return free;
   }
 } // namespace auxfem

@@ -1,11 +1,10 @@
+#include <auxfem/algebra/backward_error.h>
 #include <auxfem/algebra/linear_solver.h>
-#include <auxfem/parameters/errors.h>
 #include <auxfem/parameters/out_of_memory.h>
 
-#include <deal.II/base/mpi.h>
+#include <deal.II/base/exceptions.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <limits>
 #include <new>
 
@@ -13,91 +12,216 @@ namespace auxfem
 {
   namespace
   {
-    /** Throws ComputationError on all ranks if one lacks memory. Collective. */
-    void refuse_lack_of_memory(const bool          lacks_memory,
-                               const DofNumbering &numbering)
-    {
-      namespace MPI = dealii::Utilities::MPI;
+    /** An asymmetry below this is the round-off of sums of symmetric terms. */
+    constexpr double symmetric_to_round_off = 1e-13;
 
-      const MPI_Comm     communicator = numbering.communicator().Comm();
-      const unsigned int first =
-        MPI::min(lacks_memory ? numbering.rank() : numbering.n_ranks(),
-                 communicator);
-      if (first < numbering.n_ranks())
-        throw ComputationError(
-          "The factorization ran " +
-          MPI::broadcast(communicator, out_of_memory_text(), first));
+    /** Over all ranks. Collective. */
+    unsigned long count(const Unknowns &unknowns, const UnknownKind kind)
+    {
+      return static_cast<unsigned long>(unknowns.layout->sum(double(
+        std::count(unknowns.kinds.begin(),
+                   unknowns.kinds.begin() + unknowns.layout->n_owned(),
+                   kind))));
     }
   } // namespace
 
   LinearSolver::LinearSolver(const SolverParameters &parameters,
-                             TangentMatrix          &matrix,
-                             const LatticeModel     &model)
-    : numbering(model.numbering)
-    , rhs(numbering.owned_map())
-    , solution(numbering.owned_map())
-    , method(parameters.type == "gmres"
-               ? make_gmres_method(parameters, matrix, model)
-               : make_direct_method(parameters, matrix, numbering))
+                             const TangentMatrix    &matrix)
+    : parameters(parameters)
+    , matrix(matrix)
+    , n_prescribed(count(matrix.pattern().unknowns(), UnknownKind::prescribed))
+    , n_multipliers(count(matrix.pattern().unknowns(), UnknownKind::multiplier))
+    , condensation(matrix)
   {}
 
-  bool LinearSolver::factorize()
+  FactorizationOutcome LinearSolver::factorize(const Exactness exactness)
   {
-    // KLU and MUMPS, by Amesos, tell lack of memory and singular matrices by
-    // the same code; what has failed for want of memory is malloc(), which says
-    // so here.
-    errno                 = 0;
-    bool is_factorized    = false;
-    bool is_out_of_memory = false;
+    FactorizationOutcome outcome = FactorizationOutcome::out_of_memory;
     try
       {
-        is_factorized    = method->factorize();
-        is_out_of_memory = !is_factorized && errno == ENOMEM;
+        outcome = try_to_factorize(exactness);
       }
     catch (const std::bad_alloc &)
       {
         // The other ranks are still at work on it, and cannot be told here.
-        if (numbering.n_ranks() > 1)
+        if (matrix.pattern().unknowns().layout->n_ranks() > 1)
           throw;
-        is_out_of_memory = true;
       }
-    if (!is_factorized)
-      refuse_lack_of_memory(is_out_of_memory, numbering);
-    return is_factorized;
+    why_failed = in_words(outcome);
+    return outcome;
   }
 
-  const Epetra_Vector &LinearSolver::solve()
+  Symmetry LinearSolver::wanted_symmetry(const Exactness exactness) const
   {
-    why_failed = method->solve(rhs, solution);
-    return solution;
+    // Entries that are no numbers are found by those that factorize.
+    if (!(matrix.asymmetry() > symmetric_to_round_off))
+      return Symmetry::given;
+    const bool takes_unsymmetric = parameters.type != "cholmod";
+    const bool gains_by_symmetry = parameters.type != "klu";
+    return !takes_unsymmetric ||
+        (exactness == Exactness::approximate && gains_by_symmetry)
+      ? Symmetry::enforced
+      : Symmetry::none;
   }
 
-  void LinearSolver::solve(Epetra_Vector &at_local_unknowns)
+  FactorizationOutcome
+  LinearSolver::try_to_factorize(const Exactness exactness)
   {
-    solve();
-    // A failed solution must show: the next residual is then not finite.
+    symmetry = wanted_symmetry(exactness);
+    FactorizationOutcome outcome = condensation.condense(symmetry);
+    if (outcome != FactorizationOutcome::done)
+      return outcome;
+    const LinearSolverChoice choice =
+      choose_linear_solver(parameters, equations_at_joints());
+    outcome = factorize_joints(choice);
+    const bool may_do_with_mumps = parameters.type == "auto" &&
+      ((outcome == FactorizationOutcome::singular &&
+        choice.type == LinearSolverType::cholmod) ||
+       (outcome == FactorizationOutcome::too_large &&
+        choice.type != LinearSolverType::mumps));
+    if (may_do_with_mumps)
+      outcome = factorize_joints(
+        {LinearSolverType::mumps,
+         outcome == FactorizationOutcome::too_large
+           ? "factors too large for " + name_of(choice.type)
+           : "indefinite matrix that needs pivoting"});
+    return outcome;
+  }
+
+  EquationsAtJoints LinearSolver::equations_at_joints() const
+  {
+    const UnknownLayout &layout = *condensation.joints().layout;
+    EquationsAtJoints    equations;
+    equations.symmetry      = symmetry;
+    equations.n_unknowns    = layout.n_global();
+    equations.n_multipliers = n_multipliers;
+    equations.n_ranks       = layout.n_ranks();
+    equations.n_components  = condensation.joints().components.size();
+    return equations;
+  }
+
+  FactorizationOutcome
+  LinearSolver::factorize_joints(const LinearSolverChoice &choice)
+  {
+    Analysed &analysed = methods[choice.type];
+    if (!analysed.method)
+      analysed.method = make_linear_solver_method(choice.type, parameters);
+    current          = analysed.method.get();
+    current_in_words = name_of(choice.type) + " (" + choice.reason + ")";
+    if (analysed.version != condensation.version())
+      {
+        analysed.version.reset();
+        const FactorizationOutcome outcome =
+          current->analyse(condensation.matrix(), condensation.joints());
+        if (outcome != FactorizationOutcome::done)
+          return outcome;
+        analysed.version = condensation.version();
+      }
+    return current->factorize(condensation.matrix());
+  }
+
+  std::string LinearSolver::in_words(const FactorizationOutcome outcome) const
+  {
+    switch (outcome)
+      {
+        case FactorizationOutcome::done:
+          return "";
+        case FactorizationOutcome::singular:
+          return "the matrix is singular" +
+            (condensation.words().empty() ? ""
+                                          : " in " + condensation.words());
+        case FactorizationOutcome::not_finite:
+          return "the matrix has entries that are not finite" +
+            (condensation.words().empty() ? ""
+                                          : " in " + condensation.words());
+        case FactorizationOutcome::out_of_memory:
+          return "the factorization ran " + out_of_memory_text();
+        case FactorizationOutcome::too_large:
+          return "the factors have more entries than " + current_in_words +
+            " can count. Set Solver/Type to `auto`, `mumps` or `gmres`, or "
+            "start auxfem on more ranks (mpirun -n ...)";
+      }
+    Assert(false, dealii::ExcInternalError());
+    return "";
+  }
+
+  bool LinearSolver::is_exact() const
+  {
+    return symmetry != Symmetry::enforced;
+  }
+
+  std::optional<Inertia> LinearSolver::inertia() const
+  {
+    if (current == nullptr || !why_failed.empty())
+      return std::nullopt;
+    std::optional<Inertia>       sum   = current->inertia();
+    const std::optional<Inertia> inner = condensation.inner_inertia();
+    if (!sum || !inner)
+      return std::nullopt;
+    sum->negative += inner->negative;
+    sum->positive += inner->positive;
+    sum->positive -= n_prescribed;
+    return sum;
+  }
+
+  bool LinearSolver::solve(std::vector<double> &values)
+  {
+    Assert(current != nullptr, dealii::ExcMessage("Nothing was factorized."));
+#ifdef DEBUG
+    const std::vector<double> right_side = values;
+#endif
+    condensation.reduce(values, of_joints);
+    why_failed = current->solve(of_joints.data());
     if (!why_failed.empty())
-      solution.PutScalar(std::numeric_limits<double>::quiet_NaN());
-    if (numbering.n_ranks() == 1)
-      std::copy(solution.Values(),
-                solution.Values() + numbering.n_owned(),
-                at_local_unknowns.Values());
-    else
-      at_local_unknowns.Import(solution, numbering.importer(), Insert);
+      {
+        // A failed solution must show: the next residual is then not finite.
+        std::fill(values.begin(),
+                  values.end(),
+                  std::numeric_limits<double>::quiet_NaN());
+        return false;
+      }
+    condensation.expand(of_joints, values);
+#ifdef DEBUG
+    // Far above round-off, far below what a wrong factor would leave.
+    constexpr double largest_error = 1e-6;
+    if (current->n_iterations() == 0 &&
+        std::all_of(right_side.begin(),
+                    right_side.end(),
+                    [](const double value) { return std::isfinite(value); }))
+      {
+        const double error =
+          backward_error(matrix, values, right_side, symmetry);
+        Assert(error < largest_error,
+               dealii::ExcMessage("The solution leaves a backward error of " +
+                                  std::to_string(error)));
+      }
+#endif
+    return true;
   }
 
-  const std::string &LinearSolver::failure() const
+  const std::string &LinearSolver::why() const
   {
     return why_failed;
   }
 
-  unsigned long LinearSolver::n_iterations() const
+  const std::string &LinearSolver::method() const
   {
-    return method->n_iterations();
+    return current_in_words;
   }
 
-  Epetra_Vector &LinearSolver::right_side()
+  unsigned long LinearSolver::n_iterations() const
   {
-    return rhs;
+    unsigned long n = 0;
+    for (const auto &[type, analysed] : methods)
+      n += analysed.method->n_iterations();
+    return n;
+  }
+
+  std::size_t LinearSolver::memory() const
+  {
+    std::size_t sum = condensation.memory();
+    for (const auto &[type, analysed] : methods)
+      sum += analysed.method->memory();
+    return sum;
   }
 } // namespace auxfem

@@ -2,60 +2,103 @@
 #define auxfem_algebra_linear_solver_h
 
 #include <auxfem/algebra/linear_solver_method.h>
+#include <auxfem/algebra/strut_condensation.h>
+
+#include <map>
 
 namespace auxfem
 {
+  /** What a factorization is for. */
+  enum class Exactness
+  {
+    /** The equations as they are. */
+    exact,
+    /**
+     * An unsymmetric matrix may give way to its symmetric part, whose
+     * factorization costs a fraction: for Newton's method.
+     */
+    approximate
+  };
+
   /**
-   * Solution of the linear equations A x = b of a TangentMatrix, directly or by
-   * iteration, with a factorization (or preconditioner) that serves until the
-   * next factorize(). Between the two the matrix must stay as it is.
+   * Solution of the linear equations A x = b of a TangentMatrix: what lies
+   * inside struts is condensed, what is left at the joints solved directly or
+   * by iteration, with factors that serve until the next factorize(). Between
+   * the two the matrix must stay as it is. All functions but those that tell
+   * what was found are collective.
    */
   class LinearSolver
   {
   public:
-    /**
-     * `auto`: KLU on one rank, MUMPS on several where Trilinos has it, else
-     * KLU. Throws InputError where a type cannot serve the scene.
-     */
+    /** @param matrix must outlive the object. */
     LinearSolver(const SolverParameters &parameters,
-                 TangentMatrix          &matrix,
-                 const LatticeModel     &model);
+                 const TangentMatrix    &matrix);
 
     /**
-     * Factorizes the matrix as it is now. Returns false if it is singular
-     * (numerically) on any rank. Throws ComputationError on all ranks if the
-     * factors find no room in memory; std::bad_alloc on one of several ranks if
-     * what comes before them does not.
+     * Factorizes the matrix as it is now. If the outcome is not `done`, why()
+     * says what was found and what to do. The outcome is the same on all ranks,
+     * but std::bad_alloc is thrown on one of several ranks that has no memory
+     * for the matrix of the joints. Throws InputError where Solver/Type cannot
+     * serve the scene.
      */
-    bool factorize();
+    FactorizationOutcome factorize(Exactness exactness);
+
+    /** Whether the last factorization is that of the matrix, not of its
+     * symmetric part. */
+    bool is_exact() const;
 
     /**
-     * Solves A x = b for the values set in right_side(); returns x on the
-     * owned rows. If that fails, failure() says why, and x is the best that was
-     * found or not finite.
+     * Numbers of eigenvalues of all free unknowns and multipliers, of the
+     * symmetric part if not is_exact(); none where the factors do not tell.
      */
-    const Epetra_Vector &solve();
+    std::optional<Inertia> inertia() const;
 
     /**
-     * As solve(), x into @p at_local_unknowns, ghosts included; not finite if
-     * that fails.
+     * Replaces @p values at local unknowns, owned rows of the right-hand side
+     * with increments in prescribed rows, by the solution, ghosts included.
+     * Returns false if that fails: why() tells the reason, and the values are
+     * not finite.
      */
-    void solve(Epetra_Vector &at_local_unknowns);
+    bool solve(std::vector<double> &values);
 
-    /** Why the last solve() failed; empty if it did not. */
-    const std::string &failure() const;
+    /** Why the last factorize() or solve() failed, as a part of a sentence;
+     * empty if it did not. */
+    const std::string &why() const;
+
+    /** Which method solves, and why, e.g. `CHOLMOD (symmetric matrix, 300
+     * unknowns at joints)`; empty before the first factorization. */
+    const std::string &method() const;
 
     /** Iterations of all solutions so far; 0 for direct types. */
     unsigned long n_iterations() const;
 
-    /** Owned rows of the right-hand side, to be filled before solve(). */
-    Epetra_Vector &right_side();
+    /** Memory of all factors on this rank (bytes). */
+    std::size_t memory() const;
 
   private:
-    const DofNumbering                 &numbering;
-    Epetra_Vector                       rhs, solution;
-    std::unique_ptr<LinearSolverMethod> method;
-    std::string                         why_failed;
+    /** A method and the version of the pattern that it has analysed. */
+    struct Analysed
+    {
+      std::unique_ptr<LinearSolverMethod> method;
+      std::optional<unsigned long>        version;
+    };
+
+    Symmetry             wanted_symmetry(Exactness exactness) const;
+    FactorizationOutcome try_to_factorize(Exactness exactness);
+    FactorizationOutcome factorize_joints(const LinearSolverChoice &choice);
+    EquationsAtJoints    equations_at_joints() const;
+    std::string          in_words(FactorizationOutcome outcome) const;
+
+    const SolverParameters               parameters;
+    const TangentMatrix                 &matrix;
+    const unsigned long                  n_prescribed, n_multipliers;
+    StrutCondensation                    condensation;
+    Symmetry                             symmetry = Symmetry::given;
+    std::map<LinearSolverType, Analysed> methods;
+    /** The one that solves. */
+    LinearSolverMethod *current = nullptr;
+    std::string         current_in_words, why_failed;
+    std::vector<double> of_joints;
   };
 } // namespace auxfem
 

@@ -1,64 +1,91 @@
 #ifndef auxfem_algebra_linear_solver_method_h
 #define auxfem_algebra_linear_solver_method_h
 
+#include <auxfem/algebra/direct_solver.h>
+#include <auxfem/algebra/solver_parameters.h>
 #include <auxfem/algebra/tangent_matrix.h>
-#include <auxfem/model/lattice_model.h>
-#include <auxfem/scene/scene.h>
-
-#include <Epetra_Vector.h>
 
 #include <memory>
 #include <string>
 
 namespace auxfem
 {
-  /** How a LinearSolver solves its equations A x = b. */
+  /** How the equations at the joints are solved. */
+  enum class LinearSolverType
+  {
+    dense,
+    cholmod,
+    klu,
+    mumps,
+    iterative
+  };
+
+  /** Name for messages, e.g. `CHOLMOD`. */
+  std::string name_of(LinearSolverType type);
+
+  /** What a choice among the types depends on; the same on all ranks. */
+  struct EquationsAtJoints
+  {
+    /** `given` or `enforced`: symmetric matrices come. */
+    Symmetry      symmetry      = Symmetry::given;
+    unsigned long n_unknowns    = 0;
+    unsigned long n_multipliers = 0;
+    unsigned int  n_ranks       = 1;
+    unsigned int  n_components  = 3; ///< of a node: 3 in the plane, 6 in space
+  };
+
+  /** A type with the reason for it, as a part of a sentence. */
+  struct LinearSolverChoice
+  {
+    LinearSolverType type;
+    std::string      reason;
+  };
+
+  /**
+   * The type that @p parameters ask for, or the one that suits @p equations
+   * best. Throws InputError for CHOLMOD where there are multipliers.
+   */
+  LinearSolverChoice choose_linear_solver(const SolverParameters  &parameters,
+                                          const EquationsAtJoints &equations);
+
+  /**
+   * Solution of the equations at the joints by one of the types. All functions
+   * but inertia() and the counts are collective.
+   */
   class LinearSolverMethod
   {
   public:
     virtual ~LinearSolverMethod() = default;
 
     /**
-     * Prepares solutions with the matrix as it is now. Returns false if it is
-     * singular (numerically) on any rank.
+     * Does what depends on the pattern only.
+     * @param unknowns of the rows; they must outlive the object.
      */
-    virtual bool factorize() = 0;
+    virtual FactorizationOutcome analyse(const SparseMatrix &matrix,
+                                         const Unknowns     &unknowns) = 0;
+
+    /** Factorizes @p matrix, whose pattern was analysed last. */
+    virtual FactorizationOutcome factorize(const SparseMatrix &matrix) = 0;
 
     /**
-     * Solves for the right-hand side @p b into @p x, both on the owned rows.
-     * Returns an empty text, or why the equations were not solved; @p x is then
-     * the best that was found or not finite.
+     * Replaces the right-hand side @p x on owned rows by the solution. Returns
+     * an empty text or why the equations were not solved.
      */
-    virtual std::string solve(const Epetra_Vector &b, Epetra_Vector &x) = 0;
+    virtual std::string solve(double *x) = 0;
 
-    /** Iterations of all solutions so far; 0 for direct methods. */
+    /** Of the whole matrix; none where it is not known. */
+    virtual std::optional<Inertia> inertia() const = 0;
+
+    /** Iterations of all solutions so far; 0 for direct types. */
     virtual unsigned long n_iterations() const = 0;
+
+    /** On this rank (bytes). */
+    virtual std::size_t memory() const = 0;
   };
 
-  /**
-   * Direct solution with a kept factorization (Trilinos Amesos): the symbolic
-   * work is done once, the numeric factorization serves until the next
-   * factorize(), also when the matrix changes in between.
-   */
   std::unique_ptr<LinearSolverMethod>
-  make_direct_method(const SolverParameters &parameters,
-                     TangentMatrix          &matrix,
-                     const DofNumbering     &numbering);
-
-  /**
-   * GMRES on the joints' unknowns, those inside the struts being condensed,
-   * with multigrid or an incomplete factorization as preconditioner (Trilinos
-   * AztecOO, ML, Ifpack). factorize() makes the preconditioner; between it and
-   * solve() the matrix must stay as it is.
-   *
-   * Throws InputError for scenes with rigid parts or revolute hinges: their
-   * conditions make the matrix one of a saddle point, for which these
-   * preconditioners are not made.
-   */
-  std::unique_ptr<LinearSolverMethod>
-  make_gmres_method(const SolverParameters &parameters,
-                    TangentMatrix          &matrix,
-                    const LatticeModel     &model);
+  make_linear_solver_method(LinearSolverType        type,
+                            const SolverParameters &parameters);
 } // namespace auxfem
 
 #endif

@@ -1,0 +1,23 @@
+#ifndef auxfem_algebra_backward_error_h
+#define auxfem_algebra_backward_error_h
+
+#include <auxfem/algebra/tangent_matrix.h>
+
+namespace auxfem
+{
+  /**
+   * Largest of |A x - b| / (|A| |x| + |b|) by rows: how wrong the entries of A
+   * and b would have to be for @p x to be the solution (W. Oettli, W. Prager,
+   * Numer. Math. 6, 1964, 405-409). Infinite if something is no number.
+   *
+   * @param x values at local unknowns, ghosts up to date
+   * @param b owned rows
+   * @param symmetry as in TangentMatrix::multiply(). Collective.
+   */
+  double backward_error(const TangentMatrix       &matrix,
+                        const std::vector<double> &x,
+                        const std::vector<double> &b,
+                        Symmetry                   symmetry = Symmetry::none);
+} // namespace auxfem
+
+#endif

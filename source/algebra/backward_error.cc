@@ -1,0 +1,47 @@
+#include <auxfem/algebra/backward_error.h>
+
+#include <cmath>
+#include <limits>
+
+namespace auxfem
+{
+  double backward_error(const TangentMatrix       &matrix,
+                        const std::vector<double> &x,
+                        const std::vector<double> &b,
+                        const Symmetry             symmetry)
+  {
+    const TangentPattern &pattern = matrix.pattern();
+    const UnknownLayout  &layout  = *pattern.unknowns().layout;
+    std::vector<double>   image(layout.n_owned()), sizes(layout.n_owned());
+    matrix.multiply(x.data(), image.data(), symmetry);
+    for (std::size_t block = 0; block < pattern.n_blocks(); ++block)
+      {
+        const int *const    of_block = pattern.begin(block);
+        const unsigned int  n        = pattern.size(block);
+        const double *const values   = matrix.values(block);
+        for (unsigned int i = 0; i < n; ++i)
+          if (layout.is_owned(of_block[i]))
+            for (unsigned int j = 0; j < n; ++j)
+              if (of_block[j] >= 0)
+                sizes[of_block[i]] +=
+                  std::abs(values[i * n + j] * x[of_block[j]]);
+      }
+    double largest = 0;
+    for (unsigned int i = 0; i < layout.n_owned(); ++i)
+      {
+        double size = sizes[i] + std::abs(b[i]);
+        if (pattern.unknowns().kinds[i] == UnknownKind::prescribed)
+          size = std::abs(x[i]) + std::abs(b[i]);
+        else if (!matrix.added_diagonal().empty())
+          size += std::abs(matrix.added_diagonal()[i] * x[i]);
+        const double difference = std::abs(image[i] - b[i]);
+        if (difference == 0)
+          continue;
+        const double error = difference / size;
+        if (!std::isfinite(error))
+          largest = std::numeric_limits<double>::infinity();
+        largest = std::max(largest, error);
+      }
+    return layout.largest(largest);
+  }
+} // namespace auxfem

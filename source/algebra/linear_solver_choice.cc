@@ -1,0 +1,114 @@
+#include <auxfem/algebra/linear_solver_method.h>
+#include <auxfem/parameters/errors.h>
+
+#include <deal.II/base/exceptions.h>
+
+namespace auxfem
+{
+  namespace
+  {
+    /** @name Sizes of the equations at the joints at which `auto` changes. */
+    ///@{
+    /** Unknowns up to which a dense matrix takes no longer than a sparse one. */
+    constexpr unsigned long dense_limit = 150;
+
+    /**
+     * Unknowns up to which one rank with the whole matrix is quicker than MUMPS
+     * on all.
+     */
+    constexpr unsigned long first_rank_limit = 300000;
+
+    /**
+     * Unknowns of lattices in space, on each rank, from which on the factors do
+     * not fit. Planar lattices have so few more entries in their factors than
+     * in the matrix that there is no such size.
+     */
+    constexpr unsigned long iteration_limit = 1000000;
+    ///@}
+
+    LinearSolverChoice asked_for(const SolverParameters  &parameters,
+                                 const EquationsAtJoints &equations)
+    {
+      const std::string reason = "Solver/Type = " + parameters.type;
+      if (parameters.type == "klu")
+        return {LinearSolverType::klu, reason};
+      if (parameters.type == "mumps")
+        return {LinearSolverType::mumps, reason};
+      if (parameters.type == "gmres")
+        return {LinearSolverType::iterative, reason};
+      AssertThrow(parameters.type == "cholmod",
+                  dealii::ExcMessage("Unknown solver " + parameters.type));
+      if (equations.n_multipliers > 0)
+        throw InputError(
+          "Solver/Type = cholmod does not serve scenes with rigid parts or "
+          "revolute hinges: the " +
+          std::to_string(equations.n_multipliers) +
+          " conditions of these make the matrix indefinite. Use `auto`, "
+          "`mumps` or `klu`.");
+      return {LinearSolverType::cholmod, reason};
+    }
+
+    bool is_large(const EquationsAtJoints &equations)
+    {
+      return equations.n_unknowns > first_rank_limit;
+    }
+
+    /** `on 4 ranks, 300 unknowns at joints` */
+    std::string size_in_words(const EquationsAtJoints &equations)
+    {
+      return (equations.n_ranks > 1
+                ? "on " + std::to_string(equations.n_ranks) + " ranks, "
+                : std::string()) +
+        std::to_string(equations.n_unknowns) + " unknowns at joints";
+    }
+  } // namespace
+
+  std::string name_of(const LinearSolverType type)
+  {
+    switch (type)
+      {
+        case LinearSolverType::dense:
+          return "LAPACK";
+        case LinearSolverType::cholmod:
+          return "CHOLMOD";
+        case LinearSolverType::klu:
+          return "KLU";
+        case LinearSolverType::mumps:
+          return "MUMPS";
+        case LinearSolverType::iterative:
+          return "iteration with multigrid or ILU";
+      }
+    Assert(false, dealii::ExcInternalError());
+    return "";
+  }
+
+  LinearSolverChoice choose_linear_solver(const SolverParameters  &parameters,
+                                          const EquationsAtJoints &equations)
+  {
+    if (parameters.type != "auto")
+      return asked_for(parameters, equations);
+
+    const std::string size = size_in_words(equations);
+    if (equations.n_components == 6 &&
+        equations.n_unknowns > iteration_limit * equations.n_ranks)
+      return {LinearSolverType::iterative,
+              "in space, " + size + ", the factors of which need more memory"};
+    if (equations.symmetry == Symmetry::none)
+      {
+        if (is_large(equations))
+          return {LinearSolverType::mumps, "unsymmetric matrix, " + size};
+        return {LinearSolverType::klu, "unsymmetric matrix, " + size};
+      }
+    if (equations.n_multipliers > 0)
+      {
+        const std::string conditions = "symmetric matrix with " +
+          std::to_string(equations.n_multipliers) + " multipliers, " + size;
+        if (equations.n_unknowns <= dense_limit)
+          return {LinearSolverType::dense, conditions};
+        return {LinearSolverType::mumps, conditions};
+      }
+    if (equations.n_ranks > 1 && is_large(equations))
+      return {LinearSolverType::mumps, "symmetric matrix, " + size};
+    return {LinearSolverType::cholmod, "symmetric matrix, " + size};
+  }
+} // namespace auxfem

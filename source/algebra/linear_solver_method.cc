@@ -1,0 +1,74 @@
+#include <auxfem/algebra/direct_solvers.h>
+#include <auxfem/algebra/linear_solver_method.h>
+
+#include <deal.II/base/exceptions.h>
+
+namespace auxfem
+{
+  namespace
+  {
+    class DirectMethod : public LinearSolverMethod
+    {
+    public:
+      explicit DirectMethod(std::unique_ptr<DirectSolver> solver)
+        : solver(std::move(solver))
+      {}
+
+      FactorizationOutcome analyse(const SparseMatrix &matrix,
+                                   const Unknowns & /*unknowns*/) override
+      {
+        return solver->analyse(matrix);
+      }
+
+      FactorizationOutcome factorize(const SparseMatrix &matrix) override
+      {
+        return solver->factorize(matrix);
+      }
+
+      std::string solve(double *x) override
+      {
+        solver->solve(x);
+        return "";
+      }
+
+      std::optional<Inertia> inertia() const override
+      {
+        return solver->inertia();
+      }
+
+      unsigned long n_iterations() const override
+      {
+        return 0;
+      }
+
+      std::size_t memory() const override
+      {
+        return solver->memory();
+      }
+
+    private:
+      const std::unique_ptr<DirectSolver> solver;
+    };
+  } // namespace
+
+  std::unique_ptr<LinearSolverMethod>
+  make_linear_solver_method(const LinearSolverType type,
+                            const SolverParameters & /*parameters*/)
+  {
+    switch (type)
+      {
+        case LinearSolverType::dense:
+          return std::make_unique<DirectMethod>(make_dense());
+        case LinearSolverType::cholmod:
+          return std::make_unique<DirectMethod>(make_cholmod());
+        case LinearSolverType::klu:
+          return std::make_unique<DirectMethod>(make_klu());
+        case LinearSolverType::mumps:
+          return std::make_unique<DirectMethod>(make_mumps());
+        case LinearSolverType::iterative:
+          break;
+      }
+    AssertThrow(false, dealii::ExcNotImplemented());
+    return nullptr;
+  }
+} // namespace auxfem
