@@ -64,8 +64,8 @@ namespace auxfem
     // that would show beside the error of the first step.
     constexpr double       tolerance          = 1e-13;
     constexpr unsigned int maximum_iterations = 1000;
-    const Unknowns        &unknowns = matrix.pattern().unknowns();
-    const UnknownLayout   &layout   = *unknowns.layout;
+    const Unknowns        &unknowns           = matrix.pattern().unknowns();
+    const UnknownLayout   &layout             = *unknowns.layout;
 
     OwnedVector b = make_vector(layout), x = b;
     for (unsigned int i = 0; i < layout.n_owned(); ++i)
@@ -94,7 +94,7 @@ namespace auxfem
         inverse.local_element(i) = 1 / diagonal[i];
       }
 
-    const FreeOperator                 free(matrix);
+    const FreeOperator                  free(matrix);
     dealii::DiagonalMatrix<OwnedVector> preconditioner;
     preconditioner.reinit(inverse);
     dealii::SolverControl control(maximum_iterations,
@@ -103,7 +103,10 @@ namespace auxfem
                                   /*log_result=*/false);
     try
       {
-        dealii::SolverCG<OwnedVector>(control).solve(free, x, b, preconditioner);
+        dealii::SolverCG<OwnedVector>(control).solve(free,
+                                                     x,
+                                                     b,
+                                                     preconditioner);
       }
     catch (const dealii::SolverControl::NoConvergence &)
       {

@@ -31,9 +31,12 @@ namespace auxfem
         double inner[n_inner][n_inner], to_ends[n_inner][n_ends];
         gather(block, added, symmetry == Symmetry::enforced, inner, to_ends);
         if (symmetry != Symmetry::none)
-          return eliminate_symmetric(
-            block, symmetry == Symmetry::enforced, inner, to_ends, factors,
-            condensed);
+          return eliminate_symmetric(block,
+                                     symmetry == Symmetry::enforced,
+                                     inner,
+                                     to_ends,
+                                     factors,
+                                     condensed);
         return eliminate_unsymmetric(block, inner, to_ends, factors, condensed);
       }
 
@@ -117,8 +120,7 @@ namespace auxfem
           for (int i = 0; i < n_inner; ++i)
             {
               for (int e = 0; e < n_ends; ++e)
-                to_ends[i][e] =
-                  (to_ends[i][e] + block[e * n + n_ends + i]) / 2;
+                to_ends[i][e] = (to_ends[i][e] + block[e * n + n_ends + i]) / 2;
               for (int j = 0; j < i; ++j)
                 inner[i][j] = inner[j][i] = (inner[i][j] + inner[j][i]) / 2;
             }
@@ -128,13 +130,12 @@ namespace auxfem
       }
 
       /** Rows of L^T, each behind the inverse of its pivot. */
-      static EliminationResult
-      eliminate_symmetric(const double *block,
-                          const bool    enforces_symmetry,
-                          Inner         inner,
-                          ToEnds        to_ends,
-                          double       *factors,
-                          double       *condensed)
+      static EliminationResult eliminate_symmetric(const double *block,
+                                                   const bool enforces_symmetry,
+                                                   Inner      inner,
+                                                   ToEnds     to_ends,
+                                                   double    *factors,
+                                                   double    *condensed)
       {
         for (int e = 0; e < n_ends; ++e)
           for (int p = e; p < n_ends; ++p)
@@ -198,12 +199,12 @@ namespace auxfem
           {
             units[i] = std::sqrt(std::abs(inner[i][i]));
             if (units[i] == 0)
-              units[i] = std::sqrt(std::abs(
-                *std::max_element(inner[i],
-                                  inner[i] + n_inner,
-                                  [](const double a, const double b) {
-                                    return std::abs(a) < std::abs(b);
-                                  })));
+              units[i] = std::sqrt(
+                std::abs(*std::max_element(inner[i],
+                                           inner[i] + n_inner,
+                                           [](const double a, const double b) {
+                                             return std::abs(a) < std::abs(b);
+                                           })));
             row_units[i] = units[i];
           }
         double *const exchanged = factors + n_inner * n_inner;

@@ -42,9 +42,8 @@ namespace auxfem
   JointSystem::JointSystem(const TangentPattern             &pattern,
                            const std::vector<StrutElements> &struts)
     : struts(struts)
-    , selection(
-        std::make_unique<UnknownSelection>(*pattern.unknowns().layout,
-                                           find_kept(pattern, struts)))
+    , selection(std::make_unique<UnknownSelection>(*pattern.unknowns().layout,
+                                                   find_kept(pattern, struts)))
     , kept(selection->layout)
     , n_ends(2 * pattern.unknowns().components.size())
   {
@@ -62,7 +61,7 @@ namespace auxfem
     places_to_send.resize(struts.size());
     if (selection->layout.n_ranks() > 1)
       {
-        find_neighbours(pattern);
+        find_neighbours();
         share_struts();
         share_ends();
       }
@@ -70,7 +69,7 @@ namespace auxfem
     make_assembly(pattern);
   }
 
-  void JointSystem::find_neighbours(const TangentPattern &pattern)
+  void JointSystem::find_neighbours()
   {
     const UnknownLayout &layout = selection->layout;
     for (std::size_t s = 0; s < struts.size(); ++s)
@@ -90,7 +89,6 @@ namespace auxfem
         std::sort(ghosts.begin(), ghosts.end());
         ghosts.erase(std::unique(ghosts.begin(), ghosts.end()), ghosts.end());
       }
-    (void)pattern;
   }
 
   void JointSystem::share_struts()
@@ -182,10 +180,9 @@ namespace auxfem
     std::vector<std::size_t> first(1, 0);
     std::vector<int>         unknowns;
     const auto               append = [&](const int unknown) {
-      unknowns.push_back(unknown >= 0 &&
-                             kept.kinds[unknown] != UnknownKind::prescribed
-                                         ? unknown
-                                         : -1);
+      unknowns.push_back(
+        unknown >= 0 && kept.kinds[unknown] != UnknownKind::prescribed ? unknown
+                                                                       : -1);
     };
     const auto append_struts = [&](const std::vector<int> &all_ends) {
       for (std::size_t i = 0; i < all_ends.size(); i += n_ends)
@@ -263,7 +260,8 @@ namespace auxfem
       for (unsigned int i = 0; i < selection->layout.n_owned(); ++i)
         if (kept.kinds[i] != UnknownKind::prescribed)
           assembly->add_to_diagonal(
-            i, matrix.added_diagonal()[selection->unknowns[i]]);
+            i,
+            matrix.added_diagonal()[selection->unknowns[i]]);
   }
 
   void JointSystem::add_ghosts_to_owners(std::vector<double> &values) const

@@ -18,10 +18,10 @@ namespace auxfem
     /** Over all ranks. Collective. */
     unsigned long count(const Unknowns &unknowns, const UnknownKind kind)
     {
-      return static_cast<unsigned long>(unknowns.layout->sum(double(
-        std::count(unknowns.kinds.begin(),
-                   unknowns.kinds.begin() + unknowns.layout->n_owned(),
-                   kind))));
+      return static_cast<unsigned long>(unknowns.layout->sum(
+        double(std::count(unknowns.kinds.begin(),
+                          unknowns.kinds.begin() + unknowns.layout->n_owned(),
+                          kind))));
     }
   } // namespace
 
@@ -64,27 +64,26 @@ namespace auxfem
       : Symmetry::none;
   }
 
-  FactorizationOutcome
-  LinearSolver::try_to_factorize(const Exactness exactness)
+  FactorizationOutcome LinearSolver::try_to_factorize(const Exactness exactness)
   {
-    symmetry = wanted_symmetry(exactness);
+    symmetry                     = wanted_symmetry(exactness);
     FactorizationOutcome outcome = condensation.condense(symmetry);
     if (outcome != FactorizationOutcome::done)
       return outcome;
     const LinearSolverChoice choice =
       choose_linear_solver(parameters, equations_at_joints());
-    outcome = factorize_joints(choice);
+    outcome                      = factorize_joints(choice);
     const bool may_do_with_mumps = parameters.type == "auto" &&
       ((outcome == FactorizationOutcome::singular &&
         choice.type == LinearSolverType::cholmod) ||
        (outcome == FactorizationOutcome::too_large &&
         choice.type != LinearSolverType::mumps));
     if (may_do_with_mumps)
-      outcome = factorize_joints(
-        {LinearSolverType::mumps,
-         outcome == FactorizationOutcome::too_large
-           ? "factors too large for " + name_of(choice.type)
-           : "indefinite matrix that needs pivoting"});
+      outcome =
+        factorize_joints({LinearSolverType::mumps,
+                          outcome == FactorizationOutcome::too_large
+                            ? "factors too large for " + name_of(choice.type)
+                            : "indefinite matrix that needs pivoting"});
     return outcome;
   }
 
@@ -128,12 +127,10 @@ namespace auxfem
           return "";
         case FactorizationOutcome::singular:
           return "the matrix is singular" +
-            (condensation.words().empty() ? ""
-                                          : " in " + condensation.words());
+            (condensation.words().empty() ? "" : " in " + condensation.words());
         case FactorizationOutcome::not_finite:
           return "the matrix has entries that are not finite" +
-            (condensation.words().empty() ? ""
-                                          : " in " + condensation.words());
+            (condensation.words().empty() ? "" : " in " + condensation.words());
         case FactorizationOutcome::out_of_memory:
           return "the factorization ran " + out_of_memory_text();
         case FactorizationOutcome::too_large:

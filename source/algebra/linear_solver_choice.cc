@@ -9,7 +9,8 @@ namespace auxfem
   {
     /** @name Sizes of the equations at the joints at which `auto` changes. */
     ///@{
-    /** Unknowns up to which a dense matrix takes no longer than a sparse one. */
+    /** Unknowns up to which a dense matrix takes no longer than a sparse one.
+     */
     constexpr unsigned long dense_limit = 150;
 
     /**

@@ -87,8 +87,7 @@ namespace auxfem
     const UnknownLayout &layout  = *sum.layout;
     const unsigned int   n_owned = layout.n_owned();
     std::vector<int>     last_row(layout.n_local(), -1);
-    const auto           for_each_column = [&](const int   row,
-                                     const auto &action) {
+    const auto for_each_column = [&](const int row, const auto &action) {
       last_row[row] = row;
       action(row);
       rows.for_each(row, [&](const std::size_t block, unsigned int) {
@@ -119,8 +118,9 @@ namespace auxfem
     std::fill(last_row.begin(), last_row.end(), -1);
     for (unsigned int row = 0; row < n_owned; ++row)
       {
-        for_each_column(row,
-                        [&](const int column) { sum.columns.push_back(column); });
+        for_each_column(row, [&](const int column) {
+          sum.columns.push_back(column);
+        });
         std::sort(sum.columns.begin() + sum.first[row], sum.columns.end());
       }
     sum.entries.assign(sum.first.back(), 0.);
@@ -135,18 +135,16 @@ namespace auxfem
         for (std::size_t i = sum.first[row]; i < sum.first[row + 1]; ++i)
           in_row[sum.columns[i]] = i;
         diagonal_positions.push_back(in_row[row]);
-        rows.for_each(row,
-                      [&](const std::size_t  block,
-                          const unsigned int row_of_block) {
-                        int *place = &positions[begins[block] +
-                                                std::size_t(row_of_block) *
-                                                  sizes[block]];
-                        for (const int *i = rows.begin(block);
-                             i != rows.end(block);
-                             ++i, ++place)
-                          if (*i >= 0)
-                            *place = in_row[*i];
-                      });
+        rows.for_each(
+          row,
+          [&](const std::size_t block, const unsigned int row_of_block) {
+            int *place = &positions[begins[block] +
+                                    std::size_t(row_of_block) * sizes[block]];
+            for (const int *i = rows.begin(block); i != rows.end(block);
+                 ++i, ++place)
+              if (*i >= 0)
+                *place = in_row[*i];
+          });
       }
   }
 

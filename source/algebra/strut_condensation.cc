@@ -64,8 +64,7 @@ namespace auxfem
     return symmetry == Symmetry::enforced ? Symmetry::given : symmetry;
   }
 
-  std::size_t
-  StrutCondensation::node_size(const StrutElements &elements) const
+  std::size_t StrutCondensation::node_size(const StrutElements &elements) const
   {
     const std::size_t of_one_coupling =
       2 * elements.n_of_node * elements.n_of_node;
@@ -97,8 +96,8 @@ namespace auxfem
 
     Room                 room;
     unsigned long        n_negative = 0, n_inner = 0;
-    double              *of_strut   = factors.data();
-    const StrutElements *failed     = nullptr;
+    double              *of_strut = factors.data();
+    const StrutElements *failed   = nullptr;
     for (std::size_t s = 0; s < struts.size() && failed == nullptr; ++s)
       {
         if (!condense_strut(struts[s], of_strut, room, n_negative))
@@ -139,20 +138,32 @@ namespace auxfem
   bool
   StrutCondensation::has_finite_entries(const StrutElements &elements) const
   {
-    const std::size_t n =
-      std::size_t(elements.n_of_element) * elements.n_of_element;
+    const std::size_t   n = elements.n_of_element;
+    std::vector<double> room;
+    const auto          are_finite = [](const double *begin, std::size_t size) {
+      return std::all_of(begin, begin + size, [](const double value) {
+        return std::isfinite(value);
+      });
+    };
     for (unsigned int e = 0; e < elements.n_elements; ++e)
       {
-        const double *const block = tangent.values(elements.first_block + e);
-        if (!std::all_of(block, block + n, [](const double entry) {
-              return std::isfinite(entry);
-            }))
+        const std::size_t  block    = elements.first_block + e;
+        const int *const   unknowns = tangent.pattern().begin(block);
+        const unsigned int c        = elements.n_of_node;
+        if (!are_finite(tangent.values(block), n * n))
+          return false;
+        // The strut's first node may be another rank's.
+        const double *more = e > 0 ? added(unknowns, c, room) : nullptr;
+        if (more != nullptr && !are_finite(more, c))
+          return false;
+        more = added(unknowns + 2 * c, n - 2 * c, room);
+        if (more != nullptr && !are_finite(more, n - 2 * c))
           return false;
       }
     return true;
   }
 
-  const double *StrutCondensation::added(const int          *unknowns,
+  const double *StrutCondensation::added(const int           *unknowns,
                                          const unsigned int   n,
                                          std::vector<double> &room) const
   {
@@ -199,8 +210,8 @@ namespace auxfem
                                       double              *of_element,
                                       Room                &room) const
   {
-    const unsigned int n_ends = 2 * elements.n_of_node,
-                       n      = elements.n_of_element;
+    const unsigned int n_ends  = 2 * elements.n_of_node,
+                       n       = elements.n_of_element;
     const double *const values = tangent.values(block);
     room.of_element.resize(n_ends * n_ends);
     if (elements.between_nodes != nullptr)
@@ -264,8 +275,8 @@ namespace auxfem
   StrutCondensation::couplings_of_element(const StrutElements &elements,
                                           const std::size_t    block) const
   {
-    const unsigned int  n_ends = 2 * elements.n_of_node,
-                        n      = elements.n_of_element;
+    const unsigned int n_ends  = 2 * elements.n_of_node,
+                       n       = elements.n_of_element;
     const double *const values = tangent.values(block);
     return {values + n_ends * n, n, values + n_ends, n};
   }
@@ -332,8 +343,7 @@ namespace auxfem
     for (unsigned int i = 0; i < tangent.pattern().unknowns().layout->n_owned();
          ++i)
       if (numbers[i] >= 0)
-        g[numbers[i]] =
-          values[i] +
+        g[numbers[i]] = values[i] +
           (joints.kinds[numbers[i]] == UnknownKind::prescribed ? 0.
                                                                : g[numbers[i]]);
   }
@@ -343,8 +353,7 @@ namespace auxfem
                                        std::vector<double> &values,
                                        Room                &room) const
   {
-    const unsigned int c = elements.n_of_node,
-                       n = elements.n_between_nodes();
+    const unsigned int c = elements.n_of_node, n = elements.n_between_nodes();
     room.of_strut.assign(2 * c, 0.);
     room.inner.resize(std::max(n, c));
     for (unsigned int e = 0; e < elements.n_elements; ++e)
@@ -405,7 +414,7 @@ namespace auxfem
         for (unsigned int i = 0; i < n_ends; ++i)
           {
             // What prescribed ends do to the inside is in its right-hand side.
-            const int end    = system->ends(s)[i];
+            const int end = system->ends(s)[i];
             room.of_strut[i] =
               joints.kinds[end] == UnknownKind::prescribed ? 0. : z[end];
           }
@@ -420,17 +429,16 @@ namespace auxfem
                                        std::vector<double> &values,
                                        Room                &room) const
   {
-    const unsigned int c = elements.n_of_node,
-                       n = elements.n_between_nodes();
-    const std::size_t of_element =
+    const unsigned int c = elements.n_of_node, n = elements.n_between_nodes();
+    const std::size_t  of_element =
       n > 0 ? elements.between_nodes->factor_size(symmetry) : 0;
     const std::size_t of_node =
       elements.n_elements > 1 ? node_size(elements) : 0;
     room.inner.resize(std::max(n, c));
     room.of_element.resize(2 * c);
     // Last the node that was eliminated first.
-    std::vector<double> &ends      = room.of_element;
-    std::vector<double> &of_nodes  = room.around_node;
+    std::vector<double> &ends     = room.of_element;
+    std::vector<double> &of_nodes = room.around_node;
     of_nodes.resize((elements.n_elements + 1) * c);
     std::copy_n(room.of_strut.begin(), c, of_nodes.begin());
     std::copy_n(room.of_strut.begin() + c, c, of_nodes.end() - c);

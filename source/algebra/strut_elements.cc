@@ -114,8 +114,8 @@ namespace auxfem
   std::vector<StrutElements> find_strut_elements(const TangentPattern &pattern)
   {
     std::vector<StrutElements> found;
-    const unsigned int n_of_node = pattern.unknowns().components.size();
-    std::size_t        block     = 0;
+    const unsigned int         n_of_node = pattern.unknowns().components.size();
+    std::size_t                block     = 0;
     while (block < pattern.n_blocks())
       {
         const std::optional<unsigned int> strut = strut_of(pattern, block);

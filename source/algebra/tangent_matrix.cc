@@ -127,41 +127,40 @@ namespace auxfem
     const bool          enforced = symmetry == Symmetry::enforced;
     std::vector<double> of_block, free;
     std::fill(y, y + n_owned, 0.);
-    for_each_block([&](const int         *in_block,
-                       const unsigned int n,
-                       const double      *block) {
-      of_block.assign(n, 0.);
-      for (unsigned int j = 0; j < n; ++j)
-        if (in_block[j] >= 0)
-          of_block[j] = x[in_block[j]];
-      if (enforced)
-        {
-          // (B x + B^T x_free + B x_prescribed)/2
-          free = of_block;
-          for (unsigned int j = 0; j < n; ++j)
-            if (in_block[j] >= 0 &&
-                unknowns.kinds[in_block[j]] == UnknownKind::prescribed)
+    for_each_block(
+      [&](const int *in_block, const unsigned int n, const double *block) {
+        of_block.assign(n, 0.);
+        for (unsigned int j = 0; j < n; ++j)
+          if (in_block[j] >= 0)
+            of_block[j] = x[in_block[j]];
+        if (enforced)
+          {
+            // (B x + B^T x_free + B x_prescribed)/2
+            free = of_block;
+            for (unsigned int j = 0; j < n; ++j)
+              if (in_block[j] >= 0 &&
+                  unknowns.kinds[in_block[j]] == UnknownKind::prescribed)
+                {
+                  free[j] = 0;
+                  of_block[j] *= 2;
+                }
+          }
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            if (in_block[i] < 0 || in_block[i] >= n_owned)
+              continue;
+            double sum = 0;
+            for (unsigned int j = 0; j < n; ++j)
+              sum += block[i * n + j] * of_block[j];
+            if (enforced)
               {
-                free[j] = 0;
-                of_block[j] *= 2;
+                for (unsigned int j = 0; j < n; ++j)
+                  sum += block[j * n + i] * free[j];
+                sum /= 2;
               }
-        }
-      for (unsigned int i = 0; i < n; ++i)
-        {
-          if (in_block[i] < 0 || in_block[i] >= n_owned)
-            continue;
-          double sum = 0;
-          for (unsigned int j = 0; j < n; ++j)
-            sum += block[i * n + j] * of_block[j];
-          if (enforced)
-            {
-              for (unsigned int j = 0; j < n; ++j)
-                sum += block[j * n + i] * free[j];
-              sum /= 2;
-            }
-          y[in_block[i]] += sum;
-        }
-    });
+            y[in_block[i]] += sum;
+          }
+      });
     for (int i = 0; i < n_owned; ++i)
       if (unknowns.kinds[i] == UnknownKind::prescribed)
         y[i] = x[i];
@@ -171,7 +170,7 @@ namespace auxfem
 
   double TangentMatrix::asymmetry() const
   {
-    const Unknowns     &unknowns = of_pattern.unknowns();
+    const Unknowns     &unknowns   = of_pattern.unknowns();
     double              difference = 0, size = 0;
     std::vector<double> scale;
     for_each_block(
@@ -197,8 +196,8 @@ namespace auxfem
             size += entry * entry;
           }
       });
-    const std::vector<double> sums = unknowns.layout->sum(
-      std::vector<double>{difference, size});
+    const std::vector<double> sums =
+      unknowns.layout->sum(std::vector<double>{difference, size});
     return sums[1] > 0 ? std::sqrt(sums[0] / sums[1]) : 0.;
   }
 } // namespace auxfem

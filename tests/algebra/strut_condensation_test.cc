@@ -18,8 +18,8 @@ namespace
   bool is_condensed(const StrutNetwork          &network,
                     const StrutNetwork::Unknown &unknown)
   {
-    const bool is_disturbed = network.shape.has_contact &&
-      (unknown.strut == 1u || unknown.strut == 2u);
+    const bool is_disturbed =
+      network.shape.has_contact && (unknown.strut == 1u || unknown.strut == 2u);
     return unknown.strut && !is_disturbed;
   }
 
@@ -81,7 +81,7 @@ namespace
                         const Symmetry           symmetry)
   {
     EXPECT_EQ(condensation.matrix().is_symmetric, symmetry != Symmetry::none);
-    DenseMatrix found = as_dense(condensation.matrix());
+    DenseMatrix       found    = as_dense(condensation.matrix());
     const DenseMatrix expected = reference(network, symmetry);
     ASSERT_EQ(found.m(), expected.m());
     found.add(-1., expected);
@@ -193,8 +193,8 @@ TEST(StrutCondensation, TakesWhatIsAddedToTheDiagonal)
   shape.n_elements = 2;
   const StrutNetwork network(shape);
   shape.shift = 2;
-  const StrutNetwork  shifted(shape);
-  StrutCondensation   condensation(*shifted.matrix);
+  const StrutNetwork shifted(shape);
+  StrutCondensation  condensation(*shifted.matrix);
   // The diagonal of one network in the place of the other's.
   shifted.matrix->set_diagonal(network.matrix->diagonal());
   ASSERT_EQ(condensation.condense(Symmetry::given), FactorizationOutcome::done);

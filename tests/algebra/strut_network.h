@@ -200,8 +200,11 @@ namespace auxfem::testing_support
     };
 
     static constexpr unsigned int n_joints = 4, n_struts = 5;
-    static constexpr unsigned int strut_ends[n_struts][2] = {
-      {0, 1}, {1, 2}, {3, 2}, {3, 0}, {0, 2}};
+    static constexpr unsigned int strut_ends[n_struts][2] = {{0, 1},
+                                                             {1, 2},
+                                                             {3, 2},
+                                                             {3, 0},
+                                                             {0, 2}};
 
     bool is_rotation(const unsigned int component) const
     {
@@ -263,7 +266,7 @@ namespace auxfem::testing_support
               const std::vector<int> next =
                 e + 1 == shape.n_elements ? last : add_node(owner, s, 0);
               std::vector<int> of_element = node;
-              const auto append = [&](const std::vector<int> &further) {
+              const auto       append = [&](const std::vector<int> &further) {
                 of_element.insert(of_element.end(),
                                   further.begin(),
                                   further.end());
@@ -348,10 +351,10 @@ namespace auxfem::testing_support
           return u.owner == rank;
         });
       // In an order that is not that of their numbers.
-      layout   = std::make_unique<UnknownLayout>(
-        MPI_COMM_WORLD,
-        n_owned,
-        std::vector<int>(ghosts.rbegin(), ghosts.rend()));
+      layout   = std::make_unique<UnknownLayout>(MPI_COMM_WORLD,
+                                               n_owned,
+                                               std::vector<int>(ghosts.rbegin(),
+                                                                ghosts.rend()));
       unknowns = std::make_unique<Unknowns>(*layout);
       for (unsigned int i = 0; i < layout->n_local(); ++i)
         {

@@ -63,26 +63,26 @@ namespace auxfem
       std::vector<int>         ghosts; ///< their ends that it owns
     };
 
-    void find_neighbours(const TangentPattern &pattern);
+    void find_neighbours();
     void share_struts();
     void share_ends();
     void make_unknowns(const Unknowns &all);
     void make_assembly(const TangentPattern &pattern);
 
-    const std::vector<StrutElements>             &struts;
-    std::unique_ptr<UnknownSelection>             selection;
-    Unknowns                                      kept;
-    std::size_t                                   n_ends = 0; ///< of a strut
-    std::vector<int>                              end_unknowns;
-    std::map<unsigned int, Neighbour>             neighbours;
-    std::vector<std::vector<std::size_t>>         places_to_send; ///< by strut
-    std::vector<double>                           to_send;
-    NeighbourExchange                             blocks, ends_of_others;
-    std::vector<int>                              received_unknowns;
-    std::vector<int>                              received_ends;
+    const std::vector<StrutElements>     &struts;
+    std::unique_ptr<UnknownSelection>     selection;
+    Unknowns                              kept;
+    std::size_t                           n_ends = 0; ///< of a strut
+    std::vector<int>                      end_unknowns;
+    std::map<unsigned int, Neighbour>     neighbours;
+    std::vector<std::vector<std::size_t>> places_to_send; ///< by strut
+    std::vector<double>                   to_send;
+    NeighbourExchange                     blocks, ends_of_others;
+    std::vector<int>                      received_unknowns;
+    std::vector<int>                      received_ends;
     /** Blocks of the pattern that do not belong to struts. */
-    std::vector<std::size_t>                      others;
-    std::unique_ptr<SparseAssembly>               assembly;
+    std::vector<std::size_t>        others;
+    std::unique_ptr<SparseAssembly> assembly;
   };
 } // namespace auxfem
 

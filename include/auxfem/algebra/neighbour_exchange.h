@@ -1,10 +1,10 @@
 #ifndef auxfem_algebra_neighbour_exchange_h
 #define auxfem_algebra_neighbour_exchange_h
 
+#include <mpi.h>
+
 #include <map>
 #include <vector>
-
-#include <mpi.h>
 
 namespace auxfem
 {

@@ -87,10 +87,10 @@ namespace auxfem
 
     /** Eliminates a strut, its factors into @p of_strut, what is left into
      * Room::of_strut; whether it is regular. */
-    bool condense_strut(const StrutElements &elements,
-                        double              *of_strut,
-                        Room                &room,
-                        unsigned long       &n_negative) const;
+    bool              condense_strut(const StrutElements &elements,
+                                     double              *of_strut,
+                                     Room                &room,
+                                     unsigned long       &n_negative) const;
     EliminationResult condense_element(const StrutElements &elements,
                                        std::size_t          block,
                                        double              *of_element,
@@ -116,21 +116,21 @@ namespace auxfem
                       Room                &room) const;
 
     EliminationCouplings couplings_of_element(const StrutElements &elements,
-                                              std::size_t block) const;
+                                              std::size_t          block) const;
     EliminationCouplings couplings_of_node(const StrutElements &elements,
-                                           const double *of_node) const;
+                                           const double        *of_node) const;
     /** Of nodes between elements, which stand symmetrized. */
     Symmetry symmetry_of_nodes() const;
 
-    const TangentMatrix          &tangent;
-    unsigned long                 built_version = 0;
-    std::vector<StrutElements>    struts;
-    std::unique_ptr<JointSystem>  system;
-    std::vector<std::size_t>      prescribed_blocks;
-    Symmetry                      symmetry = Symmetry::given;
-    std::vector<double>           factors;
-    std::optional<Inertia>        inertia;
-    std::string                   why_not;
+    const TangentMatrix         &tangent;
+    unsigned long                built_version = 0;
+    std::vector<StrutElements>   struts;
+    std::unique_ptr<JointSystem> system;
+    std::vector<std::size_t>     prescribed_blocks;
+    Symmetry                     symmetry = Symmetry::given;
+    std::vector<double>          factors;
+    std::optional<Inertia>       inertia;
+    std::string                  why_not;
   };
 } // namespace auxfem
 

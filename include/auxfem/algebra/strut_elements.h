@@ -32,8 +32,7 @@ namespace auxfem
    * The struts of @p pattern whose inside can be eliminated: it is owned and
    * free, and nothing but its elements acts on it.
    */
-  std::vector<StrutElements>
-  find_strut_elements(const TangentPattern &pattern);
+  std::vector<StrutElements> find_strut_elements(const TangentPattern &pattern);
 } // namespace auxfem
 
 #endif

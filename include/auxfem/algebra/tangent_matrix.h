@@ -14,9 +14,10 @@ namespace auxfem
   };
 
   /**
-   * The tangent (or mass) matrix, not assembled: the dense values of every block
-   * of a pattern, one after the other, so adding a block is a plain sum. The
-   * matrix is the sum of its blocks; on each rank the owned rows are complete.
+   * The tangent (or mass) matrix, not assembled: the dense values of every
+   * block of a pattern, one after the other, so adding a block is a plain sum.
+   * The matrix is the sum of its blocks; on each rank the owned rows are
+   * complete.
    *
    * Rows of prescribed unknowns are identity rows; their columns are kept, so
    * that a prescribed increment on the right-hand side moves the rest along.

@@ -1,0 +1,282 @@
+#include <auxfem/algebra/backward_error.h>
+#include <auxfem/algebra/linear_solver.h>
+#include <auxfem/parameters/errors.h>
+
+#include <algebra/strut_network.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+using namespace auxfem;
+using namespace auxfem::testing_support;
+
+namespace
+{
+  // Blocks are about one, and well conditioned.
+  constexpr double round_off = 1e-11;
+
+  SolverParameters of_type(const std::string &type)
+  {
+    SolverParameters parameters;
+    parameters.type = type;
+    return parameters;
+  }
+
+  /** Expects the solution of the dense equations, ghosts included. */
+  void expect_solution(const StrutNetwork &network,
+                       LinearSolver       &solver,
+                       const Symmetry      symmetry)
+  {
+    std::vector<double>       x = network.owned(network.right_side());
+    const std::vector<double> b = x;
+    ASSERT_TRUE(solver.solve(x)) << solver.why();
+    const dealii::Vector<double> expected = network.solution(symmetry);
+    for (unsigned int i = 0; i < x.size(); ++i)
+      EXPECT_NEAR(x[i], expected(network.layout->global(i)), round_off);
+    EXPECT_LT(backward_error(*network.matrix, x, b, symmetry), 1e-13);
+  }
+
+  /** Shapes of all kinds: multipliers only, or only none. */
+  std::vector<NetworkShape> shapes(const unsigned int n_multipliers,
+                                   const double       asymmetry)
+  {
+    std::vector<NetworkShape> all;
+    for (const unsigned int n_components : {3, 6})
+      for (const unsigned int n_elements : {1, 2})
+        {
+          NetworkShape shape;
+          shape.n_components  = n_components;
+          shape.n_elements    = n_elements;
+          shape.n_multipliers = n_multipliers;
+          shape.asymmetry     = asymmetry;
+          all.push_back(shape);
+        }
+    return all;
+  }
+
+  EquationsAtJoints equations(const Symmetry      symmetry,
+                              const unsigned long n_unknowns,
+                              const unsigned long n_multipliers,
+                              const unsigned int  n_ranks)
+  {
+    EquationsAtJoints chosen;
+    chosen.symmetry      = symmetry;
+    chosen.n_unknowns    = n_unknowns;
+    chosen.n_multipliers = n_multipliers;
+    chosen.n_ranks       = n_ranks;
+    return chosen;
+  }
+} // namespace
+
+TEST(LinearSolver, SolvesSymmetricEquations)
+{
+  for (const std::string type : {"auto", "cholmod", "klu", "mumps"})
+    for (const NetworkShape &shape : shapes(0, 0.))
+      {
+        SCOPED_TRACE(type);
+        const StrutNetwork network(shape);
+        LinearSolver       solver(of_type(type), *network.matrix);
+        ASSERT_EQ(solver.factorize(Exactness::exact),
+                  FactorizationOutcome::done);
+        EXPECT_EQ(solver.why(), "");
+        EXPECT_TRUE(solver.is_exact());
+        expect_solution(network, solver, Symmetry::none);
+        EXPECT_EQ(solver.n_iterations(), 0u);
+        EXPECT_GT(solver.memory(), 0u);
+      }
+}
+
+TEST(LinearSolver, SolvesEquationsWithMultipliers)
+{
+  for (const std::string type : {"auto", "klu", "mumps"})
+    for (const double asymmetry : {0., 0.3})
+      for (const NetworkShape &shape : shapes(2, asymmetry))
+        {
+          SCOPED_TRACE(type);
+          const StrutNetwork network(shape);
+          LinearSolver       solver(of_type(type), *network.matrix);
+          ASSERT_EQ(solver.factorize(Exactness::exact),
+                    FactorizationOutcome::done);
+          expect_solution(network, solver, Symmetry::none);
+        }
+}
+
+TEST(LinearSolver, SymmetricPartOnlyWhereItIsAllowedAndNeeded)
+{
+  for (const std::string type : {"auto", "mumps"})
+    for (const NetworkShape &shape : shapes(0, 0.3))
+      {
+        SCOPED_TRACE(type);
+        const StrutNetwork network(shape);
+        LinearSolver       solver(of_type(type), *network.matrix);
+        ASSERT_EQ(solver.factorize(Exactness::approximate),
+                  FactorizationOutcome::done);
+        EXPECT_FALSE(solver.is_exact());
+        EXPECT_TRUE(solver.inertia());
+        expect_solution(network, solver, Symmetry::enforced);
+        ASSERT_EQ(solver.factorize(Exactness::exact),
+                  FactorizationOutcome::done);
+        EXPECT_TRUE(solver.is_exact());
+        EXPECT_FALSE(solver.inertia());
+        expect_solution(network, solver, Symmetry::none);
+      }
+  // A symmetric matrix is its symmetric part.
+  const StrutNetwork symmetric;
+  LinearSolver       solver(of_type("auto"), *symmetric.matrix);
+  ASSERT_EQ(solver.factorize(Exactness::approximate),
+            FactorizationOutcome::done);
+  EXPECT_TRUE(solver.is_exact());
+}
+
+TEST(LinearSolver, TypesThatKnowOneKindOfMatrixKeepToIt)
+{
+  NetworkShape shape;
+  shape.asymmetry = 0.3;
+  const StrutNetwork network(shape);
+  LinearSolver       cholmod(of_type("cholmod"), *network.matrix);
+  ASSERT_EQ(cholmod.factorize(Exactness::exact), FactorizationOutcome::done);
+  EXPECT_FALSE(cholmod.is_exact());
+  // To KLU the symmetric part is no easier.
+  LinearSolver klu(of_type("klu"), *network.matrix);
+  ASSERT_EQ(klu.factorize(Exactness::approximate), FactorizationOutcome::done);
+  EXPECT_TRUE(klu.is_exact());
+}
+
+TEST(LinearSolver, CountsEigenvaluesOfAllFreeUnknowns)
+{
+  for (const std::string type : {"auto", "mumps"})
+    for (const double shift : {0., 1., 1.2})
+      for (NetworkShape shape : shapes(2, 0.))
+        {
+          SCOPED_TRACE(type + ", shift " + std::to_string(shift));
+          // Of the number of an element's unknowns.
+          shape.shift = shift * 3 * shape.n_components;
+          const StrutNetwork network(shape);
+          LinearSolver       solver(of_type(type), *network.matrix);
+          ASSERT_EQ(solver.factorize(Exactness::exact),
+                    FactorizationOutcome::done);
+          const DenseMatrix free =
+            network.dense_part([](const StrutNetwork::Unknown &unknown) {
+              return unknown.kind != UnknownKind::prescribed;
+            });
+          const unsigned long n_negative = n_negative_eigenvalues(free);
+          // One for each condition, if the rest is definite.
+          EXPECT_EQ(n_negative == 2, shift == 0);
+          const std::optional<Inertia> inertia = solver.inertia();
+          ASSERT_TRUE(inertia);
+          EXPECT_EQ(inertia->negative, n_negative);
+          EXPECT_EQ(inertia->zero, 0u);
+          EXPECT_EQ(inertia->positive, free.m() - n_negative);
+        }
+}
+
+TEST(LinearSolver, ServesThePatternAsItIsNow)
+{
+  for (const std::string type : {"cholmod", "klu", "mumps"})
+    {
+      StrutNetwork network;
+      LinearSolver solver(of_type(type), *network.matrix);
+      solver.factorize(Exactness::exact);
+      const int twice[2] = {3, 4};
+      network.pattern->register_block(twice, 2);
+      network.fill();
+      ASSERT_EQ(solver.factorize(Exactness::exact), FactorizationOutcome::done);
+      expect_solution(network, solver, Symmetry::none);
+    }
+}
+
+TEST(LinearSolver, SingularMatricesAreToldFromThoseThatAreNoNumbers)
+{
+  for (const std::string type : {"auto", "klu", "mumps"})
+    for (const unsigned int order : {1, 2})
+      {
+        SCOPED_TRACE(type);
+        NetworkShape shape;
+        shape.order = order;
+        StrutNetwork network(shape);
+        LinearSolver solver(of_type(type), *network.matrix);
+        network.matrix->reset();
+        EXPECT_EQ(solver.factorize(Exactness::exact),
+                  FactorizationOutcome::singular);
+        EXPECT_NE(solver.why().find("singular"), std::string::npos);
+        EXPECT_EQ(solver.why().find("the inside of strut") != std::string::npos,
+                  order == 2);
+        EXPECT_FALSE(solver.inertia());
+        network.fill();
+        network.matrix->add_to_diagonal(
+          std::vector<double>(network.layout->n_owned(),
+                              std::numeric_limits<double>::quiet_NaN()));
+        EXPECT_EQ(solver.factorize(Exactness::exact),
+                  FactorizationOutcome::not_finite);
+        EXPECT_NE(solver.why().find("not finite"), std::string::npos);
+        // As if nothing had been.
+        network.fill();
+        ASSERT_EQ(solver.factorize(Exactness::exact),
+                  FactorizationOutcome::done);
+        expect_solution(network, solver, Symmetry::none);
+      }
+}
+
+TEST(LinearSolver, ARightSideThatIsNoNumberIsSeen)
+{
+  const StrutNetwork network;
+  LinearSolver       solver(of_type("auto"), *network.matrix);
+  ASSERT_EQ(solver.factorize(Exactness::exact), FactorizationOutcome::done);
+  std::vector<double> x(network.layout->n_local(),
+                        std::numeric_limits<double>::quiet_NaN());
+  solver.solve(x);
+  for (const double value : x)
+    EXPECT_FALSE(std::isfinite(value));
+}
+
+TEST(LinearSolverChoice, DependsOnTheEquations)
+{
+  const auto chosen = [](const EquationsAtJoints &of_equations) {
+    const LinearSolverChoice choice =
+      choose_linear_solver(SolverParameters(), of_equations);
+    EXPECT_NE(choice.reason, "");
+    return choice.type;
+  };
+  const Symmetry given = Symmetry::given, none = Symmetry::none;
+  EXPECT_EQ(chosen(equations(given, 1000, 0, 1)), LinearSolverType::cholmod);
+  EXPECT_EQ(chosen(equations(Symmetry::enforced, 1000, 0, 1)),
+            LinearSolverType::cholmod);
+  EXPECT_EQ(chosen(equations(given, 900000, 0, 1)), LinearSolverType::cholmod);
+  EXPECT_EQ(chosen(equations(given, 1000, 0, 4)), LinearSolverType::cholmod);
+  EXPECT_EQ(chosen(equations(given, 900000, 0, 4)), LinearSolverType::mumps);
+  EXPECT_EQ(chosen(equations(given, 50, 3, 1)), LinearSolverType::dense);
+  EXPECT_EQ(chosen(equations(given, 1000, 3, 1)), LinearSolverType::mumps);
+  EXPECT_EQ(chosen(equations(none, 1000, 3, 1)), LinearSolverType::klu);
+  EXPECT_EQ(chosen(equations(none, 900000, 0, 1)), LinearSolverType::mumps);
+  EquationsAtJoints in_space = equations(given, 5000000, 0, 1);
+  EXPECT_EQ(chosen(in_space), LinearSolverType::cholmod);
+  in_space.n_components = 6;
+  EXPECT_EQ(chosen(in_space), LinearSolverType::iterative);
+}
+
+TEST(LinearSolverChoice, FollowsTheUser)
+{
+  const EquationsAtJoints some = equations(Symmetry::given, 1000, 0, 1);
+  EXPECT_EQ(choose_linear_solver(of_type("klu"), some).type,
+            LinearSolverType::klu);
+  EXPECT_EQ(choose_linear_solver(of_type("mumps"), some).type,
+            LinearSolverType::mumps);
+  EXPECT_EQ(choose_linear_solver(of_type("cholmod"), some).type,
+            LinearSolverType::cholmod);
+  EXPECT_EQ(choose_linear_solver(of_type("gmres"), some).type,
+            LinearSolverType::iterative);
+  try
+    {
+      choose_linear_solver(of_type("cholmod"),
+                           equations(Symmetry::given, 1000, 7, 1));
+      ADD_FAILURE();
+    }
+  catch (const InputError &error)
+    {
+      const std::string words = error.what();
+      EXPECT_NE(words.find("Solver/Type = cholmod"), std::string::npos);
+      EXPECT_NE(words.find("the 7 conditions"), std::string::npos);
+      EXPECT_NE(words.find("`mumps`"), std::string::npos);
+    }
+}
