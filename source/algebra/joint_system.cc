@@ -61,7 +61,7 @@ namespace auxfem
     places_to_send.resize(struts.size());
     if (selection->layout.n_ranks() > 1)
       {
-        find_neighbours(pattern);
+        find_neighbours();
         share_struts();
         share_ends();
       }
@@ -69,7 +69,7 @@ namespace auxfem
     make_assembly(pattern);
   }
 
-  void JointSystem::find_neighbours(const TangentPattern &pattern)
+  void JointSystem::find_neighbours()
   {
     const UnknownLayout &layout = selection->layout;
     for (std::size_t s = 0; s < struts.size(); ++s)
@@ -89,7 +89,6 @@ namespace auxfem
         std::sort(ghosts.begin(), ghosts.end());
         ghosts.erase(std::unique(ghosts.begin(), ghosts.end()), ghosts.end());
       }
-    (void)pattern;
   }
 
   void JointSystem::share_struts()
@@ -171,7 +170,7 @@ namespace auxfem
          [&](const unsigned int i, const unsigned int value) {
            kept.component[i] = value;
          });
-    kept.positions  = all.positions;
+    kept.positions     = all.positions;
     kept.components = all.components;
     kept.length     = all.length;
   }

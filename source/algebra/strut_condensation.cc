@@ -138,14 +138,26 @@ namespace auxfem
   bool
   StrutCondensation::has_finite_entries(const StrutElements &elements) const
   {
-    const std::size_t n =
-      std::size_t(elements.n_of_element) * elements.n_of_element;
+    const std::size_t   n = elements.n_of_element;
+    std::vector<double> room;
+    const auto          are_finite = [](const double *begin, std::size_t size) {
+      return std::all_of(begin, begin + size, [](const double value) {
+        return std::isfinite(value);
+      });
+    };
     for (unsigned int e = 0; e < elements.n_elements; ++e)
       {
-        const double *const block = tangent.values(elements.first_block + e);
-        if (!std::all_of(block, block + n, [](const double entry) {
-              return std::isfinite(entry);
-            }))
+        const std::size_t  block    = elements.first_block + e;
+        const int *const   unknowns = tangent.pattern().begin(block);
+        const unsigned int c        = elements.n_of_node;
+        if (!are_finite(tangent.values(block), n * n))
+          return false;
+        // The strut's first node may be another rank's.
+        const double *more = e > 0 ? added(unknowns, c, room) : nullptr;
+        if (more != nullptr && !are_finite(more, c))
+          return false;
+        more = added(unknowns + 2 * c, n - 2 * c, room);
+        if (more != nullptr && !are_finite(more, n - 2 * c))
           return false;
       }
     return true;

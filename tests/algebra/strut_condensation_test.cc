@@ -1,202 +1,285 @@
 #include <auxfem/algebra/strut_condensation.h>
 
-#include <equations/equations_on_ranks.h>
+#include <algebra/strut_network.h>
 #include <gtest/gtest.h>
-#include <mesh/cell_from_text.h>
 
-#include <Amesos.h>
+#include <cmath>
+#include <limits>
+#include <map>
 
 using namespace auxfem;
 using namespace auxfem::testing_support;
 
 namespace
 {
-  /** A star array that nothing holds, with hinges and springs. */
-  const std::string floating = R"(
-subsection Lattice
-  set Cell = star
-  set Cells x = 3
-  set Cells y = 2
-  set Strut length = 0.4
-  set Opening angle = 60 deg
-end
-subsection Sections
-  subsection band
-    set Shape = given
-    set Area = 3
-    set Shear area = 5
-    set Second moment of area = 0.7
-    set Young's modulus = 1
-    set Poisson's ratio = 0.3
-    set Density = 0.5
-  end
-end
-subsection Joints
-  subsection springs
-    set Joints = tips
-    set Type = rotational spring
-    set Stiffness = 0.8
-  end
-  subsection hinges
-    set Joints = notches
-    set Type = hinge
-  end
-end
-subsection Connectors
-  subsection damper
-    set Law = spring
-    set Spring stiffness = 0.6
-  end
-end
-)";
+  // Blocks are about one, and well conditioned.
+  constexpr double round_off = 1e-11;
 
-  const std::string floating_in_space = R"(
-set Dimension = 3
-subsection Lattice
-  set Cell = space star
-  set Cells x = 2
-  set Cells z = 2
-  set Strut length = 0.4
-end
-subsection Sections
-  subsection bar
-    set Shape = rectangle
-    set Width = 0.2
-    set Height = 0.1
-    set Young's modulus = 100
-    set Poisson's ratio = 0.3
-    set Density = 1
-  end
-end
-)";
-
-  struct CondensedSystem
+  bool is_condensed(const StrutNetwork          &network,
+                    const StrutNetwork::Unknown &unknown)
   {
-    explicit CondensedSystem(const std::string              &text,
-                             const std::vector<std::string> &overrides = {})
-      : of_scene(text, overrides)
-      , matrix(of_scene.make_tangent())
-      , blocks(of_scene.model)
-      , condensation(of_scene.dofs(), blocks, *matrix, length())
-    {}
+    const bool is_disturbed =
+      network.shape.has_contact && (unknown.strut == 1u || unknown.strut == 2u);
+    return unknown.strut && !is_disturbed;
+  }
 
-    double length() const
-    {
-      return of_scene.model.mean_strut_length;
-    }
-
-    /** The tangent with the factors of stiffness and mass. */
-    void fill(const double mass)
-    {
-      State            from = of_scene.equations.initial_state(), to = from;
-      const Evaluation step = Evaluation::step(from, to, 1.);
-      of_scene.residual(step);
-      of_scene.tangent(step, {1., 0., mass}, *matrix);
-    }
-
-    EquationsOnRanks               of_scene;
-    std::unique_ptr<TangentMatrix> matrix;
-    JointBlocks                    blocks;
-    StrutCondensation              condensation;
-  };
-
-  /** Expects @p n rigid-body motions that the stiffness does not resist. */
-  void expect_free_rigid_motion(CondensedSystem &system, const unsigned int n)
+  /** Global numbers of the network by those of the condensed equations: in the
+   * same order. */
+  std::vector<unsigned int> kept_unknowns(const StrutNetwork &network)
   {
-    system.fill(0.);
-    ASSERT_TRUE(system.condensation.condense());
-    const Epetra_CrsMatrix &matrix = system.condensation.matrix();
-    const auto modes = system.blocks.rigid_body_modes(system.length());
-    ASSERT_EQ(modes.size(), n);
-    for (const std::vector<double> &mode : modes)
+    std::vector<unsigned int> kept;
+    for (unsigned int global = 0; global < network.n_unknowns(); ++global)
+      if (!is_condensed(network, network.unknown(global)))
+        kept.push_back(global);
+    return kept;
+  }
+
+  /** Schur's complement of the condensed unknowns, prescribed columns aside. */
+  DenseMatrix reference(const StrutNetwork &network, const Symmetry symmetry)
+  {
+    DenseMatrix                     dense = network.dense(symmetry);
+    const std::vector<unsigned int> kept  = kept_unknowns(network);
+    std::vector<unsigned int>       inside;
+    for (unsigned int global = 0; global < network.n_unknowns(); ++global)
       {
-        Epetra_Vector motion(system.blocks.map()), force(motion);
-        std::copy(mode.begin(), mode.end(), motion.Values());
-        // Rows that stand for nothing are zero in the motion.
-        matrix.Multiply(false, motion, force);
-        double moved = 0, size = 0;
-        motion.NormInf(&moved);
-        force.NormInf(&size);
-        EXPECT_GE(moved, 1.);
-        // Rounding of condensed entries of up to 1e3.
-        EXPECT_LT(size, 1e-10 * moved);
+        const auto &unknown = network.unknown(global);
+        if (is_condensed(network, unknown))
+          inside.push_back(global);
+        if (unknown.kind == UnknownKind::prescribed)
+          for (unsigned int row = 0; row < network.n_unknowns(); ++row)
+            dense(row, global) = row == global ? 1. : 0.;
       }
+    DenseMatrix joints(kept.size());
+    joints.extract_submatrix_from(dense, kept, kept);
+    if (inside.empty())
+      return joints;
+    DenseMatrix inner(inside.size()), to_inner(kept.size(), inside.size()),
+      from_inner(inside.size(), kept.size());
+    inner.extract_submatrix_from(dense, inside, inside);
+    to_inner.extract_submatrix_from(dense, kept, inside);
+    from_inner.extract_submatrix_from(dense, inside, kept);
+    inner.gauss_jordan();
+    joints.triple_product(inner, to_inner, from_inner, false, false, -1.);
+    return joints;
+  }
+
+  /** Of all ranks, on all ranks. */
+  DenseMatrix as_dense(const SparseMatrix &matrix)
+  {
+    const UnknownLayout &layout = *matrix.layout;
+    const unsigned int   n      = layout.n_global();
+    std::vector<double>  sums(n * n, 0.);
+    for (unsigned int row = 0; row < layout.n_owned(); ++row)
+      for (std::size_t i = matrix.first[row]; i < matrix.first[row + 1]; ++i)
+        sums[layout.global(row) * n + layout.global(matrix.columns[i])] +=
+          matrix.entries[i];
+    return DenseMatrix(n, n, layout.sum(sums).data());
+  }
+
+  void expect_reference(const StrutNetwork      &network,
+                        const StrutCondensation &condensation,
+                        const Symmetry           symmetry)
+  {
+    EXPECT_EQ(condensation.matrix().is_symmetric, symmetry != Symmetry::none);
+    DenseMatrix       found    = as_dense(condensation.matrix());
+    const DenseMatrix expected = reference(network, symmetry);
+    ASSERT_EQ(found.m(), expected.m());
+    found.add(-1., expected);
+    EXPECT_LT(found.linfty_norm(), round_off);
+
+    const std::vector<unsigned int> kept   = kept_unknowns(network);
+    const Unknowns                 &joints = condensation.joints();
+    for (unsigned int i = 0; i < joints.layout.n_local(); ++i)
+      {
+        const auto &unknown = network.unknown(kept[joints.layout.global(i)]);
+        EXPECT_EQ(joints.kinds[i], unknown.kind);
+        EXPECT_EQ(joints.is_rotation[i], unknown.is_rotation);
+        EXPECT_EQ(joints.joint[i], unknown.joint);
+        EXPECT_EQ(joints.component[i], unknown.component);
+      }
+  }
+
+  /** Solves the condensed equations densely, on each rank, and expands. */
+  void expect_solution(const StrutNetwork      &network,
+                       const StrutCondensation &condensation,
+                       const Symmetry           symmetry)
+  {
+    std::vector<double> values = network.owned(network.right_side()), g;
+    condensation.reduce(values, g);
+    const UnknownLayout &layout = *condensation.matrix().layout;
+    std::vector<double>  all(layout.n_global(), 0.);
+    for (unsigned int row = 0; row < layout.n_owned(); ++row)
+      all[layout.global(row)] = g[row];
+    all = layout.sum(all);
+    dealii::Vector<double> right_side(all.begin(), all.end()), z(all.size());
+    DenseMatrix            inverse = as_dense(condensation.matrix());
+    inverse.gauss_jordan();
+    inverse.vmult(z, right_side);
+    for (unsigned int row = 0; row < layout.n_owned(); ++row)
+      g[row] = z(layout.global(row));
+    condensation.expand(g, values);
+
+    const dealii::Vector<double> expected = network.solution(symmetry);
+    for (unsigned int i = 0; i < network.layout->n_local(); ++i)
+      EXPECT_NEAR(values[i], expected(network.layout->global(i)), round_off);
+  }
+
+  void expect_condensed(const NetworkShape &shape, const Symmetry symmetry)
+  {
+    SCOPED_TRACE("components " + std::to_string(shape.n_components) +
+                 ", order " + std::to_string(shape.order) + ", elements " +
+                 std::to_string(shape.n_elements) + ", symmetry " +
+                 std::to_string(static_cast<int>(symmetry)));
+    StrutNetwork      network(shape);
+    StrutCondensation condensation(*network.matrix);
+    ASSERT_EQ(condensation.condense(symmetry), FactorizationOutcome::done);
+    EXPECT_EQ(condensation.words(), "");
+    expect_reference(network, condensation, symmetry);
+    expect_solution(network, condensation, symmetry);
+  }
+
+  void expect_all_condensed(NetworkShape shape)
+  {
+    expect_condensed(shape, Symmetry::given);
+    shape.asymmetry = 0.5;
+    expect_condensed(shape, Symmetry::none);
+    expect_condensed(shape, Symmetry::enforced);
   }
 } // namespace
 
-TEST(StrutCondensation, RigidMotionOfTheLatticeCostsNoForce)
+TEST(StrutCondensation, LeavesSchursComplementInThePlane)
 {
-  for (const std::string order : {"1", "3"})
-    for (const std::string refinements : {"0", "2"})
+  NetworkShape shape;
+  for (shape.order = 1; shape.order <= 6; ++shape.order)
+    expect_all_condensed(shape);
+}
+
+TEST(StrutCondensation, LeavesSchursComplementInSpace)
+{
+  NetworkShape shape;
+  shape.n_components = 6;
+  for (shape.order = 1; shape.order <= 4; ++shape.order)
+    expect_all_condensed(shape);
+}
+
+TEST(StrutCondensation, GoesAlongSeveralElements)
+{
+  NetworkShape shape;
+  for (const unsigned int n_components : {3, 6})
+    for (const unsigned int order : {1, 3})
+      for (const unsigned int n_elements : {2, 3, 5})
+        {
+          shape.n_components = n_components;
+          shape.order        = order;
+          shape.n_elements   = n_elements;
+          expect_all_condensed(shape);
+        }
+}
+
+TEST(StrutCondensation, KeepsStrutsThatOtherBlocksActOn)
+{
+  NetworkShape shape;
+  shape.has_contact = true;
+  for (const unsigned int n_elements : {1, 3})
+    {
+      shape.n_elements = n_elements;
+      expect_all_condensed(shape);
+    }
+}
+
+TEST(StrutCondensation, TakesWhatIsAddedToTheDiagonal)
+{
+  NetworkShape shape;
+  shape.n_elements = 2;
+  const StrutNetwork network(shape);
+  shape.shift = 2;
+  const StrutNetwork shifted(shape);
+  StrutCondensation  condensation(*shifted.matrix);
+  // The diagonal of one network in the place of the other's.
+  shifted.matrix->set_diagonal(network.matrix->diagonal());
+  ASSERT_EQ(condensation.condense(Symmetry::given), FactorizationOutcome::done);
+  expect_reference(network, condensation, Symmetry::given);
+  expect_solution(network, condensation, Symmetry::given);
+}
+
+TEST(StrutCondensation, FollowsThePattern)
+{
+  StrutNetwork      network;
+  StrutCondensation condensation(*network.matrix);
+  ASSERT_EQ(condensation.condense(Symmetry::given), FactorizationOutcome::done);
+  const unsigned long before = condensation.version();
+  network.pattern->clear();
+  network.register_blocks();
+  network.fill();
+  ASSERT_EQ(condensation.condense(Symmetry::given), FactorizationOutcome::done);
+  EXPECT_GT(condensation.version(), before);
+  expect_reference(network, condensation, Symmetry::given);
+}
+
+TEST(StrutCondensation, NamesAStrutThatIsSingularInside)
+{
+  for (const unsigned int n_elements : {1, 3})
+    for (const Symmetry symmetry : {Symmetry::given, Symmetry::none})
       {
-        SCOPED_TRACE(order + ", " + refinements);
-        CondensedSystem system(floating,
-                               {"Discretization/Order=" + order,
-                                "Discretization/Global refinements=" +
-                                  refinements});
-        expect_free_rigid_motion(system, 3);
+        NetworkShape shape;
+        shape.n_elements = n_elements;
+        StrutNetwork      network(shape);
+        StrutCondensation condensation(*network.matrix);
+        network.matrix->reset();
+        EXPECT_EQ(condensation.condense(symmetry),
+                  FactorizationOutcome::singular);
+        EXPECT_NE(condensation.words().find("the inside of strut "),
+                  std::string::npos);
+        // As if nothing had been.
+        network.fill();
+        EXPECT_EQ(condensation.condense(symmetry), FactorizationOutcome::done);
+        EXPECT_EQ(condensation.words(), "");
+        expect_reference(network, condensation, symmetry);
       }
 }
 
-TEST(StrutCondensation, RigidMotionInSpaceCostsNoForce)
+TEST(StrutCondensation, TellsNumbersThatAreNoneFromSingularStruts)
 {
-  CondensedSystem system(floating_in_space);
-  expect_free_rigid_motion(system, 6);
+  for (const double wrong : {std::numeric_limits<double>::quiet_NaN(),
+                             std::numeric_limits<double>::infinity()})
+    for (const Symmetry symmetry : {Symmetry::given, Symmetry::none})
+      {
+        StrutNetwork        network;
+        StrutCondensation   condensation(*network.matrix);
+        std::vector<double> values(81, 0.);
+        values[80] = wrong;
+        if (network.layout->rank() == 0)
+          network.matrix->add(0, values.data());
+        EXPECT_EQ(condensation.condense(symmetry),
+                  FactorizationOutcome::not_finite);
+      }
 }
 
-TEST(StrutCondensation, CondensedSolutionFulfilsAllEquations)
+TEST(StrutCondensation, CountsEigenvaluesOfTheInside)
 {
-  // Supports that move, releases, connectors to the ground, joint masses.
-  CondensedSystem system(star_with_everything(3, 2),
-                         {"Discretization/Order=3",
-                          "Discretization/Global refinements=1"});
-  system.fill(100.);
-  ASSERT_TRUE(system.condensation.condense());
-
-  Vector by_place(system.of_scene.dofs().local_map());
-  fill_by_place(system.of_scene.model, 1., by_place);
-  Epetra_Vector b(system.of_scene.dofs().owned_map()), x(b), image(b);
-  for (int i = 0; i < b.MyLength(); ++i)
-    b[i] = by_place[i];
-
-  Epetra_Vector        g(system.condensation.reduce(b)), z(g);
-  Epetra_LinearProblem problem(&system.condensation.matrix(), &z, &g);
-  const std::unique_ptr<Amesos_BaseSolver> klu(
-    Amesos().Create("Amesos_Klu", problem));
-  ASSERT_EQ(klu->SymbolicFactorization(), 0);
-  ASSERT_EQ(klu->NumericFactorization(), 0);
-  ASSERT_EQ(klu->Solve(), 0);
-  system.condensation.expand(z, x);
-
-  system.matrix->matrix().Multiply(false, x, image);
-  add_multiple(-1., b, image);
-  double error = 0;
-  image.NormInf(&error);
-  // Rounding of a right-hand side of one, in several stages.
-  EXPECT_LT(error, 1e-11);
-}
-
-TEST(JointBlocks, EveryUnknownAtAJointHasItsOwnRow)
-{
-  const EquationsOnRanks of_scene(star_with_everything(3, 2));
-  const DofNumbering    &dofs = of_scene.dofs();
-  const JointBlocks      blocks(of_scene.model);
-  const auto             names = name_unknowns(of_scene.model);
-  std::vector<int>       used(blocks.map().NumMyElements(), 0);
-  for (unsigned int i = 0; i < dofs.n_owned(); ++i)
-    {
-      const auto &[at_joint, index, fraction, component] = names[i].name;
-      const bool is_inside = !at_joint && fraction > 0 && fraction < 1;
-      EXPECT_EQ(blocks.strut(i), is_inside ? index : invalid_index);
-      ASSERT_EQ(blocks.row(i) < 0, is_inside);
-      if (is_inside)
-        continue;
-      const int row = blocks.map().LID(blocks.row(i));
-      ASSERT_GE(row, 0);
-      EXPECT_EQ(dofs.components()[row % blocks.size()], component);
-      EXPECT_EQ(blocks.unknown(row), int(i));
-      ++used[row];
-    }
-  for (unsigned int row = 0; row < used.size(); ++row)
-    EXPECT_EQ(used[row], blocks.unknown(row) < 0 ? 0 : 1);
+  NetworkShape shape;
+  shape.order = 3;
+  for (const unsigned int n_elements : {1, 3})
+    for (const double shift : {0., 10., 12., 14.})
+      {
+        shape.n_elements = n_elements;
+        shape.shift      = shift;
+        const StrutNetwork network(shape);
+        StrutCondensation  condensation(*network.matrix);
+        ASSERT_EQ(condensation.condense(Symmetry::given),
+                  FactorizationOutcome::done);
+        const DenseMatrix inside =
+          network.dense_part([&](const StrutNetwork::Unknown &unknown) {
+            return is_condensed(network, unknown);
+          });
+        const unsigned long n_negative = n_negative_eigenvalues(inside);
+        EXPECT_EQ(n_negative > 0, shift > 0);
+        ASSERT_TRUE(condensation.inner_inertia());
+        EXPECT_EQ(condensation.inner_inertia()->negative, n_negative);
+        EXPECT_EQ(condensation.inner_inertia()->positive,
+                  inside.m() - n_negative);
+        EXPECT_EQ(condensation.inner_inertia()->zero, 0u);
+        condensation.condense(Symmetry::none);
+        EXPECT_FALSE(condensation.inner_inertia());
+      }
 }

@@ -1,256 +1,188 @@
-#include <auxfem/algebra/tangent_matrix.h>
+#include <auxfem/algebra/conjugate_gradients.h>
+#include <auxfem/algebra/free_block.h>
 
-#include <equations/equations_on_ranks.h>
+#include <algebra/strut_network.h>
 #include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <random>
-#include <set>
 
 using namespace auxfem;
 using namespace auxfem::testing_support;
 
 namespace
 {
-  const std::string small_scene = frame_scene("0 0; 1 0; 0 1",
-                                              "0 1; 1 2",
-                                              "subsection Discretization\n"
-                                              "  set Order = 1\n"
-                                              "end\n"
-                                              "subsection Supports\n"
-                                              "  subsection wall\n"
-                                              "    set Joints = 0\n"
-                                              "    set Type = pin\n"
-                                              "  end\n"
-                                              "end\n");
+  // Sums of some twenty products of numbers of about ten.
+  constexpr double round_off = 1e-12;
 
-  /** Random blocks on the elements and on random unknowns, and their sum. */
-  struct RandomBlocks
+  NetworkShape unsymmetric_shape()
   {
-    explicit RandomBlocks(const DofNumbering &dofs)
-      : n(dofs.n_unknowns())
-      , n_elements(dofs.elements().size())
-      , dense(n * n, 0.)
-    {
-      std::mt19937 generator(3);
-      for (unsigned int e = 0; e < n_elements; ++e)
-        unknowns.emplace_back(dofs.element_unknowns(e),
-                              dofs.element_unknowns(e) + 6);
-      while (unknowns.size() < n_elements + 12)
-        unknowns.push_back(random_unknowns(generator));
-
-      for (const std::vector<int> &of_block : unknowns)
-        {
-          const unsigned int size = of_block.size();
-          values.emplace_back(size * size);
-          for (unsigned int i = 0; i < size; ++i)
-            for (unsigned int j = 0; j < size; ++j)
-              {
-                const double value          = 1. + generator() % 100;
-                values.back()[i * size + j] = value;
-                if (of_block[i] >= 0 && of_block[j] >= 0 &&
-                    dofs.kind(of_block[i]) != UnknownKind::prescribed)
-                  dense[of_block[i] * n + of_block[j]] += value;
-              }
-        }
-      for (unsigned int i = 0; i < n; ++i)
-        if (dofs.kind(i) == UnknownKind::prescribed)
-          dense[i * n + i] = 1;
-    }
-
-    /** One to four of them; -1, not there, may come twice. */
-    std::vector<int> random_unknowns(std::mt19937 &generator) const
-    {
-      const unsigned int size = 1 + generator() % 4;
-      std::vector<int>   chosen;
-      while (chosen.size() < size)
-        {
-          const int u = int(generator() % (n + 1)) - 1;
-          if (u < 0 ||
-              std::find(chosen.begin(), chosen.end(), u) == chosen.end())
-            chosen.push_back(u);
-        }
-      return chosen;
-    }
-
-    void add_to(TangentMatrix &matrix) const
-    {
-      matrix.reset();
-      for (unsigned int b = 0; b < values.size(); ++b)
-        matrix.add(b, values[b].data());
-    }
-
-    unsigned int                     n, n_elements;
-    std::vector<double>              dense;
-    std::vector<std::vector<int>>    unknowns;
-    std::vector<std::vector<double>> values;
-  };
-
-  /** The matrix as a dense one; entries are whole numbers, so sums are exact.
-   */
-  std::vector<double> as_dense(const TangentMatrix &matrix)
-  {
-    const Epetra_CrsMatrix &crs = matrix.matrix();
-    const unsigned int      n   = crs.NumMyRows();
-    std::vector<double>     dense(n * n, 0.);
-    for (unsigned int row = 0; row < n; ++row)
-      {
-        int     n_entries = 0, *indices = nullptr;
-        double *entries = nullptr;
-        crs.ExtractMyRowView(row, n_entries, entries, indices);
-        for (int k = 0; k < n_entries; ++k)
-          dense[row * n + indices[k]] += entries[k];
-      }
-    return dense;
+    NetworkShape shape;
+    shape.asymmetry     = 0.4;
+    shape.n_multipliers = 1;
+    return shape;
   }
 
-  class TangentMatrixTest : public testing::Test
+  void expect_product(const StrutNetwork &network, const Symmetry symmetry)
   {
-  protected:
-    TangentMatrixTest()
-      : of_scene(small_scene, {}, MPI_COMM_SELF)
-      , blocks(of_scene.dofs())
-      , pattern(of_scene.dofs())
-      , matrix((register_blocks(), pattern))
-    {}
+    const dealii::Vector<double> x = network.right_side();
+    dealii::Vector<double>       expected(x.size());
+    network.dense(symmetry).vmult(expected, x);
+    std::vector<double> local = network.owned(x),
+                        image(network.layout->n_owned());
+    network.layout->update_ghosts(local.data());
+    network.matrix->multiply(local.data(), image.data(), symmetry);
+    for (unsigned int i = 0; i < image.size(); ++i)
+      EXPECT_NEAR(image[i], expected(network.layout->global(i)), round_off);
+  }
 
-    /** All blocks but those of the elements. */
-    void register_blocks()
-    {
-      for (unsigned int b = blocks.n_elements; b < blocks.unknowns.size(); ++b)
-        EXPECT_EQ(pattern.register_block(blocks.unknowns[b].data(),
-                                         blocks.unknowns[b].size()),
-                  b);
-    }
-
-    EquationsOnRanks of_scene;
-    RandomBlocks     blocks;
-    TangentPattern   pattern;
-    TangentMatrix    matrix;
-  };
+  /** @p expected gives the entry for a global number and whether it is free. */
+  template <class Expected>
+  void expect_diagonal(const StrutNetwork &network, const Expected &expected)
+  {
+    const std::vector<double> diagonal = network.matrix->diagonal();
+    ASSERT_EQ(diagonal.size(), network.layout->n_owned());
+    for (unsigned int i = 0; i < diagonal.size(); ++i)
+      EXPECT_NEAR(diagonal[i],
+                  expected(network.layout->global(i),
+                           network.unknowns->kinds[i] !=
+                             UnknownKind::prescribed),
+                  round_off);
+  }
 } // namespace
 
-TEST_F(TangentMatrixTest, BlocksSumAsInADenseMatrix)
+TEST(TangentMatrix, MultipliesAsTheSumOfItsBlocks)
 {
-  blocks.add_to(matrix);
-  EXPECT_EQ(as_dense(matrix), blocks.dense);
+  StrutNetwork network(unsymmetric_shape());
+  expect_product(network, Symmetry::none);
+  expect_product(network, Symmetry::enforced);
+  network.fill();
+  expect_product(network, Symmetry::none);
 }
 
-TEST_F(TangentMatrixTest, ResetForgetsWhatWasAdded)
+TEST(TangentMatrix, FollowsItsPattern)
 {
-  blocks.add_to(matrix);
-  blocks.add_to(matrix);
-  EXPECT_EQ(as_dense(matrix), blocks.dense);
+  StrutNetwork        network(unsymmetric_shape());
+  const unsigned long before = network.matrix->version();
+  network.pattern->clear();
+  EXPECT_EQ(network.pattern->n_blocks(), 0u);
+  network.matrix->reset();
+  for (const double size : network.matrix->row_sizes())
+    EXPECT_TRUE(size == 0 || size == 1);
+  network.register_blocks();
+  EXPECT_NE(network.pattern->version(), network.matrix->version());
+  network.fill();
+  EXPECT_GT(network.matrix->version(), before);
+  expect_product(network, Symmetry::none);
 }
 
-TEST_F(TangentMatrixTest, PrescribedRowsAreThoseOfTheIdentity)
+TEST(TangentMatrix, DiagonalIsThatOfTheSum)
 {
-  blocks.add_to(matrix);
-  const std::vector<double> dense = as_dense(matrix);
-  for (unsigned int c = 0; c < 2; ++c)
+  StrutNetwork      network(unsymmetric_shape());
+  const DenseMatrix dense = network.dense();
+  expect_diagonal(network, [&](const int i, bool) { return dense(i, i); });
+  const std::vector<double> three(network.layout->n_owned(), 3.);
+  network.matrix->add_to_diagonal(three);
+  network.matrix->add_to_diagonal(three);
+  expect_diagonal(network, [&](const int i, const bool is_free) {
+    return dense(i, i) + (is_free ? 6. : 0.);
+  });
+  network.matrix->set_diagonal(three);
+  expect_diagonal(network,
+                  [](int, const bool is_free) { return is_free ? 3. : 1.; });
+  // It lasts until the matrix is filled anew.
+  network.fill();
+  expect_product(network, Symmetry::none);
+}
+
+TEST(TangentMatrix, AnUnknownMayStandTwiceInABlock)
+{
+  StrutNetwork network;
+  // The second free unknown of the first rank.
+  const int  twice[2] = {4, 4};
+  const bool is_here  = network.layout->rank() == 0;
+  if (is_here)
+    network.pattern->register_block(twice, 2);
+  network.fill();
+  const std::vector<double> before    = network.matrix->diagonal();
+  const double              values[4] = {1, 2, 3, 4};
+  if (is_here)
     {
-      const int row = of_scene.dofs().joint_unknown(0, c);
-      ASSERT_EQ(of_scene.dofs().kind(row), UnknownKind::prescribed);
-      for (unsigned int j = 0; j < blocks.n; ++j)
-        EXPECT_EQ(dense[row * blocks.n + j], j == unsigned(row) ? 1. : 0.);
+      network.matrix->add(network.pattern->n_blocks() - 1, values);
+      EXPECT_NEAR(network.matrix->diagonal()[4] - before[4], 10., round_off);
     }
 }
 
-TEST_F(TangentMatrixTest, RowSizesAreTheLargestEntries)
+TEST(TangentMatrix, EmptyRowsHaveNoSize)
 {
-  blocks.add_to(matrix);
-  const std::vector<double> sizes = matrix.row_sizes();
-  ASSERT_EQ(sizes.size(), blocks.n);
-  for (unsigned int i = 0; i < blocks.n; ++i)
+  StrutNetwork network;
+  for (const double size : network.matrix->row_sizes())
+    EXPECT_GT(size, 0.);
+  network.matrix->reset();
+  const std::vector<double> sizes = network.matrix->row_sizes();
+  for (unsigned int i = 0; i < sizes.size(); ++i)
+    EXPECT_EQ(sizes[i],
+              network.unknowns->kinds[i] == UnknownKind::prescribed ? 1. : 0.);
+}
+
+TEST(TangentMatrix, AsymmetryIsThatOfTheBlocks)
+{
+  EXPECT_EQ(StrutNetwork().matrix->asymmetry(), 0.);
+  NetworkShape shape;
+  shape.asymmetry   = 1e-6;
+  const double weak = StrutNetwork(shape).matrix->asymmetry();
+  EXPECT_GT(weak, 1e-8);
+  EXPECT_LT(weak, 1e-5);
+  shape.asymmetry     = 1e-3;
+  const double strong = StrutNetwork(shape).matrix->asymmetry();
+  EXPECT_NEAR(strong / weak, 1e3, 1.);
+}
+
+TEST(TangentMatrix, FreeBlockIsAssembledWithoutSupports)
+{
+  StrutNetwork network(unsymmetric_shape());
+  network.matrix->add_to_diagonal(
+    std::vector<double>(network.layout->n_owned(), 2.));
+  const FreeBlock         block(*network.matrix);
+  const UnknownSelection &free   = block.selection();
+  const SparseMatrix     &matrix = block.matrix();
+  const DenseMatrix       dense  = network.dense();
+  for (unsigned int row = 0; row < free.layout.n_owned(); ++row)
     {
-      double largest = 0;
-      for (unsigned int j = 0; j < blocks.n; ++j)
-        largest = std::max(largest, std::abs(blocks.dense[i * blocks.n + j]));
-      EXPECT_EQ(sizes[i], largest);
+      const int           global = network.layout->global(free.unknowns[row]);
+      std::vector<double> of_row(network.n_unknowns(), 0.);
+      for (std::size_t i = matrix.first[row]; i < matrix.first[row + 1]; ++i)
+        of_row[network.layout->global(free.unknowns[matrix.columns[i]])] +=
+          matrix.entries[i];
+      for (int column = 0; column < int(of_row.size()); ++column)
+        {
+          const bool is_free =
+            network.unknown(column).kind != UnknownKind::prescribed;
+          const double expected =
+            dense(global, column) + (column == global ? 2. : 0.);
+          EXPECT_NEAR(of_row[column], is_free ? expected : 0., round_off);
+        }
+    }
+  // Four motions are prescribed.
+  EXPECT_EQ(free.layout.n_global(), network.n_unknowns() - 4);
+}
+
+TEST(ConjugateGradients, SolveWithADefiniteMatrix)
+{
+  NetworkShape shape;
+  for (const unsigned int n_components : {3, 6})
+    {
+      shape.n_components = n_components;
+      const StrutNetwork  network(shape);
+      std::vector<double> x = network.owned(network.right_side());
+      ASSERT_TRUE(solve_by_conjugate_gradients(*network.matrix, x));
+      const dealii::Vector<double> expected = network.solution();
+      for (unsigned int i = 0; i < x.size(); ++i)
+        EXPECT_NEAR(x[i], expected(network.layout->global(i)), 1e-11);
     }
 }
 
-TEST_F(TangentMatrixTest, StoresNoMoreThanTheBlocksNeed)
+TEST(ConjugateGradients, RefuseAnEmptyMatrix)
 {
-  std::set<std::pair<int, int>> places;
-  for (unsigned int i = 0; i < blocks.n; ++i)
-    places.emplace(i, i);
-  for (const auto &of_block : blocks.unknowns)
-    for (const int row : of_block)
-      for (const int column : of_block)
-        if (row >= 0 && column >= 0)
-          places.emplace(row, column);
-  EXPECT_EQ(unsigned(matrix.matrix().NumMyNonzeros()), places.size());
-}
-
-TEST_F(TangentMatrixTest, AnEmptyMatrixIsZeroButInPrescribedRows)
-{
-  const TangentPattern elements_alone(of_scene.dofs());
-  TangentMatrix        empty(elements_alone);
-  empty.reset();
-  for (unsigned int i = 0; i < blocks.n; ++i)
-    EXPECT_EQ(empty.row_sizes()[i],
-              of_scene.dofs().kind(i) == UnknownKind::prescribed ? 1. : 0.);
-}
-
-TEST_F(TangentMatrixTest, FurtherBlocksMakeANewMatrixWithTheNextReset)
-{
-  blocks.add_to(matrix);
-  const unsigned long before    = pattern.version();
-  const int           n_entries = matrix.matrix().NumMyNonzeros();
-  EXPECT_EQ(matrix.version(), before);
-
-  // Unknowns that nothing has coupled so far.
-  const std::vector<double> dense     = as_dense(matrix);
-  const auto                is_stored = [&](const int row, const int column) {
-    int     n = 0, *indices = nullptr;
-    double *entries = nullptr;
-    matrix.matrix().ExtractMyRowView(row, n, entries, indices);
-    return std::find(indices, indices + n, column) != indices + n;
-  };
-  std::array<int, 2> apart = {{-1, -1}};
-  for (int i = 0; i < int(blocks.n); ++i)
-    for (int j = 0; j < i; ++j)
-      if (of_scene.dofs().kind(i) != UnknownKind::prescribed &&
-          of_scene.dofs().kind(j) != UnknownKind::prescribed &&
-          !is_stored(i, j))
-        apart = {{i, j}};
-  ASSERT_GE(apart[0], 0);
-  const std::size_t further = pattern.register_block(apart.data(), 2);
-  EXPECT_EQ(further, blocks.unknowns.size());
-  EXPECT_GT(pattern.version(), before);
-  // Until it is reset the matrix is the one it was.
-  EXPECT_EQ(matrix.version(), before);
-  EXPECT_EQ(as_dense(matrix), dense);
-
-  blocks.add_to(matrix);
-  EXPECT_EQ(matrix.version(), pattern.version());
-  EXPECT_EQ(matrix.matrix().NumMyNonzeros(), n_entries + 2);
-  EXPECT_EQ(as_dense(matrix), dense);
-  const double values[4] = {1000, 2000, 3000, 4000};
-  matrix.add(further, values);
-  std::vector<double> expected = dense;
-  for (unsigned int i = 0; i < 2; ++i)
-    for (unsigned int j = 0; j < 2; ++j)
-      expected[apart[i] * blocks.n + apart[j]] += values[2 * i + j];
-  EXPECT_EQ(as_dense(matrix), expected);
-}
-
-TEST_F(TangentMatrixTest, AClearedPatternHasTheBlocksOfElementsAlone)
-{
-  blocks.add_to(matrix);
-  const unsigned long before = pattern.version();
-  pattern.clear();
-  EXPECT_EQ(pattern.n_blocks(), blocks.n_elements);
-  EXPECT_GT(pattern.version(), before);
-  matrix.reset();
-  TangentPattern elements_alone(of_scene.dofs());
-  TangentMatrix  empty(elements_alone);
-  EXPECT_EQ(matrix.matrix().NumMyNonzeros(), empty.matrix().NumMyNonzeros());
-
-  // Registered again, the blocks lie where they lay.
-  register_blocks();
-  blocks.add_to(matrix);
-  EXPECT_EQ(as_dense(matrix), blocks.dense);
+  const StrutNetwork network;
+  network.matrix->reset();
+  std::vector<double> x = network.owned(network.right_side());
+  EXPECT_FALSE(solve_by_conjugate_gradients(*network.matrix, x));
 }

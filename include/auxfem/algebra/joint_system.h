@@ -63,7 +63,7 @@ namespace auxfem
       std::vector<int>         ghosts; ///< their ends that it owns
     };
 
-    void find_neighbours(const TangentPattern &pattern);
+    void find_neighbours();
     void share_struts();
     void share_ends();
     void make_unknowns(const Unknowns &all);
