@@ -50,6 +50,8 @@ namespace auxfem
     std::vector<int> offsets = narrow_offsets(matrix);
     std::vector<int> columns = matrix.columns;
     std::vector<int> order(matrix.layout->n_owned());
+    if (order.empty())
+      return order;
 
     cholmod_sparse pattern = {};
     pattern.nrow = pattern.ncol = order.size();
