@@ -19,8 +19,7 @@ namespace auxfem
     /**
      * The factors are those of a matrix that is off by round-off times this, in
      * the scale of the equilibrated matrix; beyond, fewer than half of the
-     * digits are left. 1 for definite matrices; 1 to 1e3 for nearly all random
-     * indefinite ones.
+     * digits are left. 1 for definite matrices.
      */
     constexpr double largest_growth = 1e8;
 
