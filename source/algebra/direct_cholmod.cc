@@ -19,8 +19,7 @@ namespace auxfem
     /**
      * The factors are those of a matrix that is off by round-off times this, in
      * the scale of the equilibrated matrix; beyond, fewer than half of the
-     * digits are left. 1 for definite matrices; 1 to 1e3 for nearly all random
-     * indefinite ones.
+     * digits are left. 1 for definite matrices.
      */
     constexpr double largest_growth = 1e8;
 
@@ -119,6 +118,8 @@ namespace auxfem
       n = matrix.layout->n_owned();
       if (!fits_narrow_offsets(matrix))
         return FactorizationOutcome::too_large;
+      if (n == 0)
+        return FactorizationOutcome::done;
       offsets                = narrow_offsets(matrix);
       std::vector<int> order = elimination_order(matrix);
       cholmod_sparse   a     = view(matrix);
@@ -136,6 +137,11 @@ namespace auxfem
     {
       Assert(matrix.is_symmetric, dealii::ExcInternalError());
       signs.reset();
+      if (n == 0)
+        {
+          signs = Inertia();
+          return FactorizationOutcome::done;
+        }
       cholmod_sparse a = view(matrix);
       cholmod_factorize(&a, factor, &common);
       if (common.status < CHOLMOD_OK)
@@ -183,10 +189,11 @@ namespace auxfem
      */
     bool Cholmod::is_sound(const SparseMatrix &matrix)
     {
-      const std::vector<double> sums  = sums_behind_pivots();
-      const std::vector<double> scale = equilibration(matrix);
-      const int *const unknown        = static_cast<const int *>(factor->Perm);
-      bool             is_suspicious  = false;
+      const std::vector<double> sums = sums_behind_pivots();
+      std::vector<double>       scale(n), room(n);
+      equilibrate(matrix, scale, room);
+      const int *const unknown       = static_cast<const int *>(factor->Perm);
+      bool             is_suspicious = false;
       for (std::size_t place = 0; place < n; ++place)
         {
           const double s = scale[unknown[place]];
@@ -209,7 +216,8 @@ namespace auxfem
         for (std::size_t i = 0; i < n; ++i)
           x[i] *= root[i];
       };
-      return estimate_norm(n, apply_inverse) < singular_inverse_norm;
+      return estimate_norm(*matrix.layout, room, 0., apply_inverse) <
+        singular_inverse_norm;
     }
 
     void Cholmod::count_signs()
@@ -221,6 +229,8 @@ namespace auxfem
 
     void Cholmod::solve(double *x)
     {
+      if (n == 0)
+        return;
       cholmod_dense b = {};
       b.nrow = b.nzmax = b.d = n;
       b.ncol                 = 1;

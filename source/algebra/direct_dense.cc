@@ -56,7 +56,7 @@ namespace auxfem
       void count_signs();
 
       int                    n = 0;
-      std::vector<double>    scale;
+      std::vector<double>    scale, room;
       std::vector<double>    factor; ///< by columns, lower triangle
       std::vector<int>       pivots;
       std::vector<double>    work;
@@ -76,7 +76,7 @@ namespace auxfem
     void Dense::fill(const SparseMatrix &matrix)
     {
       // Pivots are chosen by size: units must not matter.
-      scale = equilibration(matrix);
+      equilibrate(matrix, scale, room);
       std::fill(factor.begin(), factor.end(), 0.);
       for (int row = 0; row < n; ++row)
         for (std::size_t i = matrix.first[row]; i < matrix.first[row + 1]; ++i)

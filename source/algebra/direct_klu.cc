@@ -162,7 +162,7 @@ namespace auxfem
         return false;
 
       // Units of rows and of columns do not make a matrix singular.
-      std::vector<double> row_size(n, 0.), column_size(n, 0.);
+      std::vector<double> row_size(n, 0.), column_size(n, 0.), room(n);
       for (std::size_t row = 0; row < n; ++row)
         for (std::size_t i = matrix.first[row]; i < matrix.first[row + 1]; ++i)
           row_size[row] = std::max(row_size[row], std::abs(matrix.entries[i]));
@@ -181,8 +181,8 @@ namespace auxfem
         for (std::size_t i = 0; i < n; ++i)
           x[i] *= row_size[i];
       };
-      const double norm =
-        std::sqrt(estimate_norm(n, apply_inverse_and_transpose));
+      const double norm = std::sqrt(
+        estimate_norm(*matrix.layout, room, 0., apply_inverse_and_transpose));
       return !(norm < singular_inverse_norm);
     }
 

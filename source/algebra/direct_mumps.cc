@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <functional>
 #include <new>
 
 namespace auxfem
@@ -18,13 +20,25 @@ namespace auxfem
      * Pivots below this, beside the norm of the scaled matrix, are zeros
      * (CNTL(3)).
      */
-    constexpr double null_pivot = 1e-14;
+    constexpr double null_pivot = 1e-13;
 
     /**
      * By how much, in percent, MUMPS's room may exceed its estimate
      * (ICNTL(14)): its own start, and where it is out of reason.
      */
     constexpr int initial_room = 20, largest_room = 20000;
+
+    /**
+     * A first estimate of the inverse's norm below this, by a vector of which
+     * the modes in question are some part, is no sign of a singular matrix.
+     */
+    constexpr double unsuspicious_norm = 1e8;
+
+    void divide(std::vector<double> &x, const std::vector<double> &by)
+    {
+      for (std::size_t i = 0; i < x.size(); ++i)
+        x[i] /= by[i];
+    }
 
     /** Numbers of the actions that MUMPS can be asked for (JOB). */
     enum Job : int
@@ -52,6 +66,7 @@ namespace auxfem
 
     private:
       FactorizationOutcome run(Job job);
+      FactorizationOutcome check(const SparseMatrix &matrix);
       FactorizationOutcome start(const SparseMatrix &matrix);
       void                 stop();
       void                 choose_settings();
@@ -75,6 +90,7 @@ namespace auxfem
       std::vector<int>         rows, columns;
       std::vector<std::size_t> places; ///< in the matrix
       std::vector<double>      entries;
+      std::vector<double>      scale, room;
       std::vector<double>      x_of_all; ///< on the first of several ranks
     };
 
@@ -228,6 +244,8 @@ namespace auxfem
             places.push_back(i);
           }
       entries.resize(places.size());
+      scale.resize(layout.n_local());
+      room.resize(layout.n_owned());
     }
 
     FactorizationOutcome Mumps::factorize(const SparseMatrix &matrix)
@@ -256,8 +274,49 @@ namespace auxfem
       if (outcome != FactorizationOutcome::done)
         return outcome;
       is_factorized = true;
-      return result_of_all(28) > 0 ? FactorizationOutcome::singular
-                                   : FactorizationOutcome::done;
+      if (result_of_all(28) > 0)
+        return FactorizationOutcome::singular;
+      outcome = check(matrix);
+      // Zeros that MUMPS has not found are not in its counts.
+      is_factorized = outcome == FactorizationOutcome::done;
+      return outcome;
+    }
+
+    /**
+     * Null pivots of large matrices drown in the round-off of all before them.
+     */
+    FactorizationOutcome Mumps::check(const SparseMatrix &matrix)
+    {
+      equilibrate(matrix, scale, room);
+      const auto apply_inverse = [&](std::vector<double> &x) {
+        divide(x, scale);
+        solve(x.data());
+        if (!is_symmetric)
+          {
+            divide(x, scale);
+            divide(x, scale);
+            setting(9) = 0; // by the transpose
+            solve(x.data());
+            setting(9) = 1;
+          }
+        divide(x, scale);
+      };
+      double norm = 0;
+      try
+        {
+          norm = estimate_norm(*matrix.layout,
+                               room,
+                               unsuspicious_norm,
+                               std::cref(apply_inverse));
+        }
+      catch (const std::bad_alloc &)
+        {
+          return FactorizationOutcome::out_of_memory;
+        }
+      if (!is_symmetric)
+        norm = std::sqrt(norm);
+      return norm < singular_inverse_norm ? FactorizationOutcome::done
+                                          : FactorizationOutcome::singular;
     }
 
     void Mumps::solve(double *x)

@@ -11,7 +11,11 @@ namespace auxfem
   namespace
   {
     /**
-     * Rows from which METIS is worth its time.
+     * Rows from which METIS orders. CHOLMOD's factorization after AMD and after
+     * METIS, planar grids of joints with eight neighbours: 2.7 and 2.5 ms at
+     * 972 rows, 17 and 13 at 3072, 74 and 93 at 10,800, 450 and 470 at 30,000,
+     * with other work beside; the analysis takes 2 to 6 times longer with
+     * METIS.
      */
     constexpr unsigned int metis_limit = 3000;
 
@@ -50,6 +54,8 @@ namespace auxfem
     std::vector<int> offsets = narrow_offsets(matrix);
     std::vector<int> columns = matrix.columns;
     std::vector<int> order(matrix.layout->n_owned());
+    if (order.empty())
+      return order;
 
     cholmod_sparse pattern = {};
     pattern.nrow = pattern.ncol = order.size();

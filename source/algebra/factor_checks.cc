@@ -4,16 +4,50 @@
 
 #include <algorithm>
 #include <cmath>
-#include <new>
 #include <numeric>
 
 namespace auxfem
 {
   namespace
   {
-    double length(const std::vector<double> &x)
+    double length(const UnknownLayout &layout, const std::vector<double> &x)
     {
-      return std::sqrt(std::inner_product(x.begin(), x.end(), x.begin(), 0.));
+      return std::sqrt(
+        layout.sum(std::inner_product(x.begin(), x.end(), x.begin(), 0.)));
+    }
+
+    /** Of |a_ij| s_j. */
+    double largest_in_row(const SparseMatrix        &matrix,
+                          const std::size_t          row,
+                          const std::vector<double> &scale)
+    {
+      double largest = 0;
+      for (std::size_t i = matrix.first[row]; i < matrix.first[row + 1]; ++i)
+        largest =
+          std::max(largest,
+                   std::abs(matrix.entries[i]) * scale[matrix.columns[i]]);
+      return largest;
+    }
+
+    /** 1/sqrt(a_ii), and what fits to it where the diagonal is zero. */
+    void scale_by_diagonal(const SparseMatrix  &matrix,
+                           std::vector<double> &scale)
+    {
+      const UnknownLayout &layout = *matrix.layout;
+      scale.assign(layout.n_local(), 0.);
+      for (unsigned int row = 0; row < layout.n_owned(); ++row)
+        for (std::size_t i = matrix.first[row]; i < matrix.first[row + 1]; ++i)
+          if (matrix.columns[i] == static_cast<int>(row) &&
+              matrix.entries[i] != 0)
+            scale[row] = 1 / std::sqrt(std::abs(matrix.entries[i]));
+      layout.update_ghosts(scale.data());
+      for (unsigned int row = 0; row < layout.n_owned(); ++row)
+        if (scale[row] == 0)
+          {
+            const double largest = largest_in_row(matrix, row, scale);
+            scale[row]           = largest > 0 ? 1 / largest : 1;
+          }
+      layout.update_ghosts(scale.data());
     }
   } // namespace
 
@@ -34,68 +68,51 @@ namespace auxfem
       dealii::Utilities::MPI::max(static_cast<int>(mine), communicator));
   }
 
-  FactorizationOutcome
-  guard_memory(const std::function<FactorizationOutcome()> &action)
+  void equilibrate(const SparseMatrix  &matrix,
+                   std::vector<double> &scale,
+                   std::vector<double> &room)
   {
-    try
-      {
-        return action();
-      }
-    catch (const std::bad_alloc &)
-      {
-        return FactorizationOutcome::out_of_memory;
-      }
-  }
-
-  std::vector<double> equilibration(const SparseMatrix &matrix)
-  {
-    const std::size_t n = matrix.layout->n_owned();
-    // Zero: not found yet, because of a zero diagonal and no neighbours before.
-    std::vector<double> scale(n, 0.);
-    for (std::size_t row = 0; row < n; ++row)
+    const UnknownLayout &layout = *matrix.layout;
+    std::vector<double> &sizes  = room;
+    sizes.resize(layout.n_owned());
+    scale_by_diagonal(matrix, scale);
+    // A step takes the square root of every excess.
+    for (unsigned int step = 0; step < 10; ++step)
       {
         double largest = 0;
-        for (std::size_t i = matrix.first[row]; i < matrix.first[row + 1]; ++i)
+        for (std::size_t row = 0; row < sizes.size(); ++row)
           {
-            const std::size_t column = matrix.columns[i];
-            const double      size   = std::abs(matrix.entries[i]);
-            if (column == row)
-              largest = std::max(largest, std::sqrt(size));
-            else if (column < row)
-              largest = std::max(largest, size * scale[column]);
+            sizes[row] = scale[row] * largest_in_row(matrix, row, scale);
+            largest    = std::max(largest, sizes[row]);
           }
-        if (largest > 0)
-          scale[row] = 1 / largest;
+        if (layout.largest(largest) <= 2)
+          break;
+        for (std::size_t row = 0; row < sizes.size(); ++row)
+          if (sizes[row] > 0)
+            scale[row] /= std::sqrt(sizes[row]);
+        layout.update_ghosts(scale.data());
       }
-    for (std::size_t row = 0; row < n; ++row)
-      if (scale[row] == 0)
-        {
-          double largest = 0;
-          for (std::size_t i = matrix.first[row]; i < matrix.first[row + 1];
-               ++i)
-            largest =
-              std::max(largest,
-                       std::abs(matrix.entries[i]) * scale[matrix.columns[i]]);
-          scale[row] = largest > 0 ? 1 / largest : 1;
-        }
-    return scale;
   }
 
-  double estimate_norm(const std::size_t                                 n,
+  double estimate_norm(const UnknownLayout                              &layout,
+                       std::vector<double>                              &x,
+                       const double                                      enough,
                        const std::function<void(std::vector<double> &)> &apply)
   {
     // No pattern that a structure's modes could be orthogonal to.
-    std::vector<double> x(n);
-    for (std::size_t i = 0; i < n; ++i)
-      x[i] = (i * 2654435761u & 0x10000u) != 0 ? 1. : -1.;
+    x.resize(layout.n_owned());
+    for (unsigned int i = 0; i < x.size(); ++i)
+      x[i] = (layout.global(i) * 2654435761u & 0x10000u) != 0 ? 1. : -1.;
     double norm = 0;
     for (unsigned int iteration = 0; iteration < 2; ++iteration)
       {
-        const double size = length(x);
+        const double size = length(layout, x);
         for (double &value : x)
           value /= size;
         apply(x);
-        norm = length(x);
+        norm = length(layout, x);
+        if (norm < enough)
+          break;
       }
     return norm;
   }

@@ -208,7 +208,7 @@ TEST(StrutCondensation, FollowsThePattern)
   StrutCondensation condensation(*network.matrix);
   ASSERT_EQ(condensation.condense(Symmetry::given), FactorizationOutcome::done);
   const unsigned long before = condensation.version();
-  network.pattern->clear();
+  network.pattern->reset(*network.unknowns);
   network.register_blocks();
   network.fill();
   ASSERT_EQ(condensation.condense(Symmetry::given), FactorizationOutcome::done);

@@ -56,8 +56,8 @@ namespace auxfem
 
     /**
      * Of the whole matrix factorized last, the same on all ranks; none where
-     * the factors do not tell it (unsymmetric ones, and singular ones without
-     * pivoting).
+     * the factors do not tell it (unsymmetric ones, and some singular ones). Of
+     * a singular matrix what is zero is a matter of round-off.
      */
     virtual std::optional<Inertia> inertia() const = 0;
 
