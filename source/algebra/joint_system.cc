@@ -170,7 +170,7 @@ namespace auxfem
          [&](const unsigned int i, const unsigned int value) {
            kept.component[i] = value;
          });
-    kept.positions     = all.positions;
+    kept.positions  = all.positions;
     kept.components = all.components;
     kept.length     = all.length;
   }
