@@ -17,9 +17,8 @@ namespace auxfem
     public:
       std::size_t factor_size(const Symmetry symmetry) const override
       {
-        // A row exchange is kept as a number beside each row of L U.
-        return symmetry == Symmetry::none ? n_inner * (n_inner + 1)
-                                          : n_inner * (n_inner + 1) / 2;
+        return n_inner * n_inner +
+          (symmetry == Symmetry::none ? 2 : 1) * n_inner * n_ends;
       }
 
       EliminationResult eliminate(const double  *block,
@@ -28,121 +27,104 @@ namespace auxfem
                                   double        *factors,
                                   double        *condensed) const override
       {
-        double inner[n_inner][n_inner], to_ends[n_inner][n_ends];
-        gather(block, added, symmetry == Symmetry::enforced, inner, to_ends);
-        if (symmetry != Symmetry::none)
-          return eliminate_symmetric(block,
-                                     symmetry == Symmetry::enforced,
-                                     inner,
-                                     to_ends,
-                                     factors,
-                                     condensed);
-        return eliminate_unsymmetric(block, inner, to_ends, factors, condensed);
-      }
-
-      void reduce(const double               *factors,
-                  const EliminationCouplings &couplings,
-                  const Symmetry              symmetry,
-                  const double               *of_inner,
-                  double                     *of_ends) const override
-      {
-        double inner[n_inner];
-        std::copy(of_inner, of_inner + n_inner, inner);
-        solve(factors, symmetry, inner);
-        const double part = symmetry == Symmetry::enforced ? 0.5 : 1.;
-        if (symmetry != Symmetry::none)
+        double whole[n][n];
+        for (int i = 0; i < n; ++i)
+          for (int j = 0; j < n; ++j)
+            whole[i][j] = symmetry == Symmetry::enforced
+              ? (block[i * n + j] + block[j * n + i]) / 2
+              : block[i * n + j];
+        if (added != nullptr)
           for (int i = 0; i < n_inner; ++i)
-            {
-              const double *const row =
-                couplings.inner_ends + i * couplings.inner_ends_stride;
-              for (int e = 0; e < n_ends; ++e)
-                of_ends[e] -= part * row[e] * inner[i];
-            }
-        if (symmetry != Symmetry::given)
-          for (int e = 0; e < n_ends; ++e)
-            {
-              const double *const row =
-                couplings.ends_inner + e * couplings.ends_inner_stride;
-              double sum = 0;
-              for (int i = 0; i < n_inner; ++i)
-                sum += row[i] * inner[i];
-              of_ends[e] -= part * sum;
-            }
-      }
+            whole[n_ends + i][n_ends + i] += added[i];
 
-      void expand(const double               *factors,
-                  const EliminationCouplings &couplings,
-                  const Symmetry              symmetry,
-                  const double               *of_ends,
-                  double                     *of_inner) const override
-      {
-        const double part = symmetry == Symmetry::enforced ? 0.5 : 1.;
+        Inner inner;
+        Right right = {};
         for (int i = 0; i < n_inner; ++i)
           {
-            const double *const row =
-              couplings.inner_ends + i * couplings.inner_ends_stride;
-            double sum = 0;
-            for (int e = 0; e < n_ends; ++e)
-              sum += row[e] * of_ends[e];
-            of_inner[i] -= part * sum;
+            const double *const row = whole[n_ends + i];
+            std::copy(row, row + n_ends, right[i]);
+            std::copy(row + n_ends, row + n, inner[i]);
+            right[i][n_ends + i] = 1;
           }
-        if (symmetry == Symmetry::enforced)
-          for (int e = 0; e < n_ends; ++e)
-            {
-              const double *const row =
-                couplings.ends_inner + e * couplings.ends_inner_stride;
-              for (int i = 0; i < n_inner; ++i)
-                of_inner[i] -= part * row[i] * of_ends[e];
-            }
-        solve(factors, symmetry, of_inner);
+        const EliminationResult result = symmetry == Symmetry::none
+          ? eliminate_unsymmetric(inner, right)
+          : eliminate_symmetric(inner, right);
+        if (result.is_regular)
+          {
+            substitute(inner, right);
+            condense(whole, right, condensed);
+            store(whole, right, symmetry, factors);
+          }
+        return result;
+      }
+
+      void reduce(const double  *factors,
+                  const Symmetry symmetry,
+                  const int     *inner,
+                  const double  *of_inner,
+                  const int     *ends,
+                  double        *of_ends) const override
+      {
+        // Rows of (A_EI A_II^-1)^T, which are those of A_II^-1 A_IE where A is
+        // symmetric.
+        const double *row = factors + n_inner * n_inner +
+          (symmetry == Symmetry::none ? n_inner * n_ends : 0);
+        double sums[n_ends] = {};
+        for (int i = 0; i < n_inner; ++i, row += n_ends)
+          {
+            const double x = of_inner[inner[i]];
+            for (int e = 0; e < n_ends; ++e)
+              sums[e] += row[e] * x;
+          }
+        for (int e = 0; e < n_ends; ++e)
+          of_ends[ends[e]] -= sums[e];
+      }
+
+      void expand(const double *factors,
+                  const int    *inner,
+                  double       *of_inner,
+                  const int    *ends,
+                  const double *of_ends) const override
+      {
+        double x[n];
+        for (int i = 0; i < n_inner; ++i)
+          x[i] = of_inner[inner[i]];
+        for (int e = 0; e < n_ends; ++e)
+          x[n_inner + e] = of_ends[ends[e]];
+        const double *inverse = factors, *to_ends = factors + n_inner * n_inner;
+        for (int i = 0; i < n_inner; ++i, inverse += n_inner, to_ends += n_ends)
+          {
+            double of_inside = 0, from_ends = 0;
+            for (int j = 0; j < n_inner; ++j)
+              of_inside += inverse[j] * x[j];
+            for (int e = 0; e < n_ends; ++e)
+              from_ends += to_ends[e] * x[n_inner + e];
+            of_inner[inner[i]] = of_inside - from_ends;
+          }
       }
 
     private:
       static constexpr int n = n_inner + n_ends;
 
-      using Inner  = double[n_inner][n_inner];
-      using ToEnds = double[n_inner][n_ends];
+      using Inner = double[n_inner][n_inner];
+      /** At first A_IE and the identity; A_II^-1 A_IE and A_II^-1 at last. */
+      using Right = double[n_inner][n];
 
-      /** A_II and A_IE. */
-      static void gather(const double *block,
-                         const double *added,
-                         const bool    enforces_symmetry,
-                         Inner         inner,
-                         ToEnds        to_ends)
+      static void subtract_row(const double factor,
+                               const int    from,
+                               const int    row,
+                               Inner        inner,
+                               Right        right)
       {
-        for (int i = 0; i < n_inner; ++i)
-          {
-            const double *const row = block + (n_ends + i) * n;
-            std::copy(row, row + n_ends, to_ends[i]);
-            std::copy(row + n_ends, row + n, inner[i]);
-          }
-        if (enforces_symmetry)
-          for (int i = 0; i < n_inner; ++i)
-            {
-              for (int e = 0; e < n_ends; ++e)
-                to_ends[i][e] = (to_ends[i][e] + block[e * n + n_ends + i]) / 2;
-              for (int j = 0; j < i; ++j)
-                inner[i][j] = inner[j][i] = (inner[i][j] + inner[j][i]) / 2;
-            }
-        if (added != nullptr)
-          for (int i = 0; i < n_inner; ++i)
-            inner[i][i] += added[i];
+        for (int p = from; p < n_inner; ++p)
+          inner[row][p] -= factor * inner[from][p];
+        for (int p = 0; p < n; ++p)
+          right[row][p] -= factor * right[from][p];
       }
 
-      /** Rows of L^T, each behind the inverse of its pivot. */
-      static EliminationResult eliminate_symmetric(const double *block,
-                                                   const bool enforces_symmetry,
-                                                   Inner      inner,
-                                                   ToEnds     to_ends,
-                                                   double    *factors,
-                                                   double    *condensed)
+      /** To an upper triangle, with pivots in their order. */
+      static EliminationResult eliminate_symmetric(Inner inner, Right right)
       {
-        for (int e = 0; e < n_ends; ++e)
-          for (int p = e; p < n_ends; ++p)
-            condensed[e * n_ends + p] = enforces_symmetry
-              ? (block[e * n + p] + block[p * n + e]) / 2
-              : block[e * n + p];
-
         EliminationResult result;
         double            terms[n_inner];
         for (int i = 0; i < n_inner; ++i)
@@ -158,41 +140,21 @@ namespace auxfem
               }
             if (pivot < 0)
               ++result.n_negative;
-            const double inverse = 1 / pivot;
-            *factors++           = inverse;
             for (int i = j + 1; i < n_inner; ++i)
               {
-                const double factor = inner[j][i] * inverse;
-                *factors++          = factor;
+                const double factor = inner[j][i] / pivot;
                 terms[i] += std::abs(factor * inner[j][i]);
-                for (int p = i; p < n_inner; ++p)
-                  inner[i][p] -= factor * inner[j][p];
-                for (int e = 0; e < n_ends; ++e)
-                  to_ends[i][e] -= factor * to_ends[j][e];
-              }
-            for (int e = 0; e < n_ends; ++e)
-              {
-                const double factor = to_ends[j][e] * inverse;
-                for (int p = e; p < n_ends; ++p)
-                  condensed[e * n_ends + p] -= factor * to_ends[j][p];
+                subtract_row(factor, j, i, inner, right);
               }
           }
-        for (int e = 0; e < n_ends; ++e)
-          for (int p = 0; p < e; ++p)
-            condensed[e * n_ends + p] = condensed[p * n_ends + e];
         return result;
       }
 
       /**
-       * Rows of L and U with the inverse of the pivots on the diagonal, then
-       * for each the row that it was exchanged with. The row is taken whose
-       * pivot is largest in units of the original diagonal.
+       * To an upper triangle. Taken is the row whose pivot is largest in units
+       * of the original diagonal.
        */
-      static EliminationResult eliminate_unsymmetric(const double *block,
-                                                     Inner         inner,
-                                                     ToEnds        to_ends,
-                                                     double       *factors,
-                                                     double       *condensed)
+      static EliminationResult eliminate_unsymmetric(Inner inner, Right right)
       {
         double units[n_inner], row_units[n_inner];
         for (int i = 0; i < n_inner; ++i)
@@ -207,7 +169,7 @@ namespace auxfem
                                            })));
             row_units[i] = units[i];
           }
-        double *const exchanged = factors + n_inner * n_inner;
+        EliminationResult result;
         for (int j = 0; j < n_inner; ++j)
           {
             int    pivot_row = j;
@@ -224,92 +186,64 @@ namespace auxfem
             // Written so that a pivot that is no number is not regular.
             if (!(largest > round_off * units[j]))
               {
-                EliminationResult result;
                 result.is_regular = false;
                 return result;
               }
-            exchanged[j] = pivot_row;
             std::swap_ranges(inner[j], inner[j] + n_inner, inner[pivot_row]);
-            std::swap_ranges(to_ends[j],
-                             to_ends[j] + n_ends,
-                             to_ends[pivot_row]);
+            std::swap_ranges(right[j], right[j] + n, right[pivot_row]);
             std::swap(row_units[j], row_units[pivot_row]);
-            inner[j][j] = 1 / inner[j][j];
             for (int i = j + 1; i < n_inner; ++i)
-              {
-                const double factor = inner[i][j] *= inner[j][j];
-                for (int p = j + 1; p < n_inner; ++p)
-                  inner[i][p] -= factor * inner[j][p];
-                for (int e = 0; e < n_ends; ++e)
-                  to_ends[i][e] -= factor * to_ends[j][e];
-              }
+              subtract_row(inner[i][j] / inner[j][j], j, i, inner, right);
           }
-        std::copy(&inner[0][0], &inner[0][0] + n_inner * n_inner, factors);
-
-        for (int e = 0; e < n_ends; ++e)
-          {
-            double        row[n_inner];
-            double *const of_end = condensed + e * n_ends;
-            std::copy(block + e * n, block + e * n + n_ends, of_end);
-            std::copy(block + e * n + n_ends, block + (e + 1) * n, row);
-            for (int j = 0; j < n_inner; ++j)
-              {
-                row[j] *= inner[j][j];
-                for (int p = j + 1; p < n_inner; ++p)
-                  row[p] -= row[j] * inner[j][p];
-                for (int p = 0; p < n_ends; ++p)
-                  of_end[p] -= row[j] * to_ends[j][p];
-              }
-          }
-        return {};
+        return result;
       }
 
-      static void
-      solve(const double *factors, const Symmetry symmetry, double *x)
+      /** Solves with the upper triangle that is left. */
+      static void substitute(const Inner inner, Right right)
       {
-        if (symmetry == Symmetry::none)
-          solve_unsymmetric(factors, x);
-        else
-          solve_symmetric(factors, x);
-      }
-
-      static void solve_symmetric(const double *factors, double *x)
-      {
-        for (int j = 0; j < n_inner; ++j)
-          {
-            const double *const row = factors + row_begin(j);
-            for (int p = j + 1; p < n_inner; ++p)
-              x[p] -= row[p - j] * x[j];
-            x[j] *= row[0];
-          }
         for (int j = n_inner - 1; j >= 0; --j)
           {
-            const double *const row = factors + row_begin(j);
-            for (int p = j + 1; p < n_inner; ++p)
-              x[j] -= row[p - j] * x[p];
+            const double inverse = 1 / inner[j][j];
+            for (int p = 0; p < n; ++p)
+              right[j][p] *= inverse;
+            for (int i = 0; i < j; ++i)
+              for (int p = 0; p < n; ++p)
+                right[i][p] -= inner[i][j] * right[j][p];
           }
       }
 
-      /** Index of row j of L^T in the factors. */
-      static constexpr int row_begin(const int j)
+      static void condense(const double (&whole)[n][n],
+                           const Right right,
+                           double     *condensed)
       {
-        return j * n_inner - j * (j - 1) / 2;
-      }
-
-      static void solve_unsymmetric(const double *factors, double *x)
-      {
-        const double *const exchanged = factors + n_inner * n_inner;
-        for (int j = 0; j < n_inner; ++j)
-          std::swap(x[j], x[static_cast<int>(exchanged[j])]);
-        for (int i = 0; i < n_inner; ++i)
-          for (int j = 0; j < i; ++j)
-            x[i] -= factors[i * n_inner + j] * x[j];
-        for (int i = n_inner - 1; i >= 0; --i)
+        for (int e = 0; e < n_ends; ++e, condensed += n_ends)
           {
-            for (int j = i + 1; j < n_inner; ++j)
-              x[i] -= factors[i * n_inner + j] * x[j];
-            x[i] *= factors[i * n_inner + i];
+            std::copy(whole[e], whole[e] + n_ends, condensed);
+            for (int i = 0; i < n_inner; ++i)
+              for (int p = 0; p < n_ends; ++p)
+                condensed[p] -= whole[e][n_ends + i] * right[i][p];
           }
+      }
+
+      static void store(const double (&whole)[n][n],
+                        const Right    right,
+                        const Symmetry symmetry,
+                        double        *factors)
+      {
+        for (int i = 0; i < n_inner; ++i)
+          factors = std::copy(right[i] + n_ends, right[i] + n, factors);
+        for (int i = 0; i < n_inner; ++i)
+          factors = std::copy(right[i], right[i] + n_ends, factors);
+        if (symmetry != Symmetry::none)
+          return;
+        for (int i = 0; i < n_inner; ++i)
+          for (int e = 0; e < n_ends; ++e)
+            {
+              double sum = 0;
+              for (int j = 0; j < n_inner; ++j)
+                sum += whole[e][n_ends + j] * right[j][n_ends + i];
+              *factors++ = sum;
+            }
       }
     };
 

@@ -44,7 +44,7 @@ namespace auxfem
     : struts(struts)
     , selection(std::make_unique<UnknownSelection>(pattern.unknowns().layout,
                                                    find_kept(pattern, struts)))
-    , kept(selection->layout)
+    , of_joints(selection->layout)
     , n_ends(2 * pattern.unknowns().components.size())
   {
     for (const StrutElements &elements : struts)
@@ -147,32 +147,35 @@ namespace auxfem
       for (unsigned int i = 0; i < layout.n_local(); ++i)
         take(i, static_cast<unsigned int>(values[i]));
     };
-    kept = Unknowns(layout);
+    of_joints = Unknowns(layout);
     fill([&](const int i) { return all.kinds[i]; },
          [&](const unsigned int i, const unsigned int value) {
-           kept.kinds[i] = static_cast<UnknownKind>(value);
+           of_joints.kinds[i] = static_cast<UnknownKind>(value);
          });
     fill([&](const int i) { return all.is_rotation[i]; },
          [&](const unsigned int i, const unsigned int value) {
-           kept.is_rotation[i] = value != 0;
+           of_joints.is_rotation[i] = value != 0;
          });
     // Zero: none.
     fill([&](const int i) { return all.strut[i] ? *all.strut[i] + 1. : 0.; },
          [&](const unsigned int i, const unsigned int value) {
            if (value > 0)
-             kept.strut[i] = value - 1;
+             of_joints.strut[i] = value - 1;
          });
     fill([&](const int i) { return all.joint[i]; },
          [&](const unsigned int i, const unsigned int value) {
-           kept.joint[i] = value;
+           of_joints.joint[i] = value;
          });
     fill([&](const int i) { return all.component[i]; },
          [&](const unsigned int i, const unsigned int value) {
-           kept.component[i] = value;
+           of_joints.component[i] = value;
          });
-    kept.positions  = all.positions;
-    kept.components = all.components;
-    kept.length     = all.length;
+    of_joints.positions  = all.positions;
+    of_joints.components = all.components;
+    of_joints.length     = all.length;
+    for (unsigned int i = 0; i < layout.n_local(); ++i)
+      if (of_joints.kinds[i] == UnknownKind::prescribed)
+        prescribed_unknowns.push_back(i);
   }
 
   void JointSystem::make_assembly(const TangentPattern &pattern)
@@ -180,9 +183,10 @@ namespace auxfem
     std::vector<std::size_t> first(1, 0);
     std::vector<int>         unknowns;
     const auto               append = [&](const int unknown) {
-      unknowns.push_back(
-        unknown >= 0 && kept.kinds[unknown] != UnknownKind::prescribed ? unknown
-                                                                       : -1);
+      unknowns.push_back(unknown >= 0 &&
+                             of_joints.kinds[unknown] != UnknownKind::prescribed
+                           ? unknown
+                           : -1);
     };
     const auto append_struts = [&](const std::vector<int> &all_ends) {
       for (std::size_t i = 0; i < all_ends.size(); i += n_ends)
@@ -217,12 +221,17 @@ namespace auxfem
 
   const Unknowns &JointSystem::unknowns() const
   {
-    return kept;
+    return of_joints;
   }
 
-  const std::vector<int> &JointSystem::numbers() const
+  const std::vector<int> &JointSystem::kept() const
   {
-    return selection->number;
+    return selection->unknowns;
+  }
+
+  const std::vector<int> &JointSystem::prescribed() const
+  {
+    return prescribed_unknowns;
   }
 
   const int *JointSystem::ends(const std::size_t number) const
@@ -234,7 +243,7 @@ namespace auxfem
   {
     assembly->reset(symmetry);
     for (unsigned int i = 0; i < selection->layout.n_owned(); ++i)
-      if (kept.kinds[i] == UnknownKind::prescribed)
+      if (of_joints.kinds[i] == UnknownKind::prescribed)
         assembly->add_to_diagonal(i, 1.);
   }
 
@@ -258,7 +267,7 @@ namespace auxfem
       assembly->add(next++, matrix.values(block));
     if (!matrix.added_diagonal().empty())
       for (unsigned int i = 0; i < selection->layout.n_owned(); ++i)
-        if (kept.kinds[i] != UnknownKind::prescribed)
+        if (of_joints.kinds[i] != UnknownKind::prescribed)
           assembly->add_to_diagonal(
             i,
             matrix.added_diagonal()[selection->unknowns[i]]);

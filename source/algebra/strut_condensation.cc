@@ -6,6 +6,12 @@
 
 namespace auxfem
 {
+  namespace
+  {
+    /** Places of the unknowns of two nodes that stand one after the other. */
+    constexpr int in_order[] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11};
+  } // namespace
+
   StrutCondensation::StrutCondensation(const TangentMatrix &matrix)
     : tangent(matrix)
   {}
@@ -66,10 +72,7 @@ namespace auxfem
 
   std::size_t StrutCondensation::node_size(const StrutElements &elements) const
   {
-    const std::size_t of_one_coupling =
-      2 * elements.n_of_node * elements.n_of_node;
-    return elements.node->factor_size(symmetry_of_nodes()) +
-      (symmetry == Symmetry::none ? 2 : 1) * of_one_coupling;
+    return elements.node->factor_size(symmetry_of_nodes());
   }
 
   std::size_t
@@ -248,47 +251,13 @@ namespace auxfem
     };
     place(room.of_strut, {{0, 2}});
     place(room.of_element, {{2, 1}});
-    const EliminationResult result = elements.node->eliminate(
-      room.around_node.data(),
-      added(tangent.pattern().begin(block), c, room.inner),
-      symmetry_of_nodes(),
-      of_node,
-      room.of_strut.data());
-
-    double *coupling =
-      of_node + elements.node->factor_size(symmetry_of_nodes());
-    for (unsigned int i = 0; i < c; ++i)
-      {
-        const double *const row = &room.around_node[(2 * c + i) * n];
-        coupling                = std::copy(row, row + 2 * c, coupling);
-      }
-    if (symmetry == Symmetry::none)
-      for (unsigned int i = 0; i < 2 * c; ++i)
-        {
-          const double *const row = &room.around_node[i * n + 2 * c];
-          coupling                = std::copy(row, row + c, coupling);
-        }
-    return result;
-  }
-
-  EliminationCouplings
-  StrutCondensation::couplings_of_element(const StrutElements &elements,
-                                          const std::size_t    block) const
-  {
-    const unsigned int n_ends  = 2 * elements.n_of_node,
-                       n       = elements.n_of_element;
-    const double *const values = tangent.values(block);
-    return {values + n_ends * n, n, values + n_ends, n};
-  }
-
-  EliminationCouplings
-  StrutCondensation::couplings_of_node(const StrutElements &elements,
-                                       const double        *of_node) const
-  {
-    const unsigned int  c = elements.n_of_node;
-    const double *const inner_ends =
-      of_node + elements.node->factor_size(symmetry_of_nodes());
-    return {inner_ends, 2 * c, inner_ends + 2 * c * c, c};
+    return elements.node->eliminate(room.around_node.data(),
+                                    added(tangent.pattern().begin(block),
+                                          c,
+                                          room.inner),
+                                    symmetry_of_nodes(),
+                                    of_node,
+                                    room.of_strut.data());
   }
 
   void StrutCondensation::move_prescribed(std::vector<double> &values) const
@@ -327,49 +296,58 @@ namespace auxfem
                                  std::vector<double> &g) const
   {
     move_prescribed(values);
-    const Unknowns &joints = system->unknowns();
-    g.assign(joints.layout.n_local(), 0.);
+    g.assign(system->unknowns().layout.n_local(), 0.);
     Room          room;
     const double *of_strut = factors.data();
     for (std::size_t s = 0; s < struts.size(); ++s)
       {
-        reduce_strut(struts[s], of_strut, values, room);
-        for (unsigned int i = 0; i < 2 * struts[s].n_of_node; ++i)
-          g[system->ends(s)[i]] += room.of_strut[i];
-        of_strut += factors_size(struts[s]);
+        const StrutElements &elements = struts[s];
+        if (elements.n_elements > 1)
+          reduce_chain(elements, of_strut, values, system->ends(s), g, room);
+        else if (elements.between_nodes != nullptr)
+          elements.between_nodes->reduce(of_strut,
+                                         symmetry,
+                                         inner_unknowns(elements, 0),
+                                         values.data(),
+                                         system->ends(s),
+                                         g.data());
+        of_strut += factors_size(elements);
       }
     system->add_ghosts_to_owners(g);
-    const std::vector<int> &numbers = system->numbers();
-    for (unsigned int i = 0; i < tangent.pattern().unknowns().layout.n_owned();
-         ++i)
-      if (numbers[i] >= 0)
-        g[numbers[i]] = values[i] +
-          (joints.kinds[numbers[i]] == UnknownKind::prescribed ? 0.
-                                                               : g[numbers[i]]);
+    const std::vector<int> &kept    = system->kept();
+    const unsigned int      n_owned = system->unknowns().layout.n_owned();
+    for (unsigned int k = 0; k < n_owned; ++k)
+      g[k] += values[kept[k]];
+    for (const int k : system->prescribed())
+      g[k] = values[kept[k]];
   }
 
-  void StrutCondensation::reduce_strut(const StrutElements &elements,
+  const int *StrutCondensation::inner_unknowns(const StrutElements &elements,
+                                               const unsigned int   e) const
+  {
+    return tangent.pattern().begin(elements.first_block + e) +
+      2 * elements.n_of_node;
+  }
+
+  void StrutCondensation::reduce_chain(const StrutElements &elements,
                                        const double        *of_strut,
                                        std::vector<double> &values,
+                                       const int           *ends,
+                                       std::vector<double> &g,
                                        Room                &room) const
   {
-    const unsigned int c = elements.n_of_node, n = elements.n_between_nodes();
+    const unsigned int c = elements.n_of_node;
     room.of_strut.assign(2 * c, 0.);
-    room.inner.resize(std::max(n, c));
     for (unsigned int e = 0; e < elements.n_elements; ++e)
       {
-        const std::size_t block      = elements.first_block + e;
-        const int *const  of_element = tangent.pattern().begin(block);
         room.of_element.assign(2 * c, 0.);
-        if (n > 0)
+        if (elements.between_nodes != nullptr)
           {
-            for (unsigned int i = 0; i < n; ++i)
-              room.inner[i] = values[of_element[2 * c + i]];
             elements.between_nodes->reduce(of_strut,
-                                           couplings_of_element(elements,
-                                                                block),
                                            symmetry,
-                                           room.inner.data(),
+                                           inner_unknowns(elements, e),
+                                           values.data(),
+                                           in_order,
                                            room.of_element.data());
             of_strut += elements.between_nodes->factor_size(symmetry);
           }
@@ -378,105 +356,100 @@ namespace auxfem
             room.of_strut = room.of_element;
             continue;
           }
+        const int *const node =
+          tangent.pattern().begin(elements.first_block + e);
         for (unsigned int i = 0; i < c; ++i)
           {
-            double &of_node = values[of_element[i]];
-            of_node += room.of_strut[c + i] + room.of_element[i];
-            room.inner[i]        = of_node;
+            values[node[i]] += room.of_strut[c + i] + room.of_element[i];
             room.of_strut[c + i] = room.of_element[c + i];
           }
         elements.node->reduce(of_strut,
-                              couplings_of_node(elements, of_strut),
                               symmetry_of_nodes(),
-                              room.inner.data(),
+                              node,
+                              values.data(),
+                              in_order,
                               room.of_strut.data());
         of_strut += node_size(elements);
       }
+    for (unsigned int i = 0; i < 2 * c; ++i)
+      g[ends[i]] += room.of_strut[i];
   }
 
   void StrutCondensation::expand(std::vector<double> &z,
                                  std::vector<double> &values) const
   {
-    const Unknowns &joints = system->unknowns();
-    joints.layout.update_ghosts(z.data());
-    const UnknownLayout    &layout  = tangent.pattern().unknowns().layout;
-    const std::vector<int> &numbers = system->numbers();
-    for (unsigned int i = 0; i < layout.n_local(); ++i)
-      if (numbers[i] >= 0)
-        values[i] = z[numbers[i]];
+    system->unknowns().layout.update_ghosts(z.data());
+    const std::vector<int> &kept = system->kept();
+    for (std::size_t k = 0; k < kept.size(); ++k)
+      values[kept[k]] = z[k];
+    // What prescribed ends do to the inside is in its right-hand side.
+    for (const int k : system->prescribed())
+      z[k] = 0;
 
     Room          room;
     const double *of_strut = factors.data();
     for (std::size_t s = 0; s < struts.size(); ++s)
       {
-        const unsigned int n_ends = 2 * struts[s].n_of_node;
-        room.of_strut.resize(n_ends);
-        for (unsigned int i = 0; i < n_ends; ++i)
-          {
-            // What prescribed ends do to the inside is in its right-hand side.
-            const int end = system->ends(s)[i];
-            room.of_strut[i] =
-              joints.kinds[end] == UnknownKind::prescribed ? 0. : z[end];
-          }
-        expand_strut(struts[s], of_strut, values, room);
-        of_strut += factors_size(struts[s]);
+        const StrutElements &elements = struts[s];
+        if (elements.n_elements > 1)
+          expand_chain(elements, of_strut, values, system->ends(s), z, room);
+        else if (elements.between_nodes != nullptr)
+          elements.between_nodes->expand(of_strut,
+                                         inner_unknowns(elements, 0),
+                                         values.data(),
+                                         system->ends(s),
+                                         z.data());
+        of_strut += factors_size(elements);
       }
-    layout.update_ghosts(values.data());
+    tangent.pattern().unknowns().layout.update_ghosts(values.data());
   }
 
-  void StrutCondensation::expand_strut(const StrutElements &elements,
-                                       const double        *of_strut,
-                                       std::vector<double> &values,
-                                       Room                &room) const
+  void StrutCondensation::expand_chain(const StrutElements       &elements,
+                                       const double              *of_strut,
+                                       std::vector<double>       &values,
+                                       const int                 *ends,
+                                       const std::vector<double> &z,
+                                       Room                      &room) const
   {
-    const unsigned int c = elements.n_of_node, n = elements.n_between_nodes();
-    const std::size_t  of_element =
-      n > 0 ? elements.between_nodes->factor_size(symmetry) : 0;
-    const std::size_t of_node =
-      elements.n_elements > 1 ? node_size(elements) : 0;
-    room.inner.resize(std::max(n, c));
-    room.of_element.resize(2 * c);
+    const unsigned int c = elements.n_of_node, n_elements = elements.n_elements;
+    const std::size_t  of_element = elements.between_nodes != nullptr
+       ? elements.between_nodes->factor_size(symmetry)
+       : 0;
+    const std::size_t  of_node    = node_size(elements);
     // Last the node that was eliminated first.
-    std::vector<double> &ends     = room.of_element;
     std::vector<double> &of_nodes = room.around_node;
-    of_nodes.resize((elements.n_elements + 1) * c);
-    std::copy_n(room.of_strut.begin(), c, of_nodes.begin());
-    std::copy_n(room.of_strut.begin() + c, c, of_nodes.end() - c);
-    for (unsigned int e = elements.n_elements - 1; e > 0; --e)
+    of_nodes.resize((n_elements + 1) * c);
+    for (unsigned int i = 0; i < c; ++i)
+      {
+        of_nodes[i]                  = z[ends[i]];
+        of_nodes[n_elements * c + i] = z[ends[c + i]];
+      }
+    room.of_element.resize(2 * c);
+    for (unsigned int e = n_elements - 1; e > 0; --e)
       {
         const int *const node =
           tangent.pattern().begin(elements.first_block + e);
-        const double *const factors_of_node =
-          of_strut + (e + 1) * of_element + (e - 1) * of_node;
-        std::copy_n(of_nodes.begin(), c, ends.begin());
-        std::copy_n(of_nodes.begin() + (e + 1) * c, c, ends.begin() + c);
-        double *const inner = &of_nodes[e * c];
+        std::copy_n(of_nodes.begin(), c, room.of_element.begin());
+        std::copy_n(of_nodes.begin() + (e + 1) * c,
+                    c,
+                    room.of_element.begin() + c);
+        elements.node->expand(of_strut + (e + 1) * of_element +
+                                (e - 1) * of_node,
+                              node,
+                              values.data(),
+                              in_order,
+                              room.of_element.data());
         for (unsigned int i = 0; i < c; ++i)
-          inner[i] = values[node[i]];
-        elements.node->expand(factors_of_node,
-                              couplings_of_node(elements, factors_of_node),
-                              symmetry_of_nodes(),
-                              ends.data(),
-                              inner);
-        for (unsigned int i = 0; i < c; ++i)
-          values[node[i]] = inner[i];
+          of_nodes[e * c + i] = values[node[i]];
       }
-    if (n == 0)
+    if (elements.between_nodes == nullptr)
       return;
-    for (unsigned int e = 0; e < elements.n_elements; ++e)
-      {
-        const std::size_t block = elements.first_block + e;
-        const int *const  inner = tangent.pattern().begin(block) + 2 * c;
-        for (unsigned int i = 0; i < n; ++i)
-          room.inner[i] = values[inner[i]];
-        elements.between_nodes->expand(of_strut + e * of_element +
-                                         (e > 0 ? (e - 1) * of_node : 0),
-                                       couplings_of_element(elements, block),
-                                       symmetry,
-                                       &of_nodes[e * c],
-                                       room.inner.data());
-        for (unsigned int i = 0; i < n; ++i)
-          values[inner[i]] = room.inner[i];
-      }
+    for (unsigned int e = 0; e < n_elements; ++e)
+      elements.between_nodes->expand(of_strut + e * of_element +
+                                       (e > 0 ? (e - 1) * of_node : 0),
+                                     inner_unknowns(elements, e),
+                                     values.data(),
+                                     in_order,
+                                     &of_nodes[e * c]);
   }
 } // namespace auxfem

@@ -25,20 +25,12 @@ namespace auxfem
     unsigned int n_negative = 0;
   };
 
-  /** A_IE and A_EI in row-major storage; the latter not used where A is
-   * symmetric. */
-  struct EliminationCouplings
-  {
-    const double *inner_ends;
-    unsigned int  inner_ends_stride;
-    const double *ends_inner;
-    unsigned int  ends_inner_stride;
-  };
-
   /**
-   * Elimination of the inner unknowns of one size of blocks: L D L^T of a
-   * symmetric A_II, else L U with its rows exchanged. The factors take
-   * factor_size() numbers.
+   * Elimination of the inner unknowns of one size of blocks, once for all
+   * right-hand sides. What these need are small dense matrices, A_II^-1 and
+   * A_II^-1 A_IE, besides A_EI A_II^-1 where A is unsymmetric: products with
+   * them, unlike substitution with triangles, do not wait for one another. They
+   * take factor_size() numbers.
    */
   class InnerElimination
   {
@@ -48,9 +40,9 @@ namespace auxfem
     virtual std::size_t factor_size(Symmetry symmetry) const = 0;
 
     /**
-     * Factorizes A_II of the whole row-major @p block into @p factors and
-     * returns S, row-major, in @p condensed. An A_II is not regular if a pivot
-     * is the round-off of what it was the difference of.
+     * Eliminates the inner unknowns of the whole row-major @p block; returns S,
+     * row-major, in @p condensed. An A_II is not regular if a pivot is the
+     * round-off of what it was the difference of.
      *
      * @param added to the diagonal of A_II; none: nullptr
      */
@@ -60,19 +52,24 @@ namespace auxfem
                                         double       *factors,
                                         double       *condensed) const = 0;
 
-    /** Subtracts A_EI A_II^-1 @p of_inner from @p of_ends. */
-    virtual void reduce(const double               *factors,
-                        const EliminationCouplings &couplings,
-                        Symmetry                    symmetry,
-                        const double               *of_inner,
-                        double                     *of_ends) const = 0;
+    /**
+     * Subtracts A_EI A_II^-1 x_I from x_E.
+     * @param inner, ends where the entries of x_I stand in @p of_inner, those of
+     *   x_E in @p of_ends
+     */
+    virtual void reduce(const double *factors,
+                        Symmetry      symmetry,
+                        const int    *inner,
+                        const double *of_inner,
+                        const int    *ends,
+                        double       *of_ends) const = 0;
 
-    /** Replaces @p of_inner by A_II^-1 (of_inner - A_IE of_ends). */
-    virtual void expand(const double               *factors,
-                        const EliminationCouplings &couplings,
-                        Symmetry                    symmetry,
-                        const double               *of_ends,
-                        double                     *of_inner) const = 0;
+    /** Replaces x_I by A_II^-1 (x_I - A_IE x_E). */
+    virtual void expand(const double *factors,
+                        const int    *inner,
+                        double       *of_inner,
+                        const int    *ends,
+                        const double *of_ends) const = 0;
   };
 
   /**

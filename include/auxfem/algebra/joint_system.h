@@ -34,8 +34,11 @@ namespace auxfem
     /** The unknowns of matrix(). */
     const Unknowns &unknowns() const;
 
-    /** Of the system, by local unknown of the pattern; -1: eliminated. */
-    const std::vector<int> &numbers() const;
+    /** Local unknowns of the pattern, by those of the system. */
+    const std::vector<int> &kept() const;
+
+    /** Prescribed ones among unknowns(), ghosts included. */
+    const std::vector<int> &prescribed() const;
 
     /** Entries zero but for prescribed rows. */
     void reset(Symmetry symmetry);
@@ -71,7 +74,8 @@ namespace auxfem
 
     const std::vector<StrutElements>     &struts;
     std::unique_ptr<UnknownSelection>     selection;
-    Unknowns                              kept;
+    Unknowns                              of_joints;
+    std::vector<int>                      prescribed_unknowns;
     std::size_t                           n_ends = 0; ///< of a strut
     std::vector<int>                      end_unknowns;
     std::map<unsigned int, Neighbour>     neighbours;

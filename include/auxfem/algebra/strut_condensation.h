@@ -104,21 +104,25 @@ namespace auxfem
     added(const int *unknowns, unsigned int n, std::vector<double> &room) const;
     bool has_finite_entries(const StrutElements &elements) const;
     void move_prescribed(std::vector<double> &values) const;
-    /** What is left for the ends of a strut goes into Room::of_strut. */
-    void reduce_strut(const StrutElements &elements,
+    /** Local unknowns between the nodes of element @p e of a strut. */
+    const int *inner_unknowns(const StrutElements &elements,
+                              unsigned int         e) const;
+    /** Of a strut of several elements. */
+    ///@{
+    void reduce_chain(const StrutElements &elements,
                       const double        *of_strut,
                       std::vector<double> &values,
+                      const int           *ends,
+                      std::vector<double> &g,
                       Room                &room) const;
-    /** Values at the ends are those in Room::of_strut. */
-    void expand_strut(const StrutElements &elements,
-                      const double        *of_strut,
-                      std::vector<double> &values,
-                      Room                &room) const;
+    void expand_chain(const StrutElements       &elements,
+                      const double              *of_strut,
+                      std::vector<double>       &values,
+                      const int                 *ends,
+                      const std::vector<double> &z,
+                      Room                      &room) const;
+    ///@}
 
-    EliminationCouplings couplings_of_element(const StrutElements &elements,
-                                              std::size_t          block) const;
-    EliminationCouplings couplings_of_node(const StrutElements &elements,
-                                           const double        *of_node) const;
     /** Of nodes between elements, which stand symmetrized. */
     Symmetry symmetry_of_nodes() const;
 
