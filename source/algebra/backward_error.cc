@@ -11,7 +11,7 @@ namespace auxfem
                         const Symmetry             symmetry)
   {
     const TangentPattern &pattern = matrix.pattern();
-    const UnknownLayout  &layout  = *pattern.unknowns().layout;
+    const UnknownLayout  &layout  = pattern.unknowns().layout;
     std::vector<double>   image(layout.n_owned()), sizes(layout.n_owned());
     matrix.multiply(x.data(), image.data(), symmetry);
     for (std::size_t block = 0; block < pattern.n_blocks(); ++block)

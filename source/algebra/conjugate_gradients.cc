@@ -22,15 +22,15 @@ namespace auxfem
       explicit FreeOperator(const TangentMatrix &matrix)
         : matrix(matrix)
         , unknowns(matrix.pattern().unknowns())
-        , local(unknowns.layout->n_local())
-        , owned(unknowns.layout->n_owned())
+        , local(unknowns.layout.n_local())
+        , owned(unknowns.layout.n_owned())
       {}
 
       void vmult(OwnedVector &image, const OwnedVector &x) const
       {
         for (unsigned int i = 0; i < owned.size(); ++i)
           local[i] = is_prescribed(i) ? 0. : x.local_element(i);
-        unknowns.layout->update_ghosts(local.data());
+        unknowns.layout.update_ghosts(local.data());
         matrix.multiply(local.data(), owned.data());
         for (unsigned int i = 0; i < owned.size(); ++i)
           image.local_element(i) =
@@ -65,7 +65,7 @@ namespace auxfem
     constexpr double       tolerance          = 1e-13;
     constexpr unsigned int maximum_iterations = 1000;
     const Unknowns        &unknowns           = matrix.pattern().unknowns();
-    const UnknownLayout   &layout             = *unknowns.layout;
+    const UnknownLayout   &layout             = unknowns.layout;
 
     OwnedVector b = make_vector(layout), x = b;
     for (unsigned int i = 0; i < layout.n_owned(); ++i)

@@ -30,7 +30,7 @@ namespace auxfem
   } // namespace
 
   FreeBlock::FreeBlock(const TangentMatrix &matrix)
-    : free(*matrix.pattern().unknowns().layout,
+    : free(matrix.pattern().unknowns().layout,
            is_free(matrix.pattern().unknowns()))
     , assembly(make_assembly(matrix.pattern(), free))
     , version(matrix.version())

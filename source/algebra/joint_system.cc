@@ -15,7 +15,7 @@ namespace auxfem
                                 const std::vector<StrutElements> &struts)
     {
       const Unknowns     &unknowns = pattern.unknowns();
-      std::vector<double> is_kept(unknowns.layout->n_local(), 1.);
+      std::vector<double> is_kept(unknowns.layout.n_local(), 1.);
       for (const StrutElements &elements : struts)
         for (std::size_t b = elements.first_block;
              b < elements.first_block + elements.n_elements;
@@ -23,7 +23,7 @@ namespace auxfem
           for (const int *i = pattern.begin(b); i != pattern.end(b); ++i)
             if (unknowns.strut[*i])
               is_kept[*i] = 0;
-      unknowns.layout->update_ghosts(is_kept.data());
+      unknowns.layout.update_ghosts(is_kept.data());
       return std::vector<bool>(is_kept.begin(), is_kept.end());
     }
 
@@ -42,7 +42,7 @@ namespace auxfem
   JointSystem::JointSystem(const TangentPattern             &pattern,
                            const std::vector<StrutElements> &struts)
     : struts(struts)
-    , selection(std::make_unique<UnknownSelection>(*pattern.unknowns().layout,
+    , selection(std::make_unique<UnknownSelection>(pattern.unknowns().layout,
                                                    find_kept(pattern, struts)))
     , kept(selection->layout)
     , n_ends(2 * pattern.unknowns().components.size())
@@ -170,7 +170,7 @@ namespace auxfem
          [&](const unsigned int i, const unsigned int value) {
            kept.component[i] = value;
          });
-    kept.joints     = all.joints;
+    kept.positions  = all.positions;
     kept.components = all.components;
     kept.length     = all.length;
   }

@@ -18,9 +18,9 @@ namespace auxfem
     /** Over all ranks. Collective. */
     unsigned long count(const Unknowns &unknowns, const UnknownKind kind)
     {
-      return static_cast<unsigned long>(unknowns.layout->sum(
+      return static_cast<unsigned long>(unknowns.layout.sum(
         double(std::count(unknowns.kinds.begin(),
-                          unknowns.kinds.begin() + unknowns.layout->n_owned(),
+                          unknowns.kinds.begin() + unknowns.layout.n_owned(),
                           kind))));
     }
   } // namespace
@@ -44,7 +44,7 @@ namespace auxfem
     catch (const std::bad_alloc &)
       {
         // The other ranks are still at work on it, and cannot be told here.
-        if (matrix.pattern().unknowns().layout->n_ranks() > 1)
+        if (matrix.pattern().unknowns().layout.n_ranks() > 1)
           throw;
       }
     why_failed = in_words(outcome);
@@ -89,7 +89,7 @@ namespace auxfem
 
   EquationsAtJoints LinearSolver::equations_at_joints() const
   {
-    const UnknownLayout &layout = *condensation.joints().layout;
+    const UnknownLayout &layout = condensation.joints().layout;
     EquationsAtJoints    equations;
     equations.symmetry      = symmetry;
     equations.n_unknowns    = layout.n_global();

@@ -110,7 +110,7 @@ namespace auxfem
       }
 
     // All ranks tell of the last strut of all that failed.
-    const UnknownLayout &layout = *tangent.pattern().unknowns().layout;
+    const UnknownLayout &layout = tangent.pattern().unknowns().layout;
     const double last = layout.largest(failed != nullptr ? failed->strut : -1.);
     inertia.reset();
     why_not.clear();
@@ -294,7 +294,7 @@ namespace auxfem
   void StrutCondensation::move_prescribed(std::vector<double> &values) const
   {
     const Unknowns      &unknowns = tangent.pattern().unknowns();
-    const UnknownLayout &layout   = *unknowns.layout;
+    const UnknownLayout &layout   = unknowns.layout;
     bool                 moves    = false;
     std::vector<double>  prescribed;
     const auto           is_prescribed = [&](const int unknown) {
@@ -328,7 +328,7 @@ namespace auxfem
   {
     move_prescribed(values);
     const Unknowns &joints = system->unknowns();
-    g.assign(joints.layout->n_local(), 0.);
+    g.assign(joints.layout.n_local(), 0.);
     Room          room;
     const double *of_strut = factors.data();
     for (std::size_t s = 0; s < struts.size(); ++s)
@@ -340,7 +340,7 @@ namespace auxfem
       }
     system->add_ghosts_to_owners(g);
     const std::vector<int> &numbers = system->numbers();
-    for (unsigned int i = 0; i < tangent.pattern().unknowns().layout->n_owned();
+    for (unsigned int i = 0; i < tangent.pattern().unknowns().layout.n_owned();
          ++i)
       if (numbers[i] >= 0)
         g[numbers[i]] = values[i] +
@@ -398,8 +398,8 @@ namespace auxfem
                                  std::vector<double> &values) const
   {
     const Unknowns &joints = system->unknowns();
-    joints.layout->update_ghosts(z.data());
-    const UnknownLayout    &layout  = *tangent.pattern().unknowns().layout;
+    joints.layout.update_ghosts(z.data());
+    const UnknownLayout    &layout  = tangent.pattern().unknowns().layout;
     const std::vector<int> &numbers = system->numbers();
     for (unsigned int i = 0; i < layout.n_local(); ++i)
       if (numbers[i] >= 0)

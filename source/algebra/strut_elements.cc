@@ -22,7 +22,7 @@ namespace auxfem
                            const int             unknown)
     {
       const Unknowns &unknowns = pattern.unknowns();
-      return unknowns.layout->is_owned(unknown) &&
+      return unknowns.layout.is_owned(unknown) &&
         unknowns.strut[unknown] == strut &&
         unknowns.kinds[unknown] != UnknownKind::prescribed;
     }
@@ -80,7 +80,7 @@ namespace auxfem
                           std::vector<StrutElements> &found)
     {
       constexpr unsigned int    nobody = -1;
-      std::vector<unsigned int> eliminates(pattern.unknowns().layout->n_local(),
+      std::vector<unsigned int> eliminates(pattern.unknowns().layout.n_local(),
                                            nobody);
       for (unsigned int s = 0; s < found.size(); ++s)
         for (std::size_t b = found[s].first_block;

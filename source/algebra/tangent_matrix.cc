@@ -55,7 +55,7 @@ namespace auxfem
   void TangentMatrix::add_to_diagonal(const std::vector<double> &of_owned)
   {
     const Unknowns &unknowns = of_pattern.unknowns();
-    further_diagonal.resize(unknowns.layout->n_owned(), 0.);
+    further_diagonal.resize(unknowns.layout.n_owned(), 0.);
     for (unsigned int i = 0; i < further_diagonal.size(); ++i)
       if (unknowns.kinds[i] != UnknownKind::prescribed)
         further_diagonal[i] += of_owned[i];
@@ -69,7 +69,7 @@ namespace auxfem
   std::vector<double> TangentMatrix::diagonal() const
   {
     const Unknowns     &unknowns = of_pattern.unknowns();
-    const int           n_owned  = unknowns.layout->n_owned();
+    const int           n_owned  = unknowns.layout.n_owned();
     std::vector<double> sums     = further_diagonal;
     sums.resize(n_owned, 0.);
     for_each_block(
@@ -98,7 +98,7 @@ namespace auxfem
   std::vector<double> TangentMatrix::row_sizes() const
   {
     const Unknowns     &unknowns = of_pattern.unknowns();
-    const int           n_owned  = unknowns.layout->n_owned();
+    const int           n_owned  = unknowns.layout.n_owned();
     std::vector<double> sizes    = further_diagonal;
     sizes.resize(n_owned, 0.);
     for (double &size : sizes)
@@ -123,7 +123,7 @@ namespace auxfem
                                const Symmetry symmetry) const
   {
     const Unknowns     &unknowns = of_pattern.unknowns();
-    const int           n_owned  = unknowns.layout->n_owned();
+    const int           n_owned  = unknowns.layout.n_owned();
     const bool          enforced = symmetry == Symmetry::enforced;
     std::vector<double> of_block, free;
     std::fill(y, y + n_owned, 0.);
@@ -197,7 +197,7 @@ namespace auxfem
           }
       });
     const std::vector<double> sums =
-      unknowns.layout->sum(std::vector<double>{difference, size});
+      unknowns.layout.sum(std::vector<double>{difference, size});
     return sums[1] > 0 ? std::sqrt(sums[0] / sums[1]) : 0.;
   }
 } // namespace auxfem

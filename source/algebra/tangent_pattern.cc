@@ -3,12 +3,13 @@
 namespace auxfem
 {
   TangentPattern::TangentPattern(const Unknowns &unknowns)
-    : all(unknowns)
+    : all(&unknowns)
     , first(1, 0)
   {}
 
-  void TangentPattern::clear()
+  void TangentPattern::reset(const Unknowns &unknowns)
   {
+    all = &unknowns;
     of_blocks.clear();
     first.assign(1, 0);
     ++changes;
@@ -30,7 +31,7 @@ namespace auxfem
 
   const Unknowns &TangentPattern::unknowns() const
   {
-    return all;
+    return *all;
   }
 
   std::size_t TangentPattern::n_blocks() const

@@ -93,6 +93,8 @@ namespace auxfem
 
   int UnknownLayout::local(const int global) const
   {
+    if (global < 0)
+      return -1;
     if (global >= first[my_rank] && global < first[my_rank + 1])
       return global - first[my_rank];
     const auto ghost = local_of_ghost.find(global);

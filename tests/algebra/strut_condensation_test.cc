@@ -89,9 +89,9 @@ namespace
 
     const std::vector<unsigned int> kept   = kept_unknowns(network);
     const Unknowns                 &joints = condensation.joints();
-    for (unsigned int i = 0; i < joints.layout->n_local(); ++i)
+    for (unsigned int i = 0; i < joints.layout.n_local(); ++i)
       {
-        const auto &unknown = network.unknown(kept[joints.layout->global(i)]);
+        const auto &unknown = network.unknown(kept[joints.layout.global(i)]);
         EXPECT_EQ(joints.kinds[i], unknown.kind);
         EXPECT_EQ(joints.is_rotation[i], unknown.is_rotation);
         EXPECT_EQ(joints.joint[i], unknown.joint);
@@ -208,7 +208,7 @@ TEST(StrutCondensation, FollowsThePattern)
   StrutCondensation condensation(*network.matrix);
   ASSERT_EQ(condensation.condense(Symmetry::given), FactorizationOutcome::done);
   const unsigned long before = condensation.version();
-  network.pattern->clear();
+  network.pattern->reset(*network.unknowns);
   network.register_blocks();
   network.fill();
   ASSERT_EQ(condensation.condense(Symmetry::given), FactorizationOutcome::done);

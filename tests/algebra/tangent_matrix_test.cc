@@ -61,7 +61,7 @@ TEST(TangentMatrix, FollowsItsPattern)
 {
   StrutNetwork        network(unsymmetric_shape());
   const unsigned long before = network.matrix->version();
-  network.pattern->clear();
+  network.pattern->reset(*network.unknowns);
   EXPECT_EQ(network.pattern->n_blocks(), 0u);
   network.matrix->reset();
   for (const double size : network.matrix->row_sizes())

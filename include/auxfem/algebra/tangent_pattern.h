@@ -28,8 +28,8 @@ namespace auxfem
      */
     std::size_t register_block(const int *unknowns, unsigned int n);
 
-    /** No blocks. */
-    void clear();
+    /** No blocks; @p unknowns must outlive the object. */
+    void reset(const Unknowns &unknowns);
 
     /** A number that grows with every change. */
     unsigned long version() const;
@@ -48,7 +48,7 @@ namespace auxfem
     unsigned int size(std::size_t block) const;
 
   private:
-    const Unknowns          &all;
+    const Unknowns          *all;
     std::vector<int>         of_blocks;
     std::vector<std::size_t> first; ///< of each block, and the end of the last
     unsigned long            changes = 0;

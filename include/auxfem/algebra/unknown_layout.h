@@ -1,11 +1,12 @@
 #ifndef auxfem_algebra_unknown_layout_h
 #define auxfem_algebra_unknown_layout_h
 
+#include <auxfem/algebra/vector.h>
+
 #include <deal.II/base/mpi_noncontiguous_partitioner.h>
 
 #include <memory>
 #include <unordered_map>
-#include <vector>
 
 namespace auxfem
 {
@@ -45,7 +46,7 @@ namespace auxfem
 
     int global(unsigned int local) const;
 
-    /** Local number of a global one; -1 if it is not on this rank. */
+    /** Local number of a global one; -1 if it is -1 or not on this rank. */
     int local(int global) const;
 
     /** Brings owned values to the ghosts of other ranks. Collective. */

@@ -18,6 +18,13 @@ namespace auxfem
     multiplier
   };
 
+  /** Owned rows apart by what is measured and by whether they are free. */
+  struct OwnedRows
+  {
+    std::vector<int> free_translations, free_rotations, prescribed_translations,
+      prescribed_rotations, multipliers;
+  };
+
   /**
    * What linear algebra knows of the unknowns of a structure beside how they
    * act on each other: which are prescribed, which lie inside a strut and can
@@ -27,7 +34,7 @@ namespace auxfem
   {
     explicit Unknowns(const UnknownLayout &layout);
 
-    const UnknownLayout *layout;
+    UnknownLayout layout;
     /** By local unknown. */
     std::vector<UnknownKind> kinds;
     /** Whether a local unknown is a rotation, prescribed or not. */
@@ -45,12 +52,26 @@ namespace auxfem
      * meaningless for multipliers.
      */
     std::vector<unsigned char> component;
-    /** Positions of joints (m). */
-    const std::vector<dealii::Point<3>> *joints;
+    /** Positions of joints, then of other things that `joint` names (m). */
+    std::vector<dealii::Point<3>> positions;
     /** Components of motion that nodes have: 0, 1, 5 in the plane, else all. */
     std::vector<unsigned int> components;
     /** Ties moments to forces (m). */
     double length = 1;
+
+    /**
+     * Keeps copies of further unknowns of other ranks. Returns whether any rank
+     * has gained one. Collective.
+     */
+    bool add_ghosts(const std::vector<int> &globals);
+
+    OwnedRows owned_rows() const;
+
+    /**
+     * Number of displacements and rotations that are not prescribed, over all
+     * ranks. Collective.
+     */
+    unsigned int n_free() const;
   };
 } // namespace auxfem
 
