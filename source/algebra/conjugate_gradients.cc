@@ -67,12 +67,18 @@ namespace auxfem
     const Unknowns        &unknowns           = matrix.pattern().unknowns();
     const UnknownLayout   &layout             = unknowns.layout;
 
+    // deal.II takes what is not finite for a mistake of the program.
+    const std::vector<double> diagonal = matrix.diagonal();
+    bool                      is_sound = true;
+    for (unsigned int i = 0; i < layout.n_owned(); ++i)
+      is_sound = is_sound && std::isfinite(values[i]) &&
+        std::isfinite(diagonal[i]) && diagonal[i] > 0;
+    if (layout.largest(is_sound ? 0. : 1.) > 0)
+      return false;
     OwnedVector b = make_vector(layout), x = b;
     for (unsigned int i = 0; i < layout.n_owned(); ++i)
       b.local_element(i) = values[i];
     const double size = b.l2_norm();
-    if (!std::isfinite(size))
-      return false;
 
     // Columns of prescribed unknowns stand in free rows: what they do goes to
     // the right-hand side, so the matrix of the search is symmetric.
@@ -83,8 +89,7 @@ namespace auxfem
         prescribed[i] = values[i];
     layout.update_ghosts(prescribed.data());
     matrix.multiply(prescribed.data(), image.data());
-    const std::vector<double> diagonal = matrix.diagonal();
-    OwnedVector               inverse(b);
+    OwnedVector inverse(b);
     for (unsigned int i = 0; i < layout.n_owned(); ++i)
       {
         if (unknowns.kinds[i] == UnknownKind::prescribed)

@@ -7,22 +7,27 @@ namespace auxfem
 {
   namespace
   {
-    /** @name Sizes of the equations at the joints at which `auto` changes. */
+    /**
+     * @name Sizes of the equations at the joints at which `auto` changes.
+     * Not measured yet with condensed equations: the second was that of KLU
+     * and MUMPS on all unknowns, the others are guesses.
+     */
     ///@{
-    /** Unknowns up to which a dense matrix takes no longer than a sparse one.
+    /** Unknowns up to which a dense matrix is taken where there are
+     * multipliers.
      */
     constexpr unsigned long dense_limit = 150;
 
     /**
-     * Unknowns up to which one rank with the whole matrix is quicker than MUMPS
-     * on all.
+     * Unknowns up to which one rank with the whole matrix is taken to be
+     * quicker than MUMPS on all.
      */
     constexpr unsigned long first_rank_limit = 300000;
 
     /**
-     * Unknowns of lattices in space, on each rank, from which on the factors do
-     * not fit. Planar lattices have so few more entries in their factors than
-     * in the matrix that there is no such size.
+     * Unknowns of lattices in space, on each rank, above which the factors are
+     * taken to be too large. Planar lattices have so few more entries in their
+     * factors than in the matrix that they have no such limit.
      */
     constexpr unsigned long iteration_limit = 1000000;
     ///@}
