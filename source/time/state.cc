@@ -27,6 +27,8 @@ namespace auxfem
     : displacement(unknowns)
     , residual(unknowns)
     , rotations(layout.n_rotations)
+    , plane_rotations(
+        std::make_shared<const std::vector<int>>(layout.plane_rotations))
     , history(layout.n_history(), 0.)
     , energies(std::make_shared<const EnergyLedger>(layout.energies))
     , energy_sums(energies.amounts())

@@ -51,7 +51,10 @@ namespace auxfem
     bool algorithmic_acceleration = false;
     /** Rotations in space kept as quaternions; none if they stay small. */
     unsigned int n_rotations = 0;
-    EnergyLedger energies;
+    /** Local unknowns that are large rotations in the plane; for schemes that
+     * balance means. */
+    std::vector<int> plane_rotations;
+    EnergyLedger     energies;
 
     /** Adds a record; returns the index of its first value. */
     std::size_t keep(const std::string               &name,
@@ -107,6 +110,9 @@ namespace auxfem
      * DofNumbering::spatial_rotations().
      */
     std::vector<Quaternion> rotations;
+
+    /** StateLayout::plane_rotations. */
+    std::shared_ptr<const std::vector<int>> plane_rotations;
 
     /** Internal variables, in the order of StateLayout::history(). */
     std::vector<double> history;
