@@ -31,57 +31,69 @@ namespace auxfem
 {
   namespace Beam2D
   {
-    /** How the rotation at a Gauss point and its slope follow those of the
-     * nodes. */
+    /** What the nodes of an element turn by in a step. */
+    template <int order>
+    struct NodeTurns
+    {
+      /** Of displacements @p u0 and @p u1 at start and end. */
+      NodeTurns(const double *u0, const double *u1)
+      {
+        double cosines[order + 1];
+        for (int a = 0; a <= order; ++a)
+          {
+            half[a]    = (u1[3 * a + 2] - u0[3 * a + 2]) / 2;
+            cosines[a] = std::cos(half[a]);
+          }
+        reference        = (half[0] + half[1]) / 2;
+        reference_cosine = std::cos(reference);
+        for (int a = 0; a <= order; ++a)
+          c[a] = cosines[a] * reference_cosine / sinc(half[a] - reference);
+        for (int end = 0; end < 2; ++end)
+          of_end[end] = cosines[end] / (cosines[0] + cosines[1]);
+      }
+
+      double half[order + 1];             ///< d_a
+      double reference, reference_cosine; ///< d_r
+      double c[order + 1];                ///< c_a
+      double of_end[2];                   ///< dphi_r by dphi_a
+    };
+
+    /**
+     * How the rotation at a Gauss point and its slope follow those of the nodes
+     * over a step.
+     */
     template <int order>
     struct RotationShapes
     {
-      double value[order][order + 1];      ///< dphi_g by dphi_a
-      double derivative[order][order + 1]; ///< dkappa_g by dphi_a, times J
+      /** @param cosine of d_g */
+      RotationShapes(const BeamShape<order> &shape,
+                     const int               g,
+                     const NodeTurns<order> &turns,
+                     const double            cosine)
+      {
+        double half = 0, sum = 0, slope = 0;
+        for (int a = 0; a <= order; ++a)
+          {
+            half += shape.value[g][a] * turns.half[a];
+            value[a]      = shape.value[g][a] * turns.c[a];
+            derivative[a] = shape.derivative[g][a] * turns.c[a];
+            sum += value[a];
+            slope += derivative[a];
+          }
+        const double scale =
+          sinc(half - turns.reference) / (cosine * turns.reference_cosine);
+        for (int a = 0; a <= order; ++a)
+          value[a] *= scale;
+        for (int end = 0; end < 2; ++end)
+          {
+            value[end] += turns.of_end[end] * (1 - scale * sum);
+            derivative[end] -= turns.of_end[end] * slope;
+          }
+      }
+
+      double value[order + 1];      ///< dphi_g by dphi_a
+      double derivative[order + 1]; ///< dkappa_g by dphi_a, times J
     };
-
-    /** See the head of the file; @p u0 and @p u1 are the displacements of an element. */
-    template <int order>
-    inline RotationShapes<order> rotation_shapes(const BeamShape<order> &shape,
-                                                 const double           *u0,
-                                                 const double           *u1)
-    {
-      double d[order + 1], cosine[order + 1], c[order + 1];
-      for (int a = 0; a <= order; ++a)
-        {
-          d[a]      = (u1[3 * a + 2] - u0[3 * a + 2]) / 2;
-          cosine[a] = std::cos(d[a]);
-        }
-      const double d_r = (d[0] + d[1]) / 2, cosine_r = std::cos(d_r);
-      const double of_end[2] = {cosine[0] / (cosine[0] + cosine[1]),
-                                cosine[1] / (cosine[0] + cosine[1])};
-      for (int a = 0; a <= order; ++a)
-        c[a] = cosine[a] * cosine_r / sinc(d[a] - d_r);
-
-      RotationShapes<order> result;
-      for (int g = 0; g < order; ++g)
-        {
-          double d_g = 0, sum = 0, slope = 0;
-          for (int a = 0; a <= order; ++a)
-            {
-              d_g += shape.value[g][a] * d[a];
-              sum += shape.value[g][a] * c[a];
-              slope += shape.derivative[g][a] * c[a];
-            }
-          const double scale = sinc(d_g - d_r) / (std::cos(d_g) * cosine_r);
-          for (int a = 0; a <= order; ++a)
-            {
-              result.value[g][a]      = scale * shape.value[g][a] * c[a];
-              result.derivative[g][a] = shape.derivative[g][a] * c[a];
-            }
-          for (int end = 0; end < 2; ++end)
-            {
-              result.value[g][end] += of_end[end] * (1 - scale * sum);
-              result.derivative[g][end] -= of_end[end] * slope;
-            }
-        }
-      return result;
-    }
 
     /** Kinematics of a Gauss point over a step. */
     struct StepKinematics
@@ -89,6 +101,7 @@ namespace auxfem
       Kinematics start, end;
       /** Means of t, n = (-sine, cosine) over the step; not of unit length. */
       double cosine, sine;
+      double half_cosine;   ///< cos(d_g), the length of these means
       double x, y;          ///< mean of r'
       double stretch, slip; ///< mean of r' times the means of t and n
     };
@@ -97,11 +110,12 @@ namespace auxfem
     step_kinematics(const Frame &frame, const Gradient &d0, const Gradient &d1)
     {
       StepKinematics k;
-      k.start  = kinematics<true>(frame, d0);
-      k.end    = kinematics<true>(frame, d1);
-      k.cosine = (k.start.cosine + k.end.cosine) / 2;
-      k.sine   = (k.start.sine + k.end.sine) / 2;
-      k.x      = frame.axial * frame.cosine - frame.shear * frame.sine +
+      k.start       = kinematics<true>(frame, d0);
+      k.end         = kinematics<true>(frame, d1);
+      k.cosine      = (k.start.cosine + k.end.cosine) / 2;
+      k.sine        = (k.start.sine + k.end.sine) / 2;
+      k.half_cosine = std::sqrt(k.cosine * k.cosine + k.sine * k.sine);
+      k.x           = frame.axial * frame.cosine - frame.shear * frame.sine +
         (d0.ux + d1.ux) / 2;
       k.y = frame.axial * frame.sine + frame.shear * frame.cosine +
         (d0.uy + d1.uy) / 2;
@@ -163,9 +177,9 @@ namespace auxfem
                                  const double            dt,
                                  double                 *force)
     {
-      EnergyRate                  energy;
-      const double                inverse_jacobian = 1 / jacobian;
-      const RotationShapes<order> rotation = rotation_shapes(shape, u0, u1);
+      EnergyRate             energy;
+      const double           inverse_jacobian = 1 / jacobian;
+      const NodeTurns<order> turns(u0, u1);
       for (int i = 0; i < 3 * (order + 1); ++i)
         force[i] = 0;
       for (int g = 0; g < order; ++g)
@@ -174,9 +188,10 @@ namespace auxfem
             step_kinematics(frames[g],
                             interpolate(shape, g, inverse_jacobian, u0),
                             interpolate(shape, g, inverse_jacobian, u1));
-          MeanForces   mean   = mean_forces(k, stiffness);
-          const double w      = shape.weight[g];
-          const double weight = w * jacobian;
+          MeanForces                  mean = mean_forces(k, stiffness);
+          const RotationShapes<order> rotation(shape, g, turns, k.half_cosine);
+          const double                w      = shape.weight[g];
+          const double                weight = w * jacobian;
           energy.strain += weight / 2 *
             (stiffness.axial * k.end.epsilon * k.end.epsilon +
              stiffness.shear * k.end.gamma * k.end.gamma +
@@ -191,8 +206,8 @@ namespace auxfem
             {
               force[3 * a] += shape.derivative[g][a] * fx;
               force[3 * a + 1] += shape.derivative[g][a] * fy;
-              force[3 * a + 2] += rotation.derivative[g][a] * w * mean.bending +
-                rotation.value[g][a] * m;
+              force[3 * a + 2] += rotation.derivative[a] * w * mean.bending +
+                rotation.value[a] * m;
             }
         }
       return energy;
@@ -221,7 +236,7 @@ namespace auxfem
       const double  inverse_jacobian = 1 / jacobian;
       const double  material         = stiffness_factor +
         (damped ? stiffness.damping_time * damping_factor : 0.);
-      const RotationShapes<order> rotation = rotation_shapes(shape, u0, u1);
+      const NodeTurns<order> turns(u0, u1);
       for (int i = 0; i < n * n; ++i)
         matrix[i] = 0;
       for (int g = 0; g < order; ++g)
@@ -256,8 +271,9 @@ namespace auxfem
           G[2][1] += N * k.cosine - Q * k.sine;
           G[2][2] -= N * along + Q * across;
 
-          const double w = shape.weight[g];
-          const double bending =
+          const RotationShapes<order> rotation(shape, g, turns, k.half_cosine);
+          const double                w = shape.weight[g];
+          const double                bending =
             w * inverse_jacobian * material * stiffness.bending;
           for (int a = 0; a <= order; ++a)
             for (int b = 0; b <= order; ++b)
@@ -267,9 +283,9 @@ namespace auxfem
                   w * inverse_jacobian * slope * shape.derivative[g][b];
                 const double dv = w * slope * shape.value[g][b];
                 const double vd =
-                  w * rotation.value[g][a] * shape.derivative[g][b];
+                  w * rotation.value[a] * shape.derivative[g][b];
                 const double vv =
-                  w * jacobian * rotation.value[g][a] * shape.value[g][b];
+                  w * jacobian * rotation.value[a] * shape.value[g][b];
                 double *block = matrix + 3 * a * n + 3 * b;
                 for (int i = 0; i < 2; ++i)
                   {
@@ -279,7 +295,7 @@ namespace auxfem
                     block[2 * n + i] += vd * G[2][i];
                   }
                 block[2 * n + 2] += vv * G[2][2] +
-                  bending * rotation.derivative[g][a] * shape.derivative[g][b];
+                  bending * rotation.derivative[a] * shape.derivative[g][b];
               }
         }
     }
