@@ -25,12 +25,13 @@ TEST(CayleyTurn, GivesTheIncrementOfATurnedVectorFromItsMean)
   EXPECT_EQ(angle_per_cayley_turn(0.), 1.);
 }
 
-TEST(CayleyTurn, SincIsTheQuotientInItsSeriesToo)
+TEST(CayleyTurn, SeriesOfSmallTurnsAreExactToTheLastDigit)
 {
   EXPECT_EQ(sinc(0.), 1.);
   for (double x = 1e-3; x < 3; x *= 1.07)
     {
       EXPECT_NEAR(sinc(x), std::sin(x) / x, 2.3e-16) << x;
       EXPECT_EQ(sinc(-x), sinc(x));
+      EXPECT_NEAR(cosine_of_turn(x), std::cos(x), 2.3e-16) << x;
     }
 }

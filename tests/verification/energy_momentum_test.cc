@@ -289,3 +289,61 @@ end
             0,
             1e-9);
 }
+
+TEST(EnergyMomentumRuns, InSpaceSmallRotationsCloseTheLedger)
+{
+  SceneRun run(R"(
+set Dimension = 3
+subsection Effects
+  set Large rotation = off
+end
+subsection Lattice
+  set Cell   = frame
+  set Joints = 0 0 0; 1 0 0.3; 1.5 0.9 0.2
+  set Struts = 0 1; 1 2
+end
+subsection Sections
+  subsection rod
+    set Shape = circle
+    set Radius = 0.1
+    set Young's modulus = 1000
+    set Density = 2
+    set Stiffness-proportional damping = 0.01
+    set Mass-proportional damping = 0.02
+  end
+end
+subsection Supports
+  subsection wall
+    set Joints = 0
+    set Type = clamp
+  end
+end
+subsection Loads
+  subsection push
+    set Joints = 2
+    set Force z = if(t < 1, 0.02, 0)
+    set Moment x = 0.01 * sin(3 * t)
+  end
+end
+subsection Newton
+  set Tolerance = 1e-12
+end
+subsection Time
+  set Scheme = energy-momentum
+  set Time step = 0.05
+  set End time = 10
+end
+)");
+  double   error = 0, largest = 0;
+  run.run([&] {
+    error   = std::max(error, std::abs(run.balance()));
+    largest = std::max(largest, run.state.largest_energy);
+  });
+  EXPECT_GT(run.state.energies.dissipated(), 0.1 * largest);
+  ComparisonTable table(
+    "Damped frame in space, small rotations, energy-momentum");
+  table.row("largest error of the energy balance, of the largest energy",
+            error / largest,
+            0,
+            1e-10);
+}

@@ -42,10 +42,10 @@ namespace auxfem
         for (int a = 0; a <= order; ++a)
           {
             half[a]    = (u1[3 * a + 2] - u0[3 * a + 2]) / 2;
-            cosines[a] = std::cos(half[a]);
+            cosines[a] = cosine_of_turn(half[a]);
           }
         reference        = (half[0] + half[1]) / 2;
-        reference_cosine = std::cos(reference);
+        reference_cosine = cosine_of_turn(reference);
         for (int a = 0; a <= order; ++a)
           c[a] = cosines[a] * reference_cosine / sinc(half[a] - reference);
         for (int end = 0; end < 2; ++end)
@@ -95,10 +95,17 @@ namespace auxfem
       double derivative[order + 1]; ///< dkappa_g by dphi_a, times J
     };
 
+    /** Increments of strains. */
+    struct Strains
+    {
+      double epsilon, gamma, kappa;
+    };
+
     /** Kinematics of a Gauss point over a step. */
     struct StepKinematics
     {
       Kinematics start, end;
+      Strains    increment;
       /** Means of t, n = (-sine, cosine) over the step; not of unit length. */
       double cosine, sine;
       double half_cosine;   ///< cos(d_g), the length of these means
@@ -110,17 +117,34 @@ namespace auxfem
     step_kinematics(const Frame &frame, const Gradient &d0, const Gradient &d1)
     {
       StepKinematics k;
-      k.start       = kinematics<true>(frame, d0);
-      k.end         = kinematics<true>(frame, d1);
-      k.cosine      = (k.start.cosine + k.end.cosine) / 2;
-      k.sine        = (k.start.sine + k.end.sine) / 2;
-      k.half_cosine = std::sqrt(k.cosine * k.cosine + k.sine * k.sine);
-      k.x           = frame.axial * frame.cosine - frame.shear * frame.sine +
+      k.start           = kinematics<true>(frame, d0);
+      const double half = (d1.phi - d0.phi) / 2, half_sine = half * sinc(half);
+      k.half_cosine = cosine_of_turn(half);
+      k.cosine      = k.half_cosine *
+        (k.half_cosine * k.start.cosine - half_sine * k.start.sine);
+      k.sine = k.half_cosine *
+        (k.half_cosine * k.start.sine + half_sine * k.start.cosine);
+      k.x = frame.axial * frame.cosine - frame.shear * frame.sine +
         (d0.ux + d1.ux) / 2;
       k.y = frame.axial * frame.sine + frame.shear * frame.cosine +
         (d0.uy + d1.uy) / 2;
       k.stretch = k.cosine * k.x + k.sine * k.y;
       k.slip    = k.cosine * k.y - k.sine * k.x;
+
+      // By increments, not as differences of strains; with them those at the
+      // end cost no further sine and cosine.
+      const double ux = d1.ux - d0.ux, uy = d1.uy - d0.uy;
+      const double turn = 2 * half_sine / k.half_cosine;
+      k.increment       = {k.cosine * ux + k.sine * uy + k.slip * turn,
+                           k.cosine * uy - k.sine * ux - k.stretch * turn,
+                           d1.kappa - d0.kappa};
+      k.end.epsilon     = k.start.epsilon + k.increment.epsilon;
+      k.end.gamma       = k.start.gamma + k.increment.gamma;
+      k.end.kappa       = d1.kappa;
+      k.end.stretch     = k.end.epsilon + frame.axial;
+      k.end.slip        = k.end.gamma + frame.shear;
+      k.end.cosine      = 2 * k.cosine - k.start.cosine;
+      k.end.sine        = 2 * k.sine - k.start.sine;
       return k;
     }
 
@@ -148,17 +172,15 @@ namespace auxfem
                               const double          dt,
                               MeanForces           &forces)
     {
-      const double epsilon = k.end.epsilon - k.start.epsilon,
-                   gamma   = k.end.gamma - k.start.gamma,
-                   kappa   = k.end.kappa - k.start.kappa;
-      const double rate    = stiffness.damping_time / dt;
-      const double N       = rate * stiffness.axial * epsilon,
-                   Q       = rate * stiffness.shear * gamma,
-                   M       = rate * stiffness.bending * kappa;
+      const double rate = stiffness.damping_time / dt;
+      const double N    = rate * stiffness.axial * k.increment.epsilon,
+                   Q    = rate * stiffness.shear * k.increment.gamma,
+                   M    = rate * stiffness.bending * k.increment.kappa;
       forces.axial += N;
       forces.shear += Q;
       forces.bending += M;
-      return N * epsilon + Q * gamma + M * kappa;
+      return N * k.increment.epsilon + Q * k.increment.gamma +
+        M * k.increment.kappa;
     }
 
     /**

@@ -28,19 +28,41 @@ namespace auxfem
     return 2 * std::atan(turn / 2);
   }
 
+  /**
+   * @name Functions of half a turn in a step, which is small. Series are exact
+   * to the last digit there and cost a fraction of the library's functions.
+   */
+  ///@{
   /** sin(x) / x. */
   inline double sinc(const double x)
   {
-    // Turns of neighbours are nearly equal: their differences are small, where
-    // six terms of the series are exact to the last digit and cost a fraction.
     const double y = x * x;
-    if (y < 0.1)
-      return 1 -
-        y / 6 *
-        (1 -
-         y / 20 * (1 - y / 42 * (1 - y / 72 * (1 - y / 110 * (1 - y / 156)))));
-    return std::sin(x) / x;
+    if (y > 0.1)
+      return std::sin(x) / x;
+    return 1 -
+      y * (1. / 6) *
+      (1 -
+       y * (1. / 20) *
+         (1 -
+          y * (1. / 42) *
+            (1 - y * (1. / 72) * (1 - y * (1. / 110) * (1 - y * (1. / 156))))));
   }
+
+  /** cos(x). */
+  inline double cosine_of_turn(const double x)
+  {
+    const double y = x * x;
+    if (y > 0.1)
+      return std::cos(x);
+    return 1 -
+      y * (1. / 2) *
+      (1 -
+       y * (1. / 12) *
+         (1 -
+          y * (1. / 30) *
+            (1 - y * (1. / 56) * (1 - y * (1. / 90) * (1 - y * (1. / 132))))));
+  }
+  ///@}
 
   /**
    * a / (2 tan(a/2)): a moment times this does on 2 tan(a/2) the work that the
