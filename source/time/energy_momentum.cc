@@ -43,22 +43,18 @@ namespace auxfem
     void
     EnergyMomentum::predict(const State &from, const double dt, State &to) const
     {
-      // Unchanged acceleration.
-      const int     n     = from.displacement.MyLength();
-      const double *u     = from.displacement.Values();
-      const double *v     = from.velocity->Values();
-      const double *a     = from.acceleration->Values();
-      double       *u_new = to.displacement.Values();
-      double       *v_new = to.velocity->Values();
-      double       *a_new = to.acceleration->Values();
+      // From the places at the start: where a step is long for the motion, a
+      // guess ahead of it is further off, and Newton's method fails.
+      const int     n = from.displacement.MyLength();
+      const double *v = from.velocity->Values();
+      to.displacement = from.displacement;
+      double *v_new   = to.velocity->Values();
+      double *a_new   = to.acceleration->Values();
       for (int i = 0; i < n; ++i)
         {
-          u_new[i] = u[i] + dt * (v[i] + dt / 2 * a[i]);
-          v_new[i] = v[i] + dt * a[i];
-          a_new[i] = a[i];
+          v_new[i] = -v[i];
+          a_new[i] = -2 * v[i] / dt;
         }
-      for (const int i : *from.plane_rotations)
-        u_new[i] = u[i] + angle_of_cayley_turn(dt * (v[i] + dt / 2 * a[i]));
     }
 
     void EnergyMomentum::correct(const State  &from,

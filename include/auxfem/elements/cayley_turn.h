@@ -22,12 +22,6 @@ namespace auxfem
     return 2 * std::tan(angle / 2);
   }
 
-  /** The angle (rad) of the turn whose Cayley measure is @p turn. */
-  inline double angle_of_cayley_turn(const double turn)
-  {
-    return 2 * std::atan(turn / 2);
-  }
-
   /**
    * @name Functions of half a turn in a step, which is small. Series are exact
    * to the last digit there and cost a fraction of the library's functions.
