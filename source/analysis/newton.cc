@@ -16,6 +16,24 @@ namespace auxfem
      * the state it started from: the solution it leads to would be another one.
      */
     constexpr double half_turn = dealii::numbers::PI;
+
+    /**
+     * Mean forces have a singularity where a step turns a section by half a
+     * turn (rad); long before that they mean nothing.
+     */
+    constexpr double largest_turn_between = 1;
+
+    /** Largest turn in the step (rad) over all ranks. */
+    double largest_turn(const LatticeModel &model, const Evaluation &step)
+    {
+      const double *before = step.from.displacement.data();
+      const double *now    = step.to.displacement.data();
+      double        mine = 0, all = 0;
+      for (const int i : *step.to.plane_rotations)
+        mine = std::max(mine, std::abs(now[i] - before[i]));
+      model.numbering.communicator().MaxAll(&mine, &all, 1);
+      return all;
+    }
   } // namespace
 
   Newton::Newton(TangentSolver &solver, const NewtonParameters &parameters)
@@ -139,7 +157,11 @@ namespace auxfem
     if (!is_linear && largest_motion(model, increment).second > half_turn)
       return "an iteration turned a section by more than half a turn";
     rotations.turn(evaluation, increment);
-    scheme.correct(increment, evaluation.dt, evaluation.to);
+    scheme.correct(evaluation.from, increment, evaluation.dt, evaluation.to);
+    if (evaluation.kind == Evaluation::Kind::between &&
+        largest_turn(model, evaluation) > largest_turn_between)
+      return "the step turns a section by more than 1 rad, too far for mean "
+             "forces";
     return "";
   }
 

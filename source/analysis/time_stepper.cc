@@ -187,7 +187,8 @@ namespace auxfem
   void TimeStepper::renew_rates(Solution &solution)
   {
     State &state = solution.state;
-    if (!scheme.is_dynamic() || !is_jump(state.time))
+    // Accelerations at the start of a step do not matter if means are balanced.
+    if (!scheme.is_dynamic() || scheme.balances_means() || !is_jump(state.time))
       return;
     ConsistentRates(solvers->tangent).renew(state);
     solvers->newton.drop_factorization();
@@ -203,9 +204,7 @@ namespace auxfem
   {
     State &state       = solution.state;
     trial.state.time   = planned.end;
-    Evaluation step    = scheme.is_dynamic()
-         ? Evaluation::step(state, trial.state, planned.dt)
-         : Evaluation::static_step(state, trial.state, planned.dt);
+    Evaluation step    = evaluation_of(state, planned.dt);
     step.jumps_at_from = state.time == 0 || is_jump(state.time);
     step.jumps_at_to   = is_jump(planned.end);
     predict(step);
@@ -235,6 +234,14 @@ namespace auxfem
     state                      = trial.state;
     std::swap(solution.results, trial.results);
     return true;
+  }
+
+  Evaluation TimeStepper::evaluation_of(const State &from, const double dt)
+  {
+    if (!scheme.is_dynamic())
+      return Evaluation::static_step(from, trial.state, dt);
+    return scheme.balances_means() ? Evaluation::between(from, trial.state, dt)
+                                   : Evaluation::step(from, trial.state, dt);
   }
 
   void TimeStepper::predict(const Evaluation &step)

@@ -38,6 +38,24 @@ namespace auxfem
                          damping};
       }
 
+      void evaluate_mean(const unsigned int     n,
+                         const ConnectorMotion *motion,
+                         const double * /*committed*/,
+                         double * /*trial*/,
+                         ConnectorResponse *response) const override
+      {
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            const ConnectorMotion &m = motion[i];
+            response[i] = {stiffness * (m.previous_extension + m.extension) /
+                               2 +
+                             damping * (m.extension - m.previous_extension) /
+                               m.dt,
+                           stiffness / 2 + damping / m.dt,
+                           0};
+          }
+      }
+
       /**
        * The loss is that at the mean rate of the step. Where the mean of the
        * rates at both ends is that too (average-acceleration Newmark), stored

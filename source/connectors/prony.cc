@@ -41,6 +41,27 @@ namespace auxfem
       return (1 - relaxed * (1 + 0.5 * relaxed) / a) / a;
     }
 
+    /**
+     * [a - (1 - e^(-a))] / a^2, the mean of (1 - e^(-as)) / a over s from 0 to
+     * 1: 1/2 for a -> 0 and 1 / a for large a.
+     */
+    double mean_coefficient(const double a)
+    {
+      if (a < 0.5)
+        {
+          // The closed form would lose eps / a^2 to cancellation. Terms of the
+          // series: (-a)^n / (n + 2)!; at a = 0.5 the 14th is below 1e-17.
+          double sum = 0, term = 0.5;
+          for (unsigned int n = 0; n < 14; ++n)
+            {
+              sum += term;
+              term *= -a / (n + 3);
+            }
+          return sum;
+        }
+      return (1 + std::expm1(-a) / a) / a;
+    }
+
     /** Spring side by side with Maxwell elements; see maxwell_element.h. */
     class GeneralizedMaxwell : public ConnectorLaw
     {
@@ -78,6 +99,38 @@ namespace auxfem
           response[i] = {stiffness * motion[i].extension, stiffness, 0};
         for (unsigned int element = 0; element < elements.size(); ++element)
           add_element(element, n, motion, committed, trial, response);
+      }
+
+      void evaluate_mean(const unsigned int     n,
+                         const ConnectorMotion *motion,
+                         const double          *committed,
+                         double                *trial,
+                         ConnectorResponse     *response) const override
+      {
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            const double increment =
+              motion[i].extension - motion[i].previous_extension;
+            response[i] = {stiffness *
+                             (motion[i].previous_extension +
+                              motion[i].extension) /
+                             2,
+                           stiffness / 2,
+                           0};
+            for (unsigned int e = 0; e < elements.size(); ++e)
+              {
+                const auto place = std::size_t(i) * elements.size() + e;
+                const MaxwellElement::Step step =
+                                             elements[e].step(motion[i].dt),
+                                           mean =
+                                             elements[e].mean(motion[i].dt);
+                trial[place] =
+                  step.decay * committed[place] + step.stiffness * increment;
+                response[i].force +=
+                  mean.decay * committed[place] + mean.stiffness * increment;
+                response[i].stiffness += mean.stiffness;
+              }
+          }
       }
 
       ConnectorEnergy energy(const ConnectorMotion &motion,
@@ -217,6 +270,14 @@ namespace auxfem
     if (a == 0)
       return {1, stiffness};
     return {std::exp(-a), stiffness * (-std::expm1(-a) / a)};
+  }
+
+  MaxwellElement::Step MaxwellElement::mean(const double dt) const
+  {
+    const double a = reduced_time(dt, relaxation_time);
+    if (a == 0)
+      return {1, stiffness / 2};
+    return {-std::expm1(-a) / a, stiffness * mean_coefficient(a)};
   }
 
   double MaxwellElement::stored_energy(const double force) const

@@ -32,6 +32,21 @@ namespace auxfem
           response[i] = {stiffness * motion[i].extension, stiffness, 0};
       }
 
+      void evaluate_mean(const unsigned int     n,
+                         const ConnectorMotion *motion,
+                         const double * /*committed*/,
+                         double * /*trial*/,
+                         ConnectorResponse *response) const override
+      {
+        for (unsigned int i = 0; i < n; ++i)
+          response[i] = {stiffness *
+                           (motion[i].previous_extension +
+                            motion[i].extension) /
+                           2,
+                         stiffness / 2,
+                         0};
+      }
+
       ConnectorEnergy energy(const ConnectorMotion &motion,
                              const double * /*committed*/,
                              const double * /*trial*/) const override

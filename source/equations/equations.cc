@@ -77,9 +77,11 @@ namespace auxfem
 
   bool Equations::is_linear() const
   {
-    return std::all_of(effects.begin(), effects.end(), [](const auto &effect) {
-      return effect->is_linear();
-    });
+    // Turns in a step are measured by a nonlinear function.
+    return state_layout.plane_rotations.empty() &&
+      std::all_of(effects.begin(), effects.end(), [](const auto &effect) {
+             return effect->is_linear();
+           });
   }
 
   State Equations::initial_state() const

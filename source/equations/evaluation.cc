@@ -26,9 +26,11 @@ namespace auxfem
 
   std::vector<double> EnergyAccount::close()
   {
+    const bool is_between = step.kind == Evaluation::Kind::between;
     for (unsigned int i = 0; i < sums.size(); ++i)
       {
-        sums[i] += step.dt / 2 * (step.from.powers[i] + powers[i]);
+        if (!is_between)
+          sums[i] += step.dt / 2 * (step.from.powers[i] + powers[i]);
         amounts[i] += sums[i];
       }
     step.to.energy_sums = sums;

@@ -1,5 +1,6 @@
 #include <auxfem/equations/node_rotations.h>
 #include <auxfem/equations/prescribed_motion.h>
+#include <auxfem/equations/step_travel.h>
 
 #include <algorithm>
 
@@ -76,6 +77,21 @@ namespace auxfem
                              *evaluation.to.acceleration);
     }
 
+    /** Those of prescribed unknowns, of velocities in place. */
+    void set_mean_accelerations(const LatticeModel &model,
+                                const Evaluation   &step)
+    {
+      const double *before       = step.from.velocity->data();
+      const double *now          = step.to.velocity->data();
+      double       *acceleration = step.to.acceleration->data();
+      for (const Support &support : model.supports)
+        for (const Support::PrescribedUnknown &prescribed : support.unknowns)
+          {
+            const int i     = prescribed.unknown;
+            acceleration[i] = (now[i] - before[i]) / step.dt;
+          }
+    }
+
     /** Holds a rotation about some axes. */
     void hold(const NodeRotations       &rotations,
               const unsigned int         i,
@@ -125,6 +141,8 @@ namespace auxfem
             hold(rotations, prescribed.rotation, prescribed.fixed, evaluation);
       }
     rotations.follow(evaluation);
+    if (evaluation.kind == Evaluation::Kind::between)
+      set_mean_accelerations(model, evaluation);
   }
 
   void find_right_side(const LatticeModel &model,
@@ -177,6 +195,15 @@ namespace auxfem
         return true;
       }
 
+      std::string without_mean_forces() const override
+      {
+        const bool turns =
+          std::any_of(model.supports.begin(),
+                      model.supports.end(),
+                      [](const Support &s) { return !s.rotations.empty(); });
+        return turns ? "supports that turn in space" : "";
+      }
+
       void register_in(StateLayout &layout) override
       {
         for (unsigned int s = 0; s < entries.size(); ++s)
@@ -202,9 +229,23 @@ namespace auxfem
       }
 
     private:
+      /** Of the support's mean forces over the step, which are the residual. */
+      double mean_work(const Support &support, const Evaluation &step) const
+      {
+        const StepTravel travel(step, model.numbering);
+        double           sum = 0;
+        for (const Support::PrescribedUnknown &prescribed : support.unknowns)
+          if (const int i = prescribed.unknown;
+              model.numbering.layout().is_owned(i))
+            sum += step.to.residual[i] * travel.of(i);
+        return sum;
+      }
+
       /** By the mean of the support's forces over the step. */
       double work(const Support &support, const Evaluation &step) const
       {
+        if (step.kind == Evaluation::Kind::between)
+          return mean_work(support, step);
         const DofNumbering &numbering  = model.numbering;
         const auto          mean_force = [&](const int unknown) {
           return (step.from.residual[unknown] + step.to.residual[unknown]) / 2;

@@ -186,7 +186,7 @@ namespace auxfem
             const CellVector solution = invert(K) * (-now.residual);
             increment[0]              = solution[0];
             increment[1]              = solution[1];
-            scheme.correct(increment, cell.dt(), trial);
+            scheme.correct(state, increment, cell.dt(), trial);
             ++iterations;
           }
       }

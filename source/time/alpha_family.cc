@@ -57,7 +57,8 @@ namespace auxfem
             acceleration * (1 - c.alpha_m) / (1 - c.alpha_f)};
   }
 
-  void AlphaFamily::correct(const Vector &increment,
+  void AlphaFamily::correct(const State & /*from*/,
+                            const Vector &increment,
                             const double  dt,
                             State        &trial) const
   {

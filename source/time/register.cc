@@ -10,6 +10,7 @@ namespace auxfem
       newmark_entry(),
       hht_entry(),
       generalized_alpha_entry(),
+      energy_momentum_entry(),
       static_entry(),
       central_difference_entry(),
       as_printed_entry(),

@@ -6,6 +6,8 @@ namespace auxfem
     : displacement(n_unknowns, 0.)
     , residual(n_unknowns, 0.)
     , rotations(layout.n_rotations)
+    , plane_rotations(
+        std::make_shared<const std::vector<int>>(layout.plane_rotations))
     , history(layout.history.n_values(), 0.)
     , energies(std::make_shared<const EnergyLedger>(layout.energies))
     , energy_sums(energies.amounts())

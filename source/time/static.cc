@@ -37,7 +37,8 @@ namespace auxfem
     return {1., 1 / dt, 0.};
   }
 
-  void QuasiStatic::correct(const Vector &increment,
+  void QuasiStatic::correct(const State & /*from*/,
+                            const Vector &increment,
                             const double  dt,
                             State        &trial) const
   {
@@ -67,7 +68,8 @@ namespace auxfem
     return {1., 0., 0.};
   }
 
-  void Equilibrium::correct(const Vector &increment,
+  void Equilibrium::correct(const State & /*from*/,
+                            const Vector &increment,
                             const double /*dt*/,
                             State &trial) const
   {

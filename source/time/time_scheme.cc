@@ -20,6 +20,11 @@ namespace auxfem
     return {};
   }
 
+  bool ImplicitScheme::balances_means() const
+  {
+    return false;
+  }
+
   bool ImplicitScheme::carries_on_alternating_errors() const
   {
     return false;

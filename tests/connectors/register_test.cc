@@ -131,6 +131,44 @@ TEST(ConnectorLaws, TangentsAgainstCentralDifferences)
       }
 }
 
+// Both sides are some ten products of numbers up to 1e3 * 0.01^2, with dt =
+// 1e-8 s up to 1e4 times that.
+TEST(ConnectorLaws, WorkOfTheMeanForceIsStoredOrLost)
+{
+  for (const auto &law : all_laws())
+    for (const double dt : {1e-8, 1e-3, 0.024, 0.026, 0.05, 1., 1e4})
+      {
+        const std::vector<double> history(law->n_history(), 3.);
+        const ConnectorMotion     motion = {0.01, 0.3, 0.008, dt};
+        std::vector<double>       trial(history.size());
+        ConnectorResponse         response;
+        law->evaluate_mean(1, &motion, history.data(), trial.data(), &response);
+        const ConnectorEnergy after =
+          law->energy(motion, history.data(), trial.data());
+        const ConnectorEnergy before =
+          law->energy({0.008, 0., 0.008, 0.}, history.data(), history.data());
+        EXPECT_NEAR(response.force * 0.002,
+                    after.stored - before.stored + after.dissipated,
+                    1e-15 * (1 + 1e3 * after.dissipated))
+          << dt;
+        // The internal variables are those of evaluate().
+        std::vector<double> other(history.size());
+        ConnectorResponse   at_end;
+        law->evaluate(1, &motion, history.data(), other.data(), &at_end);
+        EXPECT_EQ(trial, other);
+
+        ConnectorMotion plus = motion, minus = motion;
+        plus.extension += 1e-3;
+        minus.extension -= 1e-3;
+        ConnectorResponse at_plus, at_minus;
+        law->evaluate_mean(1, &plus, history.data(), trial.data(), &at_plus);
+        law->evaluate_mean(1, &minus, history.data(), trial.data(), &at_minus);
+        EXPECT_NEAR((at_plus.force - at_minus.force) / 2e-3,
+                    response.stiffness,
+                    1e-10 * (1 + response.stiffness));
+      }
+}
+
 TEST(ConnectorLaws, ManyConnectorsAtOnceEqualOneAfterTheOther)
 {
   // Different step lengths within one call are allowed too.

@@ -60,6 +60,11 @@ namespace auxfem
           }
       }
 
+      const Beam2D::Frame *gauss_frames() const
+      {
+        return frames.data();
+      }
+
       template <bool large_rotation, bool damped>
       Beam2D::EnergyRate
       force(const Vector &u, const Vector &v, Vector &result) const

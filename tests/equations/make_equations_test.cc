@@ -1,4 +1,4 @@
-#include <equations/equations_on_ranks.h>
+#include <equations/effects/space_effect.h>
 #include <gtest/gtest.h>
 #include <mesh/cell_from_text.h>
 
@@ -215,4 +215,20 @@ TEST(MakeEquations, AReferenceVectorAlongAStrutIsRefused)
                 "joints 1 - 2",
                 "5 degrees"});
   EXPECT_NO_THROW(EquationsOnRanks(scene("0 0.3 1"), {}, MPI_COMM_SELF));
+}
+
+TEST(MakeEquations, WithoutMeanForcesASchemeThatBalancesThemIsRefusedByName)
+{
+  const std::string              frame = space_frame("0 0 0; 1 0 0", "0 1", "");
+  const std::vector<std::string> balanced = {"Time/Scheme=energy-momentum"};
+  const std::string              message =
+    input_error_of([&] { EquationsOnRanks(frame, balanced, MPI_COMM_SELF); });
+  EXPECT_TRUE(contains(message, "Time/Scheme = energy-momentum")) << message;
+  EXPECT_TRUE(contains(message, "struts that turn in space")) << message;
+  EXPECT_TRUE(contains(message, "generalized-alpha")) << message;
+  // Small rotations have them.
+  EXPECT_NO_THROW(EquationsOnRanks(frame,
+                                   {balanced[0], "Effects/Large rotation=off"},
+                                   MPI_COMM_SELF));
+  EXPECT_NO_THROW(EquationsOnRanks(two_struts(""), balanced, MPI_COMM_SELF));
 }

@@ -116,12 +116,13 @@ namespace
     // As many as subsections: the loop above has seen more than a part.
     EXPECT_GT(n_parameters, 17u);
 
-    expect_contains(all_comments,
-                    {"a number > 0 in Pa",
-                     "a number > 0 in N/m",
-                     "a number > 0 in deg",
-                     "a whole number >= 1 and <= 6",
-                     "one of newmark, hht, generalized-alpha, static"});
+    expect_contains(
+      all_comments,
+      {"a number > 0 in Pa",
+       "a number > 0 in N/m",
+       "a number > 0 in deg",
+       "a whole number >= 1 and <= 6",
+       "one of newmark, hht, generalized-alpha, energy-momentum"});
   }
 
 

@@ -118,8 +118,8 @@ TEST(AlphaFamily, PredictionAndCorrectionFulfilTheFormulas)
       BareStates        states;
       scheme.predict(states.from, dt, states.to);
       Vector increment(states.to.residual);
-      scheme.correct(increment, dt, states.to);
-      scheme.correct(increment, dt, states.to);
+      scheme.correct(states.from, increment, dt, states.to);
+      scheme.correct(states.from, increment, dt, states.to);
       const bool shifted = scheme.uses_algorithmic_acceleration();
       for (int i = 0; i < increment.size(); ++i)
         {
@@ -167,7 +167,7 @@ TEST(AlphaFamily, FactorsTellWhatACorrectionDoes)
       scheme.predict(states.from, dt, states.to);
       const State  before = states.to;
       const Vector increment(states.to.residual);
-      scheme.correct(increment, dt, states.to);
+      scheme.correct(states.from, increment, dt, states.to);
       for (int i = 0; i < increment.size(); ++i)
         {
           EXPECT_NEAR(states.to.displacement[i] - before.displacement[i],
@@ -206,7 +206,7 @@ namespace
     increment[0] =
       -((*states.to.acceleration)[0] + k * states.to.displacement[0]) /
       (factors.mass + k * factors.stiffness);
-    scheme.correct(increment, 1., states.to);
+    scheme.correct(states.from, increment, 1., states.to);
     return {{states.to.displacement[0],
              (*states.to.velocity)[0],
              (*states.to.algorithmic_acceleration)[0]}};

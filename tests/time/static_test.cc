@@ -40,8 +40,8 @@ TEST(QuasiStatic, VelocityIsTheBackwardDifference)
   ViscousStates     states;
   const double      dt = 0.25;
   scheme.predict(states.from, dt, states.to);
-  scheme.correct(states.increment, dt, states.to);
-  scheme.correct(states.increment, dt, states.to);
+  scheme.correct(states.from, states.increment, dt, states.to);
+  scheme.correct(states.from, states.increment, dt, states.to);
   for (int i = 0; i < states.increment.size(); ++i)
     {
       EXPECT_NEAR(states.to.displacement[i],
@@ -73,7 +73,7 @@ TEST(Equilibrium, MovesOnlyDisplacements)
   for (const double dt : {0., 0.25})
     {
       scheme.predict(states.from, dt, states.to);
-      scheme.correct(states.increment, dt, states.to);
+      scheme.correct(states.from, states.increment, dt, states.to);
       for (int i = 0; i < states.increment.size(); ++i)
         EXPECT_EQ(states.to.displacement[i],
                   states.from.displacement[i] + states.increment[i]);

@@ -66,7 +66,9 @@ namespace auxfem
     bool try_step(Solution          &solution,
                   const PlannedStep &planned,
                   StepReport        &report);
-    void predict(const Evaluation &step);
+    /** What is asked of the equations at the end of a step of length @p dt (s). */
+    Evaluation evaluation_of(const State &from, double dt);
+    void       predict(const Evaluation &step);
     /** Rates of rigid parts put right, in a step that is solved. */
     void              restore_rates(const Evaluation &step);
     bool              creates_energy(const Evaluation &step) const;

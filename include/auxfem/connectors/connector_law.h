@@ -89,6 +89,18 @@ namespace auxfem
                           ConnectorResponse     *response) const = 0;
 
     /**
+     * Mean forces over the step, as evaluate(): of an extension that is linear
+     * in it. Their work is the energy() that is stored and lost. The stiffness
+     * in the @p response is the derivative of the mean force by the extension
+     * at the end, the rest zero.
+     */
+    virtual void evaluate_mean(unsigned int           n,
+                               const ConnectorMotion *motion,
+                               const double          *committed,
+                               double                *trial,
+                               ConnectorResponse     *response) const = 0;
+
+    /**
      * Answer once all viscous processes have come to rest at @p extension (m);
      * the internal variables are then zero.
      */

@@ -37,6 +37,12 @@ namespace auxfem
     /** Coefficients of a step of length @p dt (s). */
     Step step(double dt) const;
 
+    /**
+     * Mean force over a step: F_mean = decay F_old + stiffness du, here with
+     * decay (1 - e^(-a)) / a and stiffness k (a - (1 - e^(-a))) / a^2.
+     */
+    Step mean(double dt) const;
+
     /** Energy in the spring (J) under @p force (N): F^2 / (2 k). */
     double stored_energy(double force) const;
 

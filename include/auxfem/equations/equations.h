@@ -121,6 +121,9 @@ namespace auxfem
     void make_conditions(const Scene &scene);
     void make_inertia(const Scene &scene);
     void make_loads(const Scene &scene);
+    /** Throws InputError if the scheme asks for what an effect does not have.
+     */
+    void refuse_without_mean_forces(const Scene &scene) const;
     void enter_energies();
     void register_blocks();
 

@@ -21,6 +21,14 @@ namespace auxfem
        */
       step,
       /**
+       * A step with inertia between two states: forces are means over it, whose
+       * work on the increment is the change of energy and which do none on
+       * rigid motions (a discrete gradient, Gonzalez 1996). Accelerations of
+       * `to` are means too. Moments do work on Cayley's measure of the turn
+       * (elements/cayley_turn.h).
+       */
+      between,
+      /**
        * The end of a step without inertia: rates are differences over the step.
        */
       static_step,
@@ -49,6 +57,12 @@ namespace auxfem
     static Evaluation step(const State &from, State &to, const double dt)
     {
       return {from, to, Kind::step, dt};
+    }
+
+    /** The same, with mean forces. */
+    static Evaluation between(const State &from, State &to, const double dt)
+    {
+      return {from, to, Kind::between, dt};
     }
 
     /** A step without inertia of the length @p dt (s). */
@@ -119,7 +133,8 @@ namespace auxfem
 
     /**
      * Adds to the power now (W), which is summed up over the steps by the
-     * trapezoidal rule, of second order like the time schemes.
+     * trapezoidal rule, of second order like the time schemes. In a step
+     * between two states, where amounts in the step are exact, it is not.
      */
     void add_power(unsigned int entry, double power);
 

@@ -47,10 +47,12 @@ namespace auxfem
 
     void predict(const State &from, double dt, State &to) const override;
     TangentFactors factors(double dt) const override;
-    void
-    correct(const Vector &increment, double dt, State &trial) const override;
-    bool carries_on_alternating_errors() const override;
-    bool uses_algorithmic_acceleration() const override;
+    void           correct(const State  &from,
+                           const Vector &increment,
+                           double        dt,
+                           State        &trial) const override;
+    bool           carries_on_alternating_errors() const override;
+    bool           uses_algorithmic_acceleration() const override;
 
   private:
     Coefficients c;

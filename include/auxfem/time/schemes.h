@@ -39,6 +39,7 @@ namespace auxfem
   TimeSchemeEntry newmark_entry();
   TimeSchemeEntry hht_entry();
   TimeSchemeEntry generalized_alpha_entry();
+  TimeSchemeEntry energy_momentum_entry();
   TimeSchemeEntry static_entry();
   ///@}
 

@@ -28,8 +28,11 @@ namespace auxfem
     bool algorithmic_acceleration = false;
     /** Rotations in space kept as quaternions; none if they stay small. */
     unsigned int n_rotations = 0;
-    EnergyLedger energies;
-    RecordLayout history; ///< internal variables
+    /** Local unknowns that are large rotations in the plane; for schemes that
+     * balance means. */
+    std::vector<int> plane_rotations;
+    EnergyLedger     energies;
+    RecordLayout     history; ///< internal variables
   };
 
   /**
@@ -77,6 +80,9 @@ namespace auxfem
      * DofNumbering::rotations().
      */
     std::vector<Quaternion> rotations;
+
+    /** StateLayout::plane_rotations. */
+    std::shared_ptr<const std::vector<int>> plane_rotations;
 
     /** Internal variables, in the order of StateLayout::history. */
     std::vector<double> history;

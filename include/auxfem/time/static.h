@@ -16,9 +16,11 @@ namespace auxfem
 
     void predict(const State &from, double dt, State &to) const override;
     TangentFactors factors(double dt) const override;
-    void
-    correct(const Vector &increment, double dt, State &trial) const override;
-    bool is_dynamic() const override;
+    void           correct(const State  &from,
+                           const Vector &increment,
+                           double        dt,
+                           State        &trial) const override;
+    bool           is_dynamic() const override;
   };
 
   /**
@@ -33,9 +35,11 @@ namespace auxfem
 
     void predict(const State &from, double dt, State &to) const override;
     TangentFactors factors(double dt) const override;
-    void
-    correct(const Vector &increment, double dt, State &trial) const override;
-    bool is_dynamic() const override;
+    void           correct(const State  &from,
+                           const Vector &increment,
+                           double        dt,
+                           State        &trial) const override;
+    bool           is_dynamic() const override;
   };
 } // namespace auxfem
 

@@ -67,13 +67,24 @@ namespace auxfem
 
     /**
      * How an increment of displacement changes displacement, velocity and
-     * acceleration in a step of length @p dt (s).
+     * acceleration in a step of length @p dt (s), means if it balances these.
      */
     virtual TangentFactors factors(double dt) const = 0;
 
-    /** Adds the increment (values at all local unknowns) to the trial state. */
-    virtual void
-    correct(const Vector &increment, double dt, State &trial) const = 0;
+    /**
+     * Adds the increment (values at all local unknowns) to the trial state,
+     * which is @p dt (s) after @p from.
+     */
+    virtual void correct(const State  &from,
+                         const Vector &increment,
+                         double        dt,
+                         State        &trial) const = 0;
+
+    /**
+     * Whether forces are balanced in the mean over a step, not at its end. The
+     * acceleration is the mean one then and does not enter the next step.
+     */
+    virtual bool balances_means() const;
 
     /**
      * Whether errors of velocity and acceleration that change sign from step to

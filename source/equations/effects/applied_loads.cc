@@ -1,5 +1,6 @@
 #include <auxfem/equations/effects/applied_loads.h>
 #include <auxfem/equations/load_values.h>
+#include <auxfem/equations/step_travel.h>
 
 namespace auxfem
 {
@@ -29,6 +30,11 @@ namespace auxfem
     return loads.empty();
   }
 
+  std::string AppliedLoads::without_mean_forces() const
+  {
+    return "";
+  }
+
   bool AppliedLoads::is_linear() const
   {
     return true;
@@ -52,6 +58,11 @@ namespace auxfem
                                   double           *residual,
                                   EffectResults * /*results*/) const
   {
+    if (evaluation.kind == Evaluation::Kind::between)
+      {
+        add_mean_loads(evaluation, residual);
+        return;
+      }
     for (const Load &load : loads)
       {
         const double value = evaluation.to.load_factor *
@@ -59,6 +70,27 @@ namespace auxfem
         for (const Weight &w : load.weights)
           residual[w.unknown] -= value * w.weight;
       }
+  }
+
+  void AppliedLoads::add_mean_loads(const Evaluation &step,
+                                    double           *residual) const
+  {
+    const StepTravel travel(step, numbering);
+    for (const Load &load : loads)
+      {
+        const double value = mean_value(load, step);
+        for (const Weight &w : load.weights)
+          residual[w.unknown] -=
+            value * w.weight * travel.increment_per_travel(w.unknown);
+      }
+  }
+
+  double AppliedLoads::mean_value(const Load       &load,
+                                  const Evaluation &step) const
+  {
+    return (step.from.load_factor * value_before(load, step) +
+            step.to.load_factor * value_at_end(load.time_history, step)) /
+      2;
   }
 
   void AppliedLoads::add_load_derivative(const Evaluation &evaluation,
@@ -77,18 +109,14 @@ namespace auxfem
                              EnergyAccount &account) const
   {
     // The mean force over the step times the displacement: exact for the
-    // average-acceleration rule, second order otherwise.
+    // average-acceleration rule and between two states, second order otherwise.
     for (const Load &load : loads)
       {
         double along = 0;
         for (const Weight &w : load.weights)
           if (numbering.layout().is_owned(w.unknown))
             along += w.weight * motion(step, w.unknown);
-        const double mean =
-          (step.from.load_factor * value_before(load, step) +
-           step.to.load_factor * value_at_end(load.time_history, step)) /
-          2;
-        account.add_in_step(load.work_entry, mean * along);
+        account.add_in_step(load.work_entry, mean_value(load, step) * along);
       }
   }
 

@@ -75,6 +75,11 @@ namespace auxfem
     return ends;
   }
 
+  std::string ConnectorForces::without_mean_forces() const
+  {
+    return "";
+  }
+
   bool ConnectorForces::is_linear() const
   {
     return !follows_line && law->is_linear();
@@ -143,27 +148,38 @@ namespace auxfem
   void ConnectorForces::find_motion(const Evaluation &evaluation,
                                     ConnectorResults &results) const
   {
-    const double *before = evaluation.from.displacement.data();
-    const double *u      = evaluation.to.displacement.data();
+    const bool    is_between = evaluation.kind == Evaluation::Kind::between;
+    const double *before     = evaluation.from.displacement.data();
+    const double *u          = evaluation.to.displacement.data();
     const double *v =
       evaluation.to.velocity ? evaluation.to.velocity->data() : nullptr;
     for (unsigned int i = 0; i < connectors.size(); ++i)
       {
-        const Ends                &ends = connectors[i];
-        const dealii::Tensor<1, 3> du   = difference(ends, u),
-                                   line = ends.span + du;
-        ConnectorMotion &motion         = results.motion[i];
-        motion.previous_extension = extension(ends, difference(ends, before));
-        motion.extension          = extension(ends, du);
-        motion.dt                 = evaluation.dt;
-        results.current_length[i] = line.norm();
+        const Ends                &ends      = connectors[i];
+        const dealii::Tensor<1, 3> du_before = difference(ends, before),
+                                   du        = difference(ends, u),
+                                   line      = ends.span + du;
+        ConnectorMotion &motion              = results.motion[i];
+        motion.previous_extension            = extension(ends, du_before);
+        motion.extension                     = extension(ends, du);
+        motion.dt                            = evaluation.dt;
+        results.current_length[i]            = line.norm();
         results.direction[i] =
           follows_line ? line / results.current_length[i] : ends.direction;
+        // L1^2 - L0^2 over L0 + L1: the extension in the step is the product of
+        // this with the relative motion.
+        if (is_between && follows_line)
+          {
+            const dealii::Tensor<1, 3> line_before = ends.span + du_before;
+            results.direction[i]                   = (line_before + line) /
+              (line_before.norm() + results.current_length[i]);
+          }
         if (v != nullptr)
           results.velocity_difference[i] = difference(ends, v);
         // Without inertia a velocity is a difference over a step in which the
         // line turns; that of the extension does not see the turn.
-        motion.rate = evaluation.kind == Evaluation::Kind::static_step
+        motion.rate =
+          is_between || evaluation.kind == Evaluation::Kind::static_step
           ? (motion.extension - motion.previous_extension) / evaluation.dt
           : results.direction[i] * results.velocity_difference[i];
       }
@@ -173,6 +189,15 @@ namespace auxfem
                                       ConnectorResults &results) const
   {
     double *const internal = evaluation.to.history.data() + first_history;
+    if (evaluation.kind == Evaluation::Kind::between)
+      {
+        law->evaluate_mean(connectors.size(),
+                           results.motion.data(),
+                           evaluation.from.history.data() + first_history,
+                           internal,
+                           results.response.data());
+        return;
+      }
     if (evaluation.kind != Evaluation::Kind::equilibrium)
       {
         law->evaluate(connectors.size(),
@@ -214,6 +239,11 @@ namespace auxfem
     if (factors.stiffness == 0 && factors.damping == 0)
       return;
     const auto &of_group = static_cast<const ConnectorResults &>(*results);
+    if (evaluation.kind == Evaluation::Kind::between)
+      {
+        add_mean_tangent(evaluation, of_group, matrix);
+        return;
+      }
     for (unsigned int i = 0; i < connectors.size(); ++i)
       {
         const auto  &n = of_group.direction[i];
@@ -244,12 +274,52 @@ namespace auxfem
                     rate_by_position;
                 }
           }
-        double block[36];
-        for (unsigned int a = 0; a < 6; ++a)
-          for (unsigned int b = 0; b < 6; ++b)
-            block[6 * a + b] = ((a < 3) == (b < 3) ? 1 : -1) * D[a % 3][b % 3];
-        matrix.add(first_block + i, block);
+        add_block(i, D, matrix);
       }
+  }
+
+  void ConnectorForces::add_mean_tangent(const Evaluation       &evaluation,
+                                         const ConnectorResults &results,
+                                         TangentMatrix          &matrix) const
+  {
+    for (unsigned int i = 0; i < connectors.size(); ++i)
+      {
+        const ConnectorResponse   &response = results.response[i];
+        const dealii::Tensor<1, 3> e        = results.direction[i];
+        dealii::Tensor<1, 3>       now      = e;
+        double                     turning  = 0;
+        if (follows_line)
+          {
+            const Ends &ends = connectors[i];
+            now              = (ends.span +
+                   difference(ends, evaluation.to.displacement.data())) /
+              results.current_length[i];
+            const double length_before =
+              (ends.span +
+               difference(ends, evaluation.from.displacement.data()))
+                .norm();
+            turning =
+              response.force / (length_before + results.current_length[i]);
+          }
+        double D[3][3];
+        for (unsigned int a = 0; a < 3; ++a)
+          for (unsigned int b = 0; b < 3; ++b)
+            D[a][b] = response.stiffness * e[a] * now[b] +
+              turning * ((a == b ? 1. : 0.) - e[a] * now[b]);
+        add_block(i, D, matrix);
+      }
+  }
+
+  void ConnectorForces::add_block(const unsigned int i,
+                                  const double (&by_motion)[3][3],
+                                  TangentMatrix &matrix) const
+  {
+    double block[36];
+    for (unsigned int a = 0; a < 6; ++a)
+      for (unsigned int b = 0; b < 6; ++b)
+        block[6 * a + b] =
+          ((a < 3) == (b < 3) ? 1 : -1) * by_motion[a % 3][b % 3];
+    matrix.add(first_block + i, block);
   }
 
   void ConnectorForces::account(const Evaluation    &step,

@@ -1,5 +1,6 @@
 #include <auxfem/equations/effects/following_loads.h>
 #include <auxfem/equations/load_values.h>
+#include <auxfem/equations/step_travel.h>
 
 namespace auxfem
 {
@@ -37,6 +38,11 @@ namespace auxfem
   bool FollowingLoads::is_linear() const
   {
     return false;
+  }
+
+  std::string FollowingLoads::without_mean_forces() const
+  {
+    return is_planar ? "" : "loads that follow a joint in space";
   }
 
   void FollowingLoads::register_blocks(TangentPattern &pattern)
@@ -121,7 +127,42 @@ namespace auxfem
                                     double           *residual,
                                     EffectResults * /*results*/) const
   {
-    subtract(evaluation.to.load_factor, evaluation, residual);
+    if (evaluation.kind == Evaluation::Kind::between)
+      add_mean_loads(evaluation, residual);
+    else
+      subtract(evaluation.to.load_factor, evaluation, residual);
+  }
+
+  void FollowingLoads::add_mean_loads(const Evaluation &step,
+                                      double           *residual) const
+  {
+    const StepTravel travel(step, numbering);
+    for (const Load &load : loads)
+      for (const Joint &joint : load.joints)
+        {
+          const Values mean = mean_values(load, joint, step);
+          for (unsigned int c = 0; c < n_motion_components; ++c)
+            if (const int i = joint[c]; i >= 0)
+              residual[i] -= (c < 3 ? mean.force : mean.moment)[c % 3] *
+                travel.increment_per_travel(i);
+        }
+  }
+
+  FollowingLoads::Values
+  FollowingLoads::mean_values(const Load       &load,
+                              const Joint      &joint,
+                              const Evaluation &step) const
+  {
+    // The moment is constant in axes that turn with the joint, as is the turn
+    // itself.
+    const Values before        = values_before(load, step),
+                 now           = values_now(load, step);
+    const double factor_before = step.from.load_factor,
+                 factor_now    = step.to.load_factor;
+    return {(factor_before * rotated(rotation(joint, step.from), before.force) +
+             factor_now * rotated(rotation(joint, step.to), now.force)) /
+              2,
+            (factor_before * before.moment + factor_now * now.moment) / 2};
   }
 
   void FollowingLoads::add_load_derivative(const Evaluation &evaluation,
@@ -160,32 +201,19 @@ namespace auxfem
                                const EffectResults * /*results*/,
                                EnergyAccount &account) const
   {
-    // As for dead loads, by the mean of the forces over the step. The moment is
-    // constant in axes that turn with the joint, as is the turn itself.
+    // As for dead loads, by the mean of the forces over the step.
     for (const Load &load : loads)
-      {
-        const Values before        = values_before(load, step),
-                     now           = values_now(load, step);
-        const double factor_before = step.from.load_factor,
-                     factor_now    = step.to.load_factor;
-        const SpaceVector moment =
-          (factor_before * before.moment + factor_now * now.moment) / 2;
-        for (const Joint &joint : load.joints)
-          {
-            if (!numbering.layout().is_owned(joint[0]))
-              continue;
-            const SpaceVector force =
-              (factor_before *
-                 rotated(rotation(joint, step.from), before.force) +
-               factor_now * rotated(rotation(joint, step.to), now.force)) /
-              2;
-            for (unsigned int c = 0; c < n_motion_components; ++c)
-              if (joint[c] >= 0)
-                account.add_in_step(load.work_entry,
-                                    (c < 3 ? force : moment)[c % 3] *
-                                      (step.to.displacement[joint[c]] -
-                                       step.from.displacement[joint[c]]));
-          }
-      }
+      for (const Joint &joint : load.joints)
+        {
+          if (!numbering.layout().is_owned(joint[0]))
+            continue;
+          const Values mean = mean_values(load, joint, step);
+          for (unsigned int c = 0; c < n_motion_components; ++c)
+            if (joint[c] >= 0)
+              account.add_in_step(load.work_entry,
+                                  (c < 3 ? mean.force : mean.moment)[c % 3] *
+                                    (step.to.displacement[joint[c]] -
+                                     step.from.displacement[joint[c]]));
+        }
   }
 } // namespace auxfem

@@ -15,6 +15,18 @@ namespace auxfem
     {
       block[n * i + j] = block[n * j + i] = value;
     }
+
+    /** Forces along @p column in column j of such a block, of a condition with the gradient @p row in row j. */
+    template <std::size_t n>
+    void set_condition(std::array<double, n * n> &block,
+                       const unsigned int         i,
+                       const unsigned int         j,
+                       const double               column,
+                       const double               row)
+    {
+      block[n * i + j] = column;
+      block[n * j + i] = row;
+    }
   } // namespace
 
   template <int dim>
@@ -61,18 +73,40 @@ namespace auxfem
   }
 
   template <int dim>
+  std::pair<PlaneVector, double>
+  NaturalParts<dim>::force_direction(const Clamp      &clamp,
+                                     const Evaluation &evaluation) const
+  {
+    const double *u1 = evaluation.to.displacement.data();
+    if (evaluation.kind != Evaluation::Kind::between || !large_rotation)
+      return gradient(clamp, u1);
+    // With the mean of the normals, e_1 . d_1 - e_0 . d_0 is that times the
+    // increment of d, plus the turned mean times the mean of d and the turn.
+    const double     *u0   = evaluation.from.displacement.data();
+    const PlaneVector mean = (clamp.condition.normal(u0[clamp.unknowns[4]]) +
+                              clamp.condition.normal(u1[clamp.unknowns[4]])) /
+      2,
+                      d = clamp.condition.rest +
+      (across_base<2>(clamp.unknowns, u0) +
+       across_base<2>(clamp.unknowns, u1)) /
+        2;
+    return {mean, turned(mean) * d};
+  }
+
+  template <int dim>
   void NaturalParts<dim>::add_base_rows(const Evaluation &evaluation,
                                         double           *residual) const
   {
     const double *u = evaluation.to.displacement.data();
     for (const Base &base : bases)
       {
-        const auto &unknowns = base.unknowns;
-        const Vec   G        = gradient(base, u);
+        const auto &unknowns  = base.unknowns;
+        const Vec   G         = gradient(base, u);
+        const Vec   direction = force_direction(base, evaluation);
         for (unsigned int c = 0; c < dim; ++c)
           {
-            residual[unknowns[c]] -= u[unknowns[2 * dim]] * G[c];
-            residual[unknowns[dim + c]] += u[unknowns[2 * dim]] * G[c];
+            residual[unknowns[c]] -= u[unknowns[2 * dim]] * direction[c];
+            residual[unknowns[dim + c]] += u[unknowns[2 * dim]] * direction[c];
           }
         double &row = residual[unknowns[2 * dim]];
         if (evaluation.wants_constraint_accelerations())
@@ -127,13 +161,14 @@ namespace auxfem
       {
         const auto &unknowns     = clamp.unknowns;
         const auto [along, turn] = gradient(clamp, u);
+        const auto   force       = force_direction(clamp, evaluation);
         const double lambda      = u[unknowns[5]];
         for (unsigned int c = 0; c < 2; ++c)
           {
-            residual[unknowns[c]] -= lambda * along[c];
-            residual[unknowns[2 + c]] += lambda * along[c];
+            residual[unknowns[c]] -= lambda * force.first[c];
+            residual[unknowns[2 + c]] += lambda * force.first[c];
           }
-        residual[unknowns[4]] += lambda * turn;
+        residual[unknowns[4]] += lambda * force.second;
 
         double &row = residual[unknowns[5]];
         if (evaluation.wants_constraint_accelerations())
@@ -170,14 +205,15 @@ namespace auxfem
     for (const Base &base : bases)
       {
         const Vec    G                  = gradient(base, u);
+        const Vec    direction          = force_direction(base, evaluation);
         const double geometric          = large_rotation ? factors.stiffness *
             u[base.unknowns[2 * dim]] * base.condition.curvature()
                                                          : 0.;
         std::array<double, n *n> values = {};
         for (unsigned int c = 0; c < dim; ++c)
           {
-            set_pair<n>(values, c, 2 * dim, -G[c]);
-            set_pair<n>(values, dim + c, 2 * dim, G[c]);
+            set_condition<n>(values, c, 2 * dim, -direction[c], -G[c]);
+            set_condition<n>(values, dim + c, 2 * dim, direction[c], G[c]);
             set_pair<n>(values, c, c, geometric);
             set_pair<n>(values, dim + c, dim + c, geometric);
             set_pair<n>(values, c, dim + c, -geometric);
@@ -213,13 +249,14 @@ namespace auxfem
     const double *u = evaluation.to.displacement.data();
     for (const Clamp &clamp : clamps)
       {
-        const auto [along, turn]      = gradient(clamp, u);
-        std::array<double, 36> values = {};
-        set_pair<6>(values, 4, 5, turn);
+        const auto [along, turn]         = gradient(clamp, u);
+        const auto             direction = force_direction(clamp, evaluation);
+        std::array<double, 36> values    = {};
+        set_condition<6>(values, 4, 5, direction.second, turn);
         for (unsigned int c = 0; c < 2; ++c)
           {
-            set_pair<6>(values, c, 5, -along[c]);
-            set_pair<6>(values, 2 + c, 5, along[c]);
+            set_condition<6>(values, c, 5, -direction.first[c], -along[c]);
+            set_condition<6>(values, 2 + c, 5, direction.first[c], along[c]);
           }
         if (large_rotation)
           {

@@ -1,4 +1,4 @@
-#include <auxfem/elements/beam_2d.h>
+#include <auxfem/elements/beam_2d_between.h>
 #include <auxfem/elements/beam_dispatch.h>
 #include <auxfem/equations/effects/beam_forces.h>
 
@@ -12,11 +12,12 @@ namespace auxfem
     template <int p, bool large_rotation, bool damped>
     struct PlaneBeam
     {
-      static constexpr int  order        = p;
-      static constexpr int  n_components = 3;
-      static constexpr int  n            = n_components * (order + 1);
-      static constexpr bool is_linear    = !large_rotation;
-      static constexpr bool is_damped    = damped;
+      static constexpr int  order           = p;
+      static constexpr int  n_components    = 3;
+      static constexpr int  n               = n_components * (order + 1);
+      static constexpr bool is_linear       = !large_rotation;
+      static constexpr bool is_damped       = damped;
+      static constexpr bool has_mean_forces = true;
 
       using Frame     = Beam2D::Frame;
       using Stiffness = Beam2D::Stiffness;
@@ -81,6 +82,66 @@ namespace auxfem
                                                        factors.stiffness,
                                                        factors.damping,
                                                        block);
+      }
+
+      /** Displacements at start and end of a step. */
+      struct Displacements
+      {
+        Displacements(const int *unknowns, const Evaluation &step)
+        {
+          const double *from = step.from.displacement.data(),
+                       *to   = step.to.displacement.data();
+          for (int i = 0; i < n; ++i)
+            {
+              start[i] = from[unknowns[i]];
+              end[i]   = to[unknowns[i]];
+            }
+        }
+
+        double start[n], end[n];
+      };
+
+      static BeamEnergy mean_force(const BeamShape<order> &shape,
+                                   const Frame            *frames,
+                                   const double            jacobian,
+                                   const Stiffness        &stiffness,
+                                   const int              *unknowns,
+                                   const Evaluation       &step,
+                                   double                 *force)
+      {
+        const Displacements      u(unknowns, step);
+        const Beam2D::EnergyRate energy =
+          Beam2D::mean_force<order, damped>(shape,
+                                            frames,
+                                            jacobian,
+                                            stiffness,
+                                            u.start,
+                                            u.end,
+                                            step.dt,
+                                            force);
+        return {energy.strain, energy.dissipation};
+      }
+
+      static void mean_tangent(const BeamShape<order> &shape,
+                               const Frame            *frames,
+                               const double            jacobian,
+                               const Stiffness        &stiffness,
+                               const int              *unknowns,
+                               const Evaluation       &step,
+                               const TangentFactors   &factors,
+                               double                 *block)
+      {
+        const Displacements u(unknowns, step);
+        Beam2D::mean_tangent<order, damped>(shape,
+                                            frames,
+                                            jacobian,
+                                            stiffness,
+                                            u.start,
+                                            u.end,
+                                            step.dt,
+                                            factors.stiffness,
+                                            factors.damping,
+                                            block);
       }
 
       static Stiffness stiffness(const Section &section,

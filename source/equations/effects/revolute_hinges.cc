@@ -46,6 +46,11 @@ namespace auxfem
     hinges.push_back(hinge);
   }
 
+  std::string RevoluteHinges::without_mean_forces() const
+  {
+    return large_rotation ? "revolute hinges in space" : "";
+  }
+
   bool RevoluteHinges::is_linear() const
   {
     return !large_rotation;

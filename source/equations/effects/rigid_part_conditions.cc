@@ -10,7 +10,8 @@ namespace auxfem
                                            const DofNumbering &numbering,
                                            const bool          large_rotation,
                                            const dealii::Tensor<1, 3> &gravity)
-    : numbering(numbering)
+    : lattice(lattice)
+    , numbering(numbering)
     , large_rotation(large_rotation)
   {
     const RigidPartSetting setting{lattice, numbering, large_rotation, gravity};
@@ -29,6 +30,16 @@ namespace auxfem
                 return one.first->part(one.second) <
                   other.first->part(other.second);
               });
+  }
+
+  std::string RigidPartConditions::without_mean_forces() const
+  {
+    // All ranks must answer alike, with or without such a part.
+    const bool turns =
+      std::any_of(lattice.rigid_parts.begin(),
+                  lattice.rigid_parts.end(),
+                  [](const RigidPart &part) { return part.has_rotation; });
+    return large_rotation && turns ? "rigid parts that turn in space" : "";
   }
 
   bool RigidPartConditions::is_linear() const

@@ -24,6 +24,11 @@ namespace auxfem
     return masses.empty();
   }
 
+  std::string RotaryMasses::without_mean_forces() const
+  {
+    return large_rotation ? "rotary inertia of masses in space" : "";
+  }
+
   bool RotaryMasses::is_linear() const
   {
     return !large_rotation;

@@ -1,3 +1,4 @@
+#include <auxfem/elements/cayley_turn.h>
 #include <auxfem/equations/effects/rotational_springs.h>
 
 #include <algorithm>
@@ -19,6 +20,11 @@ namespace auxfem
   {
     const int base = spring.unknowns[0];
     return u[spring.unknowns[1]] - (base >= 0 ? u[base] : 0.);
+  }
+
+  std::string RotationalSprings::without_mean_forces() const
+  {
+    return "";
   }
 
   bool RotationalSprings::is_linear() const
@@ -47,12 +53,41 @@ namespace auxfem
                                        EffectResults * /*results*/) const
   {
     const double *u = evaluation.to.displacement.data();
+    if (evaluation.kind == Evaluation::Kind::between)
+      {
+        add_mean_moments(evaluation, residual);
+        return;
+      }
     for (const Spring &spring : springs)
       {
         const double moment = spring.stiffness * angle(spring, u);
         if (spring.unknowns[0] >= 0)
           residual[spring.unknowns[0]] -= moment;
         residual[spring.unknowns[1]] += moment;
+      }
+  }
+
+  void RotationalSprings::add_mean_moments(const Evaluation &evaluation,
+                                           double           *residual) const
+  {
+    const double *u0       = evaluation.from.displacement.data();
+    const double *u1       = evaluation.to.displacement.data();
+    const bool    is_large = !evaluation.to.plane_rotations->empty();
+    for (const Spring &spring : springs)
+      {
+        const int base = spring.unknowns[0], end = spring.unknowns[1];
+        double    moment =
+          spring.stiffness * (angle(spring, u0) + angle(spring, u1)) / 2;
+        // Moments do work on Cayley's measure of the turns.
+        if (is_large)
+          {
+            const double d_base = base >= 0 ? (u1[base] - u0[base]) / 2 : 0.,
+                         d_end  = (u1[end] - u0[end]) / 2;
+            moment *= std::cos(d_base) * std::cos(d_end) / sinc(d_end - d_base);
+          }
+        if (base >= 0)
+          residual[base] -= moment;
+        residual[end] += moment;
       }
   }
 

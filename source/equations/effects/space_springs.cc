@@ -28,6 +28,11 @@ namespace auxfem
     springs.push_back(spring);
   }
 
+  std::string SpaceSprings::without_mean_forces() const
+  {
+    return "rotational springs in space";
+  }
+
   bool SpaceSprings::is_linear() const
   {
     return false;

@@ -57,16 +57,23 @@ namespace auxfem
         return !large_rotation || !rotary;
       }
 
+      std::string without_mean_forces() const override
+      {
+        return large_rotation ? "the inertia of struts that turn in space" : "";
+      }
+
       void add_residual(const Evaluation &evaluation,
                         double           *residual,
                         EffectResults * /*results*/) const override
       {
+        const double        *accelerations = evaluation.to.acceleration->data();
+        const DampedVelocity velocities(evaluation);
         for (unsigned int e = 0; e < elements.size(); ++e)
           {
             const int   *unknowns = numbering.element_unknowns(e);
-            const auto   a = gather(*evaluation.to.acceleration, unknowns, 0);
-            const auto   v = gather(*evaluation.to.velocity, unknowns, 0);
-            const double alpha = damped ? elements[e].damping : 0.;
+            const auto   a        = gather(accelerations, unknowns, 0);
+            const auto   v        = gather(velocities.values(), unknowns, 0);
+            const double alpha    = damped ? elements[e].damping : 0.;
             for (int i = 0; i <= order; ++i)
               {
                 SpaceVector sum;
@@ -79,7 +86,10 @@ namespace auxfem
               }
             if (!rotary)
               continue;
-            const Rotating rotating(*this, e, evaluation.to);
+            const Rotating rotating(*this,
+                                    e,
+                                    evaluation.to,
+                                    velocities.values());
             for (int i = 0; i <= order; ++i)
               scatter(rotating.torque(i, alpha),
                       unknowns + n_components * i + 3,
@@ -112,14 +122,14 @@ namespace auxfem
       }
 
     private:
-      double kinetic_energy(const State &state) const override
+      double kinetic_energy(const double *velocity) const override
       {
-        return sum_v_M_v(state, [](const Element &) { return 0.5; });
+        return sum_v_M_v(velocity, [](const Element &) { return 0.5; });
       }
 
-      double damping_power(const State &state) const override
+      double damping_power(const double *velocity) const override
       {
-        return sum_v_M_v(state, [](const Element &e) { return e.damping; });
+        return sum_v_M_v(velocity, [](const Element &e) { return e.damping; });
       }
 
       static constexpr int n_components = 6;
@@ -138,11 +148,12 @@ namespace auxfem
       {
         Rotating(const SpaceStrutInertia &inertia,
                  const unsigned int       e,
-                 const State             &state)
+                 const State             &state,
+                 const double            *velocities)
         {
           const int *unknowns = inertia.numbering.element_unknowns(e);
-          velocity            = gather(*state.velocity, unknowns, 3);
-          acceleration        = gather(*state.acceleration, unknowns, 3);
+          velocity            = gather(velocities, unknowns, 3);
+          acceleration        = gather(state.acceleration->data(), unknowns, 3);
           momentum            = inertia.momenta(e, velocity);
           rate                = inertia.momenta(e, acceleration);
           if constexpr (large_rotation)
@@ -169,10 +180,9 @@ namespace auxfem
       };
 
       static NodeVectors<order>
-      gather(const Vector &vector, const int *unknowns, const int first)
+      gather(const double *values, const int *unknowns, const int first)
       {
         NodeVectors<order> result;
-        const double      *values = vector.data();
         for (int i = 0; i <= order; ++i)
           for (int c = 0; c < 3; ++c)
             result[i][c] = values[unknowns[n_components * i + first + c]];
@@ -257,7 +267,10 @@ namespace auxfem
             return;
           }
         const int     *unknowns = numbering.element_unknowns(e);
-        const Rotating rotating(*this, e, evaluation.to);
+        const Rotating rotating(*this,
+                                e,
+                                evaluation.to,
+                                evaluation.to.velocity->data());
         SpaceTensor    by_spin[order + 1];
         for (int i = 0; i <= order; ++i)
           by_spin[i] =
@@ -286,14 +299,14 @@ namespace auxfem
       }
 
       template <class Weight>
-      double sum_v_M_v(const State &state, const Weight &weight) const
+      double sum_v_M_v(const double *velocity, const Weight &weight) const
       {
         double sum = 0;
         for (unsigned int e = 0; e < elements.size(); ++e)
           if (elements[e].counted)
             {
               const int *unknowns   = numbering.element_unknowns(e);
-              const auto v          = gather(*state.velocity, unknowns, 0);
+              const auto v          = gather(velocity, unknowns, 0);
               double     of_element = 0;
               for (int i = 0; i <= order; ++i)
                 for (int j = 0; j <= order; ++j)
@@ -301,7 +314,7 @@ namespace auxfem
                     elements[e].mass * shape.mass[i][j] * (v[i] * v[j]);
               if (rotary)
                 {
-                  const auto W = gather(*state.velocity, unknowns, 3);
+                  const auto W = gather(velocity, unknowns, 3);
                   const auto L = momenta(e, W);
                   for (int i = 0; i <= order; ++i)
                     of_element += W[i] * L[i];

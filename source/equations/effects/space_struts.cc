@@ -31,11 +31,12 @@ namespace auxfem
     template <int p, bool large_rotation, bool damped>
     struct SpaceBeam
     {
-      static constexpr int  order        = p;
-      static constexpr int  n_components = Beam3D::n_components;
-      static constexpr int  n            = n_components * (order + 1);
-      static constexpr bool is_linear    = !large_rotation;
-      static constexpr bool is_damped    = damped;
+      static constexpr int  order           = p;
+      static constexpr int  n_components    = Beam3D::n_components;
+      static constexpr int  n               = n_components * (order + 1);
+      static constexpr bool is_linear       = !large_rotation;
+      static constexpr bool is_damped       = damped;
+      static constexpr bool has_mean_forces = !large_rotation;
 
       using Frame = Beam3D::Frame;
       struct Stiffness

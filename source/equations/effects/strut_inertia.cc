@@ -41,31 +41,21 @@ namespace auxfem
         return true;
       }
 
+      std::string without_mean_forces() const override
+      {
+        return "";
+      }
+
       void add_residual(const Evaluation &evaluation,
                         double           *residual,
                         EffectResults * /*results*/) const override
       {
-        const double *a = evaluation.to.acceleration->data();
-        const double *v = evaluation.to.velocity->data();
-        double        local[n];
-        for (unsigned int e = 0; e < elements.size(); ++e)
-          {
-            const int *unknowns = numbering.element_unknowns(e);
-            for (int i = 0; i < n; ++i)
-              local[i] = damped
-                ? a[unknowns[i]] + elements[e].damping * v[unknowns[i]]
-                : a[unknowns[i]];
-            for (int i = 0; i <= order; ++i)
-              {
-                double sum[3] = {0, 0, 0};
-                for (int j = 0; j <= order; ++j)
-                  for (int c = 0; c < 3; ++c)
-                    sum[c] += shape.mass[i][j] * local[3 * j + c];
-                residual[unknowns[3 * i]] += elements[e].mass * sum[0];
-                residual[unknowns[3 * i + 1]] += elements[e].mass * sum[1];
-                residual[unknowns[3 * i + 2]] += elements[e].rotary * sum[2];
-              }
-          }
+        if constexpr (damped)
+          add_forces(evaluation.to.acceleration->data(),
+                     DampedVelocity(evaluation).values(),
+                     residual);
+        else
+          add_forces(evaluation.to.acceleration->data(), nullptr, residual);
       }
 
       void add_tangent(const Evaluation & /*evaluation*/,
@@ -91,17 +81,41 @@ namespace auxfem
       }
 
     private:
-      double kinetic_energy(const State &state) const override
+      double kinetic_energy(const double *velocity) const override
       {
-        return sum_v_M_v(state, [](const Element &) { return 0.5; });
+        return sum_v_M_v(velocity, [](const Element &) { return 0.5; });
       }
 
-      double damping_power(const State &state) const override
+      double damping_power(const double *velocity) const override
       {
-        return sum_v_M_v(state, [](const Element &e) { return e.damping; });
+        return sum_v_M_v(velocity, [](const Element &e) { return e.damping; });
       }
 
       static constexpr int n = 3 * (order + 1);
+
+      /** Of accelerations @p a and, with damping, velocities @p v. */
+      void add_forces(const double *a, const double *v, double *residual) const
+      {
+        double local[n];
+        for (unsigned int e = 0; e < elements.size(); ++e)
+          {
+            const int *unknowns = numbering.element_unknowns(e);
+            for (int i = 0; i < n; ++i)
+              local[i] = damped
+                ? a[unknowns[i]] + elements[e].damping * v[unknowns[i]]
+                : a[unknowns[i]];
+            for (int i = 0; i <= order; ++i)
+              {
+                double sum[3] = {0, 0, 0};
+                for (int j = 0; j <= order; ++j)
+                  for (int c = 0; c < 3; ++c)
+                    sum[c] += shape.mass[i][j] * local[3 * j + c];
+                residual[unknowns[3 * i]] += elements[e].mass * sum[0];
+                residual[unknowns[3 * i + 1]] += elements[e].mass * sum[1];
+                residual[unknowns[3 * i + 2]] += elements[e].rotary * sum[2];
+              }
+          }
+      }
 
       struct Element
       {
@@ -112,10 +126,9 @@ namespace auxfem
       };
 
       template <class Weight>
-      double sum_v_M_v(const State &state, const Weight &weight) const
+      double sum_v_M_v(const double *v, const Weight &weight) const
       {
-        const double *v   = state.velocity->data();
-        double        sum = 0;
+        double sum = 0;
         for (unsigned int e = 0; e < elements.size(); ++e)
           if (elements[e].counted)
             {
@@ -161,13 +174,36 @@ namespace auxfem
       damping_entry = layout.energies.enter(mass_damping_entry());
   }
 
+  StrutInertia::DampedVelocity::DampedVelocity(const Evaluation &evaluation)
+    : evaluation(evaluation)
+  {
+    if (evaluation.kind != Evaluation::Kind::between)
+      return;
+    const double *before = evaluation.from.velocity->data(),
+                 *now    = evaluation.to.velocity->data();
+    means.resize(evaluation.to.velocity->size());
+    for (std::size_t i = 0; i < means.size(); ++i)
+      means[i] = (before[i] + now[i]) / 2;
+  }
+
+  const double *StrutInertia::DampedVelocity::values() const
+  {
+    return means.empty() ? evaluation.to.velocity->data() : means.data();
+  }
+
   void StrutInertia::account(const Evaluation &step,
                              const EffectResults * /*results*/,
                              EnergyAccount &account) const
   {
-    account.add(kinetic_entry, kinetic_energy(step.to));
-    if (is_damped)
-      account.add_power(damping_entry, damping_power(step.to));
+    account.add(kinetic_entry, kinetic_energy(step.to.velocity->data()));
+    if (!is_damped)
+      return;
+    const DampedVelocity velocity(step);
+    const double         power = damping_power(velocity.values());
+    if (step.kind == Evaluation::Kind::between)
+      account.add_in_step(damping_entry, step.dt * power);
+    else
+      account.add_power(damping_entry, power);
   }
 
   std::unique_ptr<Effect>

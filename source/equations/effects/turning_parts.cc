@@ -58,6 +58,11 @@ namespace auxfem
         return !large_rotation;
       }
 
+      std::string without_mean_forces() const override
+      {
+        return large_rotation ? "rigid parts that turn in space" : "";
+      }
+
       void register_blocks(TangentPattern &pattern) override
       {
         for (unsigned int i = 0; i < joints.size(); ++i)

@@ -402,6 +402,22 @@ namespace
         }
     }
 
+    void evaluate_mean(const unsigned int     n,
+                       const ConnectorMotion *motion,
+                       const double * /*committed*/,
+                       double * /*trial*/,
+                       ConnectorResponse *response) const override
+    {
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          const double u = motion[i].previous_extension,
+                       w = motion[i].extension;
+          response[i]    = {stiffness / 4 * (u * u + w * w) * (u + w),
+                            stiffness / 4 * (u * u + 2 * u * w + 3 * w * w),
+                            0.};
+        }
+    }
+
     ConnectorEnergy energy(const ConnectorMotion &motion,
                            const double * /*committed*/,
                            const double * /*trial*/) const override

@@ -33,16 +33,17 @@ namespace auxfem
     /** Whether no load was added. */
     bool empty() const;
 
-    bool is_linear() const override;
-    void register_in(StateLayout &layout) override;
-    void add_residual(const Evaluation &evaluation,
-                      double           *residual,
-                      EffectResults    *results) const override;
-    void add_load_derivative(const Evaluation &evaluation,
-                             double           *derivative) const override;
-    void account(const Evaluation    &step,
-                 const EffectResults *results,
-                 EnergyAccount       &account) const override;
+    bool        is_linear() const override;
+    std::string without_mean_forces() const override;
+    void        register_in(StateLayout &layout) override;
+    void        add_residual(const Evaluation &evaluation,
+                             double           *residual,
+                             EffectResults    *results) const override;
+    void        add_load_derivative(const Evaluation &evaluation,
+                                    double           *derivative) const override;
+    void        account(const Evaluation    &step,
+                        const EffectResults *results,
+                        EnergyAccount       &account) const override;
 
   private:
     struct Weight
@@ -59,6 +60,10 @@ namespace auxfem
     };
     /** Value when the step begins. */
     double value_before(const Load &load, const Evaluation &step) const;
+    /** Mean over the step. */
+    double mean_value(const Load &load, const Evaluation &step) const;
+    /** Of a step between two states: such that moments too do their work. */
+    void add_mean_loads(const Evaluation &step, double *residual) const;
     /** How far an unknown moved in the step, rotations in the global frame. */
     double motion(const Evaluation &step, int unknown) const;
 

@@ -7,7 +7,10 @@
 
 namespace auxfem
 {
-  /** Strain energy (J) of an element and power lost in it (W). */
+  /**
+   * Strain energy (J) of an element and power lost in it (W); of mean forces
+   * over a step the energy lost in it (J).
+   */
   struct BeamEnergy
   {
     double strain = 0, dissipation = 0;
@@ -29,7 +32,8 @@ namespace auxfem
    * point at rest), `Stiffness` and `Motion` (of an element's nodes); functions
    * `frame`, `stiffness`, `largest_stiffness` for the element at rest,
    * `motion`, `internal_force`, `tangent` for its forces, and `section_forces`,
-   * `rotation`, `axes`, `energy_density` for output.
+   * `rotation`, `axes`, `energy_density` for output. With `has_mean_forces` and
+   * large rotations it has `mean_force` and `mean_tangent` over a step.
    */
   template <class Beam>
   class BeamForces : public StrutForces
@@ -99,27 +103,26 @@ namespace auxfem
                       double           *residual,
                       EffectResults    *results) const override
     {
-      BeamEnergy energy;
-      double     force[n];
-      for (unsigned int e = 0; e < elements.size(); ++e)
+      BeamEnergy &energy = static_cast<BeamResults &>(*results).energy;
+      if (evaluation.kind == Evaluation::Kind::between)
         {
-          const int       *unknowns   = numbering.element_unknowns(e);
-          const BeamEnergy of_element = Beam::internal_force(
-            shape,
-            &frames[std::size_t(e) * order],
-            elements[e].jacobian,
-            elements[e].stiffness,
-            Beam::motion(numbering, unknowns, evaluation.to),
-            force);
-          if (elements[e].counted)
-            {
-              energy.strain += of_element.strain;
-              energy.dissipation += of_element.dissipation;
-            }
-          for (int i = 0; i < n; ++i)
-            residual[unknowns[i]] += force[i];
+          if constexpr (Beam::has_mean_forces)
+            energy = sum_forces(
+              [&](const unsigned int e, double *force) {
+                return mean_force(evaluation, e, force);
+              },
+              residual);
         }
-      static_cast<BeamResults &>(*results).energy = energy;
+      else
+        energy = sum_forces(
+          [&](const unsigned int e, double *force) {
+            return internal_force(e,
+                                  Beam::motion(numbering,
+                                               numbering.element_unknowns(e),
+                                               evaluation.to),
+                                  force);
+          },
+          residual);
     }
 
     void add_tangent(const Evaluation &evaluation,
@@ -129,6 +132,12 @@ namespace auxfem
     {
       if (factors.stiffness == 0 && factors.damping == 0)
         return;
+      if constexpr (Beam::has_mean_forces && !Beam::is_linear)
+        if (evaluation.kind == Evaluation::Kind::between)
+          {
+            add_mean_tangent(evaluation, factors, matrix);
+            return;
+          }
       double block[n * n];
       for (unsigned int e = 0; e < elements.size(); ++e)
         {
@@ -145,15 +154,24 @@ namespace auxfem
         }
     }
 
-    void account(const Evaluation & /*step*/,
+    void account(const Evaluation    &step,
                  const EffectResults *results,
                  EnergyAccount       &account) const override
     {
       const BeamEnergy &energy =
         static_cast<const BeamResults &>(*results).energy;
       account.add(strain_entry, energy.strain);
-      if (Beam::is_damped)
+      if (!Beam::is_damped)
+        return;
+      if (step.kind == Evaluation::Kind::between)
+        account.add_in_step(damping_entry, energy.dissipation);
+      else
         account.add_power(damping_entry, energy.dissipation);
+    }
+
+    std::string without_mean_forces() const override
+    {
+      return Beam::has_mean_forces ? "" : "struts that turn in space";
     }
 
     double round_off_scale(const State & /*state*/,
@@ -234,6 +252,94 @@ namespace auxfem
       typename Beam::Stiffness stiffness;
       bool                     counted;
     };
+
+    /** Adds element_force(e, force) of all elements and their energies. */
+    template <class ElementForce>
+    BeamEnergy sum_forces(const ElementForce &element_force,
+                          double             *residual) const
+    {
+      BeamEnergy energy;
+      double     force[n];
+      for (unsigned int e = 0; e < elements.size(); ++e)
+        {
+          const int       *unknowns   = numbering.element_unknowns(e);
+          const BeamEnergy of_element = element_force(e, force);
+          if (elements[e].counted)
+            {
+              energy.strain += of_element.strain;
+              energy.dissipation += of_element.dissipation;
+            }
+          for (int i = 0; i < n; ++i)
+            residual[unknowns[i]] += force[i];
+        }
+      return energy;
+    }
+
+    BeamEnergy internal_force(const unsigned int           e,
+                              const typename Beam::Motion &motion,
+                              double                      *force) const
+    {
+      return Beam::internal_force(shape,
+                                  &frames[std::size_t(e) * order],
+                                  elements[e].jacobian,
+                                  elements[e].stiffness,
+                                  motion,
+                                  force);
+    }
+
+    /** Over the step between two states. */
+    BeamEnergy mean_force(const Evaluation  &step,
+                          const unsigned int e,
+                          double            *force) const
+    {
+      const int *unknowns = numbering.element_unknowns(e);
+      if constexpr (Beam::is_linear)
+        {
+          const typename Beam::Motion start = Beam::motion(numbering,
+                                                           unknowns,
+                                                           step.from),
+                                      end   = Beam::motion(numbering,
+                                                         unknowns,
+                                                         step.to);
+          typename Beam::Motion mean        = end;
+          for (int i = 0; i < n; ++i)
+            {
+              mean.u[i] = (start.u[i] + end.u[i]) / 2;
+              if (Beam::is_damped)
+                mean.v[i] = (end.u[i] - start.u[i]) / step.dt;
+            }
+          const double strain_at_end = internal_force(e, end, force).strain;
+          return {strain_at_end,
+                  step.dt * internal_force(e, mean, force).dissipation};
+        }
+      else
+        return Beam::mean_force(shape,
+                                &frames[std::size_t(e) * order],
+                                elements[e].jacobian,
+                                elements[e].stiffness,
+                                unknowns,
+                                step,
+                                force);
+    }
+
+    void add_mean_tangent(const Evaluation     &step,
+                          const TangentFactors &factors,
+                          TangentMatrix        &matrix) const
+    {
+      double block[n * n];
+      for (unsigned int e = 0; e < elements.size(); ++e)
+        {
+          Beam::mean_tangent(shape,
+                             &frames[std::size_t(e) * order],
+                             elements[e].jacobian,
+                             elements[e].stiffness,
+                             numbering.element_unknowns(e),
+                             step,
+                             factors,
+                             block);
+          matrix.add(e, block);
+        }
+    }
 
     /**
      * Frames of the true axis; r0' is that of the interpolated axis, so the

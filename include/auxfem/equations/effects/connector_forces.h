@@ -26,9 +26,10 @@ namespace auxfem
   {
     explicit ConnectorResults(unsigned int n_connectors);
 
-    std::vector<ConnectorMotion>      motion;
-    std::vector<ConnectorResponse>    response;
-    std::vector<dealii::Tensor<1, 3>> direction; ///< of the force
+    std::vector<ConnectorMotion>   motion;
+    std::vector<ConnectorResponse> response;
+    /** Of the force; of a mean force not quite of unit length. */
+    std::vector<dealii::Tensor<1, 3>> direction;
     std::vector<dealii::Tensor<1, 3>> velocity_difference;
     std::vector<double>               current_length; ///< m
   };
@@ -48,9 +49,10 @@ namespace auxfem
                     const DofNumbering           &numbering,
                     bool                          large_rotation);
 
-    bool is_linear() const override;
-    void register_in(StateLayout &layout) override;
-    void register_blocks(TangentPattern &pattern) override;
+    bool        is_linear() const override;
+    std::string without_mean_forces() const override;
+    void        register_in(StateLayout &layout) override;
+    void        register_blocks(TangentPattern &pattern) override;
     std::unique_ptr<EffectResults> make_results() const override;
 
     void   add_residual(const Evaluation &evaluation,
@@ -110,6 +112,15 @@ namespace auxfem
     /** Forces of the motion in @p results, and internal variables. */
     void find_response(const Evaluation &evaluation,
                        ConnectorResults &results) const;
+
+    /** Derivative of mean forces by the state at the end. */
+    void add_mean_tangent(const Evaluation       &evaluation,
+                          const ConnectorResults &results,
+                          TangentMatrix          &matrix) const;
+    /** Adds the derivative of the force on the second end of connector @p i by the relative motion. */
+    void add_block(unsigned int i,
+                   const double (&by_motion)[3][3],
+                   TangentMatrix &matrix) const;
 
     std::string                         group_name;
     std::shared_ptr<const ConnectorLaw> law;

@@ -33,21 +33,22 @@ namespace auxfem
     /** Whether no load was added. */
     bool empty() const;
 
-    bool is_linear() const override;
-    void register_blocks(TangentPattern &pattern) override;
-    void register_in(StateLayout &layout) override;
-    void add_residual(const Evaluation &evaluation,
-                      double           *residual,
-                      EffectResults    *results) const override;
-    void add_tangent(const Evaluation     &evaluation,
-                     const EffectResults  *results,
-                     const TangentFactors &factors,
-                     TangentMatrix        &matrix) const override;
-    void add_load_derivative(const Evaluation &evaluation,
-                             double           *derivative) const override;
-    void account(const Evaluation    &step,
-                 const EffectResults *results,
-                 EnergyAccount       &account) const override;
+    bool        is_linear() const override;
+    std::string without_mean_forces() const override;
+    void        register_blocks(TangentPattern &pattern) override;
+    void        register_in(StateLayout &layout) override;
+    void        add_residual(const Evaluation &evaluation,
+                             double           *residual,
+                             EffectResults    *results) const override;
+    void        add_tangent(const Evaluation     &evaluation,
+                            const EffectResults  *results,
+                            const TangentFactors &factors,
+                            TangentMatrix        &matrix) const override;
+    void        add_load_derivative(const Evaluation &evaluation,
+                                    double           *derivative) const override;
+    void        account(const Evaluation    &step,
+                        const EffectResults *results,
+                        EnergyAccount       &account) const override;
 
   private:
     /** Force and moment in the axes that turn with the joint (N, N m). */
@@ -72,6 +73,13 @@ namespace auxfem
     static Values values_now(const Load &load, const Evaluation &evaluation);
     /** When the step begins. */
     Values values_before(const Load &load, const Evaluation &step) const;
+    /** Means over the step of what acts on a joint, in the global frame; the
+     * moment is. */
+    Values mean_values(const Load       &load,
+                       const Joint      &joint,
+                       const Evaluation &step) const;
+    /** Of a step between two states: such that moments too do their work. */
+    void add_mean_loads(const Evaluation &step, double *residual) const;
     /** Subtracts force and moment of all loads, times @p factor. */
     void
     subtract(double factor, const Evaluation &evaluation, double *forces) const;

@@ -60,6 +60,11 @@ namespace auxfem
       return !large_rotation;
     }
 
+    std::string without_mean_forces() const override
+    {
+      return "";
+    }
+
     void register_blocks(TangentPattern &pattern) override
     {
       // Numbered consecutively: bases, then joints, then clamps.
@@ -198,6 +203,22 @@ namespace auxfem
     };
 
     void add_conditions(const NaturalBody<dim> &body);
+
+    /**
+     * Of the multiplier's forces: of a step between two states such that it
+     * gives increments of the condition exactly, moments doing work on Cayley's
+     * measure of turns.
+     */
+    Vec force_direction(const Base &base, const Evaluation &evaluation) const
+    {
+      const Vec now = gradient(base, evaluation.to.displacement.data());
+      return evaluation.kind == Evaluation::Kind::between
+        ? (gradient(base, evaluation.from.displacement.data()) + now) / 2
+        : now;
+    }
+
+    std::pair<PlaneVector, double>
+    force_direction(const Clamp &clamp, const Evaluation &evaluation) const;
 
     Vec gradient(const Base &base, const double *u) const
     {

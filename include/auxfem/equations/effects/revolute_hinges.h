@@ -35,20 +35,21 @@ namespace auxfem
              const std::array<int, 2> &multipliers,
              const SpaceVector        &axis);
 
-    bool   is_linear() const override;
-    void   register_blocks(TangentPattern &pattern) override;
-    void   add_residual(const Evaluation &evaluation,
-                        double           *residual,
-                        EffectResults    *results) const override;
-    void   add_tangent(const Evaluation     &evaluation,
-                       const EffectResults  *results,
-                       const TangentFactors &factors,
-                       TangentMatrix        &matrix) const override;
-    double round_off_scale(const State         &state,
-                           const EffectResults *results,
-                           double               largest_displacement,
-                           double largest_rotation) const override;
-    void   find_rates(const State &state, double *rates) const override;
+    bool        is_linear() const override;
+    std::string without_mean_forces() const override;
+    void        register_blocks(TangentPattern &pattern) override;
+    void        add_residual(const Evaluation &evaluation,
+                             double           *residual,
+                             EffectResults    *results) const override;
+    void        add_tangent(const Evaluation     &evaluation,
+                            const EffectResults  *results,
+                            const TangentFactors &factors,
+                            TangentMatrix        &matrix) const override;
+    double      round_off_scale(const State         &state,
+                                const EffectResults *results,
+                                double               largest_displacement,
+                                double largest_rotation) const override;
+    void        find_rates(const State &state, double *rates) const override;
 
   private:
     struct Hinge

@@ -26,23 +26,24 @@ namespace auxfem
      */
     void add(int first, int second, double stiffness, unsigned int number);
 
-    bool   is_linear() const override;
-    void   register_blocks(TangentPattern &pattern) override;
-    void   add_residual(const Evaluation &evaluation,
-                        double           *residual,
-                        EffectResults    *results) const override;
-    void   add_tangent(const Evaluation     &evaluation,
-                       const EffectResults  *results,
-                       const TangentFactors &factors,
-                       TangentMatrix        &matrix) const override;
-    void   register_in(StateLayout &layout) override;
-    void   account(const Evaluation    &step,
-                   const EffectResults *results,
-                   EnergyAccount       &account) const override;
-    double round_off_scale(const State         &state,
-                           const EffectResults *results,
-                           double               largest_displacement,
-                           double largest_rotation) const override;
+    bool        is_linear() const override;
+    std::string without_mean_forces() const override;
+    void        register_blocks(TangentPattern &pattern) override;
+    void        add_residual(const Evaluation &evaluation,
+                             double           *residual,
+                             EffectResults    *results) const override;
+    void        add_tangent(const Evaluation     &evaluation,
+                            const EffectResults  *results,
+                            const TangentFactors &factors,
+                            TangentMatrix        &matrix) const override;
+    void        register_in(StateLayout &layout) override;
+    void        account(const Evaluation    &step,
+                        const EffectResults *results,
+                        EnergyAccount       &account) const override;
+    double      round_off_scale(const State         &state,
+                                const EffectResults *results,
+                                double               largest_displacement,
+                                double largest_rotation) const override;
 
   private:
     struct Spring

@@ -31,12 +31,32 @@ namespace auxfem
                  const EffectResults *results,
                  EnergyAccount       &account) const override;
 
+  protected:
+    /**
+     * The velocities that damping sees: those at evaluation.to, between two
+     * states their means.
+     */
+    class DampedVelocity
+    {
+    public:
+      /** @p evaluation must outlive the object. */
+      explicit DampedVelocity(const Evaluation &evaluation);
+
+      /** Of all local unknowns. */
+      const double *values() const;
+
+    private:
+      const Evaluation   &evaluation;
+      std::vector<double> means; ///< empty unless between two states
+    };
+
   private:
-    /** Of the struts this rank counts (J). */
-    virtual double kinetic_energy(const State &state) const = 0;
+    /** Of the struts this rank counts (J), of the velocities of all unknowns.
+     */
+    virtual double kinetic_energy(const double *velocity) const = 0;
 
     /** Lost by mass-proportional damping in these struts (W). */
-    virtual double damping_power(const State &state) const = 0;
+    virtual double damping_power(const double *velocity) const = 0;
 
     const bool   is_damped;
     unsigned int kinetic_entry = 0, damping_entry = 0;
