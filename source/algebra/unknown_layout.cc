@@ -28,7 +28,8 @@ namespace auxfem
 
   void UnknownLayout::make_exchange()
   {
-    if (n_ranks() == 1)
+    // deal.II divides by the number of unknowns.
+    if (n_ranks() == 1 || n_global() == 0)
       return;
     std::vector<dealii::types::global_dof_index> owned(n_owned());
     std::iota(owned.begin(), owned.end(), first[my_rank]);
