@@ -1,4 +1,5 @@
 #include <auxfem/algebra/direct_solvers.h>
+#include <auxfem/algebra/iterative_solver.h>
 #include <auxfem/algebra/linear_solver_method.h>
 
 #include <deal.II/base/exceptions.h>
@@ -52,8 +53,8 @@ namespace auxfem
   } // namespace
 
   std::unique_ptr<LinearSolverMethod>
-  make_linear_solver_method(const LinearSolverType type,
-                            const SolverParameters & /*parameters*/)
+  make_linear_solver_method(const LinearSolverType  type,
+                            const SolverParameters &parameters)
   {
     switch (type)
       {
@@ -66,9 +67,9 @@ namespace auxfem
         case LinearSolverType::mumps:
           return std::make_unique<DirectMethod>(make_mumps());
         case LinearSolverType::iterative:
-          break;
+          return std::make_unique<IterativeSolver>(parameters);
       }
-    AssertThrow(false, dealii::ExcNotImplemented());
+    Assert(false, dealii::ExcInternalError());
     return nullptr;
   }
 } // namespace auxfem

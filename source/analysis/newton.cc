@@ -28,11 +28,10 @@ namespace auxfem
     {
       const double *before = step.from.displacement.data();
       const double *now    = step.to.displacement.data();
-      double        mine = 0, all = 0;
+      double        mine   = 0;
       for (const int i : *step.to.plane_rotations)
         mine = std::max(mine, std::abs(now[i] - before[i]));
-      model.numbering.communicator().MaxAll(&mine, &all, 1);
-      return all;
+      return model.numbering.layout().largest(mine);
     }
   } // namespace
 

@@ -126,9 +126,9 @@ namespace auxfem
 
   void DofNumbering::mark_unknowns()
   {
-    of_unknowns.positions  = of_lattice.joints;
-    of_unknowns.components = node_components;
-    const auto mark_all    = [this](const GlobalNumbers::OfMotion &of_motion,
+    std::vector<dealii::Point<3>> positions = of_lattice.joints;
+    of_unknowns.components                  = node_components;
+    const auto mark_all = [this](const GlobalNumbers::OfMotion &of_motion,
                                  const unsigned int             node) {
       for (unsigned int c = 0; c < n_motion_components; ++c)
         if (of_motion[c] >= 0)
@@ -151,13 +151,16 @@ namespace auxfem
         dealii::Point<3> middle;
         for (const unsigned int joint : part.joints)
           middle += of_lattice.joints[joint] / double(part.joints.size());
-        mark_all(numbers.rigid_parts[p].motion, of_unknowns.positions.size());
-        of_unknowns.positions.push_back(middle);
+        mark_all(numbers.rigid_parts[p].motion, positions.size());
+        positions.push_back(middle);
       }
     for (unsigned int joint = 0; joint < numbers.joints.size(); ++joint)
       mark_all(numbers.joints[joint], joint);
     for (const auto &[end, of_motion] : numbers.released_ends)
       mark_all(of_motion, of_lattice.struts[end.first].joints[end.second]);
+    of_unknowns.positions =
+      std::make_shared<const std::vector<dealii::Point<3>>>(
+        std::move(positions));
   }
 
   void DofNumbering::mark_constraints()

@@ -249,10 +249,11 @@ namespace auxfem
     const Choice solver_type = {
       "Type",
       "auto",
-      {"auto", "klu", "mumps", "gmres"},
-      "Direct solvers klu and mumps, or gmres, iterative, for lattices that are "
-      "too large for these, without rigid parts and revolute hinges; auto: klu, and mumps on "
-      "several processes where the lattice is large."};
+      {"auto", "cholmod", "klu", "mumps", "gmres"},
+      "Direct solvers, or gmres, iterative, for lattices that are too large for "
+      "these. cholmod takes the symmetric part of the tangent and no rigid "
+      "parts or revolute hinges; klu and mumps take all. auto chooses by kind "
+      "and size, as the first lines of a run tell."};
     const Choice preconditioner = {
       "Preconditioner",
       "amg",

@@ -8,8 +8,9 @@ namespace auxfem
   /** `Solver`: linear solver. */
   struct SolverParameters
   {
-    std::string type           = "auto"; ///< `auto`, `klu`, `mumps`, `gmres`
-    std::string preconditioner = "amg";  ///< `amg`, `ilu`
+    /** `auto`, `cholmod`, `klu`, `mumps`, `gmres`. */
+    std::string type           = "auto";
+    std::string preconditioner = "amg"; ///< `amg`, `ilu`
     /** Of an iterative solution, relative to the right-hand side. */
     double       tolerance          = 1e-8;
     unsigned int maximum_iterations = 1000;

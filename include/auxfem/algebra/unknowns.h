@@ -5,6 +5,7 @@
 
 #include <deal.II/base/point.h>
 
+#include <memory>
 #include <optional>
 
 namespace auxfem
@@ -53,7 +54,7 @@ namespace auxfem
      */
     std::vector<unsigned char> component;
     /** Positions of joints, then of other things that `joint` names (m). */
-    std::vector<dealii::Point<3>> positions;
+    std::shared_ptr<const std::vector<dealii::Point<3>>> positions;
     /** Components of motion that nodes have: 0, 1, 5 in the plane, else all. */
     std::vector<unsigned int> components;
     /** Ties moments to forces (m). */

@@ -1,0 +1,109 @@
+#ifndef auxfem_algebra_joint_elimination_h
+#define auxfem_algebra_joint_elimination_h
+
+#include <auxfem/algebra/joint_order.h>
+#include <auxfem/algebra/joint_rows.h>
+
+#include <memory>
+
+namespace auxfem
+{
+  /**
+   * Exact elimination of joints with few neighbours and of all multipliers,
+   * rank by rank. What is left of A x = b is
+   *
+   *     S z = g,  S = A_LL - A_LE A_EE^-1 A_EL,
+   *
+   * E eliminated, L left. It has fewer, stouter members between joints than the
+   * lattice: multigrid finds their bending less soft against their extension.
+   * Moments are divided by a length and rotations measured in that length times
+   * radian, conditions and multipliers measured by the largest stiffness, so
+   * that all entries of S have the unit N/m.
+   */
+  class JointElimination
+  {
+  public:
+    /**
+     * @param unknowns of the rows and columns of all matrices to come
+     * @param most_at_once on one rank: goes on to the end if that leaves fewer
+     * rows
+     */
+    JointElimination(const Unknowns &unknowns, std::size_t most_at_once);
+
+    /**
+     * Makes S, with a new order if there is none yet or if the one there is
+     * meets a singular block. Returns false if other orders do so too, on any
+     * rank. Collective.
+     */
+    bool factorize(const SparseMatrix &matrix);
+
+    /** How often rows() and the pattern of S have changed. */
+    unsigned int version() const;
+
+    /** The rows that are left. */
+    const JointRows &rows() const;
+
+    /** S. */
+    const SparseMatrix &matrix() const;
+
+    /** Negative eigenvalues of A_EE of this rank, if A is symmetric. */
+    unsigned long n_negative() const;
+
+    /** Makes @p g from the right-hand side @p b, owned rows. */
+    void reduce(const double *b, double *g);
+
+    /** Completes @p x, owned rows, from @p z and the last reduce(). */
+    void expand(const double *z, double *x);
+
+    /** Memory on this rank (bytes). */
+    std::size_t memory() const;
+
+  private:
+    using Pivot = JointOrder::Pivot;
+
+    void measure(const SparseMatrix &matrix);
+    bool eliminate_with_some_order(const SparseMatrix &matrix);
+    void find_order(const SparseMatrix &matrix);
+    /** With the order there is; returns the pivot that fails. */
+    const Pivot *eliminate(const SparseMatrix &matrix);
+    void         fill_blocks(const SparseMatrix &matrix);
+    bool         factorize_pivot(std::size_t number, bool is_symmetric);
+    void         update_neighbours(std::size_t number);
+    /** Makes one group of a pivot and its neighbour; false if it has none. */
+    bool merge_with_neighbour(const Pivot &pivot);
+    void make_pattern(const SparseMatrix &matrix);
+    void make_row(const SparseMatrix &matrix, unsigned int unknown);
+    void fill_matrix(const SparseMatrix &matrix);
+
+    unsigned int size(unsigned int group) const;
+    /** nullptr for positive definite blocks. */
+    const int *exchanges_of(std::size_t pivot) const;
+
+    const Unknowns                  &unknowns;
+    const std::size_t                most_at_once;
+    std::vector<double>              scale; ///< by local unknown
+    double                           stiffness = 0;
+    std::vector<std::pair<int, int>> merged;
+    std::unique_ptr<JointGroups>     groups;
+    /** None if the last one has failed. */
+    std::unique_ptr<JointOrder>   order;
+    bool                          has_pattern = false;
+    unsigned int                  n_patterns  = 0;
+    std::unique_ptr<JointRows>    joint_rows;
+    std::unique_ptr<SparseMatrix> left;
+    /** Where an entry of S is found, in the blocks or else in the matrix. */
+    std::vector<std::size_t> sources;
+    std::vector<bool>        is_in_blocks;
+
+    std::vector<double>      blocks;
+    std::vector<double>      largest_in_row; ///< before elimination
+    std::vector<int>         exchanges;      ///< of pivots, one after the other
+    std::vector<std::size_t> first_exchange;
+    std::vector<bool>        is_definite; ///< by pivot
+    std::vector<double>      room;
+    unsigned long            negative = 0;
+    std::vector<double>      values; ///< by owned unknown, between two stages
+  };
+} // namespace auxfem
+
+#endif

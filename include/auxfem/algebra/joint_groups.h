@@ -1,0 +1,58 @@
+#ifndef auxfem_algebra_joint_groups_h
+#define auxfem_algebra_joint_groups_h
+
+#include <auxfem/algebra/sparse_matrix.h>
+#include <auxfem/algebra/unknowns.h>
+
+#include <optional>
+#include <utility>
+
+namespace auxfem
+{
+  /**
+   * The rows of this rank that are not prescribed in groups that one pivot
+   * block can eliminate: those of a joint, and with them as many multipliers as
+   * find conditions on that joint that do not follow from each other. The block
+   * of a joint with stiffness A and conditions B on it,
+   *
+   *     A  B^T
+   *     B   0
+   *
+   * is then regular whatever is beside it, if A is positive definite where B
+   * allows motion. Where no joint has room for a multiplier, joints are merged.
+   */
+  class JointGroups
+  {
+  public:
+    /**
+     * @param scale of local unknowns: entries are taken times those of their
+     * row and column
+     * @param merged pairs of rows whose groups are to be one
+     */
+    JointGroups(const SparseMatrix                     &matrix,
+                const Unknowns                         &unknowns,
+                const std::vector<double>              &scale,
+                const std::vector<std::pair<int, int>> &merged);
+
+    unsigned int n_groups() const;
+
+    /** Group of an owned row; none of prescribed ones. */
+    std::optional<unsigned int> group(unsigned int row) const;
+
+    /** Rows of a group, and the number of a row among them. */
+    const std::vector<int> &rows(unsigned int group) const;
+    unsigned int            number_in_group(unsigned int row) const;
+
+    bool has_multipliers(unsigned int group) const;
+
+  private:
+    class Assignment;
+
+    std::vector<std::optional<unsigned int>> of_row;
+    std::vector<unsigned int>                number;
+    std::vector<std::vector<int>>            in_group;
+    std::vector<bool>                        constrained;
+  };
+} // namespace auxfem
+
+#endif

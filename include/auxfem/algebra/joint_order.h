@@ -1,0 +1,80 @@
+#ifndef auxfem_algebra_joint_order_h
+#define auxfem_algebra_joint_order_h
+
+#include <auxfem/algebra/joint_groups.h>
+
+namespace auxfem
+{
+  /**
+   * The order in which groups of rows are eliminated, found from the pattern
+   * alone, and where the blocks that come into being are kept. Eliminating a
+   * group couples all its neighbours with each other; so the one with the
+   * fewest comes first (minimum degree; Rose 1972).
+   */
+  class JointOrder
+  {
+  public:
+    /** A group that another acts on, and the first entry of the block. */
+    struct Link
+    {
+      unsigned int group;
+      std::size_t  block;
+    };
+
+    /** A group to eliminate; with what it is coupled at that time. */
+    struct Pivot
+    {
+      unsigned int group;
+      std::size_t  block;
+      /** Blocks (pivot, neighbour), and of the same neighbours (., pivot). */
+      std::vector<Link> right, left;
+      /** Blocks (neighbour, neighbour), row by row. */
+      std::vector<std::size_t> between;
+    };
+
+    /**
+     * Groups with multipliers first, however many neighbours they have, then
+     * others while they have at most @p most_neighbours. All that acts on rows
+     * of other ranks stays. Goes on to the end if that leaves less than
+     * @p most_at_once rows.
+     */
+    JointOrder(const SparseMatrix &matrix,
+               const JointGroups  &groups,
+               const Unknowns     &unknowns,
+               unsigned int        most_neighbours,
+               std::size_t         most_at_once);
+
+    const std::vector<Pivot> &pivots() const;
+
+    /** Entries of all blocks, row by row in each. */
+    std::size_t n_entries() const;
+
+    /** Place of entry (@p row, @p column) of the matrix, both in groups. */
+    std::size_t place(unsigned int row, unsigned int column) const;
+
+    /** Groups that stay, and the blocks of their rows, in order of groups. */
+    const std::vector<unsigned int> &left() const;
+    const std::vector<Link>         &links(unsigned int group) const;
+
+    /** Memory of all this (bytes). */
+    std::size_t memory() const;
+
+  private:
+    void connect(const SparseMatrix &matrix, const Unknowns &unknowns);
+    void eliminate_groups(bool constrained_only, std::size_t most_neighbours);
+    void eliminate(unsigned int group);
+    /** The block (row, column), a new one if there is none yet. */
+    std::size_t block(unsigned int row, unsigned int column);
+    std::size_t n_rows_left() const;
+
+    const JointGroups &groups;
+    /** Of every group, itself included, before and during elimination. */
+    std::vector<std::vector<Link>> at_first, adjacent;
+    std::vector<bool>              is_gone, must_stay;
+    std::vector<Pivot>             order;
+    std::vector<unsigned int>      staying;
+    std::size_t                    n_used = 0;
+  };
+} // namespace auxfem
+
+#endif

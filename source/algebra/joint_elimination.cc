@@ -1,0 +1,388 @@
+#include <auxfem/algebra/dense_block.h>
+#include <auxfem/algebra/joint_elimination.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace auxfem
+{
+  namespace
+  {
+    /**
+     * Joints with more neighbours stay. With 3 the rest needs more iterations,
+     * with 6 it gets too dense.
+     */
+    constexpr unsigned int most_neighbours = 4;
+
+    constexpr unsigned int n_attempts  = 8;
+    constexpr unsigned int most_merged = 300; ///< rows
+
+    /** Pivots of this size, relative to the rows, are rounding. */
+    constexpr double negligible = 16 * std::numeric_limits<double>::epsilon();
+  } // namespace
+
+  JointElimination::JointElimination(const Unknowns   &unknowns,
+                                     const std::size_t most_at_once)
+    : unknowns(unknowns)
+    , most_at_once(most_at_once)
+  {}
+
+  unsigned int JointElimination::version() const
+  {
+    return n_patterns;
+  }
+
+  const JointRows &JointElimination::rows() const
+  {
+    return *joint_rows;
+  }
+
+  const SparseMatrix &JointElimination::matrix() const
+  {
+    return *left;
+  }
+
+  unsigned long JointElimination::n_negative() const
+  {
+    return negative;
+  }
+
+  unsigned int JointElimination::size(const unsigned int group) const
+  {
+    return groups->rows(group).size();
+  }
+
+  const int *JointElimination::exchanges_of(const std::size_t pivot) const
+  {
+    return is_definite[pivot] ? nullptr : &exchanges[first_exchange[pivot]];
+  }
+
+  bool JointElimination::factorize(const SparseMatrix &matrix)
+  {
+    measure(matrix);
+    const UnknownLayout &layout     = unknowns.layout;
+    const bool           has_failed = !eliminate_with_some_order(matrix);
+    if (layout.largest(has_failed ? 1. : 0.) > 0)
+      return false;
+    if (layout.largest(has_pattern ? 0. : 1.) > 0)
+      make_pattern(matrix);
+    fill_matrix(matrix);
+    return true;
+  }
+
+  void JointElimination::measure(const SparseMatrix &matrix)
+  {
+    const UnknownLayout &layout = unknowns.layout;
+    scale.assign(layout.n_local(), 1.);
+    for (unsigned int i = 0; i < layout.n_local(); ++i)
+      if (unknowns.is_rotation[i])
+        scale[i] = 1 / unknowns.length;
+
+    const auto is_free = [this](const int i) {
+      return unknowns.kinds[i] != UnknownKind::prescribed &&
+        unknowns.kinds[i] != UnknownKind::multiplier;
+    };
+    stiffness = 0;
+    for (unsigned int row = 0; row < layout.n_owned(); ++row)
+      for (std::size_t i = matrix.first[row]; i < matrix.first[row + 1]; ++i)
+        if (const int column = matrix.columns[i];
+            is_free(row) && is_free(column))
+          stiffness =
+            std::max(stiffness,
+                     std::abs(matrix.entries[i]) * scale[row] * scale[column]);
+    stiffness = layout.largest(stiffness);
+    for (unsigned int row = 0; row < layout.n_owned(); ++row)
+      if (unknowns.kinds[row] == UnknownKind::multiplier)
+        {
+          double largest = 0;
+          for (std::size_t i = matrix.first[row]; i < matrix.first[row + 1];
+               ++i)
+            largest =
+              std::max(largest,
+                       std::abs(matrix.entries[i]) * scale[matrix.columns[i]]);
+          if (largest > 0)
+            scale[row] = stiffness / largest;
+        }
+    layout.update_ghosts(scale.data());
+  }
+
+  bool JointElimination::eliminate_with_some_order(const SparseMatrix &matrix)
+  {
+    for (unsigned int attempt = 0; attempt < n_attempts; ++attempt)
+      {
+        const bool is_new = order == nullptr;
+        if (is_new)
+          find_order(matrix);
+        const Pivot *weak = eliminate(matrix);
+        if (weak == nullptr)
+          return true;
+        // Conditions turn with the motion: an order that has served may fail
+        // where one that is made for the matrix as it is now does not.
+        const bool may_improve = !is_new || merge_with_neighbour(*weak);
+        order.reset();
+        if (!may_improve)
+          return false;
+      }
+    return false;
+  }
+
+  void JointElimination::find_order(const SparseMatrix &matrix)
+  {
+    groups = std::make_unique<JointGroups>(matrix, unknowns, scale, merged);
+    order =
+      std::make_unique<JointOrder>(matrix,
+                                   *groups,
+                                   unknowns,
+                                   most_neighbours,
+                                   unknowns.layout.n_ranks() == 1 ? most_at_once
+                                                                  : 0);
+    has_pattern = false;
+    first_exchange.assign(1, 0);
+    for (const Pivot &pivot : order->pivots())
+      first_exchange.push_back(first_exchange.back() + size(pivot.group));
+    exchanges.resize(first_exchange.back());
+  }
+
+  const JointElimination::Pivot *
+  JointElimination::eliminate(const SparseMatrix &matrix)
+  {
+    fill_blocks(matrix);
+    negative = 0;
+    is_definite.assign(order->pivots().size(), false);
+    for (std::size_t p = 0; p < order->pivots().size(); ++p)
+      {
+        if (!factorize_pivot(p, matrix.is_symmetric))
+          return &order->pivots()[p];
+        update_neighbours(p);
+      }
+    return nullptr;
+  }
+
+  void JointElimination::fill_blocks(const SparseMatrix &matrix)
+  {
+    blocks.assign(order->n_entries(), 0.);
+    largest_in_row.assign(unknowns.layout.n_owned(), 0.);
+    for (unsigned int row = 0; row < unknowns.layout.n_owned(); ++row)
+      if (groups->group(row))
+        for (std::size_t i = matrix.first[row]; i < matrix.first[row + 1]; ++i)
+          {
+            const int column = matrix.columns[i];
+            if (!unknowns.layout.is_owned(column) || !groups->group(column))
+              continue;
+            const double entry = matrix.entries[i] * scale[row] * scale[column];
+            blocks[order->place(row, column)] = entry;
+            largest_in_row[row] =
+              std::max(largest_in_row[row], std::abs(entry));
+          }
+  }
+
+  bool JointElimination::factorize_pivot(const std::size_t number,
+                                         const bool        is_symmetric)
+  {
+    const Pivot       &pivot   = order->pivots()[number];
+    const unsigned int n       = size(pivot.group);
+    double            *block   = &blocks[pivot.block];
+    double             largest = 0;
+    for (const int row : groups->rows(pivot.group))
+      largest = std::max(largest, largest_in_row[row]);
+    room.assign(block, block + n * n);
+    if (is_symmetric &&
+        factorize_definite_block(block, n, negligible * largest))
+      return is_definite[number] = true;
+    std::copy(room.begin(), room.end(), block);
+    if (!factorize_general_block(block,
+                                 n,
+                                 &exchanges[first_exchange[number]],
+                                 negligible * largest))
+      return false;
+    if (is_symmetric)
+      negative += n_negative_eigenvalues(room.data(), n);
+    return true;
+  }
+
+  void JointElimination::update_neighbours(const std::size_t number)
+  {
+    const Pivot       &pivot = order->pivots()[number];
+    const unsigned int n     = size(pivot.group);
+    for (const JointOrder::Link &link : pivot.right)
+      solve_with_block(&blocks[pivot.block],
+                       exchanges_of(number),
+                       n,
+                       &blocks[link.block],
+                       size(link.group));
+    auto target = pivot.between.begin();
+    for (const JointOrder::Link &row : pivot.left)
+      for (const JointOrder::Link &column : pivot.right)
+        subtract_product(&blocks[*target++],
+                         &blocks[row.block],
+                         &blocks[column.block],
+                         size(row.group),
+                         n,
+                         size(column.group));
+  }
+
+  bool JointElimination::merge_with_neighbour(const Pivot &pivot)
+  {
+    const unsigned int          n         = size(pivot.group);
+    double                      strongest = 0;
+    std::optional<unsigned int> neighbour;
+    for (const JointOrder::Link &link : pivot.left)
+      for (unsigned int i = 0; i < n * size(link.group); ++i)
+        if (const double entry = std::abs(blocks[link.block + i]);
+            entry > strongest && n + size(link.group) <= most_merged)
+          {
+            strongest = entry;
+            neighbour = link.group;
+          }
+    if (neighbour)
+      merged.emplace_back(groups->rows(pivot.group).front(),
+                          groups->rows(*neighbour).front());
+    return neighbour.has_value();
+  }
+
+  void JointElimination::make_pattern(const SparseMatrix &matrix)
+  {
+    std::vector<int> taken;
+    for (const unsigned int group : order->left())
+      taken.insert(taken.end(),
+                   groups->rows(group).begin(),
+                   groups->rows(group).end());
+    joint_rows = std::make_unique<JointRows>(unknowns, taken);
+    left       = std::make_unique<SparseMatrix>(joint_rows->layout());
+    sources.clear();
+    is_in_blocks.clear();
+    for (unsigned int row = 0; row < joint_rows->layout().n_owned(); ++row)
+      {
+        if (const auto unknown = joint_rows->unknown(row))
+          make_row(matrix, *unknown);
+        else
+          {
+            left->columns.push_back(row);
+            sources.push_back(0);
+            is_in_blocks.push_back(false);
+          }
+        left->first[row + 1] = left->columns.size();
+      }
+    left->entries.resize(left->columns.size());
+    has_pattern = true;
+    ++n_patterns;
+  }
+
+  void JointElimination::make_row(const SparseMatrix &matrix,
+                                  const unsigned int  unknown)
+  {
+    struct Source
+    {
+      unsigned int column;
+      std::size_t  place;
+      bool         is_in_blocks;
+    };
+    std::vector<Source> row;
+    for (const JointOrder::Link &link : order->links(*groups->group(unknown)))
+      {
+        std::size_t place =
+          link.block + groups->number_in_group(unknown) * size(link.group);
+        for (const int other : groups->rows(link.group))
+          row.push_back({*joint_rows->row(other), place++, true});
+      }
+    for (std::size_t i = matrix.first[unknown]; i < matrix.first[unknown + 1];
+         ++i)
+      if (const int column = matrix.columns[i];
+          !unknowns.layout.is_owned(column) && joint_rows->row(column))
+        row.push_back({*joint_rows->row(column), i, false});
+    std::sort(row.begin(), row.end(), [](const Source &a, const Source &b) {
+      return a.column < b.column;
+    });
+    for (const Source &source : row)
+      {
+        left->columns.push_back(source.column);
+        sources.push_back(source.place);
+        is_in_blocks.push_back(source.is_in_blocks);
+      }
+  }
+
+  void JointElimination::fill_matrix(const SparseMatrix &matrix)
+  {
+    left->is_symmetric = matrix.is_symmetric;
+    for (unsigned int row = 0; row < joint_rows->layout().n_owned(); ++row)
+      {
+        const auto unknown = joint_rows->unknown(row);
+        for (std::size_t i = left->first[row]; i < left->first[row + 1]; ++i)
+          if (!unknown)
+            left->entries[i] = stiffness;
+          else if (is_in_blocks[i])
+            left->entries[i] = blocks[sources[i]];
+          else
+            left->entries[i] = matrix.entries[sources[i]] * scale[*unknown] *
+              scale[matrix.columns[sources[i]]];
+      }
+  }
+
+  void JointElimination::reduce(const double *b, double *g)
+  {
+    values.resize(unknowns.layout.n_owned());
+    for (unsigned int i = 0; i < values.size(); ++i)
+      values[i] = groups->group(i) ? b[i] * scale[i] : b[i];
+    for (std::size_t p = 0; p < order->pivots().size(); ++p)
+      {
+        const Pivot            &pivot = order->pivots()[p];
+        const std::vector<int> &own   = groups->rows(pivot.group);
+        room.resize(own.size());
+        for (unsigned int i = 0; i < own.size(); ++i)
+          room[i] = values[own[i]];
+        solve_with_block(&blocks[pivot.block],
+                         exchanges_of(p),
+                         own.size(),
+                         room.data(),
+                         1);
+        for (unsigned int i = 0; i < own.size(); ++i)
+          values[own[i]] = room[i];
+        for (const JointOrder::Link &link : pivot.left)
+          {
+            const double *entry = &blocks[link.block];
+            for (const int row : groups->rows(link.group))
+              for (const double value : room)
+                values[row] -= *entry++ * value;
+          }
+      }
+    for (unsigned int row = 0; row < joint_rows->layout().n_owned(); ++row)
+      {
+        const auto unknown = joint_rows->unknown(row);
+        g[row]             = unknown ? values[*unknown] : 0.;
+      }
+  }
+
+  void JointElimination::expand(const double *z, double *x)
+  {
+    for (unsigned int row = 0; row < joint_rows->layout().n_owned(); ++row)
+      if (const auto unknown = joint_rows->unknown(row))
+        values[*unknown] = z[row];
+    for (std::size_t p = order->pivots().size(); p-- > 0;)
+      {
+        const Pivot &pivot = order->pivots()[p];
+        for (const JointOrder::Link &link : pivot.right)
+          {
+            const double *entry = &blocks[link.block];
+            for (const int row : groups->rows(pivot.group))
+              for (const int other : groups->rows(link.group))
+                values[row] -= *entry++ * values[other];
+          }
+      }
+    for (unsigned int i = 0; i < values.size(); ++i)
+      x[i] = groups->group(i) ? values[i] * scale[i] : values[i];
+  }
+
+  std::size_t JointElimination::memory() const
+  {
+    std::size_t sum = blocks.capacity() * sizeof(double) +
+      exchanges.capacity() * sizeof(int) +
+      sources.capacity() * sizeof(std::size_t);
+    if (order)
+      sum += order->memory();
+    if (left)
+      sum += left->entries.capacity() * sizeof(double) +
+        left->columns.capacity() * sizeof(int);
+    return sum;
+  }
+} // namespace auxfem

@@ -1,0 +1,227 @@
+#include <auxfem/algebra/joint_order.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace auxfem
+{
+  namespace
+  {
+    using Link  = JointOrder::Link;
+    using Links = std::vector<Link>;
+
+    template <typename SomeLinks>
+    auto find_link(SomeLinks &links, const unsigned int group)
+    {
+      return std::lower_bound(links.begin(),
+                              links.end(),
+                              group,
+                              [](const Link &link, const unsigned int sought) {
+                                return link.group < sought;
+                              });
+    }
+
+    /**
+     * Groups by their number of neighbours; of several with the same the one
+     * that changed last. So elimination spreads from where it is, and the
+     * members that are left are stout: where the first in line went first,
+     * planar stars left chains and needed five times the iterations.
+     */
+    class Queue
+    {
+    public:
+      void push(const unsigned int group, const std::size_t degree)
+      {
+        if (degree >= by_degree.size())
+          by_degree.resize(degree + 1);
+        by_degree[degree].push_back(group);
+        lowest = std::min(lowest, degree);
+      }
+
+      /** A group that had at most @p most neighbours when it was pushed. */
+      std::optional<unsigned int> pop(const std::size_t most)
+      {
+        for (; lowest < by_degree.size() && lowest <= most; ++lowest)
+          {
+            std::vector<unsigned int> &waiting = by_degree[lowest];
+            if (waiting.empty())
+              continue;
+            const unsigned int group = waiting.back();
+            waiting.pop_back();
+            return group;
+          }
+        return std::nullopt;
+      }
+
+      std::size_t degree() const
+      {
+        return lowest;
+      }
+
+    private:
+      std::vector<std::vector<unsigned int>> by_degree;
+      std::size_t                            lowest = 0;
+    };
+  } // namespace
+
+  JointOrder::JointOrder(const SparseMatrix &matrix,
+                         const JointGroups  &groups,
+                         const Unknowns     &unknowns,
+                         const unsigned int  most_neighbours,
+                         const std::size_t   most_at_once)
+    : groups(groups)
+    , adjacent(groups.n_groups())
+    , is_gone(groups.n_groups(), false)
+    , must_stay(groups.n_groups(), false)
+  {
+    connect(matrix, unknowns);
+    at_first = adjacent;
+    eliminate_groups(true, std::numeric_limits<std::size_t>::max());
+    eliminate_groups(false, most_neighbours);
+    if (n_rows_left() < most_at_once)
+      eliminate_groups(false, std::numeric_limits<std::size_t>::max());
+    for (unsigned int group = 0; group < groups.n_groups(); ++group)
+      if (!is_gone[group])
+        staying.push_back(group);
+  }
+
+  const std::vector<JointOrder::Pivot> &JointOrder::pivots() const
+  {
+    return order;
+  }
+
+  std::size_t JointOrder::n_entries() const
+  {
+    return n_used;
+  }
+
+  std::size_t JointOrder::place(const unsigned int row,
+                                const unsigned int column) const
+  {
+    const unsigned int group = *groups.group(column);
+    return find_link(at_first[*groups.group(row)], group)->block +
+      groups.number_in_group(row) * groups.rows(group).size() +
+      groups.number_in_group(column);
+  }
+
+  const std::vector<unsigned int> &JointOrder::left() const
+  {
+    return staying;
+  }
+
+  const std::vector<JointOrder::Link> &
+  JointOrder::links(const unsigned int group) const
+  {
+    return adjacent[group];
+  }
+
+  std::size_t JointOrder::memory() const
+  {
+    std::size_t sum = 0;
+    for (const Links &links : at_first)
+      sum += sizeof(Links) + links.capacity() * sizeof(Link);
+    for (const Links &links : adjacent)
+      sum += sizeof(Links) + links.capacity() * sizeof(Link);
+    for (const Pivot &pivot : order)
+      sum += sizeof(Pivot) +
+        (pivot.right.capacity() + pivot.left.capacity()) * sizeof(Link) +
+        pivot.between.capacity() * sizeof(std::size_t);
+    return sum;
+  }
+
+  void JointOrder::connect(const SparseMatrix &matrix, const Unknowns &unknowns)
+  {
+    std::vector<unsigned int> seen;
+    for (unsigned int group = 0; group < groups.n_groups(); ++group)
+      {
+        seen.assign(1, group);
+        for (const int row : groups.rows(group))
+          for (std::size_t i = matrix.first[row]; i < matrix.first[row + 1];
+               ++i)
+            if (const int column = matrix.columns[i];
+                unknowns.kinds[column] != UnknownKind::prescribed)
+              {
+                if (matrix.layout->is_owned(column))
+                  seen.push_back(*groups.group(column));
+                else
+                  must_stay[group] = true;
+              }
+        std::sort(seen.begin(), seen.end());
+        seen.erase(std::unique(seen.begin(), seen.end()), seen.end());
+        for (const unsigned int other : seen)
+          block(group, other);
+      }
+  }
+
+  void JointOrder::eliminate_groups(const bool        constrained_only,
+                                    const std::size_t most_neighbours)
+  {
+    const auto may_go = [&](const unsigned int group) {
+      return !is_gone[group] && !must_stay[group] &&
+        (!constrained_only || groups.has_multipliers(group));
+    };
+    const auto degree = [this](const unsigned int group) {
+      return adjacent[group].size() - 1;
+    };
+    Queue queue;
+    for (unsigned int group = 0; group < groups.n_groups(); ++group)
+      if (may_go(group))
+        queue.push(group, degree(group));
+    while (const std::optional<unsigned int> group = queue.pop(most_neighbours))
+      {
+        // The numbers change; only the last entry of a group counts.
+        if (is_gone[*group] || degree(*group) != queue.degree())
+          continue;
+        eliminate(*group);
+        for (const Link &link : order.back().right)
+          if (may_go(link.group))
+            queue.push(link.group, degree(link.group));
+      }
+  }
+
+  void JointOrder::eliminate(const unsigned int group)
+  {
+    Pivot pivot;
+    pivot.group = group;
+    for (const Link &link : adjacent[group])
+      if (link.group == group)
+        pivot.block = link.block;
+      else
+        pivot.right.push_back(link);
+    for (const Link &link : pivot.right)
+      {
+        Links     &of_neighbour = adjacent[link.group];
+        const auto back         = find_link(of_neighbour, group);
+        pivot.left.push_back({link.group, back->block});
+        of_neighbour.erase(back);
+      }
+    for (const Link &row : pivot.right)
+      for (const Link &column : pivot.right)
+        pivot.between.push_back(block(row.group, column.group));
+    is_gone[group] = true;
+    Links().swap(adjacent[group]);
+    order.push_back(std::move(pivot));
+  }
+
+  std::size_t JointOrder::block(const unsigned int row,
+                                const unsigned int column)
+  {
+    Links &links = adjacent[row];
+    auto   link  = find_link(links, column);
+    if (link == links.end() || link->group != column)
+      {
+        link = links.insert(link, {column, n_used});
+        n_used += groups.rows(row).size() * groups.rows(column).size();
+      }
+    return link->block;
+  }
+
+  std::size_t JointOrder::n_rows_left() const
+  {
+    std::size_t sum = 0;
+    for (unsigned int group = 0; group < groups.n_groups(); ++group)
+      if (!is_gone[group])
+        sum += groups.rows(group).size();
+    return sum;
+  }
+} // namespace auxfem

@@ -1,0 +1,230 @@
+#include <auxfem/algebra/joint_elimination.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <MueLu_CreateTpetraPreconditioner.hpp>
+#include <MueLu_SmootherBase.hpp>
+
+#include <limits>
+#include <map>
+#include <stdexcept>
+
+#include "tpetra_types.h"
+
+namespace auxfem
+{
+  namespace
+  {
+    using Teuchos::ParameterList;
+    using Teuchos::RCP;
+    using Teuchos::rcp;
+
+    using Level        = MueLu::Level;
+    using Map          = TpetraMatrix::map_type;
+    using XMatrix      = Xpetra::Matrix<double,
+                                   Map::local_ordinal_type,
+                                   Map::global_ordinal_type,
+                                   Map::node_type>;
+    using XMultiVector = Xpetra::MultiVector<double,
+                                             Map::local_ordinal_type,
+                                             Map::global_ordinal_type,
+                                             Map::node_type>;
+    using Smoother     = MueLu::SmootherBase<double>;
+    using Utilities    = MueLu::Utilities<double>;
+
+    /**
+     * Exact solution on the coarsest level, the same on all ranks: it is so
+     * small that all of them can have all of it. Amesos2, which MueLu would
+     * use, returns wrong solutions on several ranks (Trilinos 13.2, KLU2).
+     */
+    class CoarseSolver : public Smoother
+    {
+    public:
+      CoarseSolver(const TpetraMatrix &matrix, const unsigned int block_size)
+        : communicator(*Teuchos::rcp_dynamic_cast<const Teuchos::MpiComm<int>>(
+                          matrix.getComm())
+                          ->getRawMpiComm())
+      {
+        const auto rows =
+          dealii::Utilities::MPI::all_gather(communicator, rows_of(matrix));
+        number_rows(rows);
+        layout           = std::make_unique<UnknownLayout>(MPI_COMM_SELF,
+                                                 number.size(),
+                                                 std::vector<int>());
+        unknowns         = std::make_unique<Unknowns>(*layout);
+        unknowns->joints = &no_places;
+        unknowns->components.resize(block_size);
+        for (unsigned int row = 0; row < number.size(); ++row)
+          unknowns->joint[row] = row / block_size;
+        elimination = std::make_unique<JointElimination>(
+          *unknowns,
+          std::numeric_limits<std::size_t>::max());
+        if (!elimination->factorize(make_matrix(rows)))
+          throw std::runtime_error("the coarsest level is singular");
+      }
+
+      void Apply(XMultiVector       &x,
+                 const XMultiVector &right_side,
+                 const bool /*starts_at_zero*/) const override
+      {
+        const auto          data = right_side.getData(0);
+        std::vector<double> all(layout->n_owned());
+        MPI_Allgatherv(data.get(),
+                       data.size(),
+                       MPI_DOUBLE,
+                       all.data(),
+                       counts.data(),
+                       begins.data(),
+                       MPI_DOUBLE,
+                       communicator);
+        elimination->reduce(all.data(), nullptr);
+        elimination->expand(nullptr, all.data());
+        std::copy_n(all.begin() + begins[rank()],
+                    data.size(),
+                    x.getDataNonConst(0).begin());
+      }
+
+      std::size_t getNodeSmootherComplexity() const override
+      {
+        return Teuchos::OrdinalTraits<std::size_t>::invalid();
+      }
+
+    private:
+      struct Rows
+      {
+        std::vector<long long>   globals, columns;
+        std::vector<std::size_t> sizes;
+        std::vector<double>      entries;
+
+        template <class Archive>
+        void serialize(Archive &archive, unsigned int)
+        {
+          archive &globals &columns &sizes &entries;
+        }
+      };
+
+      unsigned int rank() const
+      {
+        return dealii::Utilities::MPI::this_mpi_process(communicator);
+      }
+
+      static Rows rows_of(const TpetraMatrix &matrix)
+      {
+        Rows        rows;
+        const auto &row_map    = *matrix.getRowMap(),
+                   &column_map = *matrix.getColMap();
+        for (unsigned int row = 0; row < matrix.getNodeNumRows(); ++row)
+          {
+            TpetraMatrix::local_inds_host_view_type columns;
+            TpetraMatrix::values_host_view_type     entries;
+            matrix.getLocalRowView(row, columns, entries);
+            rows.globals.push_back(row_map.getGlobalElement(row));
+            rows.sizes.push_back(columns.extent(0));
+            for (std::size_t i = 0; i < columns.extent(0); ++i)
+              {
+                rows.columns.push_back(column_map.getGlobalElement(columns[i]));
+                rows.entries.push_back(entries[i]);
+              }
+          }
+        return rows;
+      }
+
+      void number_rows(const std::vector<Rows> &rows)
+      {
+        for (const Rows &of_rank : rows)
+          {
+            begins.push_back(number.size());
+            counts.push_back(of_rank.globals.size());
+            for (const long long global : of_rank.globals)
+              number.emplace(global, number.size());
+          }
+      }
+
+      SparseMatrix make_matrix(const std::vector<Rows> &rows) const
+      {
+        SparseMatrix matrix(*layout);
+        unsigned int row = 0;
+        for (const Rows &of_rank : rows)
+          {
+            std::size_t next = 0;
+            for (const std::size_t size : of_rank.sizes)
+              {
+                std::map<int, double> sorted;
+                for (std::size_t i = 0; i < size; ++i, ++next)
+                  sorted[number.at(of_rank.columns[next])] =
+                    of_rank.entries[next];
+                for (const auto &[column, entry] : sorted)
+                  {
+                    matrix.columns.push_back(column);
+                    matrix.entries.push_back(entry);
+                  }
+                matrix.first[++row] = matrix.columns.size();
+              }
+          }
+        return matrix;
+      }
+
+      MPI_Comm                          communicator;
+      std::map<long long, int>          number;
+      std::vector<int>                  begins, counts;
+      std::vector<dealii::Point<3>>     no_places;
+      std::unique_ptr<UnknownLayout>    layout;
+      std::unique_ptr<Unknowns>         unknowns;
+      std::unique_ptr<JointElimination> elimination;
+    };
+
+    RCP<TpetraVectors> make_near_null_space(const JointRows    &rows,
+                                            const TpetraMatrix &matrix)
+    {
+      const auto modes = rows.rigid_body_modes();
+      auto vectors = rcp(new TpetraVectors(matrix.getRowMap(), modes.size()));
+      for (unsigned int mode = 0; mode < modes.size(); ++mode)
+        std::copy(modes[mode].begin(),
+                  modes[mode].end(),
+                  vectors->getDataNonConst(mode).begin());
+      return vectors;
+    }
+
+    /**
+     * Chebyshev smoothing does the same on any number of ranks. With MueLu's
+     * own bounds of eigenvalues conjugate gradients break down; small
+     * aggregates save iterations. Keeping the hierarchy's structure for the
+     * next matrix was measured and saves a tenth of a factorization at most.
+     */
+    ParameterList settings(const unsigned int block_size)
+    {
+      ParameterList list;
+      list.set("verbosity", "none");
+      list.set("multigrid algorithm", "sa");
+      list.set("number of equations", static_cast<int>(block_size));
+      list.set("coarse: max size", 1000);
+      list.set("coarse: type", "none");
+      list.set("aggregation: max agg size", 6);
+      list.set("smoother: type", "CHEBYSHEV");
+      ParameterList &smoother = list.sublist("smoother: params");
+      smoother.set("chebyshev: degree", 4);
+      smoother.set("chebyshev: ratio eigenvalue", 20.);
+      smoother.set("chebyshev: eigenvalue max iterations", 30);
+      smoother.set("chebyshev: boost factor", 1.2);
+      return list;
+    }
+  } // namespace
+
+  RCP<TpetraOperator> make_multigrid(const RCP<TpetraMatrix> &matrix,
+                                     const JointRows         &rows)
+  {
+    ParameterList list = settings(rows.block_size());
+    list.sublist("user data")
+      .set("Nullspace", make_near_null_space(rows, *matrix));
+    const auto multigrid =
+      MueLu::CreateTpetraPreconditioner(RCP<TpetraOperator>(matrix), list);
+    auto  &hierarchy = *multigrid->GetHierarchy();
+    Level &coarsest  = *hierarchy.GetLevel(hierarchy.GetNumLevels() - 1);
+    const RCP<Smoother> solver =
+      rcp(new CoarseSolver(*Utilities::Op2NonConstTpetraCrs(
+                             coarsest.Get<RCP<XMatrix>>("A")),
+                           rows.block_size()));
+    coarsest.Set("PreSmoother", solver, MueLu::NoFactory::get());
+    return multigrid;
+  }
+} // namespace auxfem

@@ -1,0 +1,237 @@
+#include <auxfem/algebra/row_migration.h>
+
+#include <algorithm>
+#include <numeric>
+#include <unordered_map>
+
+namespace auxfem
+{
+  namespace MPI = dealii::Utilities::MPI;
+
+  RowMigration::RowMigration(const SparseMatrix &matrix,
+                             const Unknowns     &unknowns)
+    : old_layout(*matrix.layout)
+    , target(old_layout.n_owned(), old_layout.rank())
+  {
+    find_targets(matrix, unknowns);
+    number_rows();
+    move_pattern(matrix);
+    move_unknowns(unknowns);
+  }
+
+  const Unknowns &RowMigration::unknowns() const
+  {
+    return *new_unknowns;
+  }
+
+  const SparseMatrix &RowMigration::matrix() const
+  {
+    return *new_matrix;
+  }
+
+  void RowMigration::find_targets(const SparseMatrix &matrix,
+                                  const Unknowns     &unknowns)
+  {
+    const unsigned int                             here = old_layout.rank();
+    std::unordered_map<unsigned int, unsigned int> at_boundary, of_joint;
+    const auto                                     lower =
+      [here](auto &ranks, const unsigned int joint, const unsigned int rank) {
+        unsigned int &lowest = ranks.emplace(joint, here).first->second;
+        lowest               = std::min(lowest, rank);
+      };
+    const auto for_all_entries = [&](const auto &action) {
+      for (unsigned int row = 0; row < target.size(); ++row)
+        for (std::size_t i = matrix.first[row]; i < matrix.first[row + 1]; ++i)
+          action(row, matrix.columns[i]);
+    };
+    for_all_entries([&](const int row, const int column) {
+      if (!old_layout.is_owned(column))
+        lower(at_boundary,
+              unknowns.joint[row],
+              old_layout.owner(old_layout.global(column)));
+    });
+    of_joint = at_boundary;
+    for_all_entries([&](const int row, const int column) {
+      if (const auto boundary = at_boundary.find(unknowns.joint[column]);
+          boundary != at_boundary.end() && old_layout.is_owned(column))
+        lower(of_joint, unknowns.joint[row], boundary->second);
+    });
+    for (unsigned int row = 0; row < target.size(); ++row)
+      if (const auto known = of_joint.find(unknowns.joint[row]);
+          known != of_joint.end())
+        target[row] = known->second;
+  }
+
+  void RowMigration::number_rows()
+  {
+    const MPI_Comm communicator = old_layout.communicator();
+    Parcels<int>   leaving;
+    for (unsigned int row = 0; row < target.size(); ++row)
+      if (target[row] == old_layout.rank())
+        kept.push_back(row);
+      else
+        leaving[target[row]].push_back(old_layout.global(row));
+    const Parcels<int> coming = MPI::some_to_some(communicator, leaving);
+
+    std::vector<int> of_others;
+    for (const auto &[rank, globals] : coming)
+      of_others.insert(of_others.end(), globals.begin(), globals.end());
+    arrivals = std::make_unique<UnknownLayout>(communicator,
+                                               old_layout.n_owned(),
+                                               of_others);
+    const UnknownLayout owned(communicator, kept.size() + of_others.size(), {});
+
+    Parcels<int> answers;
+    int          next = owned.first_of(owned.rank());
+    new_number.assign(old_layout.n_local(), 0);
+    for (const int row : kept)
+      new_number[row] = next++;
+    for (const auto &[rank, globals] : coming)
+      for (unsigned int i = 0; i < globals.size(); ++i)
+        answers[rank].push_back(next++);
+    std::vector<int> departed;
+    for (const auto &[rank, numbers] : MPI::some_to_some(communicator, answers))
+      for (unsigned int i = 0; i < numbers.size(); ++i)
+        {
+          new_number[old_layout.local(leaving[rank][i])] = numbers[i];
+          departed.push_back(numbers[i]);
+        }
+    returns =
+      std::make_unique<UnknownLayout>(communicator, owned.n_owned(), departed);
+    // Numbers go the way values go; below 2^53 they come whole.
+    std::vector<double> numbers(new_number.begin(), new_number.end());
+    old_layout.update_ghosts(numbers.data());
+    std::copy(numbers.begin(), numbers.end(), new_number.begin());
+  }
+
+  void RowMigration::move_pattern(const SparseMatrix &matrix)
+  {
+    // Every row as its length and the new numbers of its columns.
+    Parcels<int> leaving;
+    for (unsigned int row = 0; row < target.size(); ++row)
+      {
+        std::vector<int> &parcel = leaving[target[row]];
+        parcel.push_back(matrix.first[row + 1] - matrix.first[row]);
+        for (std::size_t i = matrix.first[row]; i < matrix.first[row + 1]; ++i)
+          parcel.push_back(new_number[matrix.columns[i]]);
+      }
+    std::vector<int> own;
+    leaving[old_layout.rank()].swap(own);
+    leaving.erase(old_layout.rank());
+    const Parcels<int> coming =
+      MPI::some_to_some(old_layout.communicator(), leaving);
+    for (const auto &[rank, parcel] : coming)
+      own.insert(own.end(), parcel.begin(), parcel.end());
+
+    const int begin = returns->first_of(returns->rank()),
+              end   = returns->first_of(returns->rank() + 1);
+    std::vector<int> ghosts;
+    for (std::size_t i = 0; i < own.size(); i += 1 + own[i])
+      for (int k = 1; k <= own[i]; ++k)
+        if (const int column = own[i + k]; column < begin || column >= end)
+          ghosts.push_back(column);
+    std::sort(ghosts.begin(), ghosts.end());
+    ghosts.erase(std::unique(ghosts.begin(), ghosts.end()), ghosts.end());
+    new_layout = std::make_unique<UnknownLayout>(old_layout.communicator(),
+                                                 returns->n_owned(),
+                                                 ghosts);
+    new_matrix = std::make_unique<SparseMatrix>(*new_layout);
+    std::vector<std::size_t> places;
+    unsigned int             row = 0;
+    for (std::size_t i = 0; i < own.size(); i += 1 + own[i])
+      {
+        const std::size_t first = new_matrix->columns.size();
+        std::vector<int>  columns(own[i]);
+        for (int k = 0; k < own[i]; ++k)
+          columns[k] = new_layout->local(own[i + 1 + k]);
+        places.resize(columns.size());
+        std::iota(places.begin(), places.end(), 0);
+        std::sort(places.begin(),
+                  places.end(),
+                  [&](const std::size_t a, const std::size_t b) {
+                    return columns[a] < columns[b];
+                  });
+        order.resize(first + columns.size());
+        for (std::size_t k = 0; k < places.size(); ++k)
+          {
+            order[first + places[k]] = first + k;
+            new_matrix->columns.push_back(columns[places[k]]);
+          }
+        new_matrix->first[++row] = new_matrix->columns.size();
+      }
+    new_matrix->entries.resize(new_matrix->columns.size());
+  }
+
+  void RowMigration::fill(const SparseMatrix &matrix)
+  {
+    Parcels<double> leaving;
+    auto            place = order.begin();
+    for (unsigned int row = 0; row < target.size(); ++row)
+      for (std::size_t i = matrix.first[row]; i < matrix.first[row + 1]; ++i)
+        if (target[row] == old_layout.rank())
+          new_matrix->entries[*place++] = matrix.entries[i];
+        else
+          leaving[target[row]].push_back(matrix.entries[i]);
+    for (const auto &[rank, entries] :
+         MPI::some_to_some(old_layout.communicator(), leaving))
+      for (const double entry : entries)
+        new_matrix->entries[*place++] = entry;
+    new_matrix->is_symmetric = matrix.is_symmetric;
+  }
+
+  void RowMigration::move_unknowns(const Unknowns &unknowns)
+  {
+    std::vector<double> kinds(target.size()), joints(kinds), components(kinds);
+    for (unsigned int row = 0; row < target.size(); ++row)
+      {
+        kinds[row]      = static_cast<double>(unknowns.kinds[row]);
+        joints[row]     = unknowns.joint[row];
+        components[row] = unknowns.component[row];
+      }
+    kinds      = there(kinds);
+    joints     = there(joints);
+    components = there(components);
+
+    new_unknowns             = std::make_unique<Unknowns>(*new_layout);
+    new_unknowns->positions  = unknowns.positions;
+    new_unknowns->components = unknowns.components;
+    new_unknowns->length     = unknowns.length;
+    for (unsigned int i = 0; i < new_layout->n_local(); ++i)
+      {
+        new_unknowns->kinds[i] =
+          static_cast<UnknownKind>(static_cast<unsigned char>(kinds[i]));
+        new_unknowns->joint[i]     = static_cast<unsigned int>(joints[i]);
+        new_unknowns->component[i] = static_cast<unsigned char>(components[i]);
+      }
+  }
+
+  std::vector<double>
+  RowMigration::there(const std::vector<double> &before) const
+  {
+    std::vector<double> now(new_layout->n_local());
+    go(before.data(), now.data());
+    new_layout->update_ghosts(now.data());
+    return now;
+  }
+
+  void RowMigration::go(const double *before, double *now) const
+  {
+    std::vector<double> values(arrivals->n_local());
+    std::copy_n(before, arrivals->n_owned(), values.begin());
+    arrivals->update_ghosts(values.data());
+    for (unsigned int i = 0; i < kept.size(); ++i)
+      now[i] = values[kept[i]];
+    std::copy(values.begin() + arrivals->n_owned(),
+              values.end(),
+              now + kept.size());
+  }
+
+  void RowMigration::come_back(const double *now, double *before) const
+  {
+    std::vector<double> values(returns->n_local());
+    std::copy_n(now, returns->n_owned(), values.begin());
+    returns->update_ghosts(values.data());
+    for (unsigned int row = 0; row < target.size(); ++row)
+      before[row] = values[returns->local(new_number[row])];
+  }
+} // namespace auxfem

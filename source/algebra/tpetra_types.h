@@ -1,0 +1,34 @@
+#ifndef algebra_tpetra_types_h
+#define algebra_tpetra_types_h
+
+#include <auxfem/algebra/joint_rows.h>
+
+#include <Tpetra_CrsMatrix.hpp>
+
+// What the iterative solution shares among few translation units: the headers
+// of Tpetra take seconds to compile.
+
+namespace auxfem
+{
+  using TpetraMatrix   = Tpetra::CrsMatrix<double>;
+  using TpetraVectors  = Tpetra::MultiVector<double>;
+  using TpetraOperator = Tpetra::Operator<double>;
+
+  /**
+   * Smoothed aggregation (MueLu) with the rigid-body motions of @p rows as near
+   * null space and an exact solution on the coarsest level. Throws if that is
+   * singular.
+   */
+  Teuchos::RCP<TpetraOperator>
+  make_multigrid(const Teuchos::RCP<TpetraMatrix> &matrix,
+                 const JointRows                  &rows);
+
+  /**
+   * ILU(1) (Ifpack2), on several ranks with one layer of overlap. Throws if it
+   * breaks down.
+   */
+  Teuchos::RCP<TpetraOperator>
+  make_incomplete_factorization(const Teuchos::RCP<TpetraMatrix> &matrix);
+} // namespace auxfem
+
+#endif
