@@ -12,6 +12,9 @@ namespace auxfem
 {
   namespace
   {
+    const LinearSolverChoice with_pivoting =
+      {LinearSolverType::mumps, "indefinite matrix that needs pivoting"};
+
     /** An asymmetry below this is the round-off of sums of symmetric terms. */
     constexpr double symmetric_to_round_off = 1e-13;
 
@@ -70,20 +73,25 @@ namespace auxfem
     FactorizationOutcome outcome = condensation.condense(symmetry);
     if (outcome != FactorizationOutcome::done)
       return outcome;
-    const LinearSolverChoice choice =
-      choose_linear_solver(parameters, equations_at_joints());
-    outcome                      = factorize_joints(choice);
-    const bool may_do_with_mumps = parameters.type == "auto" &&
+    const LinearSolverChoice choice = needs_pivoting == condensation.version()
+      ? with_pivoting
+      : choose_linear_solver(parameters, equations_at_joints());
+    outcome                         = factorize_joints(choice);
+    const bool may_do_with_mumps    = parameters.type == "auto" &&
       ((outcome == FactorizationOutcome::singular &&
         choice.type == LinearSolverType::cholmod) ||
        (outcome == FactorizationOutcome::too_large &&
         choice.type != LinearSolverType::mumps));
-    if (may_do_with_mumps)
-      outcome =
-        factorize_joints({LinearSolverType::mumps,
-                          outcome == FactorizationOutcome::too_large
-                            ? "factors too large for " + name_of(choice.type)
-                            : "indefinite matrix that needs pivoting"});
+    if (!may_do_with_mumps)
+      return outcome;
+    if (outcome == FactorizationOutcome::too_large)
+      return factorize_joints(
+        {LinearSolverType::mumps,
+         "factors too large for " + name_of(choice.type)});
+    outcome = factorize_joints(with_pivoting);
+    // A joint that only constraints hold will need it again.
+    if (outcome == FactorizationOutcome::done && n_multipliers > 0)
+      needs_pivoting = condensation.version();
     return outcome;
   }
 

@@ -109,9 +109,7 @@ namespace auxfem
       {
         const std::string conditions = "symmetric matrix with " +
           std::to_string(equations.n_multipliers) + " multipliers, " + size;
-        if (equations.n_unknowns <= dense_limit)
-          return {LinearSolverType::dense, conditions};
-        return {LinearSolverType::mumps, conditions};
+        return {LinearSolverType::cholmod, conditions};
       }
     if (equations.n_ranks > 1 && is_large(equations))
       return {LinearSolverType::mumps, "symmetric matrix, " + size};

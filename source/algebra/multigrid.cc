@@ -48,11 +48,12 @@ namespace auxfem
         const auto rows =
           dealii::Utilities::MPI::all_gather(communicator, rows_of(matrix));
         number_rows(rows);
-        layout           = std::make_unique<UnknownLayout>(MPI_COMM_SELF,
+        layout   = std::make_unique<UnknownLayout>(MPI_COMM_SELF,
                                                  number.size(),
                                                  std::vector<int>());
-        unknowns         = std::make_unique<Unknowns>(*layout);
-        unknowns->joints = &no_places;
+        unknowns = std::make_unique<Unknowns>(*layout);
+        unknowns->positions =
+          std::make_shared<const std::vector<dealii::Point<3>>>();
         unknowns->components.resize(block_size);
         for (unsigned int row = 0; row < number.size(); ++row)
           unknowns->joint[row] = row / block_size;
@@ -167,7 +168,6 @@ namespace auxfem
       MPI_Comm                          communicator;
       std::map<long long, int>          number;
       std::vector<int>                  begins, counts;
-      std::vector<dealii::Point<3>>     no_places;
       std::unique_ptr<UnknownLayout>    layout;
       std::unique_ptr<Unknowns>         unknowns;
       std::unique_ptr<JointElimination> elimination;

@@ -82,7 +82,7 @@ namespace
   void expect_same(const Vector &a, const Vector &b)
   {
     ASSERT_EQ(a.size(), b.size());
-    for (int i = 0; i < a.size(); ++i)
+    for (unsigned int i = 0; i < a.size(); ++i)
       EXPECT_EQ(a[i], b[i]);
   }
 
@@ -185,7 +185,7 @@ TEST(LatticeRun, AFailureLeavesTheLastAcceptedSolutionAndTheReason)
                        until_there),
             "");
   ASSERT_TRUE(diary.final && until_there.final);
-  for (int i = 0; i < diary.final->size(); ++i)
+  for (unsigned int i = 0; i < diary.final->size(); ++i)
     // Residuals of 1e-8 near a limit point.
     EXPECT_NEAR((*diary.final)[i], (*until_there.final)[i], 1e-5);
 }

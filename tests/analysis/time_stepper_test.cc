@@ -52,7 +52,7 @@ namespace
   void expect_same(const Vector &a, const Vector &b)
   {
     ASSERT_EQ(a.size(), b.size());
-    for (int i = 0; i < a.size(); ++i)
+    for (unsigned int i = 0; i < a.size(); ++i)
       EXPECT_EQ(a[i], b[i]);
   }
 } // namespace

@@ -345,8 +345,10 @@ namespace
     {
       TangentMatrix matrix(of_scene.equations.pattern());
       of_scene.equations.tangent(evaluation(), results, {1., 5., 25.}, matrix);
-      const double *entries = matrix.matrix()[0];
-      return {entries, entries + matrix.matrix().NumMyNonzeros()};
+      const std::size_t   last = matrix.pattern().n_blocks() - 1;
+      const double *const end  = matrix.values(last) +
+        matrix.pattern().size(last) * matrix.pattern().size(last);
+      return {matrix.values(0), end};
     }
 
     /** Energies by entry, and the history, as accept() leaves them. */
@@ -435,7 +437,7 @@ TEST(Equations, LoadDerivativeIsTheDifferenceOfResiduals)
                    largest = largest_size(more);
       EXPECT_GT(size, 0.1);
       // The residual is linear in the factor: rounding alone.
-      for (int i = 0; i < derivative.size(); ++i)
+      for (unsigned int i = 0; i < derivative.size(); ++i)
         EXPECT_NEAR(derivative[i], (more[i] - less[i]) / 2.5, 1e-15 * largest);
     }
 }

@@ -178,7 +178,7 @@ end
 
     void add_noise(const double size, Vector &vector)
     {
-      for (int i = 0; i < vector.size(); ++i)
+      for (unsigned int i = 0; i < vector.size(); ++i)
         vector[i] += noise(size);
     }
 
@@ -203,14 +203,14 @@ end
     Vector       unit(dofs.layout().n_local()), column(unit);
     double       worst = 0, scale = 0;
     const double h = 1e-5;
-    for (int j = 0; j < unit.size(); ++j)
+    for (unsigned int j = 0; j < unit.size(); ++j)
       {
         unit.assign(unit.size(), 0);
         unit[j] = 1;
         matrix->multiply(unit.data(), column.data());
         const Vector right = trial.moved_residual(j, h, factors),
                      left  = trial.moved_residual(j, -h, factors);
-        for (int i = 0; i < unit.size(); ++i)
+        for (unsigned int i = 0; i < unit.size(); ++i)
           if (dofs.unknowns().kinds[i] != UnknownKind::prescribed)
             {
               const double difference = (right[i] - left[i]) / (2 * h);

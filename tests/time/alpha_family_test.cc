@@ -121,7 +121,7 @@ TEST(AlphaFamily, PredictionAndCorrectionFulfilTheFormulas)
       scheme.correct(states.from, increment, dt, states.to);
       scheme.correct(states.from, increment, dt, states.to);
       const bool shifted = scheme.uses_algorithmic_acceleration();
-      for (int i = 0; i < increment.size(); ++i)
+      for (unsigned int i = 0; i < increment.size(); ++i)
         {
           const double u      = states.from.displacement[i],
                        v      = (*states.from.velocity)[i],
@@ -151,7 +151,7 @@ TEST(AlphaFamily, PredictionKeepsTheAcceleration)
     {
       BareStates states;
       AlphaFamily("member", c).predict(states.from, 0.07, states.to);
-      for (int i = 0; i < states.from.displacement.size(); ++i)
+      for (unsigned int i = 0; i < states.from.displacement.size(); ++i)
         EXPECT_EQ((*states.to.acceleration)[i], (*states.from.acceleration)[i]);
     }
 }
@@ -168,7 +168,7 @@ TEST(AlphaFamily, FactorsTellWhatACorrectionDoes)
       const State  before = states.to;
       const Vector increment(states.to.residual);
       scheme.correct(states.from, increment, dt, states.to);
-      for (int i = 0; i < increment.size(); ++i)
+      for (unsigned int i = 0; i < increment.size(); ++i)
         {
           EXPECT_NEAR(states.to.displacement[i] - before.displacement[i],
                       factors.stiffness * increment[i],

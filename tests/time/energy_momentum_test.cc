@@ -38,7 +38,7 @@ namespace
 
     void expect_mean_rates() const
     {
-      for (int i = 0; i < to.displacement.size(); ++i)
+      for (unsigned int i = 0; i < to.displacement.size(); ++i)
         {
           const double moved  = to.displacement[i] - from.displacement[i],
                        travel = is_turn(i) ? cayley_turn(moved) : moved;
@@ -76,7 +76,7 @@ TEST(EnergyMomentum, AStepIsSoughtFromThePlacesAtItsStart)
 {
   TwoStates states;
   states.scheme.predict(states.from, dt, states.to);
-  for (int i = 0; i < states.to.displacement.size(); ++i)
+  for (unsigned int i = 0; i < states.to.displacement.size(); ++i)
     EXPECT_EQ(states.to.displacement[i], states.from.displacement[i]);
 }
 

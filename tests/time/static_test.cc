@@ -42,7 +42,7 @@ TEST(QuasiStatic, VelocityIsTheBackwardDifference)
   scheme.predict(states.from, dt, states.to);
   scheme.correct(states.from, states.increment, dt, states.to);
   scheme.correct(states.from, states.increment, dt, states.to);
-  for (int i = 0; i < states.increment.size(); ++i)
+  for (unsigned int i = 0; i < states.increment.size(); ++i)
     {
       EXPECT_NEAR(states.to.displacement[i],
                   states.from.displacement[i] + 2 * states.increment[i],
@@ -74,7 +74,7 @@ TEST(Equilibrium, MovesOnlyDisplacements)
     {
       scheme.predict(states.from, dt, states.to);
       scheme.correct(states.from, states.increment, dt, states.to);
-      for (int i = 0; i < states.increment.size(); ++i)
+      for (unsigned int i = 0; i < states.increment.size(); ++i)
         EXPECT_EQ(states.to.displacement[i],
                   states.from.displacement[i] + states.increment[i]);
       const double size = largest_size(*states.to.velocity);

@@ -33,7 +33,7 @@ namespace
   void expect_finite(const SceneRun &run)
   {
     const State &state = run.state;
-    for (int i = 0; i < state.displacement.size(); ++i)
+    for (unsigned int i = 0; i < state.displacement.size(); ++i)
       ASSERT_TRUE(std::isfinite(state.displacement[i]) &&
                   std::isfinite((*state.velocity)[i]) &&
                   std::isfinite((*state.acceleration)[i]) &&

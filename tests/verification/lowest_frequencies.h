@@ -24,22 +24,15 @@ namespace auxfem
       const auto tangent = run.make_tangent();
       run.tangent(step, factors, *tangent);
 
-      std::vector<int> place(run.model.numbering.layout().n_owned(), -1);
-      for (unsigned int i = 0; i < unknowns.size(); ++i)
-        place[unknowns[i]] = i;
+      Vector unit(run.model.numbering.layout().n_local()), column(unit);
       dealii::LAPACKFullMatrix<double> matrix(unknowns.size(), unknowns.size());
-      for (unsigned int i = 0; i < unknowns.size(); ++i)
+      for (unsigned int j = 0; j < unknowns.size(); ++j)
         {
-          int     n;
-          double *values;
-          int    *columns;
-          tangent->matrix().ExtractMyRowView(unknowns[i], n, values, columns);
-          for (int k = 0; k < n; ++k)
-            if (const int column =
-                  place[run.model.numbering.layout().n_local().LID(
-                    tangent->matrix().GCID(columns[k]))];
-                column >= 0)
-              matrix(i, column) += values[k];
+          unit[unknowns[j]] = 1;
+          tangent->multiply(unit.data(), column.data());
+          unit[unknowns[j]] = 0;
+          for (unsigned int i = 0; i < unknowns.size(); ++i)
+            matrix(i, j) = column[unknowns[i]];
         }
       return matrix;
     }

@@ -30,7 +30,7 @@ namespace auxfem
         mass->multiply(run.state.velocity->data(), momentum.data());
         const double *u = run.state.displacement.data();
         Momenta       sum;
-        for (int i = 0; i < momentum.size(); ++i)
+        for (unsigned int i = 0; i < momentum.size(); ++i)
           {
             const NodeUnknown &at = unknowns[i];
             if (at.component == 0)

@@ -95,6 +95,8 @@ namespace auxfem
     StrutCondensation                    condensation;
     Symmetry                             symmetry = Symmetry::given;
     std::map<LinearSolverType, Analysed> methods;
+    /** Version of the pattern for which MUMPS has had to stand in. */
+    std::optional<unsigned long> needs_pivoting;
     /** The one that solves. */
     LinearSolverMethod *current = nullptr;
     std::string         current_in_words, why_failed;
