@@ -48,12 +48,10 @@ namespace auxfem
       double              pivot(std::size_t place) const;
       std::vector<double> sums_behind_pivots() const;
 
-      cholmod_common   common;
-      cholmod_factor  *factor = nullptr;
-      std::size_t      n      = 0;
-      std::vector<int> offsets;
-      /** Rows that were taken for multipliers'. */
-      std::vector<bool>      has_zero_diagonal;
+      cholmod_common         common;
+      cholmod_factor        *factor = nullptr;
+      std::size_t            n      = 0;
+      std::vector<int>       offsets;
       std::optional<Inertia> signs;
 
       /** Room that solutions use again. */
@@ -122,18 +120,12 @@ namespace auxfem
         return FactorizationOutcome::too_large;
       if (n == 0)
         return FactorizationOutcome::done;
-      offsets           = narrow_offsets(matrix);
-      has_zero_diagonal = zero_diagonals(matrix);
-      const std::vector<int> order =
-        behind_neighbours(elimination_order(matrix), matrix, has_zero_diagonal);
-      cholmod_sparse a = view(matrix);
-      a.xtype          = CHOLMOD_PATTERN;
+      offsets                = narrow_offsets(matrix);
+      std::vector<int> order = elimination_order(matrix);
+      cholmod_sparse   a     = view(matrix);
+      a.xtype                = CHOLMOD_PATTERN;
 
-      factor = cholmod_analyze_p(&a,
-                                 const_cast<int *>(order.data()),
-                                 nullptr,
-                                 0,
-                                 &common);
+      factor = cholmod_analyze_p(&a, order.data(), nullptr, 0, &common);
       if (factor == nullptr)
         return outcome_of_failure();
       if (common.lnz > std::numeric_limits<int>::max())
@@ -154,18 +146,11 @@ namespace auxfem
       cholmod_factorize(&a, factor, &common);
       if (common.status < CHOLMOD_OK)
         return outcome_of_failure();
-      const bool has_zero_pivot = factor->minor < n;
-      if (!has_zero_pivot && is_sound(matrix))
-        {
-          count_signs();
-          return FactorizationOutcome::done;
-        }
-      // The order may have been made for another matrix of the same pattern.
-      if (zero_diagonals(matrix) == has_zero_diagonal)
+      // A zero pivot.
+      if (factor->minor < n || !is_sound(matrix))
         return FactorizationOutcome::singular;
-      const FactorizationOutcome outcome = analyse(matrix);
-      return outcome == FactorizationOutcome::done ? factorize(matrix)
-                                                   : outcome;
+      count_signs();
+      return FactorizationOutcome::done;
     }
 
     double Cholmod::pivot(const std::size_t place) const

@@ -78,44 +78,4 @@ namespace auxfem
       throw std::bad_alloc();
     return order;
   }
-
-  std::vector<bool> zero_diagonals(const SparseMatrix &matrix)
-  {
-    const int         n = matrix.layout->n_owned();
-    std::vector<bool> result(n, false);
-    for (int row = 0; row < n; ++row)
-      {
-        const auto begin = matrix.columns.begin() + matrix.first[row],
-                   end   = matrix.columns.begin() + matrix.first[row + 1];
-        const auto place = std::lower_bound(begin, end, row);
-        result[row]      = matrix.entries[place - matrix.columns.begin()] == 0;
-      }
-    return result;
-  }
-
-  std::vector<int> behind_neighbours(const std::vector<int>  &order,
-                                     const SparseMatrix      &matrix,
-                                     const std::vector<bool> &marked)
-  {
-    std::vector<int> place(order.size()), behind(order.size());
-    for (unsigned int i = 0; i < order.size(); ++i)
-      place[order[i]] = i;
-    for (unsigned int row = 0; row < order.size(); ++row)
-      {
-        behind[row] = place[row];
-        if (marked[row])
-          for (std::size_t i = matrix.first[row]; i < matrix.first[row + 1];
-               ++i)
-            if (!marked[matrix.columns[i]])
-              behind[row] = std::max(behind[row], place[matrix.columns[i]]);
-      }
-    std::vector<int> result = order;
-    std::stable_sort(result.begin(),
-                     result.end(),
-                     [&](const int a, const int b) {
-                       return behind[a] != behind[b] ? behind[a] < behind[b]
-                                                     : marked[a] < marked[b];
-                     });
-    return result;
-  }
 } // namespace auxfem

@@ -56,13 +56,16 @@ namespace auxfem
 
   Symmetry LinearSolver::wanted_symmetry(const Exactness exactness) const
   {
+    const double asymmetry = matrix.asymmetry();
     // Entries that are no numbers are found by those that factorize.
-    if (!(matrix.asymmetry() > symmetric_to_round_off))
+    if (!(asymmetry > symmetric_to_round_off))
       return Symmetry::given;
     const bool takes_unsymmetric = parameters.type != "cholmod";
-    const bool gains_by_symmetry = parameters.type != "klu";
     return !takes_unsymmetric ||
-        (exactness == Exactness::approximate && gains_by_symmetry)
+        (exactness == Exactness::approximate &&
+         symmetric_part_pays(parameters,
+                             asymmetry,
+                             matrix.pattern().unknowns().layout.n_global()))
       ? Symmetry::enforced
       : Symmetry::none;
   }
@@ -73,11 +76,10 @@ namespace auxfem
     FactorizationOutcome outcome = condensation.condense(symmetry);
     if (outcome != FactorizationOutcome::done)
       return outcome;
-    const LinearSolverChoice choice = needs_pivoting == condensation.version()
-      ? with_pivoting
-      : choose_linear_solver(parameters, equations_at_joints());
-    outcome                         = factorize_joints(choice);
-    const bool may_do_with_mumps    = parameters.type == "auto" &&
+    const LinearSolverChoice choice =
+      choose_linear_solver(parameters, equations_at_joints());
+    outcome                      = factorize_joints(choice);
+    const bool may_do_with_mumps = parameters.type == "auto" &&
       ((outcome == FactorizationOutcome::singular &&
         choice.type == LinearSolverType::cholmod) ||
        (outcome == FactorizationOutcome::too_large &&
@@ -88,11 +90,8 @@ namespace auxfem
       return factorize_joints(
         {LinearSolverType::mumps,
          "factors too large for " + name_of(choice.type)});
-    outcome = factorize_joints(with_pivoting);
-    // A joint that only constraints hold will need it again.
-    if (outcome == FactorizationOutcome::done && n_multipliers > 0)
-      needs_pivoting = condensation.version();
-    return outcome;
+    return factorize_joints(
+      {LinearSolverType::mumps, "indefinite matrix that needs pivoting"});
   }
 
   EquationsAtJoints LinearSolver::equations_at_joints() const
@@ -155,18 +154,33 @@ namespace auxfem
     return symmetry != Symmetry::enforced;
   }
 
-  std::optional<Inertia> LinearSolver::inertia() const
+  std::optional<Inertia> LinearSolver::inertia()
   {
-    if (current == nullptr || !why_failed.empty())
-      return std::nullopt;
-    std::optional<Inertia>       sum   = current->inertia();
     const std::optional<Inertia> inner = condensation.inner_inertia();
-    if (!sum || !inner)
+    if (current == nullptr || !why_failed.empty() || !inner)
+      return std::nullopt;
+    std::optional<Inertia> sum = current->inertia();
+    // KLU, which is quickest where there are few unknowns and multipliers, does
+    // not tell signs.
+    if (!sum && current == methods[LinearSolverType::klu].method.get())
+      sum = inertia_by_mumps();
+    if (!sum)
       return std::nullopt;
     sum->negative += inner->negative;
     sum->positive += inner->positive;
     sum->positive -= n_prescribed;
     return sum;
+  }
+
+  std::optional<Inertia> LinearSolver::inertia_by_mumps() const
+  {
+    const std::unique_ptr<LinearSolverMethod> mumps =
+      make_linear_solver_method(LinearSolverType::mumps, parameters);
+    if (mumps->analyse(condensation.matrix(), condensation.joints()) !=
+          FactorizationOutcome::done ||
+        mumps->factorize(condensation.matrix()) != FactorizationOutcome::done)
+      return std::nullopt;
+    return mumps->inertia();
   }
 
   bool LinearSolver::solve(std::vector<double> &values)

@@ -13,16 +13,30 @@ namespace auxfem
      * and MUMPS on all unknowns, the others are guesses.
      */
     ///@{
-    /** Unknowns up to which a dense matrix is taken where there are
-     * multipliers.
+    /**
+     * Unknowns up to which KLU is quicker than MUMPS where there are
+     * multipliers: by 9 times at 330 (prm/rigid-array.prm).
      */
-    constexpr unsigned long dense_limit = 150;
+    constexpr unsigned long klu_limit = 10000;
 
     /**
      * Unknowns up to which one rank with the whole matrix is taken to be
      * quicker than MUMPS on all.
      */
     constexpr unsigned long first_rank_limit = 300000;
+
+    /**
+     * Below it the iterations are the same with the symmetric part: those of
+     * prm/star-10x10.prm, dashpots on turning lines, with 2e-8. At 1e-2, large
+     * rotations in space of prm/lattice-3d.prm, they are 1.2 times as many.
+     */
+    constexpr double slight_asymmetry = 1e-4;
+
+    /**
+     * Unknowns, those inside struts included, up to which Newton's method gains
+     * nothing by the symmetric part of an unsymmetric matrix.
+     */
+    constexpr unsigned long exact_limit = 50000;
 
     /**
      * Unknowns of lattices in space, on each rank, above which the factors are
@@ -69,12 +83,18 @@ namespace auxfem
     }
   } // namespace
 
+  bool symmetric_part_pays(const SolverParameters &parameters,
+                           const double            asymmetry,
+                           const unsigned long     n_unknowns)
+  {
+    return parameters.type != "klu" &&
+      (asymmetry < slight_asymmetry || n_unknowns > exact_limit);
+  }
+
   std::string name_of(const LinearSolverType type)
   {
     switch (type)
       {
-        case LinearSolverType::dense:
-          return "LAPACK";
         case LinearSolverType::cholmod:
           return "CHOLMOD";
         case LinearSolverType::klu:
@@ -109,7 +129,9 @@ namespace auxfem
       {
         const std::string conditions = "symmetric matrix with " +
           std::to_string(equations.n_multipliers) + " multipliers, " + size;
-        return {LinearSolverType::cholmod, conditions};
+        if (equations.n_unknowns <= klu_limit)
+          return {LinearSolverType::klu, conditions};
+        return {LinearSolverType::mumps, conditions};
       }
     if (equations.n_ranks > 1 && is_large(equations))
       return {LinearSolverType::mumps, "symmetric matrix, " + size};

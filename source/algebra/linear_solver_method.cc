@@ -58,8 +58,6 @@ namespace auxfem
   {
     switch (type)
       {
-        case LinearSolverType::dense:
-          return std::make_unique<DirectMethod>(make_dense());
         case LinearSolverType::cholmod:
           return std::make_unique<DirectMethod>(make_cholmod());
         case LinearSolverType::klu:

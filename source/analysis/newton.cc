@@ -40,7 +40,6 @@ namespace auxfem
     , parameters(parameters)
     , is_linear(solver.equations().is_linear())
     , rotations(solver.model().numbering)
-    , exactness(is_linear ? Exactness::exact : Exactness::approximate)
   {}
 
   Newton::Result Newton::solve(const ImplicitScheme &scheme,
@@ -48,8 +47,10 @@ namespace auxfem
                                EvaluationResults    &results)
   {
     Result result;
-    if (!is_linear)
-      exactness = Exactness::approximate;
+    exactness =
+      is_linear || has_failed ? Exactness::exact : Exactness::approximate;
+    // Unless it gets to the end.
+    has_failed = true;
     solver.residual(evaluation, results);
     double size      = in_force_units(results);
     double reduction = std::numeric_limits<double>::infinity();
@@ -79,6 +80,7 @@ namespace auxfem
                   solver.equations().round_off_floor(evaluation.to, results))))
           {
             result.converged            = true;
+            has_failed                  = false;
             evaluation.to.largest_force = force;
             return result;
           }

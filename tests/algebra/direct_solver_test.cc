@@ -32,11 +32,10 @@ namespace
     bool takes_unsymmetric, pivots, has_inertia;
   };
 
-  const std::array<Kind, 4> kinds = {
+  const std::array<Kind, 3> kinds = {
     {{"CHOLMOD", make_cholmod, false, false, true},
      {"KLU", make_klu, true, true, false},
-     {"MUMPS", make_mumps, true, true, true},
-     {"LAPACK", make_dense, false, true, true}}};
+     {"MUMPS", make_mumps, true, true, true}}};
 
   /** Ascending. */
   std::vector<double> eigenvalues(const Entries &entries)

@@ -245,8 +245,8 @@ TEST(LinearSolverChoice, DependsOnTheEquations)
   EXPECT_EQ(chosen(equations(given, 900000, 0, 1)), LinearSolverType::cholmod);
   EXPECT_EQ(chosen(equations(given, 1000, 0, 4)), LinearSolverType::cholmod);
   EXPECT_EQ(chosen(equations(given, 900000, 0, 4)), LinearSolverType::mumps);
-  EXPECT_EQ(chosen(equations(given, 50, 3, 1)), LinearSolverType::dense);
-  EXPECT_EQ(chosen(equations(given, 1000, 3, 1)), LinearSolverType::mumps);
+  EXPECT_EQ(chosen(equations(given, 1000, 3, 1)), LinearSolverType::klu);
+  EXPECT_EQ(chosen(equations(given, 50000, 3, 1)), LinearSolverType::mumps);
   EXPECT_EQ(chosen(equations(none, 1000, 3, 1)), LinearSolverType::klu);
   EXPECT_EQ(chosen(equations(none, 900000, 0, 1)), LinearSolverType::mumps);
   EquationsAtJoints in_space = equations(given, 5000000, 0, 1);

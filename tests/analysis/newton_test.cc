@@ -204,7 +204,7 @@ TEST(Newton, AStructureWithoutResistanceIsReported)
   const Newton::Result result = hinged.solve();
   EXPECT_FALSE(result.converged);
   // Which of the two is found depends on a rounding.
-  EXPECT_TRUE(result.reason == "the tangent is singular" ||
+  EXPECT_TRUE(result.reason == "the matrix is singular" ||
               result.reason ==
                 "an iteration turned a section by more than half a turn")
     << result.reason;

@@ -26,20 +26,7 @@ namespace auxfem
    * pivots of one and two rows for symmetric ones, else LU.
    */
   std::unique_ptr<DirectSolver> make_mumps();
-
-  /**
-   * LAPACK's LDL' of Bunch and Kaufman (1977) on the whole square of a
-   * symmetric matrix, for small ones with multipliers.
-   */
-  std::unique_ptr<DirectSolver> make_dense();
   ///@}
-
-  /**
-   * Unknowns up to which make_dense() is quicker than make_mumps(): on planar
-   * grids of joints with eight neighbours it factorizes 108 unknowns in 0.19 ms
-   * (MUMPS 0.25), 147 in 0.54 (0.54), 192 in 1.1 (0.43), on one rank.
-   */
-  constexpr unsigned int dense_limit = 140;
 } // namespace auxfem
 
 #endif

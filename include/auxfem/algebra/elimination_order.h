@@ -17,18 +17,6 @@ namespace auxfem
    * Throws std::bad_alloc.
    */
   std::vector<int> elimination_order(const SparseMatrix &matrix);
-
-  /** Whether a row's diagonal is zero, as those of multipliers are. */
-  std::vector<bool> zero_diagonals(const SparseMatrix &matrix);
-
-  /**
-   * @p order with the @p marked rows behind the last of those they act on: a
-   * pivot of a multiplier is then what the elimination of the displacements it
-   * constrains has made of zero, negative where these are held or have inertia.
-   */
-  std::vector<int> behind_neighbours(const std::vector<int>  &order,
-                                     const SparseMatrix      &matrix,
-                                     const std::vector<bool> &marked);
 } // namespace auxfem
 
 #endif

@@ -49,9 +49,11 @@ namespace auxfem
 
     /**
      * Numbers of eigenvalues of all free unknowns and multipliers, of the
-     * symmetric part if not is_exact(); none where the factors do not tell.
+     * symmetric part if not is_exact(); none where the matrix is unsymmetric or
+     * solved by iteration. Costs nothing but where KLU has factorized, which
+     * does not tell: then one factorization by MUMPS.
      */
-    std::optional<Inertia> inertia() const;
+    std::optional<Inertia> inertia();
 
     /**
      * Replaces @p values at local unknowns, owned rows of the right-hand side
@@ -83,11 +85,12 @@ namespace auxfem
       std::optional<unsigned long>        version;
     };
 
-    Symmetry             wanted_symmetry(Exactness exactness) const;
-    FactorizationOutcome try_to_factorize(Exactness exactness);
-    FactorizationOutcome factorize_joints(const LinearSolverChoice &choice);
-    EquationsAtJoints    equations_at_joints() const;
-    std::string          in_words(FactorizationOutcome outcome) const;
+    Symmetry               wanted_symmetry(Exactness exactness) const;
+    FactorizationOutcome   try_to_factorize(Exactness exactness);
+    FactorizationOutcome   factorize_joints(const LinearSolverChoice &choice);
+    EquationsAtJoints      equations_at_joints() const;
+    std::optional<Inertia> inertia_by_mumps() const;
+    std::string            in_words(FactorizationOutcome outcome) const;
 
     const SolverParameters               parameters;
     const TangentMatrix                 &matrix;
@@ -95,8 +98,6 @@ namespace auxfem
     StrutCondensation                    condensation;
     Symmetry                             symmetry = Symmetry::given;
     std::map<LinearSolverType, Analysed> methods;
-    /** Version of the pattern for which MUMPS has had to stand in. */
-    std::optional<unsigned long> needs_pivoting;
     /** The one that solves. */
     LinearSolverMethod *current = nullptr;
     std::string         current_in_words, why_failed;

@@ -13,7 +13,6 @@ namespace auxfem
   /** How the equations at the joints are solved. */
   enum class LinearSolverType
   {
-    dense,
     cholmod,
     klu,
     mumps,
@@ -47,6 +46,16 @@ namespace auxfem
    */
   LinearSolverChoice choose_linear_solver(const SolverParameters  &parameters,
                                           const EquationsAtJoints &equations);
+
+  /**
+   * Whether Newton's method is quicker with the symmetric part of an
+   * unsymmetric matrix of @p n_unknowns, those inside struts included: if it is
+   * not near to the matrix, it takes more iterations, and more tangents.
+   * @param asymmetry TangentMatrix::asymmetry()
+   */
+  bool symmetric_part_pays(const SolverParameters &parameters,
+                           double                  asymmetry,
+                           unsigned long           n_unknowns);
 
   /**
    * Solution of the equations at the joints by one of the types. All functions

@@ -76,7 +76,9 @@ namespace auxfem
     const NodeRotations    rotations;
     Vector                 increment;
     std::optional<Kept>    kept;
-    Exactness              exactness;
+    Exactness              exactness = Exactness::exact;
+    /** Whether the last attempt did, so that the next one takes more care. */
+    bool has_failed = false;
   };
 } // namespace auxfem
 
