@@ -44,6 +44,7 @@ namespace auxfem
     const Stopwatch watch(work.wall.factorize);
     ++work.factorizations;
     const FactorizationOutcome outcome = solver.factorize(exactness);
+    work.linear_solver                 = solver.method();
     if (outcome == FactorizationOutcome::out_of_memory ||
         outcome == FactorizationOutcome::too_large)
       throw ComputationError("No solution could be computed: " + solver.why() +

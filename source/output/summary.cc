@@ -55,6 +55,7 @@ namespace auxfem
       object.add("factorizations", totals.factorizations);
       object.add("linear_iterations", totals.linear_iterations);
       object.add("retries", totals.retries);
+      object.add("linear_solver", totals.linear_solver);
       return object;
     }
 
@@ -348,6 +349,8 @@ namespace auxfem
            << seconds(wall.solve) << ", output " << seconds(wall.output) << '\n'
            << "Peak memory " << (summary.resources.memory >> 20) << " MiB\n";
 
+    if (!totals.linear_solver.empty())
+      stream << "Linear equations by " << totals.linear_solver << '\n';
     if (totals.linear_iterations > 0)
       stream << "Linear iterations a solution "
              << std::llround(double(totals.linear_iterations) /

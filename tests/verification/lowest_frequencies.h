@@ -32,7 +32,12 @@ namespace auxfem
           tangent->multiply(unit.data(), column.data());
           unit[unknowns[j]] = 0;
           for (unsigned int i = 0; i < unknowns.size(); ++i)
-            matrix(i, j) = column[unknowns[i]];
+            {
+              // LAPACK reads one triangle: the mean of both is nearer to the
+              // matrix without round-off.
+              matrix(i, j) += column[unknowns[i]] / 2;
+              matrix(j, i) += column[unknowns[i]] / 2;
+            }
         }
       return matrix;
     }

@@ -1,6 +1,8 @@
 #ifndef auxfem_time_step_report_h
 #define auxfem_time_step_report_h
 
+#include <string>
+
 namespace auxfem
 {
   /** What happened in one step, for the console, the log and the summary. */
@@ -33,7 +35,10 @@ namespace auxfem
     unsigned long steps = 0, iterations = 0, factorizations = 0, retries = 0;
     /** Of the iterative linear solver; 0 with direct ones. */
     unsigned long linear_iterations = 0;
-    PhaseTimes    wall;
+    /** What solved the linear equations last, and why that was chosen; empty if
+     * nothing was factorized. */
+    std::string linear_solver;
+    PhaseTimes  wall;
   };
 } // namespace auxfem
 
