@@ -315,11 +315,12 @@ namespace auxfem
       }
     system->add_ghosts_to_owners(g);
     const std::vector<int> &kept    = system->kept();
-    const unsigned int      n_owned = system->unknowns().layout.n_owned();
-    for (unsigned int k = 0; k < n_owned; ++k)
+    const int               n_owned = system->unknowns().layout.n_owned();
+    for (int k = 0; k < n_owned; ++k)
       g[k] += values[kept[k]];
     for (const int k : system->prescribed())
-      g[k] = values[kept[k]];
+      if (k < n_owned)
+        g[k] = values[kept[k]];
   }
 
   const int *StrutCondensation::inner_unknowns(const StrutElements &elements,

@@ -46,11 +46,14 @@ namespace auxfem
       const std::unique_ptr<EffectResults> results;
     };
 
-    /** The pattern of @p effect by itself. */
+    /** The pattern of @p effect behind the blocks of elements. */
     inline TangentPattern pattern_of(Effect             &effect,
                                      const DofNumbering &numbering)
     {
-      TangentPattern pattern(numbering.unknowns());
+      TangentPattern     pattern(numbering.unknowns());
+      const unsigned int n = (numbering.order() + 1) * numbering.n_components();
+      for (unsigned int e = 0; e < numbering.elements().size(); ++e)
+        pattern.register_block(numbering.element_unknowns(e), n);
       effect.register_blocks(pattern);
       return pattern;
     }
