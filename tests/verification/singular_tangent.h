@@ -69,6 +69,8 @@ namespace auxfem
         return smallest_eigenvalue(run);
       };
       double at_first = eigenvalue(first);
+      // Below it eigenvalues are round-off, whose secants lead nowhere.
+      const double smallest = 5e-6 * std::abs(at_first);
       for (unsigned int i = 0; i < 20; ++i)
         {
           const double at_second = eigenvalue(second);
@@ -77,7 +79,8 @@ namespace auxfem
           first    = second;
           at_first = at_second;
           second += change;
-          if (std::abs(change) < 1e-9 * std::abs(second))
+          if (std::abs(at_second) < smallest ||
+              std::abs(change) < 1e-9 * std::abs(second))
             return second;
         }
       ADD_FAILURE() << "no load found at which the tangent is singular";
