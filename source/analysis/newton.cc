@@ -47,8 +47,9 @@ namespace auxfem
                                EvaluationResults    &results)
   {
     Result result;
-    exactness =
-      is_linear || has_failed ? Exactness::exact : Exactness::approximate;
+    exactness = is_linear || has_failed || !parameters.keep_factorization
+      ? Exactness::exact
+      : Exactness::approximate;
     // Unless it gets to the end.
     has_failed = true;
     solver.residual(evaluation, results);
