@@ -1,18 +1,47 @@
 #include <auxfem/algebra/backward_error.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace auxfem
 {
+  namespace
+  {
+    /** By local unknown the largest |x| in its unit, over all ranks. */
+    std::vector<double> largest_by_unit(const Unknowns            &unknowns,
+                                        const std::vector<double> &x)
+    {
+      const auto unit = [&unknowns](const unsigned int i) {
+        return unknowns.is_rotation[i] ? unknowns.length : 1.;
+      };
+      const auto is_multiplier = [&unknowns](const unsigned int i) {
+        return unknowns.kinds[i] == UnknownKind::multiplier;
+      };
+      double motion = 0, force = 0;
+      for (unsigned int i = 0; i < unknowns.layout.n_owned(); ++i)
+        if (is_multiplier(i))
+          force = std::max(force, std::abs(x[i]));
+        else
+          motion = std::max(motion, std::abs(x[i]) * unit(i));
+      motion = unknowns.layout.largest(motion);
+      force  = unknowns.layout.largest(force);
+      std::vector<double> result(unknowns.layout.n_local());
+      for (unsigned int i = 0; i < result.size(); ++i)
+        result[i] = is_multiplier(i) ? force : motion / unit(i);
+      return result;
+    }
+  } // namespace
+
   double backward_error(const TangentMatrix       &matrix,
                         const std::vector<double> &x,
                         const std::vector<double> &b,
                         const Symmetry             symmetry)
   {
-    const TangentPattern &pattern = matrix.pattern();
-    const UnknownLayout  &layout  = pattern.unknowns().layout;
-    std::vector<double>   image(layout.n_owned()), sizes(layout.n_owned());
+    const TangentPattern     &pattern = matrix.pattern();
+    const UnknownLayout      &layout  = pattern.unknowns().layout;
+    std::vector<double>       image(layout.n_owned()), sizes(layout.n_owned());
+    const std::vector<double> of_unit = largest_by_unit(pattern.unknowns(), x);
     matrix.multiply(x.data(), image.data(), symmetry);
     for (std::size_t block = 0; block < pattern.n_blocks(); ++block)
       {
@@ -24,7 +53,7 @@ namespace auxfem
             for (unsigned int j = 0; j < n; ++j)
               if (of_block[j] >= 0)
                 sizes[of_block[i]] +=
-                  std::abs(values[i * n + j] * x[of_block[j]]);
+                  std::abs(values[i * n + j]) * of_unit[of_block[j]];
       }
     double largest = 0;
     for (unsigned int i = 0; i < layout.n_owned(); ++i)
@@ -33,7 +62,7 @@ namespace auxfem
         if (pattern.unknowns().kinds[i] == UnknownKind::prescribed)
           size = std::abs(x[i]) + std::abs(b[i]);
         else if (!matrix.added_diagonal().empty())
-          size += std::abs(matrix.added_diagonal()[i] * x[i]);
+          size += std::abs(matrix.added_diagonal()[i]) * of_unit[i];
         const double difference = std::abs(image[i] - b[i]);
         if (difference == 0)
           continue;
