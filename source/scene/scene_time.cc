@@ -253,7 +253,7 @@ namespace auxfem
       "Direct solvers, or gmres, iterative, for lattices that are too large for "
       "these. cholmod takes the symmetric part of the tangent and no rigid "
       "parts or revolute hinges; klu and mumps take all. auto chooses by kind "
-      "and size, as the first lines of a run tell."};
+      "and size, as the last lines of a run tell."};
     const Choice preconditioner = {
       "Preconditioner",
       "amg",
