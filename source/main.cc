@@ -81,7 +81,7 @@ namespace
   /** Whether the program is in the middle of a computation. */
   bool is_computing = false;
 
-  /** AztecOO leaves the program by exit() where it finds no memory. */
+  /** A library may leave the program by exit(), above all without memory. */
   void report_exit_by_library()
   {
     if (!is_computing)

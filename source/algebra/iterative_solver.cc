@@ -40,7 +40,7 @@ namespace auxfem
     Parts(const SolverParameters &parameters, const Unknowns &unknowns)
       : layout(unknowns.layout)
       , stages(std::min(layout.n_ranks(), most_stages))
-      , krylov(parameters)
+      , krylov(load_krylov_solver(parameters))
     {
       stages[0].elimination =
         std::make_unique<JointElimination>(unknowns, most_at_once);
@@ -111,9 +111,9 @@ namespace auxfem
       return *stages.back().elimination;
     }
 
-    const UnknownLayout &layout;
-    std::vector<Stage>   stages;
-    KrylovSolver         krylov;
+    const UnknownLayout          &layout;
+    std::vector<Stage>            stages;
+    std::unique_ptr<KrylovSolver> krylov;
     /** Since the preconditioner was made. */
     bool has_new_pattern = true;
   };
@@ -154,10 +154,10 @@ namespace auxfem
     const JointElimination &left = parts->last();
     if (left.rows().layout().n_global() == 0)
       return FactorizationOutcome::done;
-    const bool is_made     = parts->krylov.factorize(left.matrix(),
-                                                 left.rows(),
-                                                 parts->has_new_pattern,
-                                                 may_be_definite(matrix));
+    const bool is_made     = parts->krylov->factorize(left.matrix(),
+                                                  left.rows(),
+                                                  parts->has_new_pattern,
+                                                  may_be_definite(matrix));
     parts->has_new_pattern = !is_made;
     return is_made ? FactorizationOutcome::done
                    : FactorizationOutcome::singular;
@@ -181,14 +181,14 @@ namespace auxfem
     std::string          failure;
     std::vector<double> &g = parts->stages.back().b;
     if (parts->last().rows().layout().n_global() > 0)
-      failure = parts->krylov.solve(g.data(), g.data());
+      failure = parts->krylov->solve(g.data(), g.data());
     parts->expand(x);
     return failure;
   }
 
   unsigned long IterativeSolver::n_iterations() const
   {
-    return parts ? n_before + parts->krylov.n_iterations() : 0;
+    return parts ? n_before + parts->krylov->n_iterations() : 0;
   }
 
   std::size_t IterativeSolver::memory() const

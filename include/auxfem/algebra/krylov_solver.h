@@ -6,6 +6,7 @@
 #include <auxfem/algebra/sparse_matrix.h>
 
 #include <memory>
+#include <string>
 
 namespace auxfem
 {
@@ -13,12 +14,15 @@ namespace auxfem
    * Iterative solution of S z = g on the rows of joints (Trilinos Belos on
    * Tpetra) with smoothed aggregation (MueLu) or an incomplete factorization
    * (Ifpack2) as preconditioner. All functions are collective.
+   *
+   * It lies in a library of its own, loaded where an iteration is asked for
+   * (load_krylov_solver()): with it come some thirty libraries of Trilinos that
+   * would lengthen the start of every other run.
    */
   class KrylovSolver
   {
   public:
-    explicit KrylovSolver(const SolverParameters &parameters);
-    ~KrylovSolver();
+    virtual ~KrylovSolver() = default;
 
     /**
      * Makes the preconditioner.
@@ -27,24 +31,35 @@ namespace auxfem
      * gradients are tried
      * @returns whether that is possible on all ranks.
      */
-    bool factorize(const SparseMatrix &matrix,
-                   const JointRows    &rows,
-                   bool                is_new_pattern,
-                   bool                is_definite);
+    virtual bool factorize(const SparseMatrix &matrix,
+                           const JointRows    &rows,
+                           bool                is_new_pattern,
+                           bool                is_definite) = 0;
 
     /**
      * Solves for @p g into @p z, owned rows. Returns an empty text or why the
      * equations were not solved; @p z is then the best that was found.
      */
-    std::string solve(const double *g, double *z);
+    virtual std::string solve(const double *g, double *z) = 0;
 
     /** Of all solutions so far. */
-    unsigned long n_iterations() const;
-
-  private:
-    class Implementation;
-    std::unique_ptr<Implementation> implementation;
+    virtual unsigned long n_iterations() const = 0;
   };
+
+  /**
+   * Loads the library auxfem_iteration that was built and installed with the
+   * program, once, and makes a solver. Throws ComputationError if the library
+   * is not there.
+   */
+  std::unique_ptr<KrylovSolver>
+  load_krylov_solver(const SolverParameters &parameters);
 } // namespace auxfem
+
+/**
+ * What load_krylov_solver() calls, in auxfem_iteration; the caller owns what it
+ * returns.
+ */
+extern "C" auxfem::KrylovSolver *
+auxfem_make_krylov_solver(const auxfem::SolverParameters &parameters);
 
 #endif

@@ -1,0 +1,239 @@
+#include <auxfem/algebra/krylov_solver.h>
+
+#include <Teuchos_DefaultMpiComm.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+#include <BelosBlockGmresSolMgr.hpp>
+#include <BelosPseudoBlockCGSolMgr.hpp>
+#include <BelosTpetraAdapter.hpp>
+
+#include "tpetra_types.h"
+
+namespace auxfem
+{
+  namespace
+  {
+    using Map    = TpetraMatrix::map_type;
+    using Global = Map::global_ordinal_type;
+    using LinearProblem =
+      Belos::LinearProblem<double, TpetraVectors, TpetraOperator>;
+    using Method = Belos::SolverManager<double, TpetraVectors, TpetraOperator>;
+    using Gradients =
+      Belos::PseudoBlockCGSolMgr<double, TpetraVectors, TpetraOperator>;
+    using Gmres =
+      Belos::BlockGmresSolMgr<double, TpetraVectors, TpetraOperator>;
+    using Teuchos::ParameterList;
+    using Teuchos::RCP;
+    using Teuchos::rcp;
+
+    /** Directions GMRES keeps. */
+    constexpr unsigned int n_directions = 200;
+
+    /** Times iteration goes on from where its own residual was too optimistic.
+     */
+    constexpr unsigned int n_refinements = 5;
+
+    /** The first @p n local numbers of @p layout. */
+    RCP<const Map> make_map(const UnknownLayout &layout, const unsigned int n)
+    {
+      std::vector<Global> globals(n);
+      for (unsigned int i = 0; i < n; ++i)
+        globals[i] = layout.global(i);
+      return rcp(
+        new Map(Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid(),
+                Teuchos::ArrayView<const Global>(globals),
+                0,
+                rcp(new Teuchos::MpiComm<int>(layout.communicator()))));
+    }
+
+    template <typename T, typename U>
+    Teuchos::ArrayRCP<T> copied(const std::vector<U> &values)
+    {
+      Teuchos::ArrayRCP<T> copy(values.size());
+      std::copy(values.begin(), values.end(), copy.begin());
+      return copy;
+    }
+
+    double norm(const TpetraVectors &vector)
+    {
+      return vector.getVector(0)->norm2();
+    }
+    class BelosSolver : public KrylovSolver
+    {
+    public:
+      explicit BelosSolver(const SolverParameters &parameters)
+        : parameters(parameters)
+      {}
+
+      bool factorize(const SparseMatrix &entries,
+                     const JointRows    &rows,
+                     const bool          is_new_pattern,
+                     const bool          may_be_definite) override
+      {
+        is_definite = may_be_definite;
+        preconditioner.reset();
+        if (is_new_pattern)
+          {
+            row_map    = make_map(*entries.layout, entries.layout->n_owned());
+            column_map = make_map(*entries.layout, entries.layout->n_local());
+          }
+        matrix = rcp(new TpetraMatrix(row_map,
+                                      column_map,
+                                      copied<std::size_t>(entries.first),
+                                      copied<int>(entries.columns),
+                                      copied<double>(entries.entries)));
+        matrix->expertStaticFillComplete(row_map, row_map);
+        bool is_made = true;
+        try
+          {
+            preconditioner = parameters.preconditioner == "ilu"
+              ? make_incomplete_factorization(matrix)
+              : make_multigrid(matrix, rows);
+          }
+        // Belos, Ifpack2 and MueLu throw a break-down as std::logic_error or
+        // std::runtime_error.
+        catch (const std::exception &)
+          {
+            is_made = false;
+          }
+        return entries.layout->largest(is_made ? 0. : 1.) == 0;
+      }
+
+      std::string solve(const double *g, double *z) override
+      {
+        const auto right_side = rcp(new TpetraVectors(row_map, 1)),
+                   solution   = rcp(new TpetraVectors(row_map, 1));
+        std::copy_n(g,
+                    right_side->getLocalLength(),
+                    right_side->getDataNonConst(0).begin());
+        const double size = norm(*right_side);
+        std::string  failure;
+        if (!std::isfinite(size))
+          failure = "the right-hand side is not finite";
+        else if (size > 0)
+          failure = iterate(right_side, solution, size);
+        const auto values = solution->getData(0);
+        std::copy(values.begin(), values.end(), z);
+        return failure;
+      }
+
+      unsigned long n_iterations() const override
+      {
+        return n_done;
+      }
+
+    private:
+      std::string iterate(const RCP<TpetraVectors> &right_side,
+                          const RCP<TpetraVectors> &solution,
+                          const double              size)
+      {
+        const auto problem =
+          rcp(new LinearProblem(matrix, solution, right_side));
+        if (is_definite)
+          problem->setLeftPrec(preconditioner);
+        else
+          problem->setRightPrec(preconditioner);
+
+        TpetraVectors residual(row_map, 1);
+        double        error = size;
+        unsigned int  n     = 0;
+        for (unsigned int i = 0; i <= n_refinements; ++i)
+          {
+            problem->setProblem();
+            n += run_method(problem, parameters.maximum_iterations - n);
+            matrix->apply(*solution, residual);
+            residual.update(1., *right_side, -1.);
+            error = norm(residual);
+            if (error <=
+                std::max(parameters.tolerance * size, round_off(*solution)))
+              return "";
+            if (!std::isfinite(error) || n >= parameters.maximum_iterations)
+              break;
+          }
+        return words_of_failure(error / size, n);
+      }
+
+      /** Returns the number of iterations, at most @p most. */
+      unsigned int run_method(const RCP<LinearProblem> &problem,
+                              const unsigned int        most)
+      {
+        const auto list = rcp(new ParameterList);
+        list->set("Maximum Iterations", static_cast<int>(most));
+        list->set("Convergence Tolerance", parameters.tolerance);
+        RCP<Method> method;
+        if (is_definite)
+          {
+            list->set("Residual Scaling", "Norm of RHS");
+            method = rcp(new Gradients(problem, list));
+          }
+        else
+          {
+            list->set("Implicit Residual Scaling", "Norm of RHS");
+            list->set("Explicit Residual Scaling", "Norm of RHS");
+            list->set("Num Blocks",
+                      static_cast<int>(
+                        std::min(n_directions, parameters.maximum_iterations)));
+            list->set("Maximum Restarts", static_cast<int>(most));
+            method = rcp(new Gmres(problem, list));
+          }
+        try
+          {
+            method->solve();
+          }
+        // Conjugate gradients throw where the matrix is not positive definite.
+        catch (const std::exception &)
+          {
+            if (!is_definite)
+              throw;
+            is_definite = false;
+            problem->setLeftPrec(Teuchos::null);
+            problem->setRightPrec(preconditioner);
+            problem->setProblem();
+            return run_method(problem, most);
+          }
+        n_done += method->getNumIters();
+        return method->getNumIters();
+      }
+
+      /** Residual that rounding leaves of any solution. */
+      double round_off(const TpetraVectors &solution) const
+      {
+        return std::numeric_limits<double>::epsilon() *
+          matrix->getFrobeniusNorm() * norm(solution);
+      }
+
+      std::string words_of_failure(const double       relative_residual,
+                                   const unsigned int n) const
+      {
+        std::ostringstream words;
+        words << (is_definite ? "conjugate gradients have" : "GMRES has")
+              << " come to a relative residual of " << relative_residual
+              << " in " << n
+              << " iterations (Solver/Tolerance = " << parameters.tolerance
+              << ", Maximum iterations = " << parameters.maximum_iterations
+              << ", Preconditioner = " << parameters.preconditioner
+              << "; the direct solver, Type = auto, may serve better)";
+        return words.str();
+      }
+
+      const SolverParameters parameters;
+      /** As far as is known. */
+      bool                is_definite = false;
+      RCP<const Map>      row_map, column_map;
+      RCP<TpetraMatrix>   matrix;
+      RCP<TpetraOperator> preconditioner;
+      unsigned long       n_done = 0;
+    };
+
+  } // namespace
+} // namespace auxfem
+
+auxfem::KrylovSolver *
+auxfem_make_krylov_solver(const auxfem::SolverParameters &parameters)
+{
+  return new auxfem::BelosSolver(parameters);
+}
