@@ -89,8 +89,9 @@ namespace auxfem
       // CHOLMOD reads only.
       result.i = const_cast<int *>(matrix.columns.data());
       result.x = const_cast<double *>(matrix.entries.data());
-      // The upper triangle of its columns is the lower one of our rows.
-      result.stype  = 1;
+      // Below the diagonal of its columns, which is above that of our rows:
+      // the other triangle would be transposed once more.
+      result.stype  = -1;
       result.itype  = CHOLMOD_INT;
       result.xtype  = CHOLMOD_REAL;
       result.dtype  = CHOLMOD_DOUBLE;

@@ -86,25 +86,35 @@ namespace auxfem
                   const int    *ends,
                   const double *of_ends) const override
       {
-        double x[n];
-        for (int i = 0; i < n_inner; ++i)
-          x[i] = of_inner[inner[i]];
-        for (int e = 0; e < n_ends; ++e)
-          x[n_inner + e] = of_ends[ends[e]];
-        const double *inverse = factors, *to_ends = factors + n_inner * n_inner;
-        for (int i = 0; i < n_inner; ++i, inverse += n_inner, to_ends += n_ends)
+        double sums[n_inner] = {}, of_end[n_ends];
+        // By columns: sums that do not wait for each other.
+        const double *column = factors;
+        for (int j = 0; j < n_inner; ++j, column += n_inner)
           {
-            double of_inside = 0, from_ends = 0;
-            for (int j = 0; j < n_inner; ++j)
-              of_inside += inverse[j] * x[j];
-            for (int e = 0; e < n_ends; ++e)
-              from_ends += to_ends[e] * x[n_inner + e];
-            of_inner[inner[i]] = of_inside - from_ends;
+            const double x = of_inner[inner[j]];
+            for (int i = 0; i < n_inner; ++i)
+              sums[i] += column[i] * x;
           }
+        for (int e = 0; e < n_ends; ++e)
+          of_end[e] = of_ends[ends[e]];
+        const double *row = factors + n_inner * n_inner;
+        for (int i = 0; i < n_inner; ++i, row += n_ends)
+          of_inner[inner[i]] = sums[i] - product(row, of_end);
       }
 
     private:
       static constexpr int n = n_inner + n_ends;
+
+      /** In three sums, as one would wait for itself. */
+      static double product(const double *row, const double (&x)[n_ends])
+      {
+        static_assert(n_ends % 3 == 0);
+        double sums[3] = {};
+        for (int e = 0; e < n_ends; e += 3)
+          for (int k = 0; k < 3; ++k)
+            sums[k] += row[e + k] * x[e + k];
+        return sums[0] + sums[1] + sums[2];
+      }
 
       using Inner = double[n_inner][n_inner];
       /** At first A_IE and the identity; A_II^-1 A_IE and A_II^-1 at last. */
@@ -230,8 +240,9 @@ namespace auxfem
                         const Symmetry symmetry,
                         double        *factors)
       {
-        for (int i = 0; i < n_inner; ++i)
-          factors = std::copy(right[i] + n_ends, right[i] + n, factors);
+        for (int j = 0; j < n_inner; ++j)
+          for (int i = 0; i < n_inner; ++i)
+            *factors++ = right[i][n_ends + j];
         for (int i = 0; i < n_inner; ++i)
           factors = std::copy(right[i], right[i] + n_ends, factors);
         if (symmetry != Symmetry::none)

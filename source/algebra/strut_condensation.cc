@@ -56,11 +56,15 @@ namespace auxfem
     system        = std::make_unique<JointSystem>(pattern, struts);
     built_version = tangent.version();
 
+    const Unknowns &unknowns = pattern.unknowns();
+    prescribed_unknowns.clear();
+    for (unsigned int i = 0; i < unknowns.layout.n_owned(); ++i)
+      if (unknowns.kinds[i] == UnknownKind::prescribed)
+        prescribed_unknowns.push_back(i);
     prescribed_blocks.clear();
     for (std::size_t b = 0; b < pattern.n_blocks(); ++b)
       if (std::any_of(pattern.begin(b), pattern.end(b), [&](const int i) {
-            return i >= 0 &&
-              pattern.unknowns().kinds[i] == UnknownKind::prescribed;
+            return i >= 0 && unknowns.kinds[i] == UnknownKind::prescribed;
           }))
         prescribed_blocks.push_back(b);
   }
@@ -92,22 +96,23 @@ namespace auxfem
     follow_pattern();
     symmetry = wanted;
     system->reset(symmetry);
-    std::size_t n_factors = 0;
+    first_factor.assign(1, 0);
     for (const StrutElements &elements : struts)
-      n_factors += factors_size(elements);
-    factors.resize(n_factors);
+      first_factor.push_back(first_factor.back() + factors_size(elements));
+    factors.resize(first_factor.back());
 
     Room                 room;
     unsigned long        n_negative = 0, n_inner = 0;
-    double              *of_strut = factors.data();
-    const StrutElements *failed   = nullptr;
+    const StrutElements *failed = nullptr;
     for (std::size_t s = 0; s < struts.size() && failed == nullptr; ++s)
       {
-        if (!condense_strut(struts[s], of_strut, room, n_negative))
+        if (!condense_strut(struts[s],
+                            factors.data() + first_factor[s],
+                            room,
+                            n_negative))
           failed = &struts[s];
         else
           system->add_strut(s, room.of_strut.data());
-        of_strut += factors_size(struts[s]);
         n_inner += struts[s].n_elements * struts[s].n_between_nodes() +
           (struts[s].n_elements - 1) * struts[s].n_of_node;
       }
@@ -262,21 +267,19 @@ namespace auxfem
 
   void StrutCondensation::move_prescribed(std::vector<double> &values) const
   {
-    const Unknowns      &unknowns = tangent.pattern().unknowns();
-    const UnknownLayout &layout   = unknowns.layout;
-    bool                 moves    = false;
-    std::vector<double>  prescribed;
+    const Unknowns      &unknowns      = tangent.pattern().unknowns();
+    const UnknownLayout &layout        = unknowns.layout;
     const auto           is_prescribed = [&](const int unknown) {
       return unknown >= 0 && unknowns.kinds[unknown] == UnknownKind::prescribed;
     };
-    for (unsigned int i = 0; i < layout.n_owned() && !moves; ++i)
-      moves = is_prescribed(i) && values[i] != 0;
+    const bool moves = std::any_of(prescribed_unknowns.begin(),
+                                   prescribed_unknowns.end(),
+                                   [&](const int i) { return values[i] != 0; });
     if (layout.largest(moves) == 0)
       return;
-    prescribed.assign(layout.n_local(), 0.);
-    for (unsigned int i = 0; i < layout.n_owned(); ++i)
-      if (is_prescribed(i))
-        prescribed[i] = values[i];
+    std::vector<double> prescribed(layout.n_local(), 0.);
+    for (const int i : prescribed_unknowns)
+      prescribed[i] = values[i];
     layout.update_ghosts(prescribed.data());
     for (const std::size_t b : prescribed_blocks)
       {
@@ -297,11 +300,11 @@ namespace auxfem
   {
     move_prescribed(values);
     g.assign(system->unknowns().layout.n_local(), 0.);
-    Room          room;
-    const double *of_strut = factors.data();
+    Room room;
     for (std::size_t s = 0; s < struts.size(); ++s)
       {
         const StrutElements &elements = struts[s];
+        const double *const  of_strut = factors.data() + first_factor[s];
         if (elements.n_elements > 1)
           reduce_chain(elements, of_strut, values, system->ends(s), g, room);
         else if (elements.between_nodes != nullptr)
@@ -311,7 +314,6 @@ namespace auxfem
                                          values.data(),
                                          system->ends(s),
                                          g.data());
-        of_strut += factors_size(elements);
       }
     system->add_ghosts_to_owners(g);
     const std::vector<int> &kept    = system->kept();
@@ -387,11 +389,11 @@ namespace auxfem
     for (const int k : system->prescribed())
       z[k] = 0;
 
-    Room          room;
-    const double *of_strut = factors.data();
+    Room room;
     for (std::size_t s = 0; s < struts.size(); ++s)
       {
         const StrutElements &elements = struts[s];
+        const double *const  of_strut = factors.data() + first_factor[s];
         if (elements.n_elements > 1)
           expand_chain(elements, of_strut, values, system->ends(s), z, room);
         else if (elements.between_nodes != nullptr)
@@ -400,7 +402,6 @@ namespace auxfem
                                          values.data(),
                                          system->ends(s),
                                          z.data());
-        of_strut += factors_size(elements);
       }
     tangent.pattern().unknowns().layout.update_ghosts(values.data());
   }

@@ -170,30 +170,31 @@ namespace auxfem
 
   double TangentMatrix::asymmetry() const
   {
-    const Unknowns     &unknowns   = of_pattern.unknowns();
-    double              difference = 0, size = 0;
-    std::vector<double> scale;
+    const Unknowns     &unknowns = of_pattern.unknowns();
+    std::vector<double> weights(unknowns.layout.n_local(), 0.), of_block;
+    for (unsigned int i = 0; i < weights.size(); ++i)
+      if (unknowns.kinds[i] != UnknownKind::prescribed)
+        weights[i] = unknowns.is_rotation[i]
+          ? 1 / (unknowns.length * unknowns.length)
+          : 1.;
+    double difference = 0, size = 0;
     for_each_block(
-      [&](const int *of_block, const unsigned int n, const double *block) {
-        scale.assign(n, 0.);
+      [&](const int *in_block, const unsigned int n, const double *block) {
+        of_block.resize(n);
         for (unsigned int i = 0; i < n; ++i)
-          if (of_block[i] >= 0 &&
-              unknowns.kinds[of_block[i]] != UnknownKind::prescribed)
-            scale[i] =
-              unknowns.is_rotation[of_block[i]] ? 1 / unknowns.length : 1.;
-        for (unsigned int i = 0; i < n; ++i)
-          for (unsigned int j = 0; j < i; ++j)
-            {
-              const double factor = scale[i] * scale[j],
-                           lower  = factor * block[i * n + j],
-                           upper  = factor * block[j * n + i];
-              difference += 2 * (lower - upper) * (lower - upper);
-              size += lower * lower + upper * upper;
-            }
+          of_block[i] = in_block[i] >= 0 ? weights[in_block[i]] : 0.;
         for (unsigned int i = 0; i < n; ++i)
           {
-            const double entry = scale[i] * scale[i] * block[i * n + i];
-            size += entry * entry;
+            const double entry  = block[i * n + i];
+            double       of_row = of_block[i] * entry * entry, off_pair = 0;
+            for (unsigned int j = 0; j < i; ++j)
+              {
+                const double lower = block[i * n + j], upper = block[j * n + i];
+                off_pair += of_block[j] * (lower - upper) * (lower - upper);
+                of_row += of_block[j] * (lower * lower + upper * upper);
+              }
+            difference += of_block[i] * 2 * off_pair;
+            size += of_block[i] * of_row;
           }
       });
     const std::vector<double> sums =

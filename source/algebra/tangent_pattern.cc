@@ -38,19 +38,4 @@ namespace auxfem
   {
     return first.size() - 1;
   }
-
-  const int *TangentPattern::begin(const std::size_t block) const
-  {
-    return of_blocks.data() + first[block];
-  }
-
-  const int *TangentPattern::end(const std::size_t block) const
-  {
-    return of_blocks.data() + first[block + 1];
-  }
-
-  unsigned int TangentPattern::size(const std::size_t block) const
-  {
-    return first[block + 1] - first[block];
-  }
 } // namespace auxfem

@@ -40,56 +40,10 @@ namespace auxfem
       comm);
   }
 
-  MPI_Comm UnknownLayout::communicator() const
-  {
-    return comm;
-  }
-
-  unsigned int UnknownLayout::rank() const
-  {
-    return my_rank;
-  }
-
-  unsigned int UnknownLayout::n_ranks() const
-  {
-    return first.size() - 1;
-  }
-
-  unsigned int UnknownLayout::n_owned() const
-  {
-    return first[my_rank + 1] - first[my_rank];
-  }
-
-  unsigned int UnknownLayout::n_local() const
-  {
-    return n_owned() + ghosts.size();
-  }
-
-  unsigned int UnknownLayout::n_global() const
-  {
-    return first.back();
-  }
-
-  int UnknownLayout::first_of(const unsigned int rank) const
-  {
-    return first[rank];
-  }
-
   unsigned int UnknownLayout::owner(const int global) const
   {
     return std::upper_bound(first.begin(), first.end(), global) -
       first.begin() - 1;
-  }
-
-  bool UnknownLayout::is_owned(const int local) const
-  {
-    return local >= 0 && local < static_cast<int>(n_owned());
-  }
-
-  int UnknownLayout::global(const unsigned int local) const
-  {
-    return local < n_owned() ? first[my_rank] + static_cast<int>(local)
-                             : ghosts[local - n_owned()];
   }
 
   int UnknownLayout::local(const int global) const

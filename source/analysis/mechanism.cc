@@ -25,11 +25,13 @@ namespace auxfem
       const DofNumbering &numbering = model.numbering;
       std::vector<double> sizes(numbering.layout().n_owned());
       // A strut that turns about its end moves the other by its length times
-      // the angle; half of that leaves the first word to the joint.
+      // the angle; half of that leaves the first word to the joint, also where
+      // the inside of a strut moves as far as that.
       for (unsigned int i = 0; i < sizes.size(); ++i)
         sizes[i] = std::abs(mode[i]) *
           (numbering.unknowns().is_rotation[i] ? model.mean_strut_length / 2
-                                               : 1.);
+                                               : 1.) *
+          (numbering.unknowns().strut[i] ? 0.99 : 1.);
       const std::string words = describe_largest(numbering, sizes);
       throw InputError(
         "The structure is not supported: it can move without any resistance, most of "

@@ -4,6 +4,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -11,26 +12,60 @@ namespace auxfem
 {
   namespace
   {
-    /** Sum of squares in some rows; four sums, as one would wait for itself. */
-    double sum_of_squares(const double *values, const std::vector<int> &rows)
+    /**
+     * Calls @p take(result, value) for the values in some rows, for four
+     * results in turn, as one would wait for itself.
+     */
+    template <class Take>
+    std::array<double, 4> take_in_four(const double           *values,
+                                       const std::vector<int> &rows,
+                                       const Take             &take)
     {
-      double            sums[4]   = {0, 0, 0, 0};
-      const std::size_t n         = rows.size();
-      const std::size_t n_in_four = n - n % 4;
+      std::array<double, 4> results   = {{0, 0, 0, 0}};
+      const std::size_t     n         = rows.size();
+      const std::size_t     n_in_four = n - n % 4;
       for (std::size_t i = 0; i < n_in_four; i += 4)
         for (unsigned int k = 0; k < 4; ++k)
-          sums[k] += values[rows[i + k]] * values[rows[i + k]];
+          take(results[k], values[rows[i + k]]);
       for (std::size_t i = n_in_four; i < n; ++i)
-        sums[0] += values[rows[i]] * values[rows[i]];
+        take(results[0], values[rows[i]]);
+      return results;
+    }
+
+    double sum_of_squares(const double *values, const std::vector<int> &rows)
+    {
+      const auto sums =
+        take_in_four(values, rows, [](double &sum, const double value) {
+          sum += value * value;
+        });
       return sums[0] + sums[1] + sums[2] + sums[3];
+    }
+
+    /** Sums of squares of a residual, in all rows and in free ones. */
+    struct RowSums
+    {
+      double forces = 0, moments = 0, free_forces = 0, free_moments = 0;
+    };
+
+    RowSums sum_rows(const double *residual, const OwnedRows &rows)
+    {
+      RowSums sums;
+      sums.free_forces  = sum_of_squares(residual, rows.free_translations);
+      sums.free_moments = sum_of_squares(residual, rows.free_rotations);
+      sums.forces       = sums.free_forces +
+        sum_of_squares(residual, rows.prescribed_translations);
+      sums.moments =
+        sums.free_moments + sum_of_squares(residual, rows.prescribed_rotations);
+      return sums;
     }
 
     double largest(const double *values, const std::vector<int> &rows)
     {
-      double result = 0;
-      for (const int row : rows)
-        result = std::max(result, std::abs(values[row]));
-      return result;
+      const auto results =
+        take_in_four(values, rows, [](double &result, const double value) {
+          result = std::max(result, std::abs(value));
+        });
+      return *std::max_element(results.begin(), results.end());
     }
 
     /**
@@ -111,41 +146,37 @@ namespace auxfem
   {
     double *residual = evaluation.to.residual.data();
     std::fill(residual, residual + evaluation.to.residual.size(), 0.);
-    // Sums of squares of forces and moments: of internal forces, of internal
-    // and inertia forces, and of the residual in free rows; then of conditions.
-    std::vector<double> sums(7, 0.);
-    const OwnedRows    &rows = structure.rows;
     const auto add = [&](const unsigned int begin, const unsigned int end) {
       for (unsigned int i = begin; i < end; ++i)
         effects[i]->add_residual(evaluation,
                                  residual,
                                  results.of_effects[i].get());
+      return begin < end;
     };
-    const auto sum_all_rows = [&](double *sum) {
-      sum[0] = sum_of_squares(residual, rows.free_translations) +
-        sum_of_squares(residual, rows.prescribed_translations);
-      sum[1] = sum_of_squares(residual, rows.free_rotations) +
-        sum_of_squares(residual, rows.prescribed_rotations);
-    };
-    add(0, n_internal);
-    sum_all_rows(&sums[0]);
-    if (n_balanced > n_internal)
-      {
-        add(n_internal, n_balanced);
-        sum_all_rows(&sums[2]);
-      }
-    add(n_balanced, effects.size());
-    sums[4] = sum_of_squares(residual, rows.free_translations);
-    sums[5] = sum_of_squares(residual, rows.free_rotations);
-    sums[6] = sum_of_squares(residual, rows.multipliers);
-    sums    = structure.numbering.layout().sum(sums);
+    RowSums sums, of_internal, of_balanced;
+    if (add(0, n_internal))
+      sums = sum_rows(residual, structure.rows);
+    of_internal = sums;
+    if (add(n_internal, n_balanced))
+      sums = sum_rows(residual, structure.rows);
+    of_balanced = sums;
+    if (add(n_balanced, effects.size()))
+      sums = sum_rows(residual, structure.rows);
+    const std::vector<double> all = structure.numbering.layout().sum(
+      {of_internal.forces,
+       of_internal.moments,
+       of_balanced.forces,
+       of_balanced.moments,
+       sums.free_forces,
+       sums.free_moments,
+       sum_of_squares(residual, structure.rows.multipliers)});
 
-    results.force        = std::sqrt(sums[4]);
-    results.moment       = std::sqrt(sums[5]);
-    results.condition    = std::sqrt(sums[6]);
+    results.force        = std::sqrt(all[4]);
+    results.moment       = std::sqrt(all[5]);
+    results.condition    = std::sqrt(all[6]);
     const double length  = structure.mean_strut_length,
-                 forces  = std::max(sums[0], sums[2]),
-                 moments = std::max(sums[1], sums[3]);
+                 forces  = std::max(all[0], all[2]),
+                 moments = std::max(all[1], all[3]);
     results.force_scale =
       std::sqrt(std::max(forces, moments / (length * length)));
   }

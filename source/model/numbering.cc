@@ -24,6 +24,7 @@ namespace auxfem
     : of_lattice(lattice)
     , polynomial_order(order)
     , node_components(components_of_nodes(lattice.dimension))
+    , n_of_element((order + 1) * node_components.size())
     , numbers(lattice,
               mesh,
               order,
@@ -230,11 +231,6 @@ namespace auxfem
     return node_components;
   }
 
-  const UnknownLayout &DofNumbering::layout() const
-  {
-    return of_unknowns.layout;
-  }
-
   const Unknowns &DofNumbering::unknowns() const
   {
     return of_unknowns;
@@ -258,12 +254,6 @@ namespace auxfem
   const std::vector<DofNumbering::Element> &DofNumbering::elements() const
   {
     return element_list;
-  }
-
-  const int *DofNumbering::element_unknowns(const unsigned int e) const
-  {
-    return &element_numbers[std::size_t(e) * (polynomial_order + 1) *
-                            n_components()];
   }
 
   int DofNumbering::joint_unknown(const unsigned int joint,

@@ -79,6 +79,10 @@ TEST(RotationRates, DerivativesOfTheOperatorsAreThose)
           .norm(),
         tolerance);
       const SpaceVector m({0.8, -0.4, 0.6});
+      EXPECT_LT((times_tangent_derivative(m, c, p, v) -
+                 m * tangent_derivative(c, p, v))
+                  .norm(),
+                1e-14 * (1 + angle));
       EXPECT_LT((tangent_second_derivative(c, p, v, m) * w -
                  difference(
                    [&](const SpaceVector &at) {

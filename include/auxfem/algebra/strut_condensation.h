@@ -130,11 +130,17 @@ namespace auxfem
     unsigned long                built_version = 0;
     std::vector<StrutElements>   struts;
     std::unique_ptr<JointSystem> system;
-    std::vector<std::size_t>     prescribed_blocks;
-    Symmetry                     symmetry = Symmetry::given;
-    std::vector<double>          factors;
-    std::optional<Inertia>       inertia;
-    std::string                  why_not;
+    /** Owned ones, and blocks with any. */
+    ///@{
+    std::vector<int>         prescribed_unknowns;
+    std::vector<std::size_t> prescribed_blocks;
+    ///@}
+    Symmetry            symmetry = Symmetry::given;
+    std::vector<double> factors;
+    /** Where those of a strut begin, and the end of the last. */
+    std::vector<std::size_t> first_factor;
+    std::optional<Inertia>   inertia;
+    std::string              why_not;
   };
 } // namespace auxfem
 

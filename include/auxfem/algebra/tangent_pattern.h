@@ -40,12 +40,22 @@ namespace auxfem
 
     /** Begin and end of the unknowns of a block. */
     ///@{
-    const int *begin(std::size_t block) const;
-    const int *end(std::size_t block) const;
+    const int *begin(const std::size_t block) const
+    {
+      return of_blocks.data() + first[block];
+    }
+
+    const int *end(const std::size_t block) const
+    {
+      return of_blocks.data() + first[block + 1];
+    }
     ///@}
 
     /** Number of unknowns of a block. */
-    unsigned int size(std::size_t block) const;
+    unsigned int size(const std::size_t block) const
+    {
+      return first[block + 1] - first[block];
+    }
 
   private:
     const Unknowns          *all;

@@ -26,25 +26,57 @@ namespace auxfem
                   unsigned int            n_owned,
                   const std::vector<int> &ghosts);
 
-    MPI_Comm     communicator() const;
-    unsigned int rank() const;
-    unsigned int n_ranks() const;
+    MPI_Comm communicator() const
+    {
+      return comm;
+    }
 
-    unsigned int n_owned() const;
-    unsigned int n_local() const;
+    unsigned int rank() const
+    {
+      return my_rank;
+    }
+
+    unsigned int n_ranks() const
+    {
+      return first.size() - 1;
+    }
+
+    unsigned int n_owned() const
+    {
+      return first[my_rank + 1] - first[my_rank];
+    }
+
+    unsigned int n_local() const
+    {
+      return n_owned() + ghosts.size();
+    }
+
     /** Of all ranks. */
-    unsigned int n_global() const;
+    unsigned int n_global() const
+    {
+      return first.back();
+    }
 
     /** First global number of @p rank; with rank = n_ranks() their number. */
-    int first_of(unsigned int rank) const;
+    int first_of(const unsigned int rank) const
+    {
+      return first[rank];
+    }
 
     /** Rank that owns a global number. */
     unsigned int owner(int global) const;
 
     /** Whether a local number is this rank's own; false for -1. */
-    bool is_owned(int local) const;
+    bool is_owned(const int local) const
+    {
+      return local >= 0 && local < static_cast<int>(n_owned());
+    }
 
-    int global(unsigned int local) const;
+    int global(const unsigned int local) const
+    {
+      return local < n_owned() ? first[my_rank] + static_cast<int>(local)
+                               : ghosts[local - n_owned()];
+    }
 
     /** Local number of a global one; -1 if it is -1 or not on this rank. */
     int local(int global) const;

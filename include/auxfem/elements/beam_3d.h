@@ -35,7 +35,7 @@ namespace auxfem
       d.middle_slope = point.middle_axes * (point.slope * point.axes);
       d.tangent      = tangent_operator(c, point.psi);
       d.by_psi = cross_product_3d(d.middle_force, d.middle_slope) * d.tangent +
-        d.middle_moment * tangent_derivative(c, point.psi, point.gradient);
+        times_tangent_derivative(d.middle_moment, c, point.psi, point.gradient);
       d.by_gradient = d.middle_moment * d.tangent;
       d.couple      = cross_product_3d(d.force, point.slope);
       return d;

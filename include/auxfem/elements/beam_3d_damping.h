@@ -55,11 +55,9 @@ namespace auxfem
       return r;
     }
 
-    /** Section force and moment of damping in the global frame, and by what
-     * rates make them. */
+    /** Section force and moment of damping in the global frame. */
     struct ViscousResultants
     {
-      SpaceTensor by_gamma, by_kappa;
       SpaceVector force, moment;
     };
 
@@ -68,15 +66,26 @@ namespace auxfem
                                                 const double      damping_time,
                                                 const Rates      &r)
     {
+      return {damping_time *
+                (point.axes * section_force(stiffness, r.gamma * point.axes)),
+              damping_time *
+                (point.axes * section_moment(stiffness, r.kappa * point.axes))};
+    }
+
+    /** By what rates make the resultants, in the global frame. */
+    struct ViscousStiffness
+    {
+      SpaceTensor by_gamma, by_kappa;
+    };
+
+    inline ViscousStiffness viscous_stiffness(const Kinematics &point,
+                                              const Stiffness  &stiffness,
+                                              const double      damping_time)
+    {
       const SpaceVector ones({damping_time, damping_time, damping_time});
-      ViscousResultants s;
-      s.by_gamma =
-        with_principal_values(point.axes, section_force(stiffness, ones));
-      s.by_kappa =
-        with_principal_values(point.axes, section_moment(stiffness, ones));
-      s.force  = s.by_gamma * r.gamma;
-      s.moment = s.by_kappa * r.kappa;
-      return s;
+      return {with_principal_values(point.axes, section_force(stiffness, ones)),
+              with_principal_values(point.axes,
+                                    section_moment(stiffness, ones))};
     }
 
     /**
@@ -177,17 +186,19 @@ namespace auxfem
           const Rates r = rates(shape, g, 1 / jacobian, point, velocities);
           const ViscousResultants s =
             viscous_resultants(point, stiffness, damping_time, r);
+          const ViscousStiffness by_rates =
+            viscous_stiffness(point, stiffness, damping_time);
           const SectionSpin<order> spin(shape, g, point, operators);
 
           const SpaceTensor slope_cross   = cross_product_tensor(point.slope);
           const SpaceTensor force_by_turn = stiffness_factor *
-            (s.by_gamma * cross_product_tensor(r.gamma) -
+            (by_rates.by_gamma * cross_product_tensor(r.gamma) -
              cross_product_tensor(s.force)),
                             moment_by_turn = stiffness_factor *
-            (s.by_kappa * cross_product_tensor(r.kappa) -
+            (by_rates.by_kappa * cross_product_tensor(r.kappa) -
              cross_product_tensor(s.moment)),
-                            force_by_omega = s.by_gamma * slope_cross;
-          const SpaceTensor force_by_slope = s.by_gamma *
+                            force_by_omega = by_rates.by_gamma * slope_cross;
+          const SpaceTensor force_by_slope = by_rates.by_gamma *
             plus_identity(-stiffness_factor * cross_product_tensor(r.angular),
                           damping_factor);
           const SpaceTensor couple_by_slope =
@@ -202,7 +213,7 @@ namespace auxfem
               const SpaceTensor  force = force_by_turn * spin.by_spin[b] +
                 Nb * force_by_omega * omega,
                                 moment = moment_by_turn * spin.by_spin[b] +
-                Db * s.by_kappa * omega,
+                Db * by_rates.by_kappa * omega,
                                 couple = -1. * slope_cross * force;
               for (int a = 0; a <= order; ++a)
                 {

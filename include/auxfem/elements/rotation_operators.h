@@ -147,6 +147,19 @@ namespace auxfem
                          c.b * (p * v));
   }
 
+  /** @p m times tangent_derivative(). */
+  inline SpaceVector times_tangent_derivative(const SpaceVector          &m,
+                                              const RotationCoefficients &c,
+                                              const SpaceVector          &p,
+                                              const SpaceVector          &q)
+  {
+    using dealii::cross_product_3d;
+    const double along_p = c.db * (m * across_twice(c, p, q)) -
+      c.da * (m * cross_product_3d(p, q)) - 2 * c.b * (m * q);
+    return c.a * cross_product_3d(m, q) + along_p * p +
+      c.b * ((m * p) * q + (p * q) * m);
+  }
+
   /** Derivative of T q by p. */
   inline SpaceTensor tangent_derivative(const RotationCoefficients &c,
                                         const SpaceVector          &p,

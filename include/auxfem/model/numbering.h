@@ -59,7 +59,10 @@ namespace auxfem
 
     /** How the unknowns, prescribed ones included, are spread over the ranks.
      */
-    const UnknownLayout &layout() const;
+    const UnknownLayout &layout() const
+    {
+      return of_unknowns.layout;
+    }
 
     /** What kinds of unknowns they are. */
     const Unknowns &unknowns() const;
@@ -77,7 +80,10 @@ namespace auxfem
      * Local numbers of the (order + 1) * n_components() unknowns of element @p e,
      * node by node in the node order of FE_Q (both ends, then the inner nodes).
      */
-    const int *element_unknowns(unsigned int e) const;
+    const int *element_unknowns(const unsigned int e) const
+    {
+      return element_numbers.data() + std::size_t(e) * n_of_element;
+    }
 
     /**
      * Local number of a joint's unknown, by component of motion; -1 if it does
@@ -125,6 +131,7 @@ namespace auxfem
     const Lattice                  &of_lattice;
     const unsigned int              polynomial_order;
     const std::vector<unsigned int> node_components;
+    const std::size_t               n_of_element; ///< unknowns
     GlobalNumbers                   numbers;
     std::vector<Element>            element_list;
     Kept                            kept; ///< emptied after set-up
