@@ -27,7 +27,7 @@ namespace auxfem
     class Cholmod : public DirectSolver
     {
     public:
-      Cholmod();
+      explicit Cholmod(EliminationOrder order);
       ~Cholmod() override;
       Cholmod(const Cholmod &)            = delete;
       Cholmod &operator=(const Cholmod &) = delete;
@@ -48,6 +48,7 @@ namespace auxfem
       double              pivot(std::size_t place) const;
       std::vector<double> sums_behind_pivots() const;
 
+      const EliminationOrder elimination;
       cholmod_common         common;
       cholmod_factor        *factor = nullptr;
       std::size_t            n      = 0;
@@ -58,7 +59,7 @@ namespace auxfem
       cholmod_dense *solution = nullptr, *room_1 = nullptr, *room_2 = nullptr;
     };
 
-    Cholmod::Cholmod()
+    Cholmod::Cholmod(const EliminationOrder order) : elimination(order)
     {
       cholmod_start(&common);
       common.print = 0;
@@ -122,7 +123,7 @@ namespace auxfem
       if (n == 0)
         return FactorizationOutcome::done;
       offsets                = narrow_offsets(matrix);
-      std::vector<int> order = elimination_order(matrix);
+      std::vector<int> order = elimination_order(matrix, elimination);
       cholmod_sparse   a     = view(matrix);
       a.xtype                = CHOLMOD_PATTERN;
 
@@ -266,8 +267,8 @@ namespace auxfem
     }
   } // namespace
 
-  std::unique_ptr<DirectSolver> make_cholmod()
+  std::unique_ptr<DirectSolver> make_cholmod(const EliminationOrder order)
   {
-    return std::make_unique<FirstRankSolver>(std::make_unique<Cholmod>());
+    return std::make_unique<FirstRankSolver>(std::make_unique<Cholmod>(order));
   }
 } // namespace auxfem

@@ -28,7 +28,7 @@ namespace auxfem
     class Klu : public DirectSolver
     {
     public:
-      Klu();
+      explicit Klu(EliminationOrder order);
       ~Klu() override;
       Klu(const Klu &)            = delete;
       Klu &operator=(const Klu &) = delete;
@@ -44,16 +44,17 @@ namespace auxfem
       bool                 refactorize(int *columns, double *entries);
       bool                 is_singular(const SparseMatrix &matrix);
 
-      klu_common       common;
-      klu_symbolic    *symbolic = nullptr;
-      klu_numeric     *numeric  = nullptr;
-      std::size_t      n        = 0;
-      std::vector<int> offsets;
+      const EliminationOrder elimination;
+      klu_common             common;
+      klu_symbolic          *symbolic = nullptr;
+      klu_numeric           *numeric  = nullptr;
+      std::size_t            n        = 0;
+      std::vector<int>       offsets;
       /** Of freshly chosen pivots, as klu_rgrowth() defines it. */
       double fresh_growth = 0;
     };
 
-    Klu::Klu()
+    Klu::Klu(const EliminationOrder order) : elimination(order)
     {
       klu_defaults(&common);
       // Lattices hang together: blocks of a triangular form would be of one
@@ -95,7 +96,7 @@ namespace auxfem
       if (n == 0)
         return FactorizationOutcome::done;
       offsets                  = narrow_offsets(matrix);
-      std::vector<int> order   = elimination_order(matrix);
+      std::vector<int> order   = elimination_order(matrix, elimination);
       std::vector<int> columns = matrix.columns;
       symbolic                 = klu_analyze_given(n,
                                    offsets.data(),
@@ -207,8 +208,8 @@ namespace auxfem
     }
   } // namespace
 
-  std::unique_ptr<DirectSolver> make_klu()
+  std::unique_ptr<DirectSolver> make_klu(const EliminationOrder order)
   {
-    return std::make_unique<FirstRankSolver>(std::make_unique<Klu>());
+    return std::make_unique<FirstRankSolver>(std::make_unique<Klu>(order));
   }
 } // namespace auxfem

@@ -10,15 +10,6 @@ namespace auxfem
 {
   namespace
   {
-    /**
-     * Rows from which METIS orders. CHOLMOD's factorization after AMD and after
-     * METIS, planar grids of joints with eight neighbours: 2.7 and 2.5 ms at
-     * 972 rows, 17 and 13 at 3072, 74 and 93 at 10,800, 450 and 470 at 30,000,
-     * with other work beside; the analysis takes 2 to 6 times longer with
-     * METIS.
-     */
-    constexpr unsigned int metis_limit = 3000;
-
     /** CHOLMOD's settings, from beginning to end. */
     struct Session
     {
@@ -49,7 +40,8 @@ namespace auxfem
     return std::vector<int>(matrix.first.begin(), matrix.first.end());
   }
 
-  std::vector<int> elimination_order(const SparseMatrix &matrix)
+  std::vector<int> elimination_order(const SparseMatrix    &matrix,
+                                     const EliminationOrder kind)
   {
     std::vector<int> offsets = narrow_offsets(matrix);
     std::vector<int> columns = matrix.columns;
@@ -69,9 +61,8 @@ namespace auxfem
     pattern.sorted              = 1;
     pattern.packed              = 1;
 
-    Session session;
-    // Where it fits better than AMD, METIS does not run out of memory either.
-    const bool is_done = order.size() >= metis_limit
+    Session    session;
+    const bool is_done = kind == EliminationOrder::nested_dissection
       ? cholmod_metis(&pattern, nullptr, 0, 1, order.data(), &session.common)
       : cholmod_amd(&pattern, nullptr, 0, order.data(), &session.common);
     if (!is_done)

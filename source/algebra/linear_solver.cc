@@ -111,7 +111,10 @@ namespace auxfem
   {
     Analysed &analysed = methods[choice.type];
     if (!analysed.method)
-      analysed.method = make_linear_solver_method(choice.type, parameters);
+      analysed.method = make_linear_solver_method(choice.type,
+                                                  choose_elimination_order(
+                                                    equations_at_joints()),
+                                                  parameters);
     current          = analysed.method.get();
     current_in_words = name_of(choice.type) + " (" + choice.reason + ")";
     if (analysed.version != condensation.version())
@@ -175,7 +178,9 @@ namespace auxfem
   std::optional<Inertia> LinearSolver::inertia_by_mumps() const
   {
     const std::unique_ptr<LinearSolverMethod> mumps =
-      make_linear_solver_method(LinearSolverType::mumps, parameters);
+      make_linear_solver_method(LinearSolverType::mumps,
+                                choose_elimination_order(equations_at_joints()),
+                                parameters);
     if (mumps->analyse(condensation.matrix(), condensation.joints()) !=
           FactorizationOutcome::done ||
         mumps->factorize(condensation.matrix()) != FactorizationOutcome::done)

@@ -54,14 +54,15 @@ namespace auxfem
 
   std::unique_ptr<LinearSolverMethod>
   make_linear_solver_method(const LinearSolverType  type,
+                            const EliminationOrder  order,
                             const SolverParameters &parameters)
   {
     switch (type)
       {
         case LinearSolverType::cholmod:
-          return std::make_unique<DirectMethod>(make_cholmod());
+          return std::make_unique<DirectMethod>(make_cholmod(order));
         case LinearSolverType::klu:
-          return std::make_unique<DirectMethod>(make_klu());
+          return std::make_unique<DirectMethod>(make_klu(order));
         case LinearSolverType::mumps:
           return std::make_unique<DirectMethod>(make_mumps());
         case LinearSolverType::iterative:

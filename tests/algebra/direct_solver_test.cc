@@ -33,8 +33,16 @@ namespace
   };
 
   const std::array<Kind, 3> kinds = {
-    {{"CHOLMOD", make_cholmod, false, false, true},
-     {"KLU", make_klu, true, true, false},
+    {{"CHOLMOD",
+      [] { return make_cholmod(EliminationOrder::minimum_degree); },
+      false,
+      false,
+      true},
+     {"KLU",
+      [] { return make_klu(EliminationOrder::nested_dissection); },
+      true,
+      true,
+      false},
      {"MUMPS", make_mumps, true, true, true}}};
 
   /** Ascending. */
@@ -433,19 +441,27 @@ TEST(DirectSolver, NewEntriesAndPatternsFollow)
 TEST(DirectSolver, LackOfMemoryIsReported)
 {
   DistributedMatrix of(supported_grid(25, 10.));
+  const auto        without_memory_on = [&](const unsigned int rank,
+                                     const auto        &action) {
+    std::unique_ptr<NoMoreMemory> no_more_memory;
+    if (of.layout.rank() == rank)
+      no_more_memory = std::make_unique<NoMoreMemory>();
+    return action();
+  };
   for (const Kind &kind : kinds)
     for (const unsigned int rank : {0u, of.layout.n_ranks() - 1})
       {
         SCOPED_TRACE(kind.name + ", rank " + std::to_string(rank));
-        const auto           solver   = kind.make();
-        FactorizationOutcome analysis = FactorizationOutcome::done;
-        {
-          std::unique_ptr<NoMoreMemory> no_more_memory;
-          if (of.layout.rank() == rank)
-            no_more_memory = std::make_unique<NoMoreMemory>();
-          analysis = solver->analyse(of.matrix);
-        }
+        const auto solver = kind.make();
+        const auto analysis =
+          without_memory_on(rank, [&] { return solver->analyse(of.matrix); });
         EXPECT_EQ(analysis, FactorizationOutcome::out_of_memory);
+        ASSERT_EQ(solver->analyse(of.matrix), FactorizationOutcome::done);
+        // The factors of CHOLMOD and KLU are the first rank's.
+        const auto factorization =
+          without_memory_on(kind.name == "MUMPS" ? rank : 0,
+                            [&] { return solver->factorize(of.matrix); });
+        EXPECT_EQ(factorization, FactorizationOutcome::out_of_memory);
         ASSERT_EQ(solver->analyse(of.matrix), FactorizationOutcome::done);
         expect_solution(*solver, of);
       }

@@ -45,6 +45,22 @@ subsection Time
       "\n  set End time = " + text(end) + "\nend\n" + further;
   }
 
+  const std::string dampers = R"(
+subsection Connectors
+  subsection damper
+    set Law                 = kelvin-voigt
+    set Spring stiffness    = 100
+    set Damping coefficient = 0.5
+  end
+  subsection relaxing
+    set Law                 = maxwell
+    set Between             = in-cell x
+    set Spring stiffness    = 500
+    set Damping coefficient = 0.2
+  end
+end
+)";
+
   const std::string thrown = R"(
 subsection Initial velocities
   subsection throw
@@ -108,25 +124,12 @@ TEST(EnergyMomentumRuns, AThrownCellKeepsEnergyAndMomenta)
 
 TEST(EnergyMomentumRuns, WithLossesAndLoadsTheLedgerCloses)
 {
-  SceneRun run(star_cell("energy-momentum", 50e-6, 10e-3, R"(
+  SceneRun run(star_cell("energy-momentum", 50e-6, 10e-3, dampers + R"(
 subsection Joints
   subsection springs
     set Joints    = tips
     set Type      = rotational spring
     set Stiffness = 0.2
-  end
-end
-subsection Connectors
-  subsection damper
-    set Law                 = kelvin-voigt
-    set Spring stiffness    = 100
-    set Damping coefficient = 0.5
-  end
-  subsection relaxing
-    set Law                 = maxwell
-    set Between             = in-cell x
-    set Spring stiffness    = 500
-    set Damping coefficient = 0.2
   end
 end
 subsection Supports
@@ -174,20 +177,7 @@ TEST(EnergyMomentumRuns, SecondOrder)
 {
   double     turned = 0;
   const auto places = [&](const double dt) {
-    SceneRun run(star_cell("energy-momentum", dt, 2e-3, R"(
-subsection Connectors
-  subsection damper
-    set Law                 = kelvin-voigt
-    set Spring stiffness    = 100
-    set Damping coefficient = 0.5
-  end
-  subsection relaxing
-    set Law                 = maxwell
-    set Between             = in-cell x
-    set Spring stiffness    = 500
-    set Damping coefficient = 0.2
-  end
-end
+    SceneRun run(star_cell("energy-momentum", dt, 2e-3, dampers + R"(
 subsection Loads
   subsection push
     set Joints    = top

@@ -7,9 +7,8 @@ namespace auxfem
 {
   /**
    * Largest of |A x - b| / (|A| y + |b|) by rows: how wrong the entries of A
-   * and
-   * b would have to be for @p x to be the solution (J. L. Rigal, J. Gaches, J.
-   * ACM 14, 1967, 543-548). y is the largest |x| of all motions, rotations
+   * and b would have to be for @p x to be the solution (J. L. Rigal, J. Gaches,
+   * J. ACM 14, 1967, 543-548). y is the largest |x| of all motions, rotations
    * measured in Unknowns::length times radian, or of all multipliers. Infinite
    * if something is no number.
    *

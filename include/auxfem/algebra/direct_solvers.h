@@ -5,6 +5,13 @@
 
 namespace auxfem
 {
+  /** How rows are ordered so that factors stay sparse. */
+  enum class EliminationOrder
+  {
+    minimum_degree,   ///< AMD (Amestoy, Davis, Duff 1996)
+    nested_dissection ///< METIS (Karypis, Kumar 1998)
+  };
+
   /**
    * @name Direct solvers, each on any number of ranks. All but MUMPS bring the
    * matrix to the first rank and factorize it there.
@@ -16,10 +23,10 @@ namespace auxfem
    * the order that keeps the factors sparse are sound; `singular` otherwise.
    * Not for matrices with multipliers.
    */
-  std::unique_ptr<DirectSolver> make_cholmod();
+  std::unique_ptr<DirectSolver> make_cholmod(EliminationOrder order);
 
   /** KLU (Davis, Palamadai Natarajan 2010), for any matrix; no inertia. */
-  std::unique_ptr<DirectSolver> make_klu();
+  std::unique_ptr<DirectSolver> make_klu(EliminationOrder order);
 
   /**
    * MUMPS (Amestoy, Duff, Koster, L'Excellent 2001), for any matrix: LDL' with

@@ -1,7 +1,7 @@
 #ifndef auxfem_algebra_elimination_order_h
 #define auxfem_algebra_elimination_order_h
 
-#include <auxfem/algebra/sparse_matrix.h>
+#include <auxfem/algebra/direct_solvers.h>
 
 namespace auxfem
 {
@@ -13,10 +13,10 @@ namespace auxfem
 
   /**
    * Order of elimination that keeps the factors of @p matrix, on one rank,
-   * sparse: METIS or approximate minimum degree, whichever suits the size.
-   * Throws std::bad_alloc.
+   * sparse. Throws std::bad_alloc.
    */
-  std::vector<int> elimination_order(const SparseMatrix &matrix);
+  std::vector<int> elimination_order(const SparseMatrix &matrix,
+                                     EliminationOrder    kind);
 } // namespace auxfem
 
 #endif

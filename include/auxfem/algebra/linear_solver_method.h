@@ -1,7 +1,7 @@
 #ifndef auxfem_algebra_linear_solver_method_h
 #define auxfem_algebra_linear_solver_method_h
 
-#include <auxfem/algebra/direct_solver.h>
+#include <auxfem/algebra/direct_solvers.h>
 #include <auxfem/algebra/solver_parameters.h>
 #include <auxfem/algebra/tangent_matrix.h>
 
@@ -46,6 +46,9 @@ namespace auxfem
    */
   LinearSolverChoice choose_linear_solver(const SolverParameters  &parameters,
                                           const EquationsAtJoints &equations);
+
+  /** The order that keeps factors of @p equations smallest. */
+  EliminationOrder choose_elimination_order(const EquationsAtJoints &equations);
 
   /**
    * Whether Newton's method is quicker with the symmetric part of an
@@ -94,6 +97,7 @@ namespace auxfem
 
   std::unique_ptr<LinearSolverMethod>
   make_linear_solver_method(LinearSolverType        type,
+                            EliminationOrder        order,
                             const SolverParameters &parameters);
 } // namespace auxfem
 
