@@ -90,8 +90,7 @@ namespace auxfem
       return factorize_joints(
         {LinearSolverType::mumps,
          "factors too large for " + name_of(choice.type)});
-    return factorize_joints(
-      {LinearSolverType::mumps, "indefinite matrix that needs pivoting"});
+    return factorize_joints(with_pivoting);
   }
 
   EquationsAtJoints LinearSolver::equations_at_joints() const

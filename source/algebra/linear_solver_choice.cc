@@ -3,29 +3,34 @@
 
 #include <deal.II/base/exceptions.h>
 
+#include <limits>
+
 namespace auxfem
 {
   namespace
   {
-    /**
-     * @name Sizes of the equations at the joints at which `auto` changes.
-     * Most are not measured yet with condensed equations: that of the first
-     * rank was that of KLU and MUMPS on all unknowns, those of exactness and
-     * iteration are guesses.
-     */
+    /** @name Sizes of the equations at the joints at which `auto` changes. */
     ///@{
     /**
-     * Unknowns up to which KLU is quicker than MUMPS where there are
-     * multipliers: at 468 (prm/rigid-array.prm) 1007 factorizations take 0.16 s
-     * and 1.9 s, 3059 solutions 0.06 s and 2.3 s. Where that ends is a guess.
+     * @name Unknowns up to which CHOLMOD's LDL' and KLU, which go entry by entry,
+     * are quicker than MUMPS, which goes by dense blocks; measured by
+     * scripts/measure-sizes (doc/theory.md, What growing lattices cost). MUMPS
+     * gains in space, where factors are dense, and loses in solutions, of which
+     * a factorization serves some ten.
      */
-    constexpr unsigned long klu_limit = 10000;
-
+    ///@{
+    constexpr unsigned long cholmod_limit_in_space = 30000;
+    constexpr unsigned long klu_limit_in_space     = 10000;
+    constexpr unsigned long klu_limit_in_plane     = 100000;
     /**
-     * Unknowns up to which one rank with the whole matrix is taken to be
-     * quicker than MUMPS on all.
+     * Where there are multipliers: at 468 (prm/rigid-array.prm) 1007
+     * factorizations take 0.16 s and 1.9 s, 3059 solutions 0.06 s and 2.3 s.
+     * Where that ends is a guess.
      */
-    constexpr unsigned long first_rank_limit = 300000;
+    constexpr unsigned long klu_limit_with_multipliers = 10000;
+    /** On several ranks, in the plane: CHOLMOD has the first one only. */
+    constexpr unsigned long cholmod_limit_on_ranks = 300000;
+    ///@}
 
     /**
      * Below it the iterations are the same with the symmetric part: those of
@@ -84,9 +89,25 @@ namespace auxfem
       return equations.n_components == 6;
     }
 
-    bool is_large(const EquationsAtJoints &equations)
+    /** Of those that use one rank. */
+    LinearSolverType sparse_solver(const EquationsAtJoints &equations)
     {
-      return equations.n_unknowns > first_rank_limit;
+      return equations.symmetry == Symmetry::none || equations.n_multipliers > 0
+        ? LinearSolverType::klu
+        : LinearSolverType::cholmod;
+    }
+
+    /** Unknowns up to which sparse_solver() is quicker than MUMPS. */
+    unsigned long limit_of_sparse_solver(const EquationsAtJoints &equations)
+    {
+      if (equations.symmetry != Symmetry::none && equations.n_multipliers > 0)
+        return klu_limit_with_multipliers;
+      if (sparse_solver(equations) == LinearSolverType::klu)
+        return is_in_space(equations) ? klu_limit_in_space : klu_limit_in_plane;
+      if (is_in_space(equations))
+        return cholmod_limit_in_space;
+      return equations.n_ranks > 1 ? cholmod_limit_on_ranks
+                                   : std::numeric_limits<unsigned long>::max();
     }
 
     /** `on 4 ranks, 300 unknowns at joints` */
@@ -142,22 +163,14 @@ namespace auxfem
         equations.n_unknowns > iteration_limit * equations.n_ranks)
       return {LinearSolverType::iterative,
               "in space, " + size + ", the factors of which need more memory"};
-    if (equations.symmetry == Symmetry::none)
-      {
-        if (is_large(equations))
-          return {LinearSolverType::mumps, "unsymmetric matrix, " + size};
-        return {LinearSolverType::klu, "unsymmetric matrix, " + size};
-      }
-    if (equations.n_multipliers > 0)
-      {
-        const std::string conditions = "symmetric matrix with " +
-          std::to_string(equations.n_multipliers) + " multipliers, " + size;
-        if (equations.n_unknowns <= klu_limit)
-          return {LinearSolverType::klu, conditions};
-        return {LinearSolverType::mumps, conditions};
-      }
-    if (equations.n_ranks > 1 && is_large(equations))
-      return {LinearSolverType::mumps, "symmetric matrix, " + size};
-    return {LinearSolverType::cholmod, "symmetric matrix, " + size};
+    const std::string matrix =
+      equations.symmetry == Symmetry::none ? "unsymmetric" : "symmetric";
+    const std::string multipliers = equations.n_multipliers > 0
+      ? " with " + std::to_string(equations.n_multipliers) + " multipliers"
+      : "";
+    return {equations.n_unknowns <= limit_of_sparse_solver(equations)
+              ? sparse_solver(equations)
+              : LinearSolverType::mumps,
+            matrix + " matrix" + multipliers + ", " + size};
   }
 } // namespace auxfem

@@ -259,11 +259,19 @@ TEST(LinearSolverChoice, DependsOnTheEquations)
   EXPECT_EQ(chosen(equations(given, 1000, 3, 1)), LinearSolverType::klu);
   EXPECT_EQ(chosen(equations(given, 50000, 3, 1)), LinearSolverType::mumps);
   EXPECT_EQ(chosen(equations(none, 1000, 3, 1)), LinearSolverType::klu);
+  EXPECT_EQ(chosen(equations(none, 50000, 0, 1)), LinearSolverType::klu);
   EXPECT_EQ(chosen(equations(none, 900000, 0, 1)), LinearSolverType::mumps);
-  EquationsAtJoints in_space = equations(given, 5000000, 0, 1);
-  EXPECT_EQ(chosen(in_space), LinearSolverType::cholmod);
-  in_space.n_components = 6;
-  EXPECT_EQ(chosen(in_space), LinearSolverType::iterative);
+  const auto in_space = [&](const Symmetry      symmetry,
+                            const unsigned long n_unknowns) {
+    EquationsAtJoints of_space = equations(symmetry, n_unknowns, 0, 1);
+    of_space.n_components      = 6;
+    return chosen(of_space);
+  };
+  EXPECT_EQ(in_space(given, 20000), LinearSolverType::cholmod);
+  EXPECT_EQ(in_space(given, 50000), LinearSolverType::mumps);
+  EXPECT_EQ(in_space(none, 5000), LinearSolverType::klu);
+  EXPECT_EQ(in_space(none, 20000), LinearSolverType::mumps);
+  EXPECT_EQ(in_space(given, 5000000), LinearSolverType::iterative);
 }
 
 TEST(LinearSolverChoice, FollowsTheUser)
