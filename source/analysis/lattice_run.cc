@@ -11,7 +11,8 @@ namespace auxfem
   namespace
   {
     const std::string work_record =
-      "work: steps, iterations, factorizations, retries, linear iterations";
+      "work: steps, iterations, factorizations, retries, linear solutions, "
+      "linear iterations";
 
     double solver_seconds(const PhaseTimes &wall)
     {
@@ -86,6 +87,7 @@ namespace auxfem
                         double(work_done.iterations),
                         double(work_done.factorizations),
                         double(work_done.retries),
+                        double(work_done.linear_solutions),
                         double(work_done.linear_iterations)});
     return taken;
   }
@@ -93,12 +95,13 @@ namespace auxfem
   void LatticeRun::resume(const Checkpoint &checkpoint, Recorder &recorder)
   {
     const std::vector<double> before =
-      checkpoint.records.values(work_record, 5);
+      checkpoint.records.values(work_record, 6);
     work_done.steps += before[0];
     work_done.iterations += before[1];
     work_done.factorizations += before[2];
     work_done.retries += before[3];
-    work_done.linear_iterations += before[4];
+    work_done.linear_solutions += before[4];
+    work_done.linear_iterations += before[5];
     solution.state = checkpoint.state;
     stepper.resume(solution, checkpoint.records);
     recorder.resume(solution, checkpoint.records);

@@ -56,6 +56,7 @@ namespace auxfem
   {
     const Stopwatch     watch(work.wall.solve);
     const unsigned long before    = solver.n_iterations();
+    ++work.linear_solutions;
     const bool          is_solved = solver.solve(values);
     work.linear_iterations += solver.n_iterations() - before;
     return is_solved;
@@ -64,6 +65,7 @@ namespace auxfem
   bool TangentSolver::solve_by_conjugate_gradients(Vector &values)
   {
     const Stopwatch watch(work.wall.solve);
+    ++work.linear_solutions;
     return auxfem::solve_by_conjugate_gradients(tangent, values);
   }
 

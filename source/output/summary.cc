@@ -53,6 +53,7 @@ namespace auxfem
       object.add("steps", totals.steps);
       object.add("newton_iterations", totals.iterations);
       object.add("factorizations", totals.factorizations);
+      object.add("linear_solutions", totals.linear_solutions);
       object.add("linear_iterations", totals.linear_iterations);
       object.add("retries", totals.retries);
       object.add("linear_solver", totals.linear_solver);
@@ -354,7 +355,7 @@ namespace auxfem
     if (totals.linear_iterations > 0)
       stream << "Linear iterations a solution "
              << std::llround(double(totals.linear_iterations) /
-                             totals.iterations)
+                             totals.linear_solutions)
              << '\n';
     stream << poissons_ratio_text(summary.strain)
            << closing_energies_text(summary.energies, folder);

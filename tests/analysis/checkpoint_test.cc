@@ -94,6 +94,7 @@ namespace
     EXPECT_EQ(a.iterations, b.iterations);
     EXPECT_EQ(a.factorizations, b.factorizations);
     EXPECT_EQ(a.retries, b.retries);
+    EXPECT_EQ(a.linear_solutions, b.linear_solutions);
     EXPECT_EQ(a.linear_iterations, b.linear_iterations);
   }
 
