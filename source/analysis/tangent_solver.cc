@@ -55,9 +55,9 @@ namespace auxfem
   bool TangentSolver::solve(Vector &values)
   {
     const Stopwatch     watch(work.wall.solve);
-    const unsigned long before    = solver.n_iterations();
+    const unsigned long before = solver.n_iterations();
     ++work.linear_solutions;
-    const bool          is_solved = solver.solve(values);
+    const bool is_solved = solver.solve(values);
     work.linear_iterations += solver.n_iterations() - before;
     return is_solved;
   }

@@ -190,8 +190,9 @@ namespace auxfem
      * own bounds of eigenvalues conjugate gradients break down. Small
      * aggregates save iterations on several ranks: 29 and 48 on two and four
      * with at most 4 joints, 58 and 63 with 6, 23 on one with both (60 x 60
-     * cells of prm/star-10x10.prm in statics). Keeping the hierarchy's structure for the
-     * next matrix was measured and saves a tenth of a factorization at most.
+     * cells of prm/star-10x10.prm in statics). Keeping the hierarchy's
+     * structure for the next matrix was measured and saves a tenth of a
+     * factorization at most.
      */
     ParameterList settings(const unsigned int block_size)
     {
