@@ -59,6 +59,7 @@ namespace auxfem
   {
     constexpr int keep_the_users = 0;
     setenv("OMPI_MCA_ess_singleton_isolated", "1", keep_the_users);
+    setenv("OMPI_MCA_orte_create_session_dirs", "0", keep_the_users);
     setenv("OMPI_MCA_pml", "ob1", keep_the_users);
     setenv("OMPI_MCA_btl", "self,vader", keep_the_users);
   }

@@ -21,9 +21,11 @@ namespace auxfem
    * before it, and only without a launcher.
    *
    * Open MPI would start a daemon that could start further ranks, and look for
-   * network adapters: 0.3 s, more than a small scene takes. It is told by
-   * environment variables (`OMPI_MCA_...`), which other implementations of MPI
-   * ignore; those that the user has set stay as they are.
+   * network adapters: 0.3 s, more than a small scene takes. Without its daemon
+   * all such processes of a user would also share one temporary folder, which
+   * one removes while another starts. It is told by environment variables
+   * (`OMPI_MCA_...`), which other implementations of MPI ignore; those that the
+   * user has set stay as they are.
    */
   void prepare_mpi_for_one_process();
 

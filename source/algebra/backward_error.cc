@@ -12,9 +12,6 @@ namespace auxfem
     std::vector<double> largest_by_unit(const Unknowns            &unknowns,
                                         const std::vector<double> &x)
     {
-      const auto unit = [&unknowns](const unsigned int i) {
-        return unknowns.is_rotation[i] ? unknowns.length : 1.;
-      };
       const auto is_multiplier = [&unknowns](const unsigned int i) {
         return unknowns.kinds[i] == UnknownKind::multiplier;
       };
@@ -23,12 +20,12 @@ namespace auxfem
         if (is_multiplier(i))
           force = std::max(force, std::abs(x[i]));
         else
-          motion = std::max(motion, std::abs(x[i]) * unit(i));
+          motion = std::max(motion, std::abs(x[i]) / unknowns.unit(i));
       motion = unknowns.layout.largest(motion);
       force  = unknowns.layout.largest(force);
       std::vector<double> result(unknowns.layout.n_local());
       for (unsigned int i = 0; i < result.size(); ++i)
-        result[i] = is_multiplier(i) ? force : motion / unit(i);
+        result[i] = is_multiplier(i) ? force : motion * unknowns.unit(i);
       return result;
     }
   } // namespace

@@ -74,10 +74,9 @@ namespace auxfem
   void JointElimination::measure(const SparseMatrix &matrix)
   {
     const UnknownLayout &layout = unknowns.layout;
-    scale.assign(layout.n_local(), 1.);
+    scale.resize(layout.n_local());
     for (unsigned int i = 0; i < layout.n_local(); ++i)
-      if (unknowns.is_rotation[i])
-        scale[i] = 1 / unknowns.length;
+      scale[i] = unknowns.unit(i);
 
     const auto is_free = [this](const int i) {
       return unknowns.kinds[i] != UnknownKind::prescribed &&

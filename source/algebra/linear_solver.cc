@@ -105,15 +105,21 @@ namespace auxfem
     return equations;
   }
 
+  std::unique_ptr<LinearSolverMethod>
+  LinearSolver::make_method(const LinearSolverType type) const
+  {
+    return make_linear_solver_method(type,
+                                     choose_elimination_order(
+                                       equations_at_joints()),
+                                     parameters);
+  }
+
   FactorizationOutcome
   LinearSolver::factorize_joints(const LinearSolverChoice &choice)
   {
     Analysed &analysed = methods[choice.type];
     if (!analysed.method)
-      analysed.method = make_linear_solver_method(choice.type,
-                                                  choose_elimination_order(
-                                                    equations_at_joints()),
-                                                  parameters);
+      analysed.method = make_method(choice.type);
     current          = analysed.method.get();
     current_in_words = name_of(choice.type) + " (" + choice.reason + ")";
     if (analysed.version != condensation.version())
@@ -177,9 +183,7 @@ namespace auxfem
   std::optional<Inertia> LinearSolver::inertia_by_mumps() const
   {
     const std::unique_ptr<LinearSolverMethod> mumps =
-      make_linear_solver_method(LinearSolverType::mumps,
-                                choose_elimination_order(equations_at_joints()),
-                                parameters);
+      make_method(LinearSolverType::mumps);
     if (mumps->analyse(condensation.matrix(), condensation.joints()) !=
           FactorizationOutcome::done ||
         mumps->factorize(condensation.matrix()) != FactorizationOutcome::done)

@@ -9,8 +9,8 @@ namespace auxfem
 {
   namespace
   {
-    /** @name Sizes of the equations at the joints at which `auto` changes. */
-    ///@{
+    // Sizes of the equations at the joints at which `auto` changes.
+
     /**
      * @name Unknowns up to which CHOLMOD's LDL' and KLU, which go entry by entry,
      * are quicker than MUMPS, which goes by dense blocks; measured by
@@ -60,7 +60,6 @@ namespace auxfem
      * factors than in the matrix that they have no such limit.
      */
     constexpr unsigned long iteration_limit = 1000000;
-    ///@}
 
     LinearSolverChoice asked_for(const SolverParameters  &parameters,
                                  const EquationsAtJoints &equations)

@@ -174,9 +174,7 @@ namespace auxfem
     std::vector<double> weights(unknowns.layout.n_local(), 0.), of_block;
     for (unsigned int i = 0; i < weights.size(); ++i)
       if (unknowns.kinds[i] != UnknownKind::prescribed)
-        weights[i] = unknowns.is_rotation[i]
-          ? 1 / (unknowns.length * unknowns.length)
-          : 1.;
+        weights[i] = unknowns.unit(i) * unknowns.unit(i);
     double difference = 0, size = 0;
     for_each_block(
       [&](const int *in_block, const unsigned int n, const double *block) {

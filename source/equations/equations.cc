@@ -153,13 +153,13 @@ namespace auxfem
                                  results.of_effects[i].get());
       return begin < end;
     };
-    RowSums sums, of_internal, of_balanced;
+    RowSums sums;
     if (add(0, n_internal))
       sums = sum_rows(residual, structure.rows);
-    of_internal = sums;
+    const RowSums of_internal = sums;
     if (add(n_internal, n_balanced))
       sums = sum_rows(residual, structure.rows);
-    of_balanced = sums;
+    const RowSums of_balanced = sums;
     if (add(n_balanced, effects.size()))
       sums = sum_rows(residual, structure.rows);
     const std::vector<double> all = structure.numbering.layout().sum(

@@ -4,9 +4,7 @@
 
 #include <equations/equations_on_ranks.h>
 #include <gtest/gtest.h>
-
-#include <fstream>
-#include <sstream>
+#include <support/run_program.h>
 
 using namespace auxfem;
 using namespace auxfem::testing_support;
@@ -15,14 +13,6 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  std::string shipped(const std::string &name)
-  {
-    std::ifstream     file(AUXFEM_PRM_DIRECTORY "/" + name);
-    std::stringstream text;
-    text << file.rdbuf();
-    return text.str();
-  }
-
   /** The tangent of a scene after an irregular motion of @p size (m). */
   struct RealTangent
   {
@@ -30,7 +20,7 @@ namespace
                 const std::vector<std::string> &overrides,
                 const double                    size,
                 const TangentFactors           &factors)
-      : on_ranks(shipped(file), overrides)
+      : on_ranks(prm_text(file), overrides)
       , matrix(on_ranks.make_tangent())
     {
       const State from = on_ranks.equations.initial_state();
@@ -74,9 +64,9 @@ namespace
       for (unsigned int i = 0; i < x.size(); ++i)
         if (unknowns.kinds[i] != UnknownKind::multiplier)
           {
-            const double unit = unknowns.is_rotation[i] ? unknowns.length : 1.;
-            largest           = std::max(largest, unit * std::abs(x[i] - y[i]));
-            size              = std::max(size, unit * std::abs(x[i]));
+            const double unit = unknowns.unit(i);
+            largest           = std::max(largest, std::abs(x[i] - y[i]) / unit);
+            size              = std::max(size, std::abs(x[i]) / unit);
           }
       return unknowns.layout.largest(largest) / unknowns.layout.largest(size);
     }

@@ -63,10 +63,12 @@ namespace
   TEST(StartUp, LeavesTheUsersChoiceOfTransport)
   {
     const Variable isolated("OMPI_MCA_ess_singleton_isolated", nullptr);
+    const Variable session("OMPI_MCA_orte_create_session_dirs", nullptr);
     const Variable pml("OMPI_MCA_pml", "mine");
     const Variable btl("OMPI_MCA_btl", nullptr);
     prepare_mpi_for_one_process();
     EXPECT_STREQ(std::getenv("OMPI_MCA_ess_singleton_isolated"), "1");
+    EXPECT_STREQ(std::getenv("OMPI_MCA_orte_create_session_dirs"), "0");
     EXPECT_STREQ(std::getenv("OMPI_MCA_pml"), "mine");
     EXPECT_STREQ(std::getenv("OMPI_MCA_btl"), "self,vader");
   }
@@ -120,6 +122,17 @@ namespace
     const ProgramRun mistyped = run_auxfem({"--versoin"});
     EXPECT_EQ(mistyped.exit_code, 1);
     expect_contains(mistyped.errors, {"Unknown option '--versoin'"});
+  }
+
+  TEST_F(StartOfProgram, OneProcessSharesNoTemporaryFolderWithOthers)
+  {
+    // Where none can be made, nothing is to be missed.
+    write("a-file", "");
+    const Variable   temporary("TMPDIR", path("a-file").c_str());
+    const ProgramRun run =
+      run_auxfem({"--check", AUXFEM_PRM_DIRECTORY "/cantilever.prm"});
+    EXPECT_EQ(run.exit_code, 0) << run.errors;
+    EXPECT_EQ(run.errors, "");
   }
 
   TEST_F(StartOfProgram, TwoRanksAnswerOnce)

@@ -48,6 +48,12 @@ namespace auxfem
       return read_text(std::string(AUXFEM_TEST_DATA_DIRECTORY) + "/" + name);
     }
 
+    /** The shipped scene @p name of prm/, as text. */
+    inline std::string prm_text(const std::string &name)
+    {
+      return read_text(std::string(AUXFEM_PRM_DIRECTORY) + "/" + name);
+    }
+
     /** @p text with its only @p from replaced by @p to. */
     inline std::string
     replaced(std::string text, const std::string &from, const std::string &to)

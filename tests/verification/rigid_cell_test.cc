@@ -1,10 +1,10 @@
 #include <gtest/gtest.h>
 #include <support/cell_scene.h>
+#include <support/run_program.h>
 #include <support/scene_run.h>
 #include <verification/comparison_table.h>
 
 #include <cmath>
-#include <fstream>
 #include <iomanip>
 #include <iostream>
 #include <sstream>
@@ -14,14 +14,6 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  std::string text_of(const std::string &file)
-  {
-    std::ifstream      stream(std::string(AUXFEM_PRM_DIRECTORY) + "/" + file);
-    std::ostringstream text;
-    text << stream.rdbuf();
-    return text.str();
-  }
-
   std::string assignment(const std::string &path, const double value)
   {
     std::ostringstream text;
@@ -54,7 +46,7 @@ namespace
                          const std::string &file = "rigid-cell.prm",
                          const std::vector<std::string> &more = {})
       : c(c)
-      , run(text_of(file), with(overrides(c), more))
+      , run(prm_text(file), with(overrides(c), more))
     {}
 
     unsigned int joint(const std::string &name) const
@@ -305,7 +297,7 @@ namespace
   /** prm/rigid-cell.prm with elastic bars, hinged at both ends. */
   std::string text_with_elastic_bars()
   {
-    std::string       text  = text_of("rigid-cell.prm");
+    std::string       text  = prm_text("rigid-cell.prm");
     const std::string bars  = R"(  subsection bars
     set Struts = bars
     set Parts  = single struts
@@ -346,7 +338,7 @@ end
 TEST(RigidCellVerification, ElasticBarsConvergeToRigidOnes)
 {
   const std::string scheme = "Time/Scheme=generalized-alpha";
-  SceneRun          rigid(text_of("rigid-cell.prm"), {scheme});
+  SceneRun          rigid(prm_text("rigid-cell.prm"), {scheme});
   rigid.run();
   const unsigned int n = rigid.lattice.joint_sets.at("n").front(),
                      q = rigid.lattice.joint_sets.at("q").front();
@@ -401,7 +393,7 @@ namespace
 
 TEST(RigidArrayVerification, SupportsAndLoadsBalanceTheInertiaOfAllParts)
 {
-  SceneRun run(text_of("rigid-array.prm"));
+  SceneRun run(prm_text("rigid-array.prm"));
   // Upper part, lower part and rod of 12 cells, less the 4 rods on the ground.
   EXPECT_EQ(run.model.numbering.unknowns().n_free() -
               run.model.numbering.constraints().n_multipliers(),
@@ -419,7 +411,7 @@ TEST(RigidArrayVerification, SupportsAndLoadsBalanceTheInertiaOfAllParts)
 TEST(RigidArrayVerification, IsOfSecondOrderInTime)
 {
   const auto top_at_end = [](const unsigned int n_steps) {
-    SceneRun run(text_of("rigid-array.prm"),
+    SceneRun run(prm_text("rigid-array.prm"),
                  {assignment("Time/Time step", 0.05 / n_steps),
                   "Newton/Tolerance=1e-11"});
     run.run();
@@ -437,7 +429,7 @@ TEST(ElasticCellVerification, ThickStripsComeDownAsOneMass)
 {
   // Ten times the height, a tenth of the density: the masses stay. The limit
   // is a mass of 1 kg on K = 20 kN/m, C = 50 N s/m under 2e7 t^3.
-  SceneRun     run(text_of("elastic-cell.prm"),
+  SceneRun     run(prm_text("elastic-cell.prm"),
                {"Sections/bars/Height=40 mm",
                     "Sections/upper and lower/Height=40 mm",
                     "Sections/bars/Density=250",
@@ -469,7 +461,7 @@ TEST(ElasticCellVerification, ThickStripsComeDownAsOneMass)
 
 TEST(ElasticCellVerification, ThinStripsBendAsTheDocumentationHasIt)
 {
-  SceneRun run(text_of("elastic-cell.prm"));
+  SceneRun run(prm_text("elastic-cell.prm"));
   run.run();
   EXPECT_NEAR(-run.connector(0, 0).force, 2369.93, 0.5);
 }

@@ -1,10 +1,9 @@
+#include <support/run_program.h>
 #include <verification/comparison_table.h>
 #include <verification/space_frame.h>
 
 #include <algorithm>
 #include <array>
-#include <fstream>
-#include <sstream>
 
 #include <verification/label.h>
 
@@ -270,13 +269,11 @@ TEST(SpaceMechanisms, ASpatialFourBarLinkageFollowsItsClosedForm)
 
 TEST(SpaceMechanisms, TheCellOfRigidPartsMovesInSpaceAsInThePlane)
 {
-  std::ifstream     stream(AUXFEM_PRM_DIRECTORY "/rigid-cell.prm");
-  std::stringstream file;
-  file << stream.rdbuf();
-  SceneRun plane(file.str());
+  const std::string file = prm_text("rigid-cell.prm");
+  SceneRun          plane(file);
   // Its parts are bodies with a rotation now, its bars have ends that may leave
   // the plane; nothing pushes them out.
-  SceneRun space("set Dimension = 3\n" + file.str(),
+  SceneRun space("set Dimension = 3\n" + file,
                  {"Supports/guides/Displacement z=0",
                   "Connectors/damper/Direction=0 -1 0"});
   double   difference = 0, out_of_plane = 0, rotation = 0;

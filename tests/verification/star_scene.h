@@ -1,10 +1,9 @@
 #ifndef auxfem_tests_verification_star_scene_h
 #define auxfem_tests_verification_star_scene_h
 
+#include <support/run_program.h>
 #include <verification/frame_text.h>
 
-#include <fstream>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -15,10 +14,7 @@ namespace auxfem
     /** Text of `prm/star-10x10.prm`. */
     inline std::string star_scene()
     {
-      std::ifstream     file(AUXFEM_PRM_DIRECTORY "/star-10x10.prm");
-      std::stringstream content;
-      content << file.rdbuf();
-      return content.str();
+      return prm_text("star-10x10.prm");
     }
 
     /** Overrides that make it @p n x @p n cells under @p load (N) on each top joint. */

@@ -85,10 +85,12 @@ namespace auxfem
       std::optional<unsigned long>        version;
     };
 
-    Symmetry               wanted_symmetry(Exactness exactness) const;
-    FactorizationOutcome   try_to_factorize(Exactness exactness);
-    FactorizationOutcome   factorize_joints(const LinearSolverChoice &choice);
-    EquationsAtJoints      equations_at_joints() const;
+    Symmetry             wanted_symmetry(Exactness exactness) const;
+    FactorizationOutcome try_to_factorize(Exactness exactness);
+    FactorizationOutcome factorize_joints(const LinearSolverChoice &choice);
+    EquationsAtJoints    equations_at_joints() const;
+    std::unique_ptr<LinearSolverMethod>
+                           make_method(LinearSolverType type) const;
     std::optional<Inertia> inertia_by_mumps() const;
     std::string            in_words(FactorizationOutcome outcome) const;
 

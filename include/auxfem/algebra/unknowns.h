@@ -66,6 +66,15 @@ namespace auxfem
      */
     bool add_ghosts(const std::vector<int> &globals);
 
+    /**
+     * What the local unknown @p i is divided by to be compared with others:
+     * 1/length for rotations, measured in length times radian, else 1.
+     */
+    double unit(const unsigned int i) const
+    {
+      return is_rotation[i] ? 1 / length : 1.;
+    }
+
     OwnedRows owned_rows() const;
 
     /**

@@ -62,6 +62,7 @@ namespace auxfem
     {
       return vector.getVector(0)->norm2();
     }
+
     class BelosSolver : public KrylovSolver
     {
     public:
@@ -228,7 +229,6 @@ namespace auxfem
       RCP<TpetraOperator> preconditioner;
       unsigned long       n_done = 0;
     };
-
   } // namespace
 } // namespace auxfem
 
