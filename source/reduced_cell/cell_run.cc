@@ -1,6 +1,7 @@
 #include <auxfem/parameters/errors.h>
 #include <auxfem/reduced_cell/cell_output.h>
 #include <auxfem/reduced_cell/cell_run.h>
+#include <auxfem/time/interruption.h>
 
 #include <iostream>
 
@@ -24,7 +25,10 @@ namespace auxfem
       {
         record(scheme->start());
         for (; result.work.steps < scene.time.n_steps(); ++result.work.steps)
-          record(scheme->advance());
+          {
+            end_if_interrupted(MPI_COMM_SELF);
+            record(scheme->advance());
+          }
       }
     catch (const std::exception &failure)
       {
