@@ -2,6 +2,7 @@
 #include <auxfem/output/summary.h>
 #include <auxfem/parameters/errors.h>
 #include <auxfem/parameters/out_of_memory.h>
+#include <auxfem/parameters/short_lines.h>
 #include <auxfem/scene/input_files.h>
 #include <auxfem/simulation.h>
 #include <auxfem/start_up.h>
@@ -47,7 +48,7 @@ namespace
 
   void report(const std::string &message)
   {
-    std::cerr << "\nauxfem: " << message << std::endl;
+    std::cerr << "\nauxfem: " << with_short_lines(message) << std::endl;
   }
 
   /**

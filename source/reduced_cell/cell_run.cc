@@ -41,7 +41,8 @@ namespace auxfem
 
   void check_reduced_cell(const Scene &scene)
   {
-    make_cell_scheme(scene);
+    // Finds loads that are no numbers.
+    make_cell_scheme(scene)->start();
     std::cout << cell_overview_text(scene) << std::flush;
   }
 
