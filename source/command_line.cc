@@ -58,7 +58,14 @@ namespace auxfem
         else if (name == "--set")
           line.overrides.push_back(value());
         else if (name == "--output")
-          output = value();
+          {
+            output = value();
+            if (output.empty())
+              throw InputError("--output needs the name of a folder; \".\" is "
+                               "the one auxfem is called from.");
+          }
+        else if (argument == "--force")
+          line.replaces_files_of_others = true;
         else
           throw InputError("Unknown option '" + argument + "'.\n\n" + usage());
       }
@@ -94,13 +101,15 @@ and leaves the results in a folder: history.csv, *.pvd for ParaView, log.txt, su
                            print a table, write it to DIR/comparison.csv (output/comparison)
   --set "SUB/PARAM=VALUE"  use VALUE instead of the one in FILE.prm (repeatable)
   --output DIR             folder for the results, short for --set "Output/Directory=DIR"
+  --force                  replace files in DIR that auxfem has not written there
   --print-parameters       print all parameters with defaults, units and ranges
   --print-parameters=markdown
                            the same as the page doc/parameters.md
   --help                   print this
   --version                print the version
 
-Exit code: 0 success, 1 wrong input, 2 failed computation (results until then are kept).
+Exit code: 0 success, 1 wrong input, 2 failed computation, 128 + N ended by signal N
+(SIGTERM or SIGINT, after the step in hand); results until then are kept.
 )";
   }
 } // namespace auxfem

@@ -2,8 +2,11 @@
 #include <auxfem/output/summary.h>
 #include <auxfem/parameters/errors.h>
 #include <auxfem/parameters/out_of_memory.h>
+#include <auxfem/parameters/short_lines.h>
+#include <auxfem/scene/input_files.h>
 #include <auxfem/simulation.h>
 #include <auxfem/start_up.h>
+#include <auxfem/time/interruption.h>
 #include <auxfem/time/stopwatch.h>
 #include <auxfem/version.h>
 
@@ -11,6 +14,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <cerrno>
+#include <csignal>
 #include <cstdlib>
 #include <iostream>
 #include <memory>
@@ -44,7 +48,7 @@ namespace
 
   void report(const std::string &message)
   {
-    std::cerr << "\nauxfem: " << message << std::endl;
+    std::cerr << "\nauxfem: " << with_short_lines(message) << std::endl;
   }
 
   /**
@@ -101,15 +105,21 @@ namespace
           std::cout << *text;
         return;
       }
+    FileRules          rules;
     std::vector<Scene> scenes;
     for (const std::string &file : line.files)
-      scenes.push_back(read_scene(file, line.overrides));
+      {
+        scenes.push_back(read_scene(file, line.overrides));
+        for (const std::string &input : input_files(file, line.overrides))
+          rules.input_files.push_back(input);
+      }
+    rules.replaces_files_of_others = line.replaces_files_of_others;
     if (line.action == CommandLine::Action::compare)
-      compare(scenes, line.folder, MPI_COMM_WORLD);
+      compare(scenes, line.folder, rules, MPI_COMM_WORLD);
     else if (line.action == CommandLine::Action::check)
       check(scenes[0], MPI_COMM_WORLD);
     else
-      run(scenes[0], MPI_COMM_WORLD, start);
+      run(scenes[0], MPI_COMM_WORLD, start, rules);
   }
 
   int execute_on_ranks(const std::vector<std::string> &arguments,
@@ -132,6 +142,12 @@ namespace
         if (speaks)
           report(error.what());
         return 1;
+      }
+    catch (const Interrupted &interruption)
+      {
+        if (speaks)
+          report(interruption.what());
+        return 128 + interruption.signal();
       }
     catch (const ComputationError &error)
       {
@@ -175,6 +191,8 @@ int main(int argc, char *argv[])
   start.cpu = cpu_seconds();
   take_denormal_numbers_as_zero();
 
+  // A file that may not grow is a failed write, not the end without a word.
+  std::signal(SIGXFSZ, SIG_IGN);
   std::atexit(report_exit_by_library);
   is_computing        = true;
   const int exit_code = execute_on_ranks(arguments, start);

@@ -7,15 +7,17 @@
 
 namespace auxfem
 {
-  RunResult
-  run(const Scene &scene, const MPI_Comm communicator, const StartTimes &start)
+  RunResult run(const Scene      &scene,
+                const MPI_Comm    communicator,
+                const StartTimes &start,
+                const FileRules  &rules)
   {
     if (scene.model == Model::reduced_cell)
       {
-        CellOutput folder(scene, start);
+        CellOutput folder(scene, start, rules);
         return run(scene, communicator, folder);
       }
-    RunOutput folder(scene, communicator, start);
+    RunOutput folder(scene, communicator, start, rules);
     return run(scene, communicator, folder);
   }
 
@@ -32,8 +34,10 @@ namespace auxfem
 
   void compare(const std::vector<Scene> &scenes,
                const std::string        &folder,
+               const FileRules          &rules,
                const MPI_Comm            communicator)
   {
-    on_first_rank(communicator, [&]() { run_comparison(scenes, folder); });
+    on_first_rank(communicator,
+                  [&]() { run_comparison(scenes, folder, rules); });
   }
 } // namespace auxfem

@@ -24,6 +24,8 @@ namespace auxfem
     std::vector<std::string> files;
     /** For the table of Action::compare. */
     std::string folder;
+    /** --force: files of others in that folder or a run's are replaced. */
+    bool replaces_files_of_others = false;
     /** `Subsection/Parameter=value`, in the order given. */
     std::vector<std::string> overrides;
   };

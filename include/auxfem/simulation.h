@@ -1,6 +1,7 @@
 #ifndef auxfem_simulation_h
 #define auxfem_simulation_h
 
+#include <auxfem/output/output_folder.h>
 #include <auxfem/output/recorder.h>
 #include <auxfem/output/start_times.h>
 #include <auxfem/scene/scene.h>
@@ -14,9 +15,12 @@ namespace auxfem
    * that the scene asks for. Throws InputError or ComputationError; what was
    * computed until then is on disk.
    * @param start of this rank, for the summary.
+   * @param rules for what lies in the folder before the run.
    */
-  RunResult
-  run(const Scene &scene, MPI_Comm communicator, const StartTimes &start);
+  RunResult run(const Scene      &scene,
+                MPI_Comm          communicator,
+                const StartTimes &start,
+                const FileRules  &rules);
 
   /** The same, of which @p recorder is told in place of the folder. */
   RunResult run(const Scene &scene, MPI_Comm communicator, Recorder &recorder);
@@ -33,6 +37,7 @@ namespace auxfem
    */
   void compare(const std::vector<Scene> &scenes,
                const std::string        &folder,
+               const FileRules          &rules,
                MPI_Comm                  communicator);
 } // namespace auxfem
 

@@ -3,6 +3,7 @@
 #include <auxfem/model/build_lattice.h>
 #include <auxfem/parameters/errors.h>
 #include <auxfem/parameters/out_of_memory.h>
+#include <auxfem/time/interruption.h>
 
 #include <new>
 
@@ -111,6 +112,7 @@ namespace auxfem
   {
     while (solution.state.time < scene.time.end_time)
       {
+        end_if_interrupted(model.numbering.layout().communicator());
         const StepReport report = advance();
         recorder.step(solution, report);
       }

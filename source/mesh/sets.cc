@@ -166,8 +166,9 @@ namespace auxfem
                            " in " + quoted(text) + " is not known. " +
                            allowed());
         const dealii::Point<3> place = read_place(text.substr(colon + 1), text);
-        unsigned int           found = 0;
-        double                 shortest = std::numeric_limits<double>::max();
+        refuse_far(place, text);
+        unsigned int found    = 0;
+        double       shortest = std::numeric_limits<double>::max();
         for (unsigned int i = 0; i < n_things; ++i)
           if (const double distance = place.distance_square(place_of(i));
               distance < shortest)
@@ -176,6 +177,21 @@ namespace auxfem
               found    = i;
             }
         return {found};
+      }
+
+      /** Millimetres taken for metres find the wrong joint, and no mistake. */
+      void refuse_far(const dealii::Point<3> &place,
+                      const std::string      &text) const
+      {
+        constexpr double     largest = 10; // of the size of the lattice
+        const auto           box     = bounding_box(lattice);
+        dealii::Tensor<1, 3> away;
+        for (unsigned int d = 0; d < 3; ++d)
+          away[d] = std::max({box[0][d] - place[d], place[d] - box[1][d], 0.});
+        if (!(away.norm() <= largest * (box[1] - box[0]).norm()))
+          throw InputError(path + ": " + quoted(text) +
+                           " lies far from the lattice. " + extent() +
+                           " Places are in m unless a unit is given.");
       }
 
       dealii::Point<3> read_place(const std::string &list,

@@ -5,6 +5,7 @@
 
 #include <cerrno>
 #include <charconv>
+#include <filesystem>
 #include <system_error>
 
 namespace auxfem
@@ -49,9 +50,8 @@ namespace auxfem
     , n_columns(columns.size())
   {
     for (const Column &column : columns)
-      stream << (&column == &columns.front() ? "" : ",")
-             << csv_field(column.name);
-    stream << '\n' << std::flush;
+      line += csv_field(column.name) + ',';
+    write_line();
   }
 
   void CsvTable::append(const std::vector<double> &row)
@@ -86,12 +86,19 @@ namespace auxfem
 
   void CsvTable::write_line()
   {
-    line.back() = '\n';
+    line.back()           = '\n';
+    const auto whole_size = stream.tellp();
     stream.write(line.data(), line.size());
     stream.flush();
-    if (!stream)
-      throw ComputationError("Cannot write to " + file + ": " + reason() +
-                             ".\nAll earlier rows are in the file.");
+    if (stream)
+      return;
+    const std::string why = reason();
+    // The stream holds what it could not write, and would try it once more.
+    stream.close();
+    std::error_code ignored;
+    std::filesystem::resize_file(file, whole_size, ignored);
+    throw ComputationError("Cannot write to " + file + ": " + why +
+                           ".\nAll earlier rows are in the file.");
   }
 
   void write_column_reference(const std::string         &file,
@@ -102,5 +109,8 @@ namespace auxfem
     for (const Column &column : columns)
       stream << csv_field(column.name) << ',' << csv_field(column.unit) << ','
              << csv_field(column.meaning) << '\n';
+    stream.close();
+    if (!stream)
+      throw ComputationError("Cannot write " + file + ": " + reason() + ".");
   }
 } // namespace auxfem

@@ -177,6 +177,11 @@ namespace auxfem
                   [&]() { append_to_record(time, name + "/" + file); });
   }
 
+  const std::string &GraphicsSeries::series_name() const
+  {
+    return name;
+  }
+
   std::string GraphicsSeries::record_name() const
   {
     return "graphics: files of " + name;

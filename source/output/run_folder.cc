@@ -4,7 +4,6 @@
 #include <cerrno>
 #include <filesystem>
 #include <system_error>
-#include <vector>
 
 namespace auxfem
 {
@@ -12,95 +11,70 @@ namespace auxfem
   {
     namespace fs = std::filesystem;
 
-    [[noreturn]] void refuse(const std::string     &folder,
-                             const std::string     &what,
-                             const std::error_code &reason)
-    {
-      throw InputError(
-        "The output folder `" + folder + "` cannot be used.\n  " + what + ": " +
-        reason.message() +
-        "\nIt must be a folder that can be made and written to. Give another "
-        "one with --output DIR or the parameter Output/Directory.");
-    }
-
-    std::error_code last_error()
-    {
-      return {errno, std::generic_category()};
-    }
-
-    /** Whether @p file is one of a graphics series called @p series. */
-    bool belongs_to(const std::string &series, const fs::path &file)
-    {
-      const std::string extension = file.extension();
-      return file.filename().string().rfind(series + "_", 0) == 0 &&
-        (extension == ".vtu" || extension == ".pvtu");
-    }
-
-    void remove_former_results(const fs::path &folder)
+    /** A scene may come from memory, or be the original.prm of a former run. */
+    bool is_copied(const Scene &scene)
     {
       std::error_code ignored;
-      for (const char *name :
-           {"summary.json", "history.csv", "history.units.csv"})
-        fs::remove(folder / name, ignored);
-      for (const std::string series : {"solution", "rigid_parts", "connectors"})
-        {
-          fs::remove(folder / (series + ".pvd"), ignored);
-          std::error_code       no_folder;
-          std::vector<fs::path> files;
-          for (const fs::directory_entry &entry :
-               fs::directory_iterator(folder / series, no_folder))
-            if (belongs_to(series, entry.path()))
-              files.push_back(entry.path());
-          for (const fs::path &file : files)
-            fs::remove(file, ignored);
-          // With something else in it, the folder cannot be removed, and stays.
-          if (fs::is_directory(folder / series, ignored))
-            fs::remove(folder / series, ignored);
-        }
+      return fs::is_regular_file(scene.file, ignored) &&
+        !fs::equivalent(scene.file,
+                        scene.output.directory + "/original.prm",
+                        ignored);
     }
 
-    void keep_original(const std::string &scene_file, const fs::path &copy)
+    FolderContents contents_of(const Scene &scene)
     {
-      std::error_code error;
-      // A scene may come from memory, or be the original.prm of a former run.
-      if (!fs::is_regular_file(scene_file, error) ||
-          fs::equivalent(scene_file, copy, error))
-        return;
-      fs::copy_file(scene_file,
-                    copy,
-                    fs::copy_options::overwrite_existing,
-                    error);
-      if (error)
-        refuse(copy.parent_path(), "original.prm cannot be written", error);
+      FolderContents contents{{"log.txt",
+                               "parameters.prm",
+                               "history.csv",
+                               "history.units.csv",
+                               "summary.json",
+                               "summary.json.part"},
+                              {"solution", "rigid_parts", "connectors"}};
+      if (is_copied(scene))
+        contents.files.emplace_back("original.prm");
+      return contents;
+    }
+
+    FileRules with_file_of(const Scene &scene, FileRules rules)
+    {
+      rules.input_files.push_back(scene.file);
+      return rules;
     }
   } // namespace
 
-  std::ofstream open_run_folder(const Scene &scene, const std::string &folder)
+  RunFolder::RunFolder(const Scene &scene, const FileRules &rules)
+    : folder(scene.output.directory,
+             contents_of(scene),
+             with_file_of(scene, rules))
   {
+    const std::string &path = scene.output.directory;
+    errno                   = 0;
+    log_file.open(path + "/log.txt");
+    if (!log_file)
+      folder.refuse("log.txt cannot be written", errno);
+
     std::error_code error;
-    fs::create_directories(folder, error);
+    if (is_copied(scene))
+      fs::copy_file(scene.file, path + "/original.prm", error);
     if (error)
-      refuse(folder, "It cannot be made", error);
-    if (!fs::is_directory(folder, error))
-      refuse(folder,
-             "It is not a folder",
-             std::make_error_code(std::errc::not_a_directory));
+      folder.refuse("original.prm cannot be written", error.value());
 
     errno = 0;
-    std::ofstream log(folder + "/log.txt");
-    if (!log)
-      refuse(folder, "log.txt cannot be written", last_error());
-
-    remove_former_results(folder);
-    keep_original(scene.file, fs::path(folder) / "original.prm");
-
-    errno = 0;
-    std::ofstream parameters(folder + "/parameters.prm");
+    std::ofstream parameters(path + "/parameters.prm");
     parameters << scene.all_parameters;
     parameters.close();
     if (!parameters)
-      refuse(folder, "parameters.prm cannot be written", last_error());
-    return log;
+      folder.refuse("parameters.prm cannot be written", errno);
+  }
+
+  std::ostream &RunFolder::log()
+  {
+    return log_file;
+  }
+
+  void RunFolder::claim_series(const std::string &name)
+  {
+    folder.claim_series(name);
   }
 
   void replace_file(const std::string &file, const std::string &text)
@@ -113,7 +87,7 @@ namespace auxfem
 
     std::error_code error;
     if (!stream)
-      error = last_error();
+      error = {errno, std::generic_category()};
     else
       fs::rename(temporary, file, error);
     if (error)

@@ -4,6 +4,7 @@
 #include <auxfem/output/run_folder.h>
 #include <auxfem/output/run_output.h>
 #include <auxfem/output/vtu_writer.h>
+#include <auxfem/time/interruption.h>
 #include <auxfem/time/stopwatch.h>
 
 #include <chrono>
@@ -25,7 +26,8 @@ namespace auxfem
   public:
     Implementation(const Scene      &scene,
                    MPI_Comm          communicator,
-                   const StartTimes &start_times);
+                   const StartTimes &start_times,
+                   const FileRules  &rules);
 
     void begin(const Equations &equations);
     void start_series(const Solution &solution);
@@ -52,18 +54,21 @@ namespace auxfem
     const Scene     &scene;
     const MPI_Comm   communicator;
     const StartTimes start_times;
+    const FileRules  rules;
 
     const Clock::time_point start;
     Clock::time_point       first_step;
     double                  begin_time = 0; ///< of the first step (s)
 
-    const Equations         *equations = nullptr; ///< from begin() on
-    std::ofstream            log;
-    std::optional<Console>   console; ///< on rank 0
-    std::optional<History>   history;
-    std::optional<CsvTable>  table; ///< on rank 0
-    std::optional<VtuWriter> graphics;
-    GraphicsSchedule         schedule;
+    const Equations *equations = nullptr; ///< from begin() on
+    /** What was begun is closed, also if a signal asks for the end. */
+    std::optional<SignalsWaitForStep> signals;
+    std::optional<RunFolder>          files;   ///< on rank 0
+    std::optional<Console>            console; ///< on rank 0
+    std::optional<History>            history;
+    std::optional<CsvTable>           table; ///< on rank 0
+    std::optional<VtuWriter>          graphics;
+    GraphicsSchedule                  schedule;
 
     /** Times last written (s); none before write_start(). */
     std::optional<double> last_row, last_graphics;
@@ -71,11 +76,13 @@ namespace auxfem
 
   RunOutput::Implementation::Implementation(const Scene      &scene,
                                             const MPI_Comm    communicator,
-                                            const StartTimes &start_times)
+                                            const StartTimes &start_times,
+                                            const FileRules  &rules)
     : folder(scene.output.directory)
     , scene(scene)
     , communicator(communicator)
     , start_times(start_times)
+    , rules(rules)
     , start(Clock::now())
     , first_step(start)
     , schedule(scene.output.graphics_interval)
@@ -87,12 +94,13 @@ namespace auxfem
     refuse_columns_of_nothing(scene, equations.model().lattice);
 
     on_first_rank(communicator, [&]() {
-      log = open_run_folder(scene, folder);
+      files.emplace(scene, rules);
       // The pseudo-terminals of mpirun often end in a file.
       const bool is_alone =
         dealii::Utilities::MPI::n_mpi_processes(communicator) == 1;
-      console.emplace(std::cout, is_alone ? terminal_width() : 0, log);
+      console.emplace(std::cout, is_alone ? terminal_width() : 0, files->log());
     });
+    signals.emplace();
     const Counts counts = count(equations);
     if (console)
       console->print(
@@ -105,24 +113,31 @@ namespace auxfem
       write_column_reference(folder + "/history.units.csv", history->columns());
     });
     if (scene.output.graphics)
-      graphics.emplace(scene, equations, folder, communicator);
+      {
+        graphics.emplace(scene, equations, folder, communicator);
+        on_first_rank(communicator, [&]() {
+          for (const std::string &name : graphics->series())
+            files->claim_series(name);
+        });
+      }
   }
 
   void RunOutput::Implementation::write_row(const Solution &solution)
   {
     const std::vector<double> &row = history->values(solution);
-    on_first_rank(communicator, [&]() { table->append(row); });
+    // What cannot be written is not tried again at the end of the run.
     last_row = solution.state.time;
+    on_first_rank(communicator, [&]() { table->append(row); });
   }
 
   void RunOutput::Implementation::write_graphics(const Solution &solution)
   {
     if (!graphics)
       return;
+    last_graphics = solution.state.time;
     graphics->write_struts(solution.state);
     graphics->write_rigid_parts(solution.state);
     graphics->write_connectors(solution);
-    last_graphics = solution.state.time;
   }
 
   void RunOutput::Implementation::start_series(const Solution &solution)
@@ -230,9 +245,10 @@ namespace auxfem
 
   RunOutput::RunOutput(const Scene      &scene,
                        const MPI_Comm    communicator,
-                       const StartTimes &start)
+                       const StartTimes &start,
+                       const FileRules  &rules)
     : implementation(
-        std::make_unique<Implementation>(scene, communicator, start))
+        std::make_unique<Implementation>(scene, communicator, start, rules))
   {}
 
   RunOutput::~RunOutput() = default;

@@ -97,6 +97,16 @@ namespace auxfem
       connector_series.emplace(folder, "connectors", communicator);
   }
 
+  std::vector<std::string> VtuWriter::series() const
+  {
+    std::vector<std::string> names;
+    for (const auto *series :
+         {&strut_series, &rigid_part_series, &connector_series})
+      if (*series)
+        names.push_back((*series)->series_name());
+    return names;
+  }
+
   std::vector<GraphicsField> VtuWriter::strut_fields() const
   {
     std::vector<GraphicsField> fields = {{"displacement", 3, "m"}};

@@ -1,5 +1,6 @@
 #include <auxfem/parameters/errors.h>
 #include <auxfem/parameters/mistakes.h>
+#include <auxfem/parameters/short_lines.h>
 
 #include <algorithm>
 
@@ -7,7 +8,7 @@ namespace auxfem
 {
   void Mistakes::add(const std::string &message)
   {
-    messages.push_back(message);
+    messages.push_back(with_short_lines(message));
   }
 
 

@@ -48,17 +48,20 @@ namespace auxfem
     return text.str();
   }
 
-  CellOutput::CellOutput(const Scene &scene, const StartTimes &start)
+  CellOutput::CellOutput(const Scene      &scene,
+                         const StartTimes &start,
+                         const FileRules  &rules)
     : scene(scene)
     , start_times(start)
+    , rules(rules)
     , start(Clock::now())
   {}
 
   void CellOutput::begin_cell()
   {
     const std::string &folder = scene.output.directory;
-    log                       = open_run_folder(scene, folder);
-    console.emplace(std::cout, terminal_width(), log);
+    files.emplace(scene, rules);
+    console.emplace(std::cout, terminal_width(), files->log());
     console->print(cell_overview_text(scene));
     const std::vector<Column> columns = cell_columns();
     table.emplace(folder + "/history.csv", columns);
@@ -85,8 +88,9 @@ namespace auxfem
                                sample.transmitted};
     for (const double energy : energy_values(energies))
       row.push_back(energy);
-    table->append(row);
+    // What cannot be written is not tried again at the end of the run.
     latest_row = sample;
+    table->append(row);
   }
 
   std::string CellOutput::summary(const RunResult &result) const

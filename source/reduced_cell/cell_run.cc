@@ -1,6 +1,7 @@
 #include <auxfem/parameters/errors.h>
 #include <auxfem/reduced_cell/cell_output.h>
 #include <auxfem/reduced_cell/cell_run.h>
+#include <auxfem/time/interruption.h>
 
 #include <iostream>
 
@@ -24,7 +25,10 @@ namespace auxfem
       {
         record(scheme->start());
         for (; result.work.steps < scene.time.n_steps(); ++result.work.steps)
-          record(scheme->advance());
+          {
+            end_if_interrupted(MPI_COMM_SELF);
+            record(scheme->advance());
+          }
       }
     catch (const std::exception &failure)
       {
@@ -37,7 +41,8 @@ namespace auxfem
 
   void check_reduced_cell(const Scene &scene)
   {
-    make_cell_scheme(scene);
+    // Finds loads that are no numbers.
+    make_cell_scheme(scene)->start();
     std::cout << cell_overview_text(scene) << std::flush;
   }
 

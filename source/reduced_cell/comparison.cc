@@ -1,5 +1,6 @@
 #include <auxfem/output/csv_table.h>
 #include <auxfem/output/history.h>
+#include <auxfem/output/output_folder.h>
 #include <auxfem/parameters/errors.h>
 #include <auxfem/reduced_cell/comparison.h>
 
@@ -147,17 +148,6 @@ namespace auxfem
       const std::string &last = cells.back();
       std::printf(" %s\n", last.substr(0, last.find('\n')).c_str());
     }
-
-    std::string open_folder(const std::string &folder)
-    {
-      std::error_code error;
-      std::filesystem::create_directories(folder, error);
-      if (error)
-        throw InputError("The folder `" + folder +
-                         "` cannot be made: " + error.message() +
-                         ". Give another one with --output DIR.");
-      return folder;
-    }
   } // namespace
 
   std::vector<ComparisonRow> compare_schemes(const Scene &scene)
@@ -175,14 +165,18 @@ namespace auxfem
   }
 
   void run_comparison(const std::vector<Scene> &scenes,
-                      const std::string        &folder)
+                      const std::string        &folder,
+                      const FileRules          &rules)
   {
     for (const Scene &scene : scenes)
       if (scene.model != Model::reduced_cell)
         throw InputError(scene.file +
                          ": --compare is for scenes with Model = reduced cell");
-    const std::string file = open_folder(folder) + "/comparison.csv";
-    CsvTable          table(file, columns);
+    const OutputFolder claim(folder,
+                             {{"comparison.csv", "comparison.units.csv"}, {}},
+                             rules);
+    const std::string  file = folder + "/comparison.csv";
+    CsvTable           table(file, columns);
     write_column_reference(folder + "/comparison.units.csv", columns);
 
     std::vector<std::string> names;

@@ -28,6 +28,17 @@ namespace auxfem
                              " s is longer than Time/End time = ",
                              time.end_time,
                              " s. Reduce the step or move the end"));
+      // More could not be told apart by their times.
+      const double most = 1e15;
+      if (time.end_time / time.step > most)
+        mistakes.add(message(scene,
+                             "Time/Time step = ",
+                             time.step,
+                             " s is too short for Time/End time = ",
+                             time.end_time,
+                             " s: a run has at most ",
+                             most,
+                             " steps"));
       if (time.smallest_step > time.step)
         mistakes.add(message(scene,
                              "Time/Smallest time step = ",

@@ -301,7 +301,7 @@ TEST(MeshFileCell, PassesOnWhatGmshSays)
   EXPECT_TRUE(contains(syntax, "Lattice/File: gmsh cannot read")) << syntax;
   EXPECT_TRUE(contains(syntax, "line 2: syntax error")) << syntax;
   EXPECT_FALSE(contains(syntax, "\x01")) << syntax;
-  EXPECT_TRUE(contains(node, "Wrong node index 5")) << node;
+  EXPECT_TRUE(contains(node, "line 11: element 1 has node 5")) << node;
   EXPECT_TRUE(contains(text, "syntax error")) << text;
 
   // A file that cannot be read leaves no traces in gmsh.

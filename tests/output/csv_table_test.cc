@@ -98,11 +98,12 @@ TEST(CsvTable, FileThatCannotBeMadeIsRefused)
     }
 }
 
-TEST(CsvTable, FullDiskIsNoticedAtTheRow)
+TEST(CsvTable, FullDiskIsNoticed)
 {
   // Linux' device that takes a file open and refuses every byte.
   if (!std::ofstream("/dev/full"))
     GTEST_SKIP();
-  CsvTable table("/dev/full", {{"time", "s", "time"}});
-  EXPECT_THROW(table.append({0}), ComputationError);
+  const std::vector<Column> columns = {{"time", "s", "time"}};
+  EXPECT_THROW(CsvTable("/dev/full", columns), ComputationError);
+  EXPECT_THROW(write_column_reference("/dev/full", columns), ComputationError);
 }

@@ -4,7 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
 #include <sstream>
+
+#include <support/messages.h>
 
 using namespace auxfem;
 
@@ -29,12 +32,14 @@ namespace
     return text.str();
   }
 
-  Scene scene_in(const fs::path &folder)
+  /** A scene in @p folder, whose results go to @p output. */
+  Scene scene_in(const fs::path &folder, const fs::path &output)
   {
     Scene scene;
     scene.file = folder / "scene.prm";
     std::ofstream(scene.file) << "set Title = as written\n";
-    scene.all_parameters = "set Title = all\n";
+    scene.all_parameters   = "set Title = all\n";
+    scene.output.directory = output;
     return scene;
   }
 } // namespace
@@ -42,103 +47,109 @@ namespace
 TEST(RunFolder, IsMadeWithParents)
 {
   const fs::path folder = fresh_folder("made");
-  const Scene    scene  = scene_in(folder);
   const fs::path output = folder / "a" / "b";
-
-  open_run_folder(scene, output) << "a line\n";
+  RunFolder(scene_in(folder, output), {}).log() << "a line\n";
   EXPECT_EQ(contents(output / "log.txt"), "a line\n");
   EXPECT_EQ(contents(output / "original.prm"), "set Title = as written\n");
   EXPECT_EQ(contents(output / "parameters.prm"), "set Title = all\n");
 }
 
-TEST(RunFolder, FormerResultsGoAndTheUsersFilesStay)
+TEST(RunFolder, FilesOfOthersWithNamesOfResultsAreRefused)
 {
-  const fs::path folder = fresh_folder("former");
-  const Scene    scene  = scene_in(folder);
-  for (const char *name : {"solution", "connectors"})
-    fs::create_directories(folder / name);
-  const std::vector<std::string> former = {"history.csv",
-                                           "history.units.csv",
-                                           "summary.json",
-                                           "solution.pvd",
-                                           "connectors.pvd",
-                                           "solution/solution_00000.pvtu",
-                                           "solution/solution_00000.0.vtu",
-                                           "connectors/connectors_00003.1.vtu"};
-  const std::vector<std::string> own    = {"notes.txt",
-                                           "solution/picture.png",
-                                           "solution/mine.vtu"};
-  for (const std::string &name : former)
-    std::ofstream(folder / name) << "x";
-  for (const std::string &name : own)
-    std::ofstream(folder / name) << "x";
+  const fs::path folder = fresh_folder("others");
+  for (const std::string name : {"log.txt",
+                                 "original.prm",
+                                 "parameters.prm",
+                                 "history.csv",
+                                 "history.units.csv",
+                                 "summary.json",
+                                 "solution.pvd",
+                                 "rigid_parts.pvd",
+                                 "connectors.pvd",
+                                 "connectors/connectors_00003.1.vtu"})
+    {
+      const fs::path output = folder / "out";
+      fs::remove_all(output);
+      fs::create_directories((output / name).parent_path());
+      std::ofstream(output / name) << "of another";
+      Scene scene = scene_in(folder, output);
+      expect_parts(input_error_of([&]() { RunFolder run(scene, {}); }),
+                   {name, "auxfem has not written", "--force"});
+      EXPECT_EQ(contents(output / name), "of another");
 
-  open_run_folder(scene, folder);
-  for (const std::string &name : former)
-    EXPECT_FALSE(fs::exists(folder / name)) << name;
-  for (const std::string &name : own)
-    EXPECT_TRUE(fs::exists(folder / name)) << name;
-  EXPECT_FALSE(fs::exists(folder / "connectors"));
+      RunFolder run(scene, {{}, true});
+      EXPECT_EQ(contents(output / "original.prm"), "set Title = as written\n");
+    }
 }
 
 TEST(RunFolder, OriginalOfAFormerRunCanBeRunAgain)
 {
   const fs::path folder = fresh_folder("again");
-  Scene          scene  = scene_in(folder);
-  scene.file            = folder / "original.prm";
-  std::ofstream(scene.file) << "set Title = former\n";
-  open_run_folder(scene, folder);
-  EXPECT_EQ(contents(scene.file), "set Title = former\n");
+  Scene          scene  = scene_in(folder, folder / "out");
+  RunFolder      first(scene, {});
+  scene.output.directory = folder / "other";
+  scene.file             = folder / "out" / "original.prm";
+  RunFolder second(scene, {});
+  EXPECT_EQ(contents(folder / "other" / "original.prm"),
+            "set Title = as written\n");
+}
+
+TEST(RunFolder, OriginalOfAFormerRunCanBeRunIntoItsFolder)
+{
+  const fs::path folder = fresh_folder("again_in_place");
+  Scene          scene  = scene_in(folder, folder / "out");
+  for (unsigned int i = 0; i < 3; ++i)
+    {
+      RunFolder run(scene, {});
+      EXPECT_EQ(contents(folder / "out" / "original.prm"),
+                "set Title = as written\n");
+      scene.file = folder / "out" / "original.prm";
+    }
+}
+
+TEST(RunFolder, SceneWithTheNameOfAResultIsKept)
+{
+  const fs::path folder = fresh_folder("own_scene");
+  Scene          scene  = scene_in(folder, folder);
+  scene.file            = folder / "log.txt";
+  fs::rename(folder / "scene.prm", scene.file);
+  expect_parts(input_error_of([&]() {
+                 RunFolder run(scene, {{}, true});
+               }),
+               {"The run reads", "log.txt"});
+  EXPECT_EQ(contents(scene.file), "set Title = as written\n");
 }
 
 TEST(RunFolder, SceneFromMemoryHasNoOriginal)
 {
   const fs::path folder = fresh_folder("memory");
   Scene          scene;
-  scene.file = "a name";
-  open_run_folder(scene, folder);
+  scene.file             = "a name";
+  scene.output.directory = folder;
+  RunFolder run(scene, {});
   EXPECT_FALSE(fs::exists(folder / "original.prm"));
 }
 
 TEST(RunFolder, FolderThatCannotBeMadeIsRefused)
 {
   const fs::path folder = fresh_folder("refused");
-  const Scene    scene  = scene_in(folder);
   // A file where the folder should be stops any user, root as well.
   for (const fs::path &output :
-       {fs::path(scene.file), fs::path(scene.file) / "below"})
-    try
-      {
-        open_run_folder(scene, output);
-        FAIL();
-      }
-    catch (const InputError &error)
-      {
-        const std::string message = error.what();
-        EXPECT_NE(message.find(output.string()), std::string::npos);
-        EXPECT_NE(message.find("Not a directory"), std::string::npos)
-          << message;
-        EXPECT_NE(message.find("--output DIR"), std::string::npos);
-        EXPECT_NE(message.find("Output/Directory"), std::string::npos);
-      }
+       {folder / "scene.prm", folder / "scene.prm" / "below"})
+    expect_parts(
+      input_error_of([&]() { RunFolder run(scene_in(folder, output), {}); }),
+      {output.string(), "Not a directory", "--output DIR", "Output/Directory"});
 }
 
 TEST(RunFolder, LogThatCannotBeWrittenIsRefused)
 {
   const fs::path folder = fresh_folder("no_log");
-  const Scene    scene  = scene_in(folder);
-  fs::create_directories(folder / "log.txt");
-  try
-    {
-      open_run_folder(scene, folder);
-      FAIL();
-    }
-  catch (const InputError &error)
-    {
-      EXPECT_NE(std::string(error.what()).find("log.txt"), std::string::npos);
-      EXPECT_NE(std::string(error.what()).find("Is a directory"),
-                std::string::npos);
-    }
+  fs::create_directories(folder / "out" / "log.txt");
+  Scene scene = scene_in(folder, folder / "out");
+  expect_parts(input_error_of([&]() {
+                 RunFolder run(scene, {{}, true});
+               }),
+               {"log.txt", "Is a directory"});
 }
 
 TEST(RunFolder, FileIsReplacedInOneMove)

@@ -2,6 +2,7 @@
 #define auxfem_output_first_rank_h
 
 #include <auxfem/parameters/errors.h>
+#include <auxfem/time/interruption.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -12,9 +13,9 @@ namespace auxfem
 {
   /**
    * Runs @p action on rank 0 of @p communicator only; if it throws, all ranks
-   * throw the same (InputError, or ComputationError for all else), so that none
-   * waits for another for ever; but std::bad_alloc is thrown on rank 0 only.
-   * Collective.
+   * throw the same (InputError, Interrupted, or ComputationError for all else),
+   * so that none waits for another for ever; but std::bad_alloc is thrown on
+   * rank 0 only. Collective.
    */
   template <typename Action>
   void on_first_rank(const MPI_Comm communicator, const Action &action)
@@ -29,9 +30,11 @@ namespace auxfem
     {
       done,
       input_error,
+      interrupted,
       computation_error
     };
     int         outcome = done;
+    int         signal  = 0;
     std::string message;
     if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
       try
@@ -42,6 +45,11 @@ namespace auxfem
         {
           outcome = input_error;
           message = error.what();
+        }
+      catch (const Interrupted &interruption)
+        {
+          outcome = interrupted;
+          signal  = interruption.signal();
         }
       catch (const std::bad_alloc &)
         {
@@ -57,6 +65,9 @@ namespace auxfem
     outcome = dealii::Utilities::MPI::broadcast(communicator, outcome);
     if (outcome == done)
       return;
+    if (outcome == interrupted)
+      throw Interrupted(
+        dealii::Utilities::MPI::broadcast(communicator, signal));
     message = dealii::Utilities::MPI::broadcast(communicator, message);
     if (outcome == input_error)
       throw InputError(message);

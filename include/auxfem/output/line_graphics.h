@@ -80,6 +80,9 @@ namespace auxfem
      */
     void write(LineGraphics &graphics, double time);
 
+    /** That of the record and of the folder. */
+    const std::string &series_name() const;
+
     /** Keeps the number of files so far. */
     void save(Records &records) const;
 

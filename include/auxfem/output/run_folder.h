@@ -1,6 +1,7 @@
 #ifndef auxfem_output_run_folder_h
 #define auxfem_output_run_folder_h
 
+#include <auxfem/output/output_folder.h>
 #include <auxfem/scene/scene.h>
 
 #include <fstream>
@@ -9,13 +10,29 @@
 namespace auxfem
 {
   /**
-   * Makes the folder of a run, removes the results of an earlier run in it
-   * (only files with the names a run gives) and writes original.prm, the file
-   * as the user gave it, and parameters.prm, all values used. Returns the log,
-   * open. Throws InputError that says why the folder cannot be used. To be
-   * called on one rank.
+   * The folder of a run, with original.prm, the file as the user gave it,
+   * parameters.prm, all values used, and the log. To be used on one rank.
    */
-  std::ofstream open_run_folder(const Scene &scene, const std::string &folder);
+  class RunFolder
+  {
+  public:
+    /**
+     * Makes the folder that @p scene names, whose file is spared, and removes the results of an earlier
+     * run in it. Throws InputError that says why the folder cannot be used, see
+     * OutputFolder.
+     */
+    RunFolder(const Scene &scene, const FileRules &rules);
+
+    /** Notes that the run writes the series @p name. */
+    void claim_series(const std::string &name);
+
+    /** log.txt. */
+    std::ostream &log();
+
+  private:
+    OutputFolder  folder;
+    std::ofstream log_file;
+  };
 
   /**
    * Replaces @p file by @p text in one move, so that a reader finds the old or

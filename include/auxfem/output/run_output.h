@@ -1,6 +1,7 @@
 #ifndef auxfem_output_run_output_h
 #define auxfem_output_run_output_h
 
+#include <auxfem/output/output_folder.h>
 #include <auxfem/output/recorder.h>
 #include <auxfem/output/summary.h>
 #include <auxfem/scene/scene.h>
@@ -29,10 +30,12 @@ namespace auxfem
      * @param scene must outlive the object.
      * @param communicator all ranks take part in every call.
      * @param start of this rank, for the summary.
+     * @param rules the scene's file is always spared.
      */
     RunOutput(const Scene      &scene,
               MPI_Comm          communicator,
-              const StartTimes &start = StartTimes());
+              const StartTimes &start = StartTimes(),
+              const FileRules  &rules = FileRules());
     ~RunOutput() override;
 
     /**

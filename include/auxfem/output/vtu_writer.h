@@ -42,6 +42,9 @@ namespace auxfem
               const std::string &folder,
               MPI_Comm           communicator);
 
+    /** Names of the series that are written. */
+    std::vector<std::string> series() const;
+
     /**
      * Writes the elastic struts at @p state. Throws ComputationError if the disk
      * takes no more.

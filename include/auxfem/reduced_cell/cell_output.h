@@ -5,11 +5,12 @@
 #include <auxfem/output/csv_table.h>
 #include <auxfem/output/history.h>
 #include <auxfem/output/recorder.h>
+#include <auxfem/output/run_folder.h>
 #include <auxfem/output/start_times.h>
 #include <auxfem/reduced_cell/cell_scheme.h>
+#include <auxfem/time/interruption.h>
 
 #include <chrono>
-#include <fstream>
 #include <optional>
 
 namespace auxfem
@@ -17,7 +18,7 @@ namespace auxfem
   /**
    * What a run of the reduced cell leaves behind, in one folder: original.prm,
    * parameters.prm, log.txt, history.csv with history.units.csv, summary.json;
-   * and its lines on the screen. To be used on one rank.
+   * and its lines on the screen. Made on all ranks, used on one.
    */
   class CellOutput : public Recorder
   {
@@ -25,8 +26,11 @@ namespace auxfem
     /**
      * @param scene must outlive the object.
      * @param start for the summary.
+     * @param rules the scene's file is always spared.
      */
-    CellOutput(const Scene &scene, const StartTimes &start);
+    CellOutput(const Scene      &scene,
+               const StartTimes &start,
+               const FileRules  &rules);
 
     /**
      * Makes the folder, prints what is simulated, starts the history. Throws
@@ -46,10 +50,13 @@ namespace auxfem
     void        write_row(const CellSample &sample);
     std::string summary(const RunResult &result) const;
 
-    const Scene              &scene;
-    const StartTimes          start_times;
-    const Clock::time_point   start;
-    std::ofstream             log;
+    const Scene            &scene;
+    const StartTimes        start_times;
+    const FileRules         rules;
+    const Clock::time_point start;
+    /** What was begun is closed, also if a signal asks for the end. */
+    SignalsWaitForStep        signals;
+    std::optional<RunFolder>  files;
     std::optional<Console>    console;
     std::optional<CsvTable>   table;
     EnergyRecord              energies;

@@ -1,6 +1,7 @@
 #ifndef auxfem_reduced_cell_comparison_h
 #define auxfem_reduced_cell_comparison_h
 
+#include <auxfem/output/output_folder.h>
 #include <auxfem/reduced_cell/cell_run.h>
 
 namespace auxfem
@@ -31,10 +32,12 @@ namespace auxfem
   /**
    * Compares the schemes on every one of @p scenes, prints a table and writes
    * it to @p folder/comparison.csv. On the calling rank. Throws InputError for
-   * scenes of other models and for a folder that cannot be used.
+   * scenes of other models and for a folder that cannot be used, see
+   * OutputFolder.
    */
   void run_comparison(const std::vector<Scene> &scenes,
-                      const std::string        &folder);
+                      const std::string        &folder,
+                      const FileRules          &rules);
 } // namespace auxfem
 
 #endif

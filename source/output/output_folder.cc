@@ -1,0 +1,229 @@
+#include <auxfem/output/output_folder.h>
+#include <auxfem/parameters/errors.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <system_error>
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+namespace auxfem
+{
+  namespace
+  {
+    namespace fs = std::filesystem;
+
+    const std::string list_name = ".auxfem-files";
+
+    const std::string list_head =
+      "# Written here by auxfem, which replaces these and nothing else:\n";
+
+    bool exists(const fs::path &file)
+    {
+      // Also a link that leads nowhere is somebody's.
+      std::error_code ignored;
+      return fs::exists(fs::symlink_status(file, ignored));
+    }
+
+    std::vector<fs::path> entries(const fs::path &folder)
+    {
+      std::error_code       no_folder;
+      std::vector<fs::path> found;
+      for (const fs::directory_entry &entry :
+           fs::directory_iterator(folder, no_folder))
+        found.push_back(entry.path());
+      std::sort(found.begin(), found.end());
+      return found;
+    }
+
+    /** Whether @p file has the name of one of the series @p name. */
+    bool belongs_to(const std::string &name, const fs::path &file)
+    {
+      return std::regex_match(file.filename().string(),
+                              std::regex(name + "_\\d+(\\.\\d+)?\\.p?vtu"));
+    }
+  } // namespace
+
+  OutputFolder::OutputFolder(const std::string    &path,
+                             const FolderContents &contents,
+                             const FileRules      &rules)
+    : path(path)
+  {
+    make_folder();
+    // Of a folder that is refused nothing shall be touched, not even by a list.
+    if (exists(file(list_name)))
+      {
+        lock();
+        read_list();
+      }
+    const std::vector<std::string> names = former(contents);
+    refuse_input(names, rules.input_files);
+    if (!rules.replaces_files_of_others)
+      refuse_files_of_others(names);
+    if (list.number < 0)
+      lock();
+    remove(contents, names);
+    own.insert(contents.files.begin(), contents.files.end());
+    write_list();
+  }
+
+  OutputFolder::Descriptor::~Descriptor()
+  {
+    if (number >= 0)
+      close(number);
+  }
+
+  void OutputFolder::claim_series(const std::string &name)
+  {
+    own.insert({name + ".pvd", name + "/"});
+    write_list();
+  }
+
+  void OutputFolder::refuse(const std::string &what, const int reason) const
+  {
+    throw InputError(
+      "The output folder `" + path + "` cannot be used.\n  " + what + ": " +
+      std::generic_category().message(reason) +
+      "\nIt must be a folder that can be made and written to. Give another one "
+      "with --output DIR or the parameter Output/Directory.");
+  }
+
+  std::string OutputFolder::file(const std::string &name) const
+  {
+    return path + "/" + name;
+  }
+
+  void OutputFolder::make_folder() const
+  {
+    std::error_code error;
+    fs::create_directories(path, error);
+    if (error)
+      refuse("It cannot be made", error.value());
+    if (!fs::is_directory(path, error))
+      refuse("It is not a folder", ENOTDIR);
+  }
+
+  void OutputFolder::lock()
+  {
+    list.number =
+      open(file(list_name).c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    if (list.number < 0)
+      refuse(list_name + " cannot be written", errno);
+    // Where the file system knows no locks, two runs cannot know of each other.
+    if (flock(list.number, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK)
+      return;
+    throw InputError(
+      "Another run of auxfem is writing into the output folder `" + path +
+      "`.\nWait for its end, or give another folder with "
+      "--output DIR or the parameter Output/Directory.");
+  }
+
+  void OutputFolder::read_list()
+  {
+    std::ifstream stream(file(list_name));
+    std::string   line;
+    // A run that was killed at its start leaves an empty list.
+    if (!std::getline(stream, line))
+      return;
+    if (line + '\n' != list_head)
+      refuse(list_name + " is none of auxfem's lists", EEXIST);
+    while (std::getline(stream, line))
+      own.insert(line);
+  }
+
+  void OutputFolder::write_list()
+  {
+    std::string text = list_head;
+    for (const std::string &name : own)
+      text += name + '\n';
+    if (ftruncate(list.number, 0) != 0 ||
+        pwrite(list.number, text.data(), text.size(), 0) !=
+          ssize_t(text.size()))
+      refuse(list_name + " cannot be written", errno);
+  }
+
+  std::vector<std::string>
+  OutputFolder::former(const FolderContents &contents) const
+  {
+    std::vector<std::string> names;
+    for (const std::string &name : contents.files)
+      if (exists(file(name)))
+        names.push_back(name);
+    for (const std::string &series : contents.series)
+      {
+        if (exists(file(series + ".pvd")))
+          names.push_back(series + ".pvd");
+        for (const fs::path &entry : entries(file(series)))
+          if (belongs_to(series, entry))
+            names.push_back(series + "/" + entry.filename().string());
+      }
+    return names;
+  }
+
+  bool OutputFolder::is_own(const std::string &name) const
+  {
+    // Files of a series are too many to be listed one by one.
+    return own.count(name) > 0 ||
+      own.count(name.substr(0, name.find('/') + 1)) > 0;
+  }
+
+  void
+  OutputFolder::refuse_input(const std::vector<std::string> &names,
+                             const std::vector<std::string> &input_files) const
+  {
+    std::error_code ignored;
+    for (const std::string &name : names)
+      for (const std::string &input : input_files)
+        if (fs::equivalent(file(name), input, ignored))
+          throw InputError(
+            "The run reads " + input + ", and would replace it by its " + name +
+            " in the output folder `" + path +
+            "`.\nGive another folder with --output DIR or the parameter "
+            "Output/Directory, or move the file and what refers to it.");
+  }
+
+  void OutputFolder::refuse_files_of_others(
+    const std::vector<std::string> &names) const
+  {
+    constexpr unsigned int n_shown = 8;
+    unsigned int           n       = 0;
+    std::string            text;
+    for (const std::string &name : names)
+      if (!is_own(name) && n++ < n_shown)
+        text += (text.empty() ? "" : ", ") + name;
+    if (n == 0)
+      return;
+    if (n > n_shown)
+      text += " and " + std::to_string(n - n_shown) + " more";
+    throw InputError(
+      "The output folder `" + path +
+      "` has files that auxfem has not written there and would replace:\n  " +
+      text +
+      "\nGive another folder with --output DIR or the parameter "
+      "Output/Directory, move these files away, or replace them with --force.");
+  }
+
+  void OutputFolder::remove(const FolderContents           &contents,
+                            const std::vector<std::string> &names)
+  {
+    std::error_code ignored;
+    for (const std::string &name : names)
+      {
+        if (!fs::is_directory(fs::symlink_status(file(name), ignored)))
+          fs::remove(file(name), ignored);
+        own.erase(name);
+      }
+    for (const std::string &series : contents.series)
+      {
+        // With something else in it, the folder cannot be removed, and stays.
+        if (own.erase(series + "/") > 0 &&
+            fs::is_directory(file(series), ignored))
+          fs::remove(file(series), ignored);
+      }
+  }
+} // namespace auxfem

@@ -1,0 +1,226 @@
+#include <auxfem/mesh/cells/separate_process.h>
+#include <auxfem/model/build_lattice.h>
+#include <auxfem/output/history.h>
+#include <auxfem/parameters/errors.h>
+#include <auxfem/parameters/short_lines.h>
+#include <auxfem/scene/scene.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <sstream>
+#include <vector>
+
+#include <sys/resource.h>
+
+#include "mutator.h"
+
+namespace
+{
+  using namespace auxfem;
+  namespace fs = std::filesystem;
+  using Clock  = std::chrono::steady_clock;
+
+  /** Seconds of computing after which reading a scene is taken to hang. */
+  constexpr unsigned int longest = 20;
+
+  std::string text_of(const fs::path &file)
+  {
+    std::ifstream      stream(file);
+    std::ostringstream text;
+    text << stream.rdbuf();
+    if (!stream)
+      throw std::runtime_error("cannot read " + file.string());
+    return text.str();
+  }
+
+  /** A file to be damaged, and the scene that reads it. */
+  struct Seed
+  {
+    enum class Kind
+    {
+      scene,
+      table,
+      mesh
+    };
+    Kind        kind;
+    std::string name; ///< of the scene's file, which relative names start from
+    std::string text;
+    std::string ending; ///< of a table or mesh
+  };
+
+  std::vector<Seed> corpus()
+  {
+    std::vector<fs::path> files;
+    for (const char *folder :
+         {AUXFEM_PRM_DIRECTORY, AUXFEM_TEST_DATA_DIRECTORY})
+      for (const fs::directory_entry &entry : fs::directory_iterator(folder))
+        if (entry.path().extension() == ".prm")
+          files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    std::vector<Seed> seeds;
+    for (const fs::path &file : files)
+      seeds.push_back({Seed::Kind::scene, file.string(), text_of(file), ""});
+    for (unsigned int i = 0; i < 3; ++i)
+      {
+        seeds.push_back({Seed::Kind::table,
+                         AUXFEM_TEST_DATA_DIRECTORY "/star.prm",
+                         text_of(AUXFEM_TEST_DATA_DIRECTORY "/force.csv"),
+                         ".csv"});
+        for (const char *ending : {".msh", ".geo"})
+          seeds.push_back(
+            {Seed::Kind::mesh,
+             AUXFEM_PRM_DIRECTORY "/portal.prm",
+             text_of(AUXFEM_MESH_DIRECTORY "/portal" + std::string(ending)),
+             ending});
+      }
+    return seeds;
+  }
+
+  /** Reads the scene and builds its lattice, unless it is a large one. */
+  void read(const std::string              &text,
+            const std::string              &name,
+            const std::vector<std::string> &overrides)
+  {
+    const Scene      scene   = read_scene_from_text(text, name, overrides);
+    constexpr double many    = 1000;
+    double           n_cells = 1;
+    for (const unsigned int n : scene.n_cells)
+      n_cells *= n;
+    if (scene.model == Model::lattice && n_cells <= many)
+      refuse_columns_of_nothing(scene, build_lattice(scene));
+  }
+
+  /** What is wrong with a message that a user would get; empty if nothing. */
+  std::string fault_of(const std::string &message)
+  {
+    const std::string shown = with_short_lines(message);
+    if (shown.empty())
+      return "empty message";
+    if (shown.size() > 12000)
+      return "message of " + std::to_string(shown.size()) + " bytes";
+    return "";
+  }
+
+  /** `accepted`, `refused`, or what must not be. */
+  std::string outcome_of(const std::string              &text,
+                         const std::string              &name,
+                         const std::vector<std::string> &overrides)
+  {
+    const rlimit seconds = {longest, longest};
+    setrlimit(RLIMIT_CPU, &seconds);
+    try
+      {
+        read(text, name, overrides);
+        return "accepted";
+      }
+    catch (const InputError &error)
+      {
+        const std::string fault = fault_of(error.what());
+        return fault.empty() ? "refused" : fault;
+      }
+    catch (const ComputationError &error)
+      {
+        return "refused";
+      }
+    catch (const std::exception &error)
+      {
+        return "internal error: " + std::string(error.what());
+      }
+  }
+
+  class Fuzzer
+  {
+  public:
+    explicit Fuzzer(const unsigned int seed)
+      : seeds(corpus())
+      , mutator(seed)
+      , prefix("fuzz_" + std::to_string(seed))
+    {}
+
+    /** One damaged input; whether it was taken as it should be. */
+    bool run_one()
+    {
+      const Seed       &seed  = seeds[mutator.below(seeds.size())];
+      const std::string text  = mutator.mutated(seed.text);
+      const auto        begin = Clock::now();
+      std::string       outcome;
+      try
+        {
+          outcome = run_in_separate_process([&]() { return read(seed, text); });
+        }
+      catch (const CrashedProcess &crash)
+        {
+          outcome = "crash: " + crash.how;
+        }
+      const double took =
+        std::chrono::duration<double>(Clock::now() - begin).count();
+      if (took > 3 * longest)
+        outcome = "hang: " + std::to_string(took) + " s, then " + outcome;
+      ++counts[outcome.substr(0, outcome.find(':'))];
+      if (outcome == "accepted" || outcome == "refused")
+        return true;
+      keep(seed, text, outcome);
+      return false;
+    }
+
+    /** How many inputs ended how. */
+    void print() const
+    {
+      for (const auto &[outcome, number] : counts)
+        std::cout << outcome << ": " << number << '\n';
+    }
+
+  private:
+    std::string read(const Seed &seed, const std::string &text) const
+    {
+      if (seed.kind == Seed::Kind::scene)
+        return outcome_of(text, seed.name, {});
+      const std::string file = fs::absolute(prefix + seed.ending).string();
+      std::ofstream(file, std::ios::binary) << text;
+      return outcome_of(text_of(seed.name),
+                        seed.name,
+                        {seed.kind == Seed::Kind::table
+                           ? "Loads/hit/Force y=table: " + file
+                           : "Lattice/File=" + file});
+    }
+
+    void
+    keep(const Seed &seed, const std::string &text, const std::string &outcome)
+    {
+      const std::string file = prefix + "_" + std::to_string(++n_kept) +
+        (seed.ending.empty() ? ".prm" : seed.ending);
+      std::ofstream(file, std::ios::binary) << text;
+      std::cout << outcome << "\n  from " << seed.name << ", kept in "
+                << fs::absolute(file).string() << std::endl;
+    }
+
+    const std::vector<Seed>             seeds;
+    Mutator                             mutator;
+    const std::string                   prefix;
+    std::map<std::string, unsigned int> counts;
+    unsigned int                        n_kept = 0;
+  };
+} // namespace
+
+/** Damages inputs for some seconds; exit code 1 if one is not taken well. */
+int main(const int argc, const char *const argv[])
+{
+  if (argc != 3)
+    {
+      std::cerr << "Usage: auxfem_fuzz SECONDS SEED\n";
+      return 2;
+    }
+  const auto end = Clock::now() +
+    std::chrono::duration_cast<Clock::duration>(
+                     std::chrono::duration<double>(std::stod(argv[1])));
+  Fuzzer fuzzer(std::stoul(argv[2]));
+  bool   all_well = true;
+  while (Clock::now() < end)
+    all_well = fuzzer.run_one() && all_well;
+  fuzzer.print();
+  return all_well ? 0 : 1;
+}
