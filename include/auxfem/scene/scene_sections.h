@@ -101,9 +101,11 @@ namespace auxfem
    * The function of time in @p entry. The file name of a table becomes an
    * absolute one in @p prm.
    */
-  TimeFunction read_time_function(dealii::ParameterHandler &prm,
-                                  const TimeExpression     &entry,
-                                  const SceneContext       &context);
+  TimeFunction
+  read_time_function(dealii::ParameterHandler &prm,
+                     const TimeExpression     &entry,
+                     const SceneContext       &context,
+                     TableKind                 tables = TableKind::linear);
 
   /** An entry as a declare() function has declared it. */
   struct DeclaredEntry
