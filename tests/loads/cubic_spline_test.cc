@@ -57,7 +57,7 @@ TEST(CubicSpline, CubicsAreExact)
 
 TEST(CubicSpline, OrdersUpToTheEnds)
 {
-  const Jet<double> coarse = errors(40), fine = errors(80);
+  const Jet<double> coarse = errors(160), fine = errors(320);
   EXPECT_NEAR(std::log2(coarse.value / fine.value), 4, 0.3);
   EXPECT_NEAR(std::log2(coarse.first / fine.first), 3, 0.3);
   EXPECT_NEAR(std::log2(coarse.second / fine.second), 2, 0.3);

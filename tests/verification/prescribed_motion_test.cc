@@ -247,13 +247,22 @@ namespace
 
   const std::string shake_text = "0.1 * (1 - cos(4 * pi * t))";
 
-  Bar shaken_bar(const double end)
+  /** Largest error of the angle, every 0.05 s, of a bar that is to be shaken so. */
+  double error_of_shaken_bar(const std::string &displacement, const double step)
   {
-    Bar bar;
-    bar.move(0, end, [](const double t) {
-      return 1.6 * pi * pi * std::cos(4 * pi * t);
+    SceneRun run(moved_bar(displacement, newmark().steps(step, 0.9)));
+    Bar      exact;
+    double   error = 0, time = 0;
+    run.run([&] {
+      if (run.state.time < time + 0.05 - step / 2)
+        return;
+      exact.move(time, 0.05, [](const double t) {
+        return 1.6 * pi * pi * std::cos(4 * pi * t);
+      });
+      time += 0.05;
+      error = std::max(error, std::abs(angle(run) - exact.angle));
     });
-    return bar;
+    return error;
   }
 
   /** Reactions along x at every step. */
@@ -270,15 +279,10 @@ namespace
 TEST(PrescribedMotion, ATableMovesAsTheFunctionItSamples)
 {
   const SampledMotion table(shake, 1e-3, 1);
-  const Bar           exact = shaken_bar(0.9);
-  const auto          error = [&](const double step) {
-    SceneRun run(moved_bar("table: " + table.name(),
-                           newmark().steps(step, 0.9)));
-    run.run();
-    return angle(run) - exact.angle;
-  };
-  const double coarse = error(4e-3), fine = error(2e-3);
-  EXPECT_LT(std::abs(coarse), 1e-3);
+  const std::string   motion = "table: " + table.name();
+  const double        coarse = error_of_shaken_bar(motion, 2e-3),
+               fine          = error_of_shaken_bar(motion, 1e-3);
+  EXPECT_LT(coarse, 1e-3);
   EXPECT_NEAR(std::log2(coarse / fine), 2, 0.1);
 }
 
@@ -298,9 +302,10 @@ TEST(PrescribedMotion, ATableHasTheReactionsOfTheFunctionItSamples)
           peak  = std::max(peak, std::abs(expected[i]));
         }
       // Second derivatives of the spline are off by the square of the spacing
-      // times the fourth derivative of the motion, a twelfth between rows.
+      // times the fourth derivative of the motion, a twelfth of that between
+      // rows and eleven twelfths at the ends.
       const double phase = 4 * pi * spacing;
-      EXPECT_LT(error, (1e-6 + phase * phase / 4) * peak);
+      EXPECT_LT(error, phase * phase * peak);
     }
 }
 
@@ -335,15 +340,14 @@ TEST(PrescribedMotion, EveryRowOfALinearTableStrikes)
 
 namespace
 {
-  /** A cantilever of steel whose clamp moves up, with its damping. */
+  /** A cantilever of steel whose clamp moves up. */
   std::string moved_cantilever(const std::string &displacement,
                                const std::string &time)
   {
     return frame("0 0; 1 0", "0 1") +
       "subsection Sections\n subsection steel\n  set Shape = rectangle\n"
       "  set Width = 20 mm\n  set Height = 10 mm\n"
-      "  set Young's modulus = 210 GPa\n  set Density = 7800\n"
-      "  set Stiffness-proportional damping = 20 us\n end\nend\n"
+      "  set Young's modulus = 210 GPa\n  set Density = 7800\n end\nend\n"
       "subsection Supports\n subsection clamp\n  set Joints = 0\n"
       "  set Type = prescribed\n  set Displacement x = 0\n"
       "  set Displacement y = " +
@@ -378,7 +382,6 @@ TEST(PrescribedMotion, AMotionMayBeginLate)
           EXPECT_GT(std::abs(tip), 1e-4);
           // Steps differ by part of one.
           EXPECT_NEAR(run.motion(1, 1), tip, 1e-3 * std::abs(tip));
-          // Losses are summed up to second order.
           EXPECT_NEAR(run.balance(), 0, 0.02 * run.state.energies.external());
         }
 }
@@ -393,7 +396,6 @@ TEST(PrescribedMotion, ASupportThatStartsWithASpeedStrikesAnElasticLattice)
       EXPECT_GT(work, 0);
       EXPECT_NEAR(run.state.energies.kinetic(), work, 1e-13 * work);
       run.run();
-      EXPECT_GT(run.state.energies.dissipated(), 0);
       EXPECT_NEAR(run.balance(), 0, 0.03 * run.state.energies.external());
     }
 }
