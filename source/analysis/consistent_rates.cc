@@ -127,14 +127,15 @@ namespace auxfem
         digits_of_velocities * largest_motion(model, *state.velocity).first)
       return;
     std::ostringstream message;
-    message << "At t = 0 the joints of a rigid part move apart"
-            << (model.lattice.dimension == 3
-                  ? ", or a revolute hinge turns across its axis,"
-                  : "")
-            << " with " << rate
-            << " m/s, by Initial velocities. Give all joints of the part, those "
-               "that supports move too, velocities of one rigid motion that "
-               "its supports allow.";
+    message
+      << "At t = 0 the joints of a rigid part move apart"
+      << (model.lattice.dimension == 3
+            ? ", or a revolute hinge turns across its axis,"
+            : "")
+      << " with " << rate
+      << " m/s, by Initial velocities. Give all joints of the part, those "
+         "that supports move too, velocities of one rigid motion that "
+         "its supports allow.";
     throw InputError(message.str());
   }
 

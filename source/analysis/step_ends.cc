@@ -71,9 +71,9 @@ namespace auxfem
       for (const TimeFunction &function : functions)
         for (const TimeEvent &event :
              function.events(0, time.end_time, accelerations))
-          ends.push_back(
-            {event.time,
-             event.kind == Kind::bend ? Jump::accelerations : Jump::velocities});
+          ends.push_back({event.time,
+                          event.kind == Kind::bend ? Jump::accelerations
+                                                   : Jump::velocities});
     }
   } // namespace
 

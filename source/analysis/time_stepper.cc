@@ -236,7 +236,7 @@ namespace auxfem
     using Jump                = StepEnd::Jump;
     State &state              = solution.state;
     const auto [first, after] = ends_at(state.time);
-    Jump       jump           = Jump::none;
+    Jump jump                 = Jump::none;
     std::for_each(first, after, [&jump](const StepEnd &end) {
       jump = std::max(jump, end.jump);
     });
@@ -330,9 +330,8 @@ namespace auxfem
     // A lattice at rest in another place than at first has the round-off of its
     // places.
     const LatticeModel &model = equations.model();
-    return created >
-      equations.round_off_floor(step.to, trial.results) *
-        largest_motion(model, step.to.displacement).first;
+    return created > equations.round_off_floor(step.to, trial.results) *
+      largest_motion(model, step.to.displacement).first;
   }
 
   bool TimeStepper::reject(const std::string &reason)

@@ -123,8 +123,7 @@ namespace auxfem
     }
   } // namespace
 
-  void prescribe_motion(const LatticeModel &model,
-                        const Evaluation   &evaluation)
+  void prescribe_motion(const LatticeModel &model, const Evaluation &evaluation)
   {
     const NodeRotations rotations(model.numbering);
     State              &state = evaluation.to;
@@ -292,12 +291,13 @@ namespace auxfem
 
     private:
       /** Of impulses: times the mean of the velocities before and after. */
-      double impulse_work(const Support &support, const Evaluation &strike) const
+      double impulse_work(const Support    &support,
+                          const Evaluation &strike) const
       {
         const DofNumbering &numbering = model.numbering;
         const Vector       &before    = *strike.from.velocity,
-                           &after     = *strike.to.velocity;
-        double              sum       = 0;
+                     &after           = *strike.to.velocity;
+        double sum                    = 0;
         for (const Support::PrescribedUnknown &prescribed : support.unknowns)
           if (const int i = prescribed.unknown;
               numbering.layout().is_owned(i) &&
@@ -307,7 +307,7 @@ namespace auxfem
           {
             const unsigned int        i     = prescribed.rotation;
             const std::array<int, 3> &spins = numbering.rotations()[i];
-            const SpaceVector         mean  = (spatial_velocity(strike.from, i) +
+            const SpaceVector         mean = (spatial_velocity(strike.from, i) +
                                       spatial_velocity(strike.to, i)) /
               2;
             for (unsigned int c = 0; c < 3; ++c)
@@ -331,7 +331,8 @@ namespace auxfem
 
       /**
        * Of a force that changes evenly over a step in which the place is cubic,
-       * by places and velocities at both ends: exact where such a motion begins.
+       * by places and velocities at both ends: exact where such a motion
+       * begins.
        */
       static double work_of(const Evaluation &step,
                             const double      force_before,
@@ -375,8 +376,8 @@ namespace auxfem
             const SpaceVector  turn = rotations.spatial_turn(step, i);
             SpaceVector        change;
             if (is_dynamic)
-              change = spatial_velocity(step.to, i) -
-                spatial_velocity(step.from, i);
+              change =
+                spatial_velocity(step.to, i) - spatial_velocity(step.from, i);
             for (unsigned int c = 0; c < 3; ++c)
               if (prescribed.fixed[c])
                 add(numbering.rotations()[i][c], turn[c], change[c]);
@@ -384,9 +385,11 @@ namespace auxfem
         return sum;
       }
 
-      SpaceVector spatial_velocity(const State &state, const unsigned int i) const
+      SpaceVector spatial_velocity(const State       &state,
+                                   const unsigned int i) const
       {
-        return rotated(state.rotations[i], rotations.values(*state.velocity, i));
+        return rotated(state.rotations[i],
+                       rotations.values(*state.velocity, i));
       }
 
       const LatticeModel       &model;

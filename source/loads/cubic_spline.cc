@@ -13,7 +13,8 @@ namespace auxfem
       double before, here, after, right_side;
     };
 
-    /** Gaussian elimination without pivoting; first and last have two entries. */
+    /** Gaussian elimination without pivoting; first and last have two entries.
+     */
     std::vector<double> solve(std::vector<Row> rows)
     {
       const std::size_t n = rows.size();
@@ -51,11 +52,9 @@ namespace auxfem
     : x(std::move(abscissas))
     , y(std::move(values))
   {
-    const std::size_t n     = x.size();
-    const auto        width = [this](const std::size_t i) {
-      return x[i + 1] - x[i];
-    };
-    const auto line = [this, width](const std::size_t i) {
+    const std::size_t n = x.size();
+    const auto width = [this](const std::size_t i) { return x[i + 1] - x[i]; };
+    const auto line  = [this, width](const std::size_t i) {
       return (y[i + 1] - y[i]) / width(i);
     };
     if (n < 3)
@@ -78,10 +77,10 @@ namespace auxfem
                  2 * (width(i - 1) + width(i)),
                  width(i - 1),
                  3 * (width(i) * line(i - 1) + width(i - 1) * line(i))};
-    const Row last = end_row({width(n - 2), width(n - 3)},
-                             {line(n - 2), line(n - 3)});
-    rows.back()    = {last.after, last.here, 0, last.right_side};
-    slopes         = solve(rows);
+    const Row last =
+      end_row({width(n - 2), width(n - 3)}, {line(n - 2), line(n - 3)});
+    rows.back() = {last.after, last.here, 0, last.right_side};
+    slopes      = solve(rows);
   }
 
   Jet<double> CubicSpline::operator()(const double at) const
@@ -89,10 +88,13 @@ namespace auxfem
     const std::size_t n = x.size();
     if (n == 1)
       return {y.front()};
-    const std::size_t next = std::clamp<std::size_t>(
-      std::upper_bound(x.begin(), x.end(), at) - x.begin(), 1, n - 1);
-    const std::size_t i    = next - 1;
-    const double      h    = x[next] - x[i], s = at - x[i];
+    const std::size_t next =
+      std::clamp<std::size_t>(std::upper_bound(x.begin(), x.end(), at) -
+                                x.begin(),
+                              1,
+                              n - 1);
+    const std::size_t i = next - 1;
+    const double      h = x[next] - x[i], s = at - x[i];
     const double      line = (y[next] - y[i]) / h;
     const double      b    = (3 * line - 2 * slopes[i] - slopes[next]) / h,
                  c         = (slopes[i] + slopes[next] - 2 * line) / (h * h);

@@ -368,8 +368,7 @@ namespace auxfem
                                     std::max(left.slope, right.slope) +
                                       negligible_slope / relative_tolerance,
                                     std::max(left.curvature, right.curvature) +
-                                      negligible_curvature /
-                                        relative_tolerance};
+                                      negligible_curvature / relative_tolerance};
         if (candidate.touched)
           return classify_touch(place, size);
 

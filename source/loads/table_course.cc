@@ -225,8 +225,8 @@ namespace auxfem
                                                                   : first + 1;
         if (t - begin < time_resolution(t) || end - t < time_resolution(t))
           continue;
-        const Jet<double>  left = between(first, t), right = between(after, t);
-        const auto         larger = [](const double a, const double b) {
+        const Jet<double> left = between(first, t), right = between(after, t);
+        const auto        larger = [](const double a, const double b) {
           return std::max(std::abs(a), std::abs(b));
         };
         const FunctionSize size = {larger(left.value, right.value),

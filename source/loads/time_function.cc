@@ -15,7 +15,8 @@ namespace auxfem
   {
     using dealii::Utilities::trim;
 
-    const std::string table_word = "table:", linear_table_word = "linear table:";
+    const std::string table_word        = "table:",
+                      linear_table_word = "linear table:";
   } // namespace
 
   std::optional<TableText> table_text(const std::string &text)
@@ -40,11 +41,12 @@ namespace auxfem
       (context.path.empty() ? "" : context.path + "/") + parameter;
     std::shared_ptr<TimeCourse> function;
     if (const auto table = table_text(trimmed))
-      function = std::make_shared<TableCourse>(
-        table->file,
-        path,
-        context,
-        table->word == linear_table_word ? TableKind::linear : tables);
+      function = std::make_shared<TableCourse>(table->file,
+                                               path,
+                                               context,
+                                               table->word == linear_table_word
+                                                 ? TableKind::linear
+                                                 : tables);
     else
       {
         const auto expression =

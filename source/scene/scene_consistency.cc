@@ -125,8 +125,8 @@ namespace auxfem
             {
               check_motion(scene,
                            support.path +
-                             (c < first_rotation ? "/Displacement " :
-                                                   "/Rotation ") +
+                             (c < first_rotation ? "/Displacement "
+                                                 : "/Rotation ") +
                              "xyz"[c % first_rotation],
                            support.motion[c],
                            mistakes);

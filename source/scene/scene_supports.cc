@@ -62,7 +62,7 @@ namespace auxfem
             require_space(prm, motion[c], context);
           if (!is_word(prm, motion[c]))
             {
-              support.fixed[c]  = true;
+              support.fixed[c] = true;
               support.motion[c] =
                 read_time_function(prm, motion[c], context, TableKind::smooth);
             }

@@ -28,9 +28,9 @@ namespace
     Jet<double>       largest;
     for (unsigned int i = 0; i <= 3000; ++i)
       {
-        const double      x   = i * 1e-3, phase = 2 * x + 0.3;
-        const Jet<double> jet = spline(x);
-        const auto take = [](double &result, const double error) {
+        const double      x = i * 1e-3, phase = 2 * x + 0.3;
+        const Jet<double> jet  = spline(x);
+        const auto        take = [](double &result, const double error) {
           result = std::max(result, std::abs(error));
         };
         take(largest.value, jet.value - std::sin(phase));
@@ -44,8 +44,9 @@ namespace
 TEST(CubicSpline, CubicsAreExact)
 {
   const auto        cubic = [](const double x) { return x * x * (x - 2) + 3; };
-  const CubicSpline spline({-1, 0, 0.3, 2, 2.5},
-                           {cubic(-1), cubic(0), cubic(0.3), cubic(2), cubic(2.5)});
+  const CubicSpline spline(
+    {-1, 0, 0.3, 2, 2.5},
+    {cubic(-1), cubic(0), cubic(0.3), cubic(2), cubic(2.5)});
   for (const double x : {-1., -0.4, 0., 0.1, 0.3, 1.7, 2.2, 2.5})
     {
       const Jet<double> jet = spline(x);

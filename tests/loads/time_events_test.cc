@@ -283,8 +283,8 @@ TEST(TimeLimits, InfiniteOnesEndTheRun)
 
 TEST(TimeEvents, BendsIfTheyAreAskedFor)
 {
-  for (const std::string text :
-       {"if(t < 0.2, 5*t^2, 0.2 + 2*(t - 0.2))", "1 - cos(100*max(0, t - 0.2))"})
+  for (const std::string text : {"if(t < 0.2, 5*t^2, 0.2 + 2*(t - 0.2))",
+                                 "1 - cos(100*max(0, t - 0.2))"})
     {
       SCOPED_TRACE(text);
       expect_none(text);

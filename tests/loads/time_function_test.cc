@@ -2,13 +2,13 @@
 #include <auxfem/parameters/errors.h>
 
 #include <gtest/gtest.h>
-#include <support/messages.h>
 
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <vector>
 
+#include <support/messages.h>
 #include <unistd.h>
 
 using namespace auxfem;

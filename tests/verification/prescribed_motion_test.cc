@@ -1,15 +1,14 @@
-#include <support/messages.h>
+#include <gtest/gtest.h>
 #include <support/scene_run.h>
 #include <verification/rigid_frame.h>
-#include <verification/schemes.h>
-
-#include <gtest/gtest.h>
 
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 
+#include <support/messages.h>
 #include <unistd.h>
+#include <verification/schemes.h>
 
 using namespace auxfem;
 using namespace auxfem::testing_support;
@@ -35,7 +34,8 @@ namespace
   }
 
   /** The pivot of a standing bar (1 m, 1 kg), moved sideways. */
-  std::string moved_bar(const std::string &displacement, const std::string &time)
+  std::string moved_bar(const std::string &displacement,
+                        const std::string &time)
   {
     return frame("0 0; 0 1", "0 1") + part("bar", "all", 1) +
       "subsection Supports\n subsection pivot\n  set Joints = 0\n"
@@ -189,9 +189,7 @@ TEST(PrescribedMotion, WorkOfAStopIsThatOfItsImpulse)
       bar.angle += 0.1 * bar.spin;
       bar.strike(-2);
       EXPECT_NEAR(spin(run), bar.spin, 1e-5);
-      EXPECT_NEAR(run.state.energies.kinetic(),
-                  bar.spin * bar.spin / 6,
-                  1e-5);
+      EXPECT_NEAR(run.state.energies.kinetic(), bar.spin * bar.spin / 6, 1e-5);
     }
 }
 
@@ -247,7 +245,8 @@ namespace
 
   const std::string shake_text = "0.1 * (1 - cos(4 * pi * t))";
 
-  /** Largest error of the angle, every 0.05 s, of a bar that is to be shaken so. */
+  /** Largest error of the angle, every 0.05 s, of a bar that is to be shaken
+   * so. */
   double error_of_shaken_bar(const std::string &displacement, const double step)
   {
     SceneRun run(moved_bar(displacement, newmark().steps(step, 0.9)));
@@ -280,9 +279,9 @@ TEST(PrescribedMotion, ATableMovesAsTheFunctionItSamples)
 {
   const SampledMotion table(shake, 1e-3, 1);
   const std::string   motion = "table: " + table.name();
-  const double        coarse = error_of_shaken_bar(motion, 2e-3),
-               fine          = error_of_shaken_bar(motion, 1e-3);
-  EXPECT_LT(coarse, 1e-3);
+  const double        coarse = error_of_shaken_bar(motion, 10e-3),
+               fine          = error_of_shaken_bar(motion, 5e-3);
+  EXPECT_LT(coarse, 5e-4);
   EXPECT_NEAR(std::log2(coarse / fine), 2, 0.1);
 }
 
@@ -293,8 +292,8 @@ TEST(PrescribedMotion, ATableHasTheReactionsOfTheFunctionItSamples)
     {
       SCOPED_TRACE(text(spacing));
       const SampledMotion table(shake, spacing, 1);
-      const auto found    = reactions("table: " + table.name(), 1e-3),
-                 expected = reactions(shake_text, 1e-3);
+      const auto          found = reactions("table: " + table.name(), 1e-3),
+                 expected       = reactions(shake_text, 1e-3);
       double error = 0, peak = 0;
       for (unsigned int i = 0; i < found.size(); ++i)
         {
@@ -351,8 +350,7 @@ namespace
       "subsection Supports\n subsection clamp\n  set Joints = 0\n"
       "  set Type = prescribed\n  set Displacement x = 0\n"
       "  set Displacement y = " +
-      displacement + "\n  set Rotation z = 0\n end\nend\n" +
-      time_section(time);
+      displacement + "\n  set Rotation z = 0\n end\nend\n" + time_section(time);
   }
 } // namespace
 
@@ -360,7 +358,7 @@ TEST(PrescribedMotion, AMotionMayBeginLate)
 {
   // A jump of the acceleration, of its rate, of the velocity, at the end of a
   // step and inside of one.
-  using Text = std::string;
+  using Text                                                   = std::string;
   const std::vector<std::function<Text(const Text &)>> courses = {
     [](const Text &s) { return "0.002 * (1 - cos(100 * " + s + "))"; },
     [](const Text &s) { return "50 * " + s + "^3"; },
@@ -402,8 +400,10 @@ TEST(PrescribedMotion, ASupportThatStartsWithASpeedStrikesAnElasticLattice)
 
 namespace
 {
-  /** A rod (EA = 1 N, 1 kg/m, so waves run 1 m/s) of 64 elements, moved along its axis. */
-  std::string moved_rod(const std::string &displacement, const std::string &time)
+  /** A rod (EA = 1 N, 1 kg/m, so waves run 1 m/s) of 64 elements, moved along
+   * its axis. */
+  std::string moved_rod(const std::string &displacement,
+                        const std::string &time)
   {
     return frame("0 0; 1 0", "0 1") +
       "subsection Sections\n subsection rod\n  set Shape = given\n"
@@ -423,8 +423,8 @@ namespace
 TEST(PrescribedMotion, AStruckRodCarriesTheWaveOfDAlembert)
 {
   // The front leaves the speed v and the strain v / c behind it: half of the
-  // work rho A c v^2 t becomes motion. On its way back from the free end it
-  // doubles the speed, so that the rod has the momentum 2 rho A L v.
+  // work rho A c v^2 t becomes motion. At the end of the run it is at the free
+  // end.
   const double v = 0.01;
   SceneRun     run(moved_rod("0.01 * t", newmark().steps(0.004, 1)));
   run.run();
@@ -441,8 +441,7 @@ TEST(PrescribedMotion, AStruckRodCarriesTheWaveOfDAlembert)
 TEST(PrescribedMotion, ARodThatIsStoppedHasTheBalanceOfItsImpulses)
 {
   const double v = 0.01;
-  SceneRun     run(moved_rod("0.01 * min(t, 0.7013)",
-                         newmark().steps(0.004, 1.5)));
+  SceneRun run(moved_rod("0.01 * min(t, 0.7013)", newmark().steps(0.004, 1.5)));
   run.run();
   EXPECT_NEAR(run.balance(), 0, 1e-13 * v * v);
 }
@@ -451,8 +450,8 @@ TEST(PrescribedMotion, ARotationInSpaceStrikesToo)
 {
   // A clamp that starts to turn a slender strut about an oblique axis: what the
   // impulse does is the energy that the strut has.
-  const std::string text =
-    "set Dimension = 3\n" + frame("0 0 0; 1 0 0", "0 1") +
+  const std::string text = "set Dimension = 3\n" +
+    frame("0 0 0; 1 0 0", "0 1") +
     "subsection Sections\n subsection steel\n  set Shape = circle\n"
     "  set Radius = 10 mm\n  set Young's modulus = 210 GPa\n"
     "  set Density = 7800\n end\nend\n"

@@ -60,8 +60,8 @@ namespace auxfem
     State renew(State &state, double event, double dt);
 
     /**
-     * Impulses of supports (N s, N m s) in the last start() or renew(), in their
-     * rows; nullptr if nothing was struck.
+     * Impulses of supports (N s, N m s) in the last start() or renew(), in
+     * their rows; nullptr if nothing was struck.
      */
     const Vector *impulses() const;
 
@@ -74,8 +74,8 @@ namespace auxfem
     double find_rates(const State &state, std::vector<double> &rates) const;
     void   refuse_strain(const State &state, double rate) const;
     /**
-     * Velocities of instant.to after the impulses of conditions, and of supports
-     * whose velocity is not that of instant.from.
+     * Velocities of instant.to after the impulses of conditions, and of
+     * supports whose velocity is not that of instant.from.
      */
     void strike(const Evaluation &instant, double dt);
     /** Those that change velocities by `increment` and its multipliers. */

@@ -6,7 +6,8 @@
 
 namespace auxfem
 {
-  /** Value with which a step begins: where there is an event that just after. */
+  /** Value with which a step begins: where there is an event that just after.
+   */
   inline double value_at_start(const TimeFunction &load, const Evaluation &step)
   {
     return step.event_at_from ? load.value_after(*step.event_at_from)

@@ -2,8 +2,8 @@
 #define auxfem_loads_table_course_h
 
 #include <auxfem/loads/cubic_spline.h>
-#include <auxfem/loads/time_function.h>
 #include <auxfem/loads/time_course.h>
+#include <auxfem/loads/time_function.h>
 #include <auxfem/parameters/registry.h>
 
 #include <optional>

@@ -100,8 +100,7 @@ namespace auxfem
      * Limits of value, first and second time derivative at @p t (s) from one
      * side, exact. Throws ComputationError if one is not finite.
      */
-    std::array<double, 3> jet(double   t,
-                              TimeSide side = TimeSide::after) const;
+    std::array<double, 3> jet(double t, TimeSide side = TimeSide::after) const;
 
     /**
      * True if it is zero at all times by construction: an empty text, `0`, or
@@ -111,8 +110,7 @@ namespace auxfem
 
   private:
     /** @p result, which is @p what of the function at @p t. */
-    double
-    checked(double result, double t, const std::string &what = "") const;
+    double checked(double result, double t, const std::string &what = "") const;
 
     std::shared_ptr<const TimeCourse> course;
   };

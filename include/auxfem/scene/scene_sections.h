@@ -101,11 +101,10 @@ namespace auxfem
    * The function of time in @p entry. The file name of a table becomes an
    * absolute one in @p prm.
    */
-  TimeFunction
-  read_time_function(dealii::ParameterHandler &prm,
-                     const TimeExpression     &entry,
-                     const SceneContext       &context,
-                     TableKind                 tables = TableKind::linear);
+  TimeFunction read_time_function(dealii::ParameterHandler &prm,
+                                  const TimeExpression     &entry,
+                                  const SceneContext       &context,
+                                  TableKind tables = TableKind::linear);
 
   /** An entry as a declare() function has declared it. */
   struct DeclaredEntry
