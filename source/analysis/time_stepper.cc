@@ -315,8 +315,8 @@ namespace auxfem
   {
     // Implicit schemes can converge to states that have nothing to do with the
     // motion when a step is too long for it; these show by energy from nowhere.
-    // Where means are balanced there is none; at supports a step of the cubic
-    // start of a motion looks as if there were.
+    // Where means are balanced there is none; where a motion begins smoothly,
+    // the work of its support looks as if there were.
     if (scheme.balances_means())
       return false;
     const Energies &before = step.from.energies, &after = step.to.energies;
@@ -328,10 +328,14 @@ namespace auxfem
     if (!(created > parameters.energy_error * turnover))
       return false;
     // A lattice at rest in another place than at first has the round-off of its
-    // places.
+    // places; where a motion begins smoothly, all energy is the work of
+    // supports.
     const LatticeModel &model = equations.model();
-    return created > equations.round_off_floor(step.to, trial.results) *
+    double error = equations.round_off_floor(step.to, trial.results) *
       largest_motion(model, step.to.displacement).first;
+    if (scheme.is_dynamic())
+      error += support_work_error(model, step);
+    return created > parameters.energy_error * turnover + error;
   }
 
   bool TimeStepper::reject(const std::string &reason)

@@ -4,6 +4,7 @@
 #include <auxfem/equations/step_travel.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace auxfem
 {
@@ -329,21 +330,7 @@ namespace auxfem
         return sum;
       }
 
-      /**
-       * Of a force that changes evenly over a step in which the place is cubic,
-       * by places and velocities at both ends: exact where such a motion
-       * begins.
-       */
-      static double work_of(const Evaluation &step,
-                            const double      force_before,
-                            const double      force_after,
-                            const double      travel,
-                            const double      change_of_velocity)
-      {
-        return (force_before + force_after) / 2 * travel +
-          (force_after - force_before) * step.dt / 12 * change_of_velocity;
-      }
-
+      /** By the mean of the support's forces over the step. */
       double work(const Support &support, const Evaluation &step) const
       {
         if (step.impulses)
@@ -351,36 +338,25 @@ namespace auxfem
         if (step.kind == Evaluation::Kind::between)
           return mean_work(support, step);
         const DofNumbering &numbering  = model.numbering;
-        const bool          is_dynamic = step.to.acceleration.has_value();
-        double              sum        = 0;
-        const auto          add        = [&](const int    unknown,
-                             const double travel,
-                             const double change_of_velocity) {
-          if (numbering.layout().is_owned(unknown))
-            sum += work_of(step,
-                           step.from.residual[unknown],
-                           step.to.residual[unknown],
-                           travel,
-                           change_of_velocity);
+        const auto          mean_force = [&](const int unknown) {
+          return (step.from.residual[unknown] + step.to.residual[unknown]) / 2;
         };
+        double sum = 0;
         for (const Support::PrescribedUnknown &prescribed : support.unknowns)
           if (const int i = prescribed.unknown;
+              numbering.layout().is_owned(i) &&
               !support.moves_as_rotation(prescribed))
-            add(i,
-                step.to.displacement[i] - step.from.displacement[i],
-                is_dynamic ? (*step.to.velocity)[i] - (*step.from.velocity)[i]
-                           : 0.);
+            sum += mean_force(i) *
+              (step.to.displacement[i] - step.from.displacement[i]);
         for (const Support::PrescribedRotation &prescribed : support.rotations)
           {
-            const unsigned int i    = prescribed.rotation;
-            const SpaceVector  turn = rotations.spatial_turn(step, i);
-            SpaceVector        change;
-            if (is_dynamic)
-              change =
-                spatial_velocity(step.to, i) - spatial_velocity(step.from, i);
+            const std::array<int, 3> &spins =
+              numbering.rotations()[prescribed.rotation];
+            const SpaceVector turn =
+              rotations.spatial_turn(step, prescribed.rotation);
             for (unsigned int c = 0; c < 3; ++c)
-              if (prescribed.fixed[c])
-                add(numbering.rotations()[i][c], turn[c], change[c]);
+              if (prescribed.fixed[c] && numbering.layout().is_owned(spins[c]))
+                sum += mean_force(spins[c]) * turn[c];
           }
         return sum;
       }
@@ -397,6 +373,20 @@ namespace auxfem
       std::vector<unsigned int> entries; ///< by support
     };
   } // namespace
+
+  double support_work_error(const LatticeModel &model, const Evaluation &step)
+  {
+    Vector changes(step.to.displacement.size(), 0.);
+    find_velocity_jumps(model, step.from, step.to, changes.data());
+    double sum = 0;
+    for (const Support &support : model.supports)
+      for (const Support::PrescribedUnknown &prescribed : support.unknowns)
+        if (const int i = prescribed.unknown;
+            model.numbering.layout().is_owned(i))
+          sum += std::abs((step.to.residual[i] - step.from.residual[i]) *
+                          changes[i]);
+    return step.dt / 12 * model.numbering.layout().sum(sum);
+  }
 
   std::unique_ptr<Effect> make_support_work(const LatticeModel &model)
   {

@@ -40,6 +40,13 @@ namespace auxfem
                        double             *right_side);
 
   /**
+   * How far the work of supports in a step with inertia may be off (J): what
+   * the mean of forces times the way leaves out where forces change evenly over
+   * the step and places are cubic. Collective.
+   */
+  double support_work_error(const LatticeModel &model, const Evaluation &step);
+
+  /**
    * Keeps account of the work of supports that move; they have no forces
    * besides the residual. nullptr if all are at rest.
    */
