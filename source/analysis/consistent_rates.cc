@@ -17,60 +17,62 @@ namespace auxfem
     , increment(model.numbering.layout().n_local())
   {}
 
-  void ConsistentRates::start(State &state, const double dt)
+  State ConsistentRates::start(State &state, const double dt)
   {
-    const State before     = state;
-    Evaluation  evaluation = Evaluation::rates(before, state);
-    // A load that is switched on at t = 0 acts from there on.
-    evaluation.jumps_at_to = true;
     state.acceleration->assign(state.acceleration->size(), 0.);
-    prescribe_motion(model, evaluation, dt);
-    solver.residual(evaluation, results);
-
-    if (!prepare_mass(evaluation))
-      prepare_stand_in(evaluation, dt);
-    if (!solver.equations().reporting().conditions.empty())
-      {
-        std::vector<double> rates;
-        refuse_strain(state, find_rates(state, rates), dt);
-        project_velocities(state, rates);
-        solver.residual(evaluation, results);
-      }
-    find_accelerations(evaluation);
+    State      before  = state;
+    Evaluation instant = Evaluation::rates(before, state);
+    // A load that is switched on at t = 0 acts from there on.
+    instant.event_at_to = {0., TimeSide::after};
+    prescribe_motion(model, instant);
+    hold_still(model, state, before);
+    solver.residual(instant, results);
+    if (!prepare_mass(instant))
+      prepare_stand_in(instant, dt);
+    std::vector<double> rates;
+    refuse_strain(before, find_rates(before, rates));
+    strike(instant, dt);
+    find_accelerations(instant);
     if (state.algorithmic_acceleration)
       *state.algorithmic_acceleration = *state.acceleration;
-    solver.residual(evaluation, results);
+    solver.residual(instant, results);
+    return before;
   }
 
-  void ConsistentRates::restore(State &state)
-  {
-    const State before = state;
-    restore(Evaluation::rates(before, state));
-  }
-
-  void ConsistentRates::renew(State &state)
-  {
-    const State before     = state;
-    Evaluation  evaluation = Evaluation::rates(before, state);
-    evaluation.jumps_at_to = true;
-    if (restore(evaluation) && state.algorithmic_acceleration)
-      *state.algorithmic_acceleration = *state.acceleration;
-  }
-
-  bool ConsistentRates::restore(const Evaluation &evaluation)
+  void ConsistentRates::restore(const Evaluation &step)
   {
     if (is_singular)
-      return false;
-    State &state = evaluation.to;
-    solver.residual(evaluation, results);
-    if (!prepare_mass(evaluation))
-      return false;
-    std::vector<double> rates;
-    find_rates(state, rates);
-    project_velocities(state, rates);
-    solver.residual(evaluation, results);
-    find_accelerations(evaluation);
-    return true;
+      return;
+    const State before  = step.to;
+    Evaluation  instant = Evaluation::rates(before, step.to);
+    instant.event_at_to = step.event_at_to;
+    solver.residual(instant, results);
+    if (!prepare_mass(instant))
+      return;
+    strike(instant, step.dt);
+    find_accelerations(instant);
+  }
+
+  State
+  ConsistentRates::renew(State &state, const double event, const double dt)
+  {
+    const State before  = state;
+    Evaluation  instant = Evaluation::rates(before, state);
+    instant.event_at_to = {event, TimeSide::after};
+    prescribe_motion(model, instant);
+    solver.residual(instant, results);
+    if (!prepare_mass(instant))
+      prepare_stand_in(instant, dt);
+    strike(instant, dt);
+    find_accelerations(instant);
+    if (state.algorithmic_acceleration)
+      *state.algorithmic_acceleration = *state.acceleration;
+    return before;
+  }
+
+  const Vector *ConsistentRates::impulses() const
+  {
+    return impulses_of_supports.empty() ? nullptr : &impulses_of_supports;
   }
 
   bool ConsistentRates::prepare_mass(const Evaluation &evaluation)
@@ -117,49 +119,81 @@ namespace auxfem
   }
 
   void ConsistentRates::refuse_strain(const State &state,
-                                      const double rate,
-                                      const double dt) const
+                                      const double rate) const
   {
-    // Prescribed velocities are differences, given ones have few digits.
-    constexpr double digits_of_velocities = 1e-6, part_of_first_step = 1e-3,
-                     round_off_of_differences = 1e-12;
-    const double speed = largest_motion(model, *state.velocity).first,
-                 acceleration =
-                   largest_motion(model, *state.acceleration).first;
-    if (rate <= digits_of_velocities * speed +
-          part_of_first_step * acceleration * dt +
-          round_off_of_differences * model.mean_strut_length / dt)
+    // Given velocities have few digits.
+    constexpr double digits_of_velocities = 1e-6;
+    if (rate <=
+        digits_of_velocities * largest_motion(model, *state.velocity).first)
       return;
     std::ostringstream message;
-    message << "At t = 0 the joints of a rigid part move apart"
-            << (model.lattice.dimension == 3
-                  ? ", or a revolute hinge turns across its axis,"
-                  : "")
-            << " with " << rate
-            << " m/s, by Initial velocities or by Supports that start with a "
-               "speed. Give all joints of the part velocities of one rigid "
-               "motion that its supports allow, or let supports start from "
-               "rest.";
+    message
+      << "At t = 0 the joints of a rigid part move apart"
+      << (model.lattice.dimension == 3
+            ? ", or a revolute hinge turns across its axis,"
+            : "")
+      << " with " << rate
+      << " m/s, by Initial velocities. Give all joints of the part, those "
+         "that supports move too, velocities of one rigid motion that "
+         "its supports allow.";
     throw InputError(message.str());
   }
 
-  void ConsistentRates::project_velocities(State                     &state,
-                                           const std::vector<double> &rates)
+  void ConsistentRates::strike(const Evaluation &instant, const double dt)
   {
-    const DofNumbering &numbering = model.numbering;
-    for (unsigned int i = 0; i < numbering.layout().n_owned(); ++i)
+    State &state = instant.to;
+    impulses_of_supports.clear();
+    std::vector<double> rates;
+    find_rates(instant.from, rates);
+    for (unsigned int i = 0; i < model.numbering.layout().n_owned(); ++i)
       increment[i] = -rates[i];
+    const bool strikes =
+      find_velocity_jumps(model, instant.from, state, increment.data()) > 0;
+    if (!strikes && solver.equations().reporting().conditions.empty())
+      return;
     solve();
-    for (const int multiplier : numbering.constraints().multipliers())
+    if (strikes)
+      find_impulses(instant, dt);
+    hold_prescribed();
+    for (const int multiplier : model.numbering.constraints().multipliers())
       increment[multiplier] = 0;
     NodeRotations(model.numbering).make_material(state, increment);
     add_multiple(1., increment, *state.velocity);
+    solver.residual(instant, results);
+  }
+
+  void ConsistentRates::find_impulses(const Evaluation &instant,
+                                      const double      dt)
+  {
+    // What the same change in a step of this length would ask of the supports;
+    // residuals are linear in accelerations and multipliers.
+    State  struck = instant.to;
+    Vector change = increment;
+    NodeRotations(model.numbering).make_material(struck, change);
+    for (const int multiplier : model.numbering.constraints().multipliers())
+      {
+        struck.displacement[multiplier] += change[multiplier] / dt;
+        change[multiplier] = 0;
+      }
+    add_multiple(1 / dt, change, *struck.acceleration);
+    Evaluation evaluation  = Evaluation::rates(instant.from, struck);
+    evaluation.event_at_to = instant.event_at_to;
+    solver.residual(evaluation, results);
+    impulses_of_supports.assign(increment.size(), 0.);
+    for (const Support &support : model.supports)
+      for (const Support::PrescribedUnknown &prescribed : support.unknowns)
+        if (const int i = prescribed.unknown;
+            model.numbering.layout().is_owned(i))
+          impulses_of_supports[i] =
+            dt * (struck.residual[i] - instant.to.residual[i]);
   }
 
   void ConsistentRates::find_accelerations(const Evaluation &evaluation)
   {
     State &state = evaluation.to;
-    find_right_side(model, evaluation, increment.data());
+    for (unsigned int i = 0; i < model.numbering.layout().n_owned(); ++i)
+      increment[i] = -state.residual[i];
+    hold_prescribed();
     solve();
     NodeRotations(model.numbering).make_material(state, increment);
     add_multiple(1., increment, *state.acceleration);
@@ -168,6 +202,13 @@ namespace auxfem
         state.displacement[multiplier] += increment[multiplier];
         (*state.acceleration)[multiplier] = 0;
       }
+  }
+
+  void ConsistentRates::hold_prescribed()
+  {
+    for (const Support &support : model.supports)
+      for (const Support::PrescribedUnknown &prescribed : support.unknowns)
+        increment[prescribed.unknown] = 0;
   }
 
   void ConsistentRates::solve()

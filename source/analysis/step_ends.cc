@@ -7,9 +7,9 @@ namespace auxfem
   namespace
   {
     using Kind = TimeEvent::Kind;
+    using Jump = StepEnd::Jump;
 
-    /** All functions of time that act on the lattice. */
-    std::vector<TimeFunction> functions_of(const Scene &scene)
+    std::vector<TimeFunction> loads_of(const Scene &scene)
     {
       std::vector<TimeFunction> functions;
       const auto                add = [&functions](const auto &components) {
@@ -19,14 +19,22 @@ namespace auxfem
         add(load.components);
       for (const LineLoadDefinition &load : scene.line_loads)
         add(load.components);
+      return functions;
+    }
+
+    std::vector<TimeFunction> motions_of(const Scene &scene)
+    {
+      std::vector<TimeFunction> functions;
       for (const SupportDefinition &support : scene.supports)
-        add(support.motion);
+        functions.insert(functions.end(),
+                         support.motion.begin(),
+                         support.motion.end());
       return functions;
     }
 
     /** @p events without kinks nearer than @p step (s) to another event. */
-    std::vector<TimeEvent> without_dense_kinks(std::vector<TimeEvent> events,
-                                               const double           step)
+    std::vector<TimeEvent>
+    without_dense_kinks(const std::vector<TimeEvent> &events, const double step)
     {
       std::vector<TimeEvent> result;
       for (std::size_t i = 0; i < events.size(); ++i)
@@ -40,27 +48,54 @@ namespace auxfem
         }
       return result;
     }
+
+    /** Of functions that are sampled by the steps where they are rough. */
+    void add_ends_of_loads(const std::vector<TimeFunction> &functions,
+                           const TimeParameters            &time,
+                           std::vector<StepEnd>            &ends)
+    {
+      for (const TimeFunction &function : functions)
+        for (const TimeEvent &event :
+             without_dense_kinks(function.events(0, time.end_time), time.step))
+          ends.push_back(
+            {event.time,
+             event.kind == Kind::jump ? Jump::accelerations : Jump::none});
+    }
+
+    /** Of motions with inertia. */
+    void add_ends_of_motions(const std::vector<TimeFunction> &functions,
+                             const TimeParameters            &time,
+                             std::vector<StepEnd>            &ends)
+    {
+      constexpr unsigned int accelerations = 2;
+      for (const TimeFunction &function : functions)
+        for (const TimeEvent &event :
+             function.events(0, time.end_time, accelerations))
+          ends.push_back({event.time,
+                          event.kind == Kind::bend ? Jump::accelerations
+                                                   : Jump::velocities});
+    }
   } // namespace
 
-  std::vector<TimeEvent> step_ends(const Scene &scene)
+  std::vector<StepEnd> step_ends(const Scene &scene)
   {
-    const TimeParameters  &time = scene.time;
-    std::vector<TimeEvent> all;
-    for (const TimeFunction &function : functions_of(scene))
-      for (const TimeEvent &event :
-           without_dense_kinks(function.events(0, time.end_time), time.step))
-        all.push_back(event);
+    const TimeParameters &time = scene.time;
+    std::vector<StepEnd>  all;
+    add_ends_of_loads(loads_of(scene), time, all);
+    if (time.scheme->is_dynamic())
+      add_ends_of_motions(motions_of(scene), time, all);
+    else
+      add_ends_of_loads(motions_of(scene), time, all);
     std::sort(all.begin(), all.end(), [](const auto &one, const auto &other) {
       return one.time < other.time;
     });
-    // Of events at one time a jump counts.
-    std::vector<TimeEvent> ends;
-    for (const TimeEvent &event : all)
+    std::vector<StepEnd> ends;
+    for (const StepEnd &end : all)
       if (ends.empty() ||
-          event.time - ends.back().time > time_resolution(event.time))
-        ends.push_back(event);
-      else if (event.kind == Kind::jump)
-        ends.back().kind = Kind::jump;
+          end.time - ends.back().time > time_resolution(end.time))
+        ends.push_back(end);
+      else
+        ends.back().jump = std::max(ends.back().jump, end.jump);
     return ends;
   }
 } // namespace auxfem

@@ -9,6 +9,18 @@
 
 namespace auxfem
 {
+  namespace
+  {
+    /**
+     * Times that are closer (s) are one to the steps: an event at the end of a
+     * step of the scene is no other time.
+     */
+    double one_time(const TimeParameters &parameters)
+    {
+      return 1e-6 * parameters.step;
+    }
+  } // namespace
+
   TimeStepper::RateSolver::RateSolver(const Equations        &equations,
                                       const SolverParameters &parameters,
                                       Work                   &work)
@@ -41,7 +53,7 @@ namespace auxfem
                                   parameters.smallest_step > 0
                                     ? parameters.smallest_step
                                     : parameters.step / 1024))
-    , events(step_ends(scene))
+    , ends(step_ends(scene))
   {
     make_solvers();
   }
@@ -83,17 +95,31 @@ namespace auxfem
     State &state = solution.state;
     if (parameters.static_start)
       find_static_equilibrium(state);
-    if (scheme.is_dynamic())
+    if (!scheme.is_dynamic())
       {
-        ConsistentRates(solvers->tangent).start(state, parameters.step);
-        solvers->newton.drop_factorization();
+        account_for_rates(solution, State(state), nullptr, 0.);
+        return;
       }
-    const State before  = state;
-    Evaluation  instant = Evaluation::rates(before, state);
-    instant.jumps_at_to = true;
+    ConsistentRates rates(solvers->tangent);
+    const State     before = rates.start(state, parameters.step);
+    account_for_rates(solution, before, &rates, 0.);
+    solvers->newton.drop_factorization();
+  }
+
+  void TimeStepper::account_for_rates(Solution              &solution,
+                                      const State           &before,
+                                      const ConsistentRates *rates,
+                                      const double           event)
+  {
+    State     &state    = solution.state;
+    Evaluation instant  = Evaluation::rates(before, state);
+    instant.event_at_to = {event, TimeSide::after};
+    instant.impulses    = rates ? rates->impulses() : nullptr;
     solvers->tangent.residual(instant, solution.results);
     equations.accept(instant, solution.results);
-    state.largest_energy = state.energies.total();
+    state.largest_energy = std::max({state.largest_energy,
+                                     state.energies.total(),
+                                     state.energies.dissipated()});
   }
 
   void TimeStepper::find_static_equilibrium(State &state)
@@ -163,39 +189,66 @@ namespace auxfem
   double TimeStepper::next_target(const double time,
                                   const double end_of_scene_step) const
   {
-    // An event at the end of a step of the scene is no other time.
-    const double near = 1e-6 * parameters.step;
-    const auto   next =
-      std::find_if(events.begin(), events.end(), [&](const TimeEvent &event) {
-        return event.time > time + near;
-      });
-    return next != events.end() && next->time < end_of_scene_step - near
+    const auto next = ends_at(time).second;
+    return next != ends.end() &&
+        next->time < end_of_scene_step - one_time(parameters)
       ? next->time
       : end_of_scene_step;
   }
 
-  bool TimeStepper::is_jump(const double time) const
+  std::pair<TimeStepper::StepEnds::const_iterator,
+            TimeStepper::StepEnds::const_iterator>
+  TimeStepper::ends_at(const double time) const
   {
-    return std::any_of(events.begin(),
-                       events.end(),
-                       [&](const TimeEvent &event) {
-                         return event.kind == TimeEvent::Kind::jump &&
-                           std::abs(event.time - time) < 1e-6 * parameters.step;
-                       });
+    const double near = one_time(parameters);
+    return {std::lower_bound(ends.begin(),
+                             ends.end(),
+                             time - near,
+                             [](const StepEnd &end, const double time) {
+                               return end.time < time;
+                             }),
+            std::upper_bound(ends.begin(),
+                             ends.end(),
+                             time + near,
+                             [](const double time, const StepEnd &end) {
+                               return time < end.time;
+                             })};
+  }
+
+  std::optional<double> TimeStepper::event_at_begin(const double time) const
+  {
+    const auto [first, after] = ends_at(time);
+    if (first != after)
+      return std::prev(after)->time;
+    return time == 0 ? std::optional<double>(0.) : std::nullopt;
+  }
+
+  std::optional<TimeLimit> TimeStepper::event_at_end(const double time) const
+  {
+    const auto [first, after] = ends_at(time);
+    if (first == after)
+      return {};
+    return TimeLimit{first->time, TimeSide::before};
   }
 
   void TimeStepper::renew_rates(Solution &solution)
   {
-    State &state = solution.state;
+    using Jump                = StepEnd::Jump;
+    State &state              = solution.state;
+    const auto [first, after] = ends_at(state.time);
+    Jump jump                 = Jump::none;
+    std::for_each(first, after, [&jump](const StepEnd &end) {
+      jump = std::max(jump, end.jump);
+    });
     // Accelerations at the start of a step do not matter if means are balanced.
-    if (!scheme.is_dynamic() || scheme.balances_means() || !is_jump(state.time))
+    if (!scheme.is_dynamic() || jump == Jump::none ||
+        (scheme.balances_means() && jump != Jump::velocities))
       return;
-    ConsistentRates(solvers->tangent).renew(state);
+    const double    event = std::prev(after)->time;
+    ConsistentRates rates(solvers->tangent);
+    const State     before = rates.renew(state, event, parameters.step);
+    account_for_rates(solution, before, &rates, event);
     solvers->newton.drop_factorization();
-    const State before = state;
-    Evaluation  now    = Evaluation::rates(before, state);
-    now.jumps_at_to    = true;
-    solvers->tangent.residual(now, solution.results);
   }
 
   bool TimeStepper::try_step(Solution          &solution,
@@ -205,8 +258,8 @@ namespace auxfem
     State &state       = solution.state;
     trial.state.time   = planned.end;
     Evaluation step    = evaluation_of(state, planned.dt);
-    step.jumps_at_from = state.time == 0 || is_jump(state.time);
-    step.jumps_at_to   = is_jump(planned.end);
+    step.event_at_from = event_at_begin(state.time);
+    step.event_at_to   = event_at_end(planned.end);
     predict(step);
     const Newton::Result result =
       solvers->newton.solve(scheme, step, trial.results);
@@ -249,12 +302,12 @@ namespace auxfem
     scheme.predict(step.from, step.dt, step.to);
     rotations.follow(step);
     if (scheme.is_dynamic())
-      prescribe_motion(equations.model(), step, parameters.step);
+      prescribe_motion(equations.model(), step);
   }
 
   void TimeStepper::restore_rates(const Evaluation &step)
   {
-    solvers->rates->rates.restore(step.to);
+    solvers->rates->rates.restore(step);
     solvers->tangent.residual(step, trial.results);
   }
 
@@ -262,13 +315,27 @@ namespace auxfem
   {
     // Implicit schemes can converge to states that have nothing to do with the
     // motion when a step is too long for it; these show by energy from nowhere.
+    // Where means are balanced there is none; where a motion begins smoothly,
+    // the work of its support looks as if there were.
+    if (scheme.balances_means())
+      return false;
     const Energies &before = step.from.energies, &after = step.to.energies;
     const double    created = after.balance(before.balance(0.));
     const double    turnover =
       std::max({step.from.largest_energy,
                 std::abs(after.external() - before.external()),
                 after.dissipated() - before.dissipated()});
-    return created > parameters.energy_error * turnover;
+    if (!(created > parameters.energy_error * turnover))
+      return false;
+    // A lattice at rest in another place than at first has the round-off of its
+    // places; where a motion begins smoothly, all energy is the work of
+    // supports.
+    const LatticeModel &model = equations.model();
+    double error = equations.round_off_floor(step.to, trial.results) *
+      largest_motion(model, step.to.displacement).first;
+    if (scheme.is_dynamic())
+      error += support_work_error(model, step);
+    return created > parameters.energy_error * turnover + error;
   }
 
   bool TimeStepper::reject(const std::string &reason)

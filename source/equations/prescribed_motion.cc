@@ -1,8 +1,10 @@
+#include <auxfem/equations/load_values.h>
 #include <auxfem/equations/node_rotations.h>
 #include <auxfem/equations/prescribed_motion.h>
 #include <auxfem/equations/step_travel.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace auxfem
 {
@@ -11,11 +13,17 @@ namespace auxfem
     /** Value and first two derivatives of the courses of a support. */
     struct Course
     {
-      Course(const Support &support, const double time, const double dt)
+      Course(const Support &support, const Evaluation &evaluation)
       {
+        const TimeLimit at = evaluation.event_at_to.value_or(
+          TimeLimit{evaluation.to.time, TimeSide::after});
         for (unsigned int c = 0; c < n_motion_components; ++c)
           if (!support.motion[c].is_zero())
-            jets[c] = support.motion[c].jet(time, dt);
+            {
+              jets[c] = support.motion[c].jet(at.time, at.side);
+              // What find_right_side() asks for, to the last digit.
+              jets[c][0] = value_at_end(support.motion[c], evaluation);
+            }
       }
 
       /** Derivative number @p derivative of the rotation vector. */
@@ -30,11 +38,13 @@ namespace auxfem
     };
 
     /** The rotation vector of a support (rad). */
-    SpaceVector rotation_of(const Support &support, const double time)
+    SpaceVector rotation_of(const Support    &support,
+                            const Evaluation &evaluation)
     {
       SpaceVector rotation;
       for (unsigned int c = 0; c < 3; ++c)
-        rotation[c] = support.motion[first_rotation + c].value(time);
+        rotation[c] =
+          value_at_end(support.motion[first_rotation + c], evaluation);
       return rotation;
     }
 
@@ -114,15 +124,13 @@ namespace auxfem
     }
   } // namespace
 
-  void prescribe_motion(const LatticeModel &model,
-                        const Evaluation   &evaluation,
-                        const double        dt)
+  void prescribe_motion(const LatticeModel &model, const Evaluation &evaluation)
   {
     const NodeRotations rotations(model.numbering);
     State              &state = evaluation.to;
     for (const Support &support : model.supports)
       {
-        const Course course(support, state.time, dt);
+        const Course course(support, evaluation);
         for (const Support::PrescribedUnknown &prescribed : support.unknowns)
           {
             if (support.moves_as_rotation(prescribed))
@@ -145,6 +153,60 @@ namespace auxfem
       set_mean_accelerations(model, evaluation);
   }
 
+  void hold_still(const LatticeModel &model, const State &after, State &before)
+  {
+    const NodeRotations rotations(model.numbering);
+    for (const Support &support : model.supports)
+      {
+        for (const Support::PrescribedUnknown &prescribed : support.unknowns)
+          if (!support.moves_as_rotation(prescribed) &&
+              !support.moves(prescribed))
+            (*before.velocity)[prescribed.unknown] =
+              (*after.velocity)[prescribed.unknown];
+        for (const Support::PrescribedRotation &prescribed : support.rotations)
+          if (!support.moves(prescribed))
+            rotations.set_values(rotations.values(*after.velocity,
+                                                  prescribed.rotation),
+                                 prescribed.rotation,
+                                 *before.velocity);
+      }
+  }
+
+  double find_velocity_jumps(const LatticeModel &model,
+                             const State        &before,
+                             const State        &after,
+                             double             *jumps)
+  {
+    const NodeRotations  rotations(model.numbering);
+    const UnknownLayout &layout  = model.numbering.layout();
+    double               largest = 0;
+    const auto           set     = [&](const int unknown, const double jump) {
+      if (!layout.is_owned(unknown))
+        return;
+      jumps[unknown] = jump;
+      largest        = std::max(largest, std::abs(jump));
+    };
+    for (const Support &support : model.supports)
+      {
+        for (const Support::PrescribedUnknown &prescribed : support.unknowns)
+          if (const int i = prescribed.unknown;
+              !support.moves_as_rotation(prescribed))
+            set(i, (*after.velocity)[i] - (*before.velocity)[i]);
+        for (const Support::PrescribedRotation &prescribed : support.rotations)
+          {
+            const unsigned int i = prescribed.rotation;
+            const SpaceVector  jump =
+              rotated(after.rotations[i],
+                      rotations.values(*after.velocity, i) -
+                        rotations.values(*before.velocity, i));
+            for (unsigned int c = 0; c < 3; ++c)
+              if (prescribed.fixed[c])
+                set(model.numbering.rotations()[i][c], jump[c]);
+          }
+      }
+    return layout.largest(largest);
+  }
+
   void find_right_side(const LatticeModel &model,
                        const Evaluation   &evaluation,
                        double             *right_side)
@@ -158,7 +220,7 @@ namespace auxfem
       {
         std::array<double, n_motion_components> positions;
         for (unsigned int c = 0; c < n_motion_components; ++c)
-          positions[c] = support.motion[c].value(state.time);
+          positions[c] = value_at_end(support.motion[c], evaluation);
         for (const Support::PrescribedUnknown &prescribed : support.unknowns)
           if (numbering.layout().is_owned(prescribed.unknown) &&
               !support.moves_as_rotation(prescribed))
@@ -168,7 +230,7 @@ namespace auxfem
           {
             const unsigned int        i       = prescribed.rotation;
             const SpaceVector         missing = prescribed.is_whole()
-                      ? rotation_vector(exponential(rotation_of(support, state.time)) *
+                      ? rotation_vector(exponential(rotation_of(support, evaluation)) *
                                 conjugate(state.rotations[i]))
                       : -rotations.spatial_turn(evaluation, i);
             const std::array<int, 3> &spins   = numbering.rotations()[i];
@@ -229,6 +291,33 @@ namespace auxfem
       }
 
     private:
+      /** Of impulses: times the mean of the velocities before and after. */
+      double impulse_work(const Support    &support,
+                          const Evaluation &strike) const
+      {
+        const DofNumbering &numbering = model.numbering;
+        const Vector       &before    = *strike.from.velocity,
+                     &after           = *strike.to.velocity;
+        double sum                    = 0;
+        for (const Support::PrescribedUnknown &prescribed : support.unknowns)
+          if (const int i = prescribed.unknown;
+              numbering.layout().is_owned(i) &&
+              !support.moves_as_rotation(prescribed))
+            sum += (*strike.impulses)[i] * (before[i] + after[i]) / 2;
+        for (const Support::PrescribedRotation &prescribed : support.rotations)
+          {
+            const unsigned int        i     = prescribed.rotation;
+            const std::array<int, 3> &spins = numbering.rotations()[i];
+            const SpaceVector         mean = (spatial_velocity(strike.from, i) +
+                                      spatial_velocity(strike.to, i)) /
+              2;
+            for (unsigned int c = 0; c < 3; ++c)
+              if (prescribed.fixed[c] && numbering.layout().is_owned(spins[c]))
+                sum += (*strike.impulses)[spins[c]] * mean[c];
+          }
+        return sum;
+      }
+
       /** Of the support's mean forces over the step, which are the residual. */
       double mean_work(const Support &support, const Evaluation &step) const
       {
@@ -244,6 +333,8 @@ namespace auxfem
       /** By the mean of the support's forces over the step. */
       double work(const Support &support, const Evaluation &step) const
       {
+        if (step.impulses)
+          return impulse_work(support, step);
         if (step.kind == Evaluation::Kind::between)
           return mean_work(support, step);
         const DofNumbering &numbering  = model.numbering;
@@ -270,11 +361,32 @@ namespace auxfem
         return sum;
       }
 
+      SpaceVector spatial_velocity(const State       &state,
+                                   const unsigned int i) const
+      {
+        return rotated(state.rotations[i],
+                       rotations.values(*state.velocity, i));
+      }
+
       const LatticeModel       &model;
       const NodeRotations       rotations;
       std::vector<unsigned int> entries; ///< by support
     };
   } // namespace
+
+  double support_work_error(const LatticeModel &model, const Evaluation &step)
+  {
+    Vector changes(step.to.displacement.size(), 0.);
+    find_velocity_jumps(model, step.from, step.to, changes.data());
+    double sum = 0;
+    for (const Support &support : model.supports)
+      for (const Support::PrescribedUnknown &prescribed : support.unknowns)
+        if (const int i = prescribed.unknown;
+            model.numbering.layout().is_owned(i))
+          sum += std::abs((step.to.residual[i] - step.from.residual[i]) *
+                          changes[i]);
+    return step.dt / 12 * model.numbering.layout().sum(sum);
+  }
 
   std::unique_ptr<Effect> make_support_work(const LatticeModel &model)
   {

@@ -311,15 +311,17 @@ namespace auxfem
       std::deque<Span>      spans;
     };
 
-    /** Tells which times of switching are kinks or jumps. */
+    /** Tells which times of switching are bends, kinks or jumps. */
     class Classification
     {
     public:
       Classification(const ExpressionTree         &expression,
                      const std::vector<Candidate> &candidates,
                      const double                  begin,
-                     const double                  end)
+                     const double                  end,
+                     const unsigned int            derivatives)
         : expression(expression)
+        , derivatives(derivatives)
         , times({begin})
       {
         for (const Candidate &candidate : candidates)
@@ -330,7 +332,8 @@ namespace auxfem
         double greatest = 0;
         for (const FunctionSize &size : sizes)
           greatest = std::max(greatest, size.value);
-        negligible_slope = 1e-10 * greatest / (end - begin);
+        negligible_slope     = 1e-10 * greatest / (end - begin);
+        negligible_curvature = negligible_slope / (end - begin);
 
         for (std::size_t i = 0; i < candidates.size(); ++i)
           if (const auto kind = classify(candidates[i], i + 1))
@@ -351,6 +354,8 @@ namespace auxfem
               size.value = std::max(size.value, std::abs(jet.value));
             if (std::isfinite(jet.first))
               size.slope = std::max(size.slope, std::abs(jet.first));
+            if (std::isfinite(jet.second))
+              size.curvature = std::max(size.curvature, std::abs(jet.second));
           }
         return size;
       }
@@ -361,7 +366,9 @@ namespace auxfem
         const FunctionSize &left = sizes[place - 1], &right = sizes[place];
         const FunctionSize  size = {std::max(left.value, right.value),
                                     std::max(left.slope, right.slope) +
-                                      negligible_slope / relative_tolerance};
+                                      negligible_slope / relative_tolerance,
+                                    std::max(left.curvature, right.curvature) +
+                                      negligible_curvature / relative_tolerance};
         if (candidate.touched)
           return classify_touch(place, size);
 
@@ -385,7 +392,10 @@ namespace auxfem
                         [](const ExpressionTree::Switch &operation) {
                           return operation.when_touched;
                         }))
-          return classify_touch(place, size);
+          if (const auto kind = classify_touch(place, size))
+            return kind;
+        if (derivatives > 1 && is_bend(before.second, after.second, size))
+          return TimeEvent::Kind::bend;
         return {};
       }
 
@@ -410,18 +420,25 @@ namespace auxfem
       }
 
       const ExpressionTree     &expression;
+      const unsigned int        derivatives;
       std::vector<double>       times; ///< candidates and both ends
       std::vector<FunctionSize> sizes; ///< between the times
-      double                    negligible_slope;
+      double                    negligible_slope, negligible_curvature;
     };
   } // namespace
 
   std::vector<TimeEvent> find_events(const ExpressionTree &expression,
                                      const double          begin,
-                                     const double          end)
+                                     const double          end,
+                                     const unsigned int    derivatives)
   {
     const SwitchSearch search(expression, begin, end);
-    return Classification(expression, search.candidates, begin, end).events;
+    return Classification(expression,
+                          search.candidates,
+                          begin,
+                          end,
+                          derivatives)
+      .events;
   }
 
   Jet<double>
@@ -454,5 +471,11 @@ namespace auxfem
   is_kink(const double before, const double after, const FunctionSize &size)
   {
     return !(std::abs(after - before) <= relative_tolerance * size.slope);
+  }
+
+  bool
+  is_bend(const double before, const double after, const FunctionSize &size)
+  {
+    return !(std::abs(after - before) <= relative_tolerance * size.curvature);
   }
 } // namespace auxfem

@@ -171,9 +171,18 @@ namespace auxfem
                                                         : result.value;
   }
 
-  std::vector<TimeEvent> ExpressionCourse::events(const double begin,
-                                                  const double end) const
+  Jet<double> ExpressionCourse::jet(const double t, const TimeSide side) const
   {
-    return find_events(tree(), begin, end);
+    Jet<double> result = auxfem::limit(tree(), t, side);
+    result.value       = limit(t, side);
+    return result;
+  }
+
+  std::vector<TimeEvent>
+  ExpressionCourse::events(const double       begin,
+                           const double       end,
+                           const unsigned int derivatives) const
+  {
+    return find_events(tree(), begin, end, derivatives);
   }
 } // namespace auxfem

@@ -60,7 +60,8 @@ namespace auxfem
 
   TableCourse::TableCourse(const std::string  &reference,
                            const std::string  &path,
-                           const SceneContext &context)
+                           const SceneContext &context,
+                           const TableKind     kind)
     : path(path)
   {
     read_reference(reference, context);
@@ -82,6 +83,24 @@ namespace auxfem
       throw InputError(path + ": the table " + file +
                        " has no row of numbers.\nNeeded are rows of a time "
                        "(s) and a value, e.g. 0.01, 250.");
+    if (kind == TableKind::smooth)
+      make_spline();
+  }
+
+  void TableCourse::make_spline()
+  {
+    const auto jump = std::adjacent_find(times.begin(), times.end());
+    if (jump != times.end())
+      {
+        std::ostringstream message;
+        message << path << ": the table " << file
+                << " has two rows at t = " << *jump
+                << " s, a jump, but a smooth curve is laid through the rows of "
+                   "a motion.\nLeave one of them out, or write linear table: "
+                   "FILE for lines between the rows.";
+        throw InputError(message.str());
+      }
+    spline.emplace(times, values);
   }
 
   void TableCourse::read_reference(const std::string  &reference,
@@ -160,22 +179,18 @@ namespace auxfem
            "just after it.");
   }
 
-  double TableCourse::between(const std::size_t next, const double t) const
+  Jet<double> TableCourse::between(const std::size_t next, const double t) const
   {
     if (next == 0)
-      return values.front();
+      return {values.front()};
     if (next == times.size())
-      return values.back();
-    const double fraction =
-      (t - times[next - 1]) / (times[next] - times[next - 1]);
-    return (1 - fraction) * values[next - 1] + fraction * values[next];
-  }
-
-  double TableCourse::slope(const std::size_t next) const
-  {
-    if (next == 0 || next == times.size())
-      return 0;
-    return (values[next] - values[next - 1]) / (times[next] - times[next - 1]);
+      return {values.back()};
+    if (spline)
+      return (*spline)(t);
+    const double width    = times[next] - times[next - 1],
+                 fraction = (t - times[next - 1]) / width;
+    return {(1 - fraction) * values[next - 1] + fraction * values[next],
+            (values[next] - values[next - 1]) / width};
   }
 
   double TableCourse::value(const double t) const
@@ -185,14 +200,21 @@ namespace auxfem
 
   double TableCourse::limit(const double t, const TimeSide side) const
   {
+    return jet(t, side).value;
+  }
+
+  Jet<double> TableCourse::jet(const double t, const TimeSide side) const
+  {
     const auto next = side == TimeSide::after
       ? std::upper_bound(times.begin(), times.end(), t)
       : std::lower_bound(times.begin(), times.end(), t);
     return between(next - times.begin(), t);
   }
 
-  std::vector<TimeEvent> TableCourse::events(const double begin,
-                                             const double end) const
+  std::vector<TimeEvent>
+  TableCourse::events(const double       begin,
+                      const double       end,
+                      const unsigned int derivatives) const
   {
     std::vector<TimeEvent> result;
     for (std::size_t first = 0, after; first < times.size(); first = after)
@@ -203,14 +225,19 @@ namespace auxfem
                                                                   : first + 1;
         if (t - begin < time_resolution(t) || end - t < time_resolution(t))
           continue;
-        const double       left = slope(first), right = slope(after);
-        const FunctionSize size = {std::max(std::abs(values[first]),
-                                            std::abs(values[after - 1])),
-                                   std::max(std::abs(left), std::abs(right))};
-        if (is_jump(values[first], values[after - 1], size, 0))
+        const Jet<double> left = between(first, t), right = between(after, t);
+        const auto        larger = [](const double a, const double b) {
+          return std::max(std::abs(a), std::abs(b));
+        };
+        const FunctionSize size = {larger(left.value, right.value),
+                                   larger(left.first, right.first),
+                                   larger(left.second, right.second)};
+        if (is_jump(left.value, right.value, size, 0))
           result.push_back({t, TimeEvent::Kind::jump});
-        else if (is_kink(left, right, size))
+        else if (is_kink(left.first, right.first, size))
           result.push_back({t, TimeEvent::Kind::kink});
+        else if (derivatives > 1 && is_bend(left.second, right.second, size))
+          result.push_back({t, TimeEvent::Kind::bend});
       }
     return result;
   }

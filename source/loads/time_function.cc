@@ -15,12 +15,23 @@ namespace auxfem
   {
     using dealii::Utilities::trim;
 
-    const std::string table_prefix = "table:";
+    const std::string table_word        = "table:",
+                      linear_table_word = "linear table:";
   } // namespace
+
+  std::optional<TableText> table_text(const std::string &text)
+  {
+    const std::string trimmed = trim(text);
+    for (const std::string &word : {table_word, linear_table_word})
+      if (trimmed.compare(0, word.size(), word) == 0)
+        return TableText{word, trim(trimmed.substr(word.size()))};
+    return {};
+  }
 
   TimeFunction::TimeFunction(const std::string  &text,
                              const std::string  &parameter,
-                             const SceneContext &context)
+                             const SceneContext &context,
+                             const TableKind     tables)
   {
     const std::string trimmed = trim(text);
     if (trimmed.empty())
@@ -29,11 +40,13 @@ namespace auxfem
     const std::string path =
       (context.path.empty() ? "" : context.path + "/") + parameter;
     std::shared_ptr<TimeCourse> function;
-    if (trimmed.compare(0, table_prefix.size(), table_prefix) == 0)
-      function =
-        std::make_shared<TableCourse>(trimmed.substr(table_prefix.size()),
-                                      path,
-                                      context);
+    if (const auto table = table_text(trimmed))
+      function = std::make_shared<TableCourse>(table->file,
+                                               path,
+                                               context,
+                                               table->word == linear_table_word
+                                                 ? TableKind::linear
+                                                 : tables);
     else
       {
         const auto expression =
@@ -61,67 +74,45 @@ namespace auxfem
     return course ? checked(course->limit(t, TimeSide::after), t) : 0;
   }
 
-  std::vector<TimeEvent> TimeFunction::events(const double begin,
-                                              const double end) const
+  std::vector<TimeEvent>
+  TimeFunction::events(const double       begin,
+                       const double       end,
+                       const unsigned int derivatives) const
   {
     Assert(std::isfinite(begin) && std::isfinite(end),
            dealii::ExcMessage("Events are sought between finite times."));
-    return course && begin < end ? course->events(begin, end)
+    return course && begin < end ? course->events(begin, end, derivatives)
                                  : std::vector<TimeEvent>();
   }
 
-  double TimeFunction::checked(const double result, const double t) const
+  double TimeFunction::checked(const double       result,
+                               const double       t,
+                               const std::string &what) const
   {
     if (!std::isfinite(result))
       {
         std::ostringstream message;
         message.precision(17);
-        message << course->origin << " is not a finite number at t = " << t
-                << " s (" << result
+        message << course->origin << (what.empty() ? "" : ": " + what)
+                << " is not a finite number at t = " << t << " s (" << result
                 << ").\nLook for a division by zero, or a root or logarithm "
-                   "of a negative number, at that time.";
+                   "of "
+                << (what.empty() ? "a negative number" : "zero")
+                << ", at that time.";
         throw ComputationError(message.str());
       }
     return result;
   }
 
-  std::array<double, 3> TimeFunction::jet(const double t,
-                                          const double scale) const
+  std::array<double, 3> TimeFunction::jet(const double   t,
+                                          const TimeSide side) const
   {
-    Assert(scale > 0 && std::isfinite(scale),
-           dealii::ExcMessage("Differences need a time scale > 0."));
-    const double f0 = value(t);
     if (!course)
-      return {{f0, 0, 0}};
-
-    // Steps are powers of two: t + k h is then free of rounding, which the
-    // division by h^2 would blow up. Differences to f0 make the derivatives of
-    // a constant exactly zero.
-    const auto step = [scale](const double n) {
-      return std::ldexp(1., std::ilogb(scale / n));
-    };
-    const auto difference = [this, t, f0](const double dt) {
-      return value(t + dt) - f0;
-    };
-
-    double h = step(2);
-    if (t < 0 || t >= 2 * h)
-      {
-        const double m2 = difference(-2 * h), m1 = difference(-h);
-        const double p1 = difference(h), p2 = difference(2 * h);
-        return {{f0,
-                 (8 * (p1 - m1) - (p2 - m2)) / (12 * h),
-                 (16 * (p1 + m1) - (p2 + m2)) / (12 * h * h)}};
-      }
-
-    h = step(5);
-    std::array<double, 6> d;
-    for (unsigned int k = 0; k < d.size(); ++k)
-      d[k] = difference(k * h);
-    return {{f0,
-             (48 * d[1] - 36 * d[2] + 16 * d[3] - 3 * d[4]) / (12 * h),
-             (-154 * d[1] + 214 * d[2] - 156 * d[3] + 61 * d[4] - 10 * d[5]) /
-               (12 * h * h)}};
+      return {{0, 0, 0}};
+    const Jet<double> jet = course->jet(t, side);
+    return {{checked(jet.value, t),
+             checked(jet.first, t, "the first derivative"),
+             checked(jet.second, t, "the second derivative")}};
   }
 
   bool TimeFunction::is_zero() const

@@ -96,6 +96,16 @@ namespace auxfem
     }
   } // namespace
 
+  bool Support::moves(const PrescribedRotation &prescribed) const
+  {
+    return prescribed.is_whole() &&
+      std::any_of(motion.begin() + first_rotation,
+                  motion.end(),
+                  [](const TimeFunction &component) {
+                    return !component.is_zero();
+                  });
+  }
+
   bool Support::is_at_rest() const
   {
     return std::all_of(motion.begin(),

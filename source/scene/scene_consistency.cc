@@ -1,7 +1,9 @@
 #include <auxfem/elements/strut_order.h>
+#include <auxfem/parameters/errors.h>
 #include <auxfem/scene/scene_sections.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <sstream>
 
@@ -82,6 +84,68 @@ namespace auxfem
                              scene.initial_velocities.front().path,
                              ": an initial velocity contradicts Time/Scheme = "
                              "static. Remove it or choose a dynamic scheme"));
+    }
+
+    /** With inertia no support can jump. */
+    void check_motion(const Scene        &scene,
+                      const std::string  &path,
+                      const TimeFunction &motion,
+                      Mistakes           &mistakes)
+    {
+      constexpr double round_off = 1e-12; // m or rad
+      const double     start     = motion.value_after(0);
+      const double     before = scene.time.static_start ? motion.value(0) : 0.;
+      if (std::abs(start - before) > round_off)
+        mistakes.add(
+          message(scene,
+                  path,
+                  " is ",
+                  start,
+                  " just after t = 0, but ",
+                  before,
+                  " before: with inertia a support cannot jump. Let the motion "
+                  "start from there, let the lattice start from equilibrium "
+                  "with it (Time/Start from = static equilibrium), or use "
+                  "Time/Scheme = static"));
+      for (const TimeEvent &event : motion.events(0, scene.time.end_time))
+        if (event.kind == TimeEvent::Kind::jump)
+          {
+            mistakes.add(
+              message(scene,
+                      path,
+                      " jumps at t = ",
+                      event.time,
+                      " s from ",
+                      motion.value_before(event.time),
+                      " to ",
+                      motion.value_after(event.time),
+                      ": with inertia a support cannot jump. Give it a "
+                      "continuous course, e.g. a ramp, or use Time/Scheme = "
+                      "static"));
+            return;
+          }
+    }
+
+    void check_motions(const Scene &scene, Mistakes &mistakes)
+    {
+      if (!scene.time.scheme->is_dynamic())
+        return;
+      for (const SupportDefinition &support : scene.supports)
+        for (unsigned int c = 0; c < n_motion_components; ++c)
+          try
+            {
+              check_motion(scene,
+                           support.path +
+                             (c < first_rotation ? "/Displacement "
+                                                 : "/Rotation ") +
+                             "xyz"[c % first_rotation],
+                           support.motion[c],
+                           mistakes);
+            }
+          catch (const ComputationError &not_finite)
+            {
+              mistakes.add(not_finite.what());
+            }
     }
 
     void check_density(const Scene &scene, Mistakes &mistakes)
@@ -205,6 +269,7 @@ namespace auxfem
     check_smallest_step(scene, mistakes);
     check_order(scene, mistakes);
     check_inertia(scene, mistakes);
+    check_motions(scene, mistakes);
     check_density(scene, mistakes);
     check_column_names(scene, mistakes);
   }

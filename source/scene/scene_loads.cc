@@ -226,18 +226,14 @@ namespace auxfem
 
   TimeFunction read_time_function(ParameterHandler     &prm,
                                   const TimeExpression &entry,
-                                  const SceneContext   &context)
+                                  const SceneContext   &context,
+                                  const TableKind       tables)
   {
-    using dealii::Utilities::trim;
-
-    const std::string text   = get(prm, entry);
-    const std::string prefix = "table:";
-    if (trim(text).compare(0, prefix.size(), prefix) == 0)
-      {
-        const std::string file = trim(trim(text).substr(prefix.size()));
-        prm.set(entry.name, prefix + " " + absolute_file(file, context));
-      }
-    return TimeFunction(text, entry.name, context);
+    const std::string text = get(prm, entry);
+    if (const auto table = table_text(text))
+      prm.set(entry.name,
+              table->word + " " + absolute_file(table->file, context));
+    return TimeFunction(text, entry.name, context, tables);
   }
 
 

@@ -62,8 +62,9 @@ namespace auxfem
             require_space(prm, motion[c], context);
           if (!is_word(prm, motion[c]))
             {
-              support.fixed[c]  = true;
-              support.motion[c] = read_time_function(prm, motion[c], context);
+              support.fixed[c] = true;
+              support.motion[c] =
+                read_time_function(prm, motion[c], context, TableKind::smooth);
             }
         }
       if (support.fixed == std::array<bool, n_motion_components>())
@@ -123,7 +124,10 @@ namespace auxfem
               {}},
              {"prescribed",
               "Each component free or with a given course in time; in space "
-              "rotations that are not zero only all three together.",
+              "rotations that are not zero only all three together. Through "
+              "the rows of a table goes a smooth curve (a cubic spline); "
+              "`linear table: FILE` has lines between them, and every row "
+              "strikes.",
               [](ParameterHandler &prm) {
                 for (const TimeExpression &entry : motion)
                   declare(prm, entry);

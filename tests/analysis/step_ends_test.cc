@@ -25,7 +25,9 @@ namespace
                             force + "\n  end\nend\n");
   }
 
-  std::vector<TimeEvent> ends_of(const std::string &force)
+  using Jump = StepEnd::Jump;
+
+  std::vector<StepEnd> ends_of(const std::string &force)
   {
     return step_ends(read_scene_from_text(
       pushed_mass(force, "  set End time = 1\n  set Time step = 0.1\n"),
@@ -49,23 +51,47 @@ namespace
 
 TEST(StepEnds, AreKinksAndJumpsOfLoadsInsideTheRun)
 {
-  const std::vector<TimeEvent> ends =
+  const std::vector<StepEnd> ends =
     ends_of("min(t / 0.25, 1) + if(t < 0.6, 0, 2) + max(0, t - 3)");
   ASSERT_EQ(ends.size(), 2u);
   EXPECT_NEAR(ends[0].time, 0.25, 1e-12);
-  EXPECT_EQ(ends[0].kind, TimeEvent::Kind::kink);
+  EXPECT_EQ(ends[0].jump, Jump::none);
   EXPECT_NEAR(ends[1].time, 0.6, 1e-12);
-  EXPECT_EQ(ends[1].kind, TimeEvent::Kind::jump);
+  EXPECT_EQ(ends[1].jump, Jump::accelerations);
   EXPECT_TRUE(ends_of("sin(3 * t)").empty());
 }
 
 TEST(StepEnds, KinksWithinAStepOfEachOtherAreSampledJumpsAreNot)
 {
   // Kinks every 0.05 s, half a step; a jump between two of them.
-  const std::vector<TimeEvent> ends =
+  const std::vector<StepEnd> ends =
     ends_of("abs(sin(pi * t / 0.05)) + if(t < 0.52, 0, 1)");
   ASSERT_EQ(ends.size(), 1u);
   EXPECT_NEAR(ends[0].time, 0.52, 1e-12);
+}
+
+TEST(StepEnds, OfMotionsAreBendsTooAndNoneIsLeftOut)
+{
+  const auto ends_of_motion = [](const std::string &scheme) {
+    return step_ends(read_scene_from_text(
+      one_mass_scene(spring,
+                     "  set Scheme = " + scheme +
+                       "\n  set End time = 1\n  set Time step = 0.1\n",
+                     mass_and_velocity(1, 0) +
+                       "subsection Supports\n  subsection shaker\n"
+                       "    set Joints = 0\n    set Type = prescribed\n"
+                       "    set Displacement x = max(0, t - 0.23)^2 + "
+                       "max(0, t - 0.52) + max(0, t - 0.53)\n  end\nend\n"),
+      "test.prm"));
+  };
+  const std::vector<StepEnd> ends = ends_of_motion("newmark");
+  ASSERT_EQ(ends.size(), 3u);
+  EXPECT_NEAR(ends[0].time, 0.23, 1e-12);
+  EXPECT_EQ(ends[0].jump, Jump::accelerations);
+  EXPECT_NEAR(ends[1].time, 0.52, 1e-12);
+  EXPECT_EQ(ends[1].jump, Jump::velocities);
+  EXPECT_NEAR(ends[2].time, 0.53, 1e-12);
+  EXPECT_EQ(ends[2].jump, Jump::velocities);
 }
 
 TEST(StepEnds, AStepIsDividedThereAndOnlyThere)

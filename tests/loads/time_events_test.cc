@@ -280,3 +280,21 @@ TEST(TimeLimits, InfiniteOnesEndTheRun)
   EXPECT_THROW(parse("if(t>0, 1/t, 0)").value_after(0), ComputationError);
   EXPECT_EQ(parse("if(t>0, 1/t, 0)").value_before(0), 0);
 }
+
+TEST(TimeEvents, BendsIfTheyAreAskedFor)
+{
+  for (const std::string text : {"if(t < 0.2, 5*t^2, 0.2 + 2*(t - 0.2))",
+                                 "1 - cos(100*max(0, t - 0.2))"})
+    {
+      SCOPED_TRACE(text);
+      expect_none(text);
+      const std::vector<TimeEvent> events = parse(text).events(0, 1, 2);
+      ASSERT_EQ(events.size(), 1u);
+      EXPECT_NEAR(events[0].time, 0.2, 1e-12);
+      EXPECT_EQ(events[0].kind, TimeEvent::Kind::bend);
+    }
+  // Kinks remain what they are; a third derivative may jump.
+  EXPECT_EQ(parse("max(0, t - 0.2)").events(0, 1, 2).at(0).kind, kink);
+  EXPECT_TRUE(parse("max(0, t - 0.2)^3").events(0, 1, 2).empty());
+  EXPECT_TRUE(parse("sin(7*t)").events(0, 1, 2).empty());
+}

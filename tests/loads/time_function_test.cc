@@ -8,6 +8,7 @@
 #include <fstream>
 #include <vector>
 
+#include <support/messages.h>
 #include <unistd.h>
 
 using namespace auxfem;
@@ -180,56 +181,59 @@ TEST(TimeExpression, NotFiniteEndsTheRun)
   EXPECT_THROW(parse("sqrt(t)").value(-1), ComputationError);
 }
 
-// Fourth-order differences differentiate t^4 exactly; what is left is round-off
-// of f, 1e-16 |f| over the square of a sixteenth of the scale.
-TEST(TimeJet, PolynomialsAreExact)
+TEST(TimeJet, DerivativesAreExact)
 {
-  const TimeFunction function = parse("1 + 2*t - 3*t^2 + 4*t^3 - 5*t^4");
-  for (const double t : {-0.7, 0., 0.02, 0.1, 1.3})
+  const TimeFunction polynomial = parse("1 + 2*t - 3*t^2 + 4*t^3 - 5*t^4"),
+                     wave       = parse("F0*sin(3*t)");
+  for (const double t : {-0.7, 0., 0.02, 1.3})
     {
-      const std::array<double, 3> jet = function.jet(t, 0.1);
-      EXPECT_DOUBLE_EQ(jet[0], function.value(t));
-      EXPECT_NEAR(jet[1], 2 - 6 * t + 12 * t * t - 20 * t * t * t, 1e-12);
-      EXPECT_NEAR(jet[2], -6 + 24 * t - 60 * t * t, 1e-10);
+      std::array<double, 3> jet = polynomial.jet(t);
+      EXPECT_DOUBLE_EQ(jet[0], polynomial.value(t));
+      EXPECT_NEAR(jet[1], 2 - 6 * t + 12 * t * t - 20 * t * t * t, 1e-13);
+      EXPECT_NEAR(jet[2], -6 + 24 * t - 60 * t * t, 1e-13);
+      jet = wave.jet(t);
+      EXPECT_DOUBLE_EQ(jet[1], 7.5 * std::cos(3 * t));
+      EXPECT_DOUBLE_EQ(jet[2], -22.5 * std::sin(3 * t));
     }
 }
 
-// Halving the scale four times over: 16^-1 each, measured over two halvings,
-// which the rounding of the step to a power of two does not disturb.
-TEST(TimeJet, FourthOrder)
+TEST(TimeJet, OneSidedWhereAnOperationSwitches)
 {
-  const TimeFunction function = parse("sin(3*t)");
-  for (const double t : {0., 0.9})
-    {
-      const std::array<double, 3> coarse       = function.jet(t, 0.2);
-      const std::array<double, 3> fine         = function.jet(t, 0.05);
-      const double                rate         = 3 * std::cos(3 * t);
-      const double                acceleration = -9 * std::sin(3 * t);
-      EXPECT_NEAR(std::log((coarse[1] - rate) / (fine[1] - rate)) / std::log(4),
-                  4,
-                  0.3);
-      EXPECT_LT(std::abs(fine[2] - acceleration),
-                std::abs(coarse[2] - acceleration) / std::pow(4, 3.7));
-    }
+  const TimeFunction function = parse("if(t < 0.2, 5*t^2, 0.2 + 2*(t - 0.2))");
+  EXPECT_NEAR(function.jet(0.2, TimeSide::before)[1], 2, 1e-14);
+  EXPECT_NEAR(function.jet(0.2, TimeSide::before)[2], 10, 1e-13);
+  EXPECT_EQ(function.jet(0.2)[1], 2);
+  EXPECT_EQ(function.jet(0.2)[2], 0);
+  const TimeFunction late = parse("t^2*max(0, t - 0.1)");
+  EXPECT_EQ(late.jet(0.1, TimeSide::before)[1], 0);
+  EXPECT_NEAR(late.jet(0.1)[1], 0.01, 1e-12);
+  // At the start the side of what is to come.
+  EXPECT_EQ(parse("if(t <= 0, 0, 4*t + 3*t^2)").jet(0)[1], 4);
 }
 
 TEST(TimeJet, ConstantsHaveNoRateAtAll)
 {
-  const std::array<double, 3> jet = parse("F0/3").jet(17.3, 1e-5);
+  const std::array<double, 3> jet = parse("F0/3").jet(17.3);
   EXPECT_DOUBLE_EQ(jet[0], 2.5 / 3);
   EXPECT_EQ(jet[1], 0);
   EXPECT_EQ(jet[2], 0);
-  EXPECT_EQ(TimeFunction().jet(1, 0.1), (std::array<double, 3>{{0, 0, 0}}));
+  EXPECT_EQ(TimeFunction().jet(1), (std::array<double, 3>{{0, 0, 0}}));
 }
 
-TEST(TimeJet, StartLooksForwardOnly)
+TEST(TimeJet, DerivativesThatAreNotFiniteEndTheRun)
 {
-  // Neither a root of negative numbers nor the rest before the start.
-  EXPECT_NEAR(parse("t^2.5").jet(0, 1e-3)[2], 0, 0.1);
-  const std::array<double, 3> jet =
-    parse("if(t < 0, 0, 4*t + 3*t^2)").jet(0, 1e-3);
-  EXPECT_NEAR(jet[1], 4, 1e-10);
-  EXPECT_NEAR(jet[2], 6, 1e-7);
+  const TimeFunction function = parse("t^1.5");
+  EXPECT_DOUBLE_EQ(function.jet(4)[2], 0.375);
+  try
+    {
+      function.jet(0);
+      FAIL();
+    }
+  catch (const ComputationError &error)
+    {
+      expect_mentions(error.what(),
+                      {"Loads/top/Force y", "second derivative", "t = 0 s"});
+    }
 }
 
 TEST_F(TableFolder, LinearBetweenRowsConstantOutside)
@@ -304,18 +308,52 @@ TEST_F(TableFolder, AbsoluteNames)
   EXPECT_DOUBLE_EQ(function.value(0.5), 2);
 }
 
-TEST_F(TableFolder, DifferencesOfTheSegments)
+TEST_F(TableFolder, RatesAreThoseOfTheSegments)
 {
-  // Away from the rows by more than the scale: slope and no acceleration; the
-  // latter up to round-off, 1e-16 over the square of the scale.
   const TimeFunction function = table("0,1\n1,3\n2,3.5\n");
   for (const double t : {0., 0.4})
-    {
-      const std::array<double, 3> jet = function.jet(t, 0.1);
-      EXPECT_NEAR(jet[1], 2, 1e-12);
-      EXPECT_NEAR(jet[2], 0, 1e-9);
-    }
-  EXPECT_NEAR(function.jet(1.5, 0.1)[1], 0.5, 1e-12);
+    EXPECT_EQ(function.jet(t)[1], 2);
+  EXPECT_EQ(function.jet(0, TimeSide::before)[1], 0);
+  EXPECT_EQ(function.jet(1, TimeSide::before)[1], 2);
+  EXPECT_EQ(function.jet(1)[1], 0.5);
+  EXPECT_EQ(function.jet(2)[1], 0);
+  EXPECT_EQ(function.jet(1.5)[2], 0);
+}
+
+TEST_F(TableFolder, ASmoothTableIsACubicSplineUnlessItIsLinearByName)
+{
+  write("0,0\n1,1\n2,8\n3,27\n5,125\n");
+  const TimeFunction smooth("table: force.csv",
+                            "Force y",
+                            scene,
+                            TableKind::smooth);
+  EXPECT_NEAR(smooth.value(2.5), 15.625, 1e-13);
+  EXPECT_NEAR(smooth.jet(2)[1], 12, 1e-13);
+  EXPECT_NEAR(smooth.jet(2)[2], 12, 1e-12);
+  EXPECT_EQ(smooth.value(7), 125);
+  EXPECT_EQ(smooth.value(-1), 0);
+
+  // It stands still outside: the slope is 0 and 75 at its ends.
+  const std::vector<TimeEvent> events = smooth.events(-1, 6, 2);
+  ASSERT_EQ(events.size(), 1u);
+  EXPECT_EQ(events[0].time, 5);
+  EXPECT_EQ(events[0].kind, TimeEvent::Kind::kink);
+
+  const TimeFunction linear("linear table: force.csv",
+                            "Force y",
+                            scene,
+                            TableKind::smooth);
+  EXPECT_DOUBLE_EQ(linear.value(2.5), 17.5);
+}
+
+TEST_F(TableFolder, ASmoothTableDoesNotJump)
+{
+  write("0,0\n1,1\n1,8\n3,27\n");
+  const std::string message = input_error_of([&] {
+    TimeFunction("table: force.csv", "Force y", scene, TableKind::smooth);
+  });
+  expect_mentions(message,
+                  {"Loads/top/Force y", "t = 1 s", "linear table: FILE"});
 }
 
 TEST_F(TableFolder, TwoRowsAtOneTimeAreAJump)

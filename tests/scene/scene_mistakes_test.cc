@@ -50,6 +50,35 @@ namespace
 
 
 
+  TEST(SceneMistakes, SupportsThatJumpWithInertia)
+  {
+    const auto support = [](const std::string &displacement) {
+      return group("Supports",
+                   "set Joints = top\nset Type = prescribed\n"
+                   "set Displacement x = " +
+                     displacement);
+    };
+    const std::string statics = subsection("Time", "set Scheme = static"),
+                      from_equilibrium =
+                        subsection("Time",
+                                   "set Start from = static equilibrium");
+    expect_message(support("0.01"),
+                   {"Supports/name/Displacement x is 0.01",
+                    "t = 0",
+                    "Start from = static equilibrium"});
+    expect_message(support("if(t < 0.5, t, t + 0.25)"),
+                   {"Supports/name/Displacement x jumps at t = 0.5 s",
+                    "from 0.5 to 0.75",
+                    "Scheme = static"});
+    expect_message(support("1/t"), {"Supports/name/Displacement x", "1/t"});
+    EXPECT_EQ(message_for(support("0.01") + from_equilibrium), "");
+    EXPECT_EQ(message_for(support("0.01 * cos(pi / 2)")), "");
+    for (const std::string text : {"0.01", "if(t < 0.5, t, t + 0.25)"})
+      EXPECT_EQ(message_for(support(text) + statics), "");
+  }
+
+
+
   TEST(SceneMistakes, RigidParts)
   {
     EXPECT_EQ(message_for(group("Rigid parts", "set Struts = all")), "");

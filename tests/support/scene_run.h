@@ -31,7 +31,7 @@ namespace auxfem
         , results(computation.solution.results)
       {
         computation.start();
-        initial_total = state.energies.total();
+        initial_balance = state.energies.balance(0);
       }
 
       /** Advances to the end; calls @p after_step after each step. */
@@ -136,7 +136,7 @@ namespace auxfem
       /** Error of the energy balance now (J). */
       double balance() const
       {
-        return state.energies.balance(initial_total);
+        return state.energies.balance(initial_balance);
       }
 
       const Scene         scene;
@@ -146,7 +146,7 @@ namespace auxfem
       const Equations    &equations;
       State              &state;
       EvaluationResults  &results;
-      double              initial_total = 0;
+      double              initial_balance = 0;
     };
   } // namespace testing_support
 } // namespace auxfem

@@ -89,7 +89,7 @@ end
     run.run([&] {
       const Momenta now = meter();
       drift.energy =
-        std::max(drift.energy, std::abs(run.balance()) / run.initial_total);
+        std::max(drift.energy, std::abs(run.balance()) / run.initial_balance);
       drift.momentum =
         std::max(drift.momentum,
                  std::hypot(now.x - start.x, now.y - start.y) / size);

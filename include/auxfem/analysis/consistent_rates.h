@@ -17,6 +17,8 @@ namespace auxfem
    * and velocities that the conditions allow, G v = 0, nearest
    * to those given in the kinetic energy: M dv + G^T mu = 0, G dv = -G v, the
    * impulses of the conditions (Bayo & Ledesma, Nonlinear Dynamics 9, 1996).
+   * Where the prescribed velocity of a support jumps, these are the equations
+   * of the strike: dv is given there, and the row is the support's impulse.
    */
   class ConsistentRates
   {
@@ -28,42 +30,59 @@ namespace auxfem
     explicit ConsistentRates(TangentSolver &solver);
 
     /**
-     * Completes the state at t = 0 of a dynamic scene. Where a free unknown has
-     * no mass, M + @p dt / 2 C + @p dt^2 / 4 K stands in for M. Velocities of
-     * rigid parts are freed of what these cannot have.
+     * Completes the state at t = 0 of a dynamic scene, which has the velocities
+     * given to it. Supports that move with others strike. Where a free unknown
+     * has no mass, M + @p dt / 2 C + @p dt^2 / 4 K stands in for M. Velocities
+     * of rigid parts are freed of what these cannot have. Returns the state
+     * just before supports struck.
      *
      * Throws InputError for an unknown without mass, damping and stiffness, and
-     * for velocities that are no round-off away from those of rigid parts.
+     * for given velocities that are no round-off away from those of rigid
+     * parts.
      */
-    void start(State &state, double dt);
+    State start(State &state, double dt);
 
     /**
-     * Puts velocities and accelerations of @p state, solved at the end of a
-     * step, right: undamped schemes carry on what is wrong in them with
-     * alternating sign, and in turning parts it grows. Does nothing if a free
-     * unknown has no mass. The residual and the internal variables are then
-     * those of the instant: the step must be evaluated again.
+     * Puts velocities and accelerations of step.to, solved at the end of @p step,
+     * right: undamped schemes carry on what is wrong in them with alternating
+     * sign, and in turning parts it grows. Does nothing if a free unknown has
+     * no mass. The residual and the internal variables are then those of the
+     * instant: the step must be evaluated again.
      */
-    void restore(State &state);
+    void restore(const Evaluation &step);
 
     /**
-     * The same for a state at which loads jump: its rates become those that the
-     * loads just after it ask for.
+     * Gives @p state the rates just after the time @p event (s), near that of
+     * the state, at which loads or motions of supports jump, or their
+     * derivatives. A free unknown without mass is treated as at the start.
+     * Returns the state just before.
      */
-    void renew(State &state);
+    State renew(State &state, double event, double dt);
+
+    /**
+     * Impulses of supports (N s, N m s) in the last start() or renew(), in
+     * their rows; nullptr if nothing was struck.
+     */
+    const Vector *impulses() const;
 
   private:
-    /** As restore(); false if a free unknown has no mass. */
-    bool restore(const Evaluation &evaluation);
     /** M at evaluation.to; false if it is singular. */
     bool prepare_mass(const Evaluation &evaluation);
     /** M + dt / 2 C + dt^2 / 4 K, factorized. */
     void prepare_stand_in(const Evaluation &evaluation, double dt);
     /** Largest |dg/dt| (m/s) over all ranks; the rates themselves into @p rates. */
     double find_rates(const State &state, std::vector<double> &rates) const;
-    void   refuse_strain(const State &state, double rate, double dt) const;
-    void   project_velocities(State &state, const std::vector<double> &rates);
-    void   find_accelerations(const Evaluation &evaluation);
+    void   refuse_strain(const State &state, double rate) const;
+    /**
+     * Velocities of instant.to after the impulses of conditions, and of
+     * supports whose velocity is not that of instant.from.
+     */
+    void strike(const Evaluation &instant, double dt);
+    /** Those that change velocities by `increment` and its multipliers. */
+    void find_impulses(const Evaluation &instant, double dt);
+    void find_accelerations(const Evaluation &evaluation);
+    /** Makes `increment` zero for prescribed unknowns. */
+    void hold_prescribed();
     /** Solves for `increment`; throws ComputationError if that fails. */
     void solve();
     bool has_empty_row();
@@ -73,6 +92,8 @@ namespace auxfem
     const LatticeModel &model;
     EvaluationResults   results;
     Vector              increment;
+    /** Empty if nothing was struck. */
+    Vector impulses_of_supports;
     /** How the matrix that stands for M is solved with. */
     enum class Method
     {

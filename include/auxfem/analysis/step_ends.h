@@ -1,23 +1,38 @@
 #ifndef auxfem_analysis_step_ends_h
 #define auxfem_analysis_step_ends_h
 
-#include <auxfem/loads/time_event.h>
 #include <auxfem/scene/scene.h>
 
 #include <vector>
 
 namespace auxfem
 {
+  /** A time at which a step has to end. */
+  struct StepEnd
+  {
+    /** What of the lattice's motion jumps there; each includes those before. */
+    enum class Jump
+    {
+      none,
+      accelerations,
+      velocities
+    };
+
+    double time; ///< s
+    Jump   jump;
+  };
+
   /**
    * The times within a run, rising, at which loads and motions of supports have
    * kinks or jump, so that a step has to end there: the time schemes take
-   * forces and motions for smooth over a step.
+   * forces and motions for smooth over a step. With inertia also those at which
+   * accelerations of supports jump.
    *
-   * Kinks of a function that follow each other within a time step are left out:
-   * such a function, a measured one, say, is sampled by the steps. Jumps never
-   * are.
+   * Kinks of a load, without inertia of a motion too, that follow each other
+   * within a time step are left out: such a function, a measured one, say, is
+   * sampled by the steps. Jumps never are, nor what strikes.
    */
-  std::vector<TimeEvent> step_ends(const Scene &scene);
+  std::vector<StepEnd> step_ends(const Scene &scene);
 } // namespace auxfem
 
 #endif

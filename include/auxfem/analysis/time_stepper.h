@@ -57,10 +57,25 @@ namespace auxfem
     void find_static_equilibrium(State &state);
     /** Where the next step must end at the latest (s). */
     double next_target(double time, double end_of_scene_step) const;
-    /** Whether a load or a support jumps at @p time (s). */
-    bool is_jump(double time) const;
-    /** Rates just after a load has jumped. */
+    using StepEnds = std::vector<StepEnd>;
+    /** Those at @p time (s), which is one time for a step. */
+    std::pair<StepEnds::const_iterator, StepEnds::const_iterator>
+    ends_at(double time) const;
+    /** Where a step that begins at @p time (s) takes the functions of time. */
+    std::optional<double> event_at_begin(double time) const;
+    /** Where one that ends there does. */
+    std::optional<TimeLimit> event_at_end(double time) const;
+    /** Rates just after loads, or motions of supports, have jumped. */
     void renew_rates(Solution &solution);
+    /**
+     * Results and energies of an instant at which rates have been found; where
+     * supports have struck, with the work of their impulses.
+     * @param before the state just before
+     */
+    void account_for_rates(Solution              &solution,
+                           const State           &before,
+                           const ConsistentRates *rates,
+                           double                 event);
     /** One accepted step, to @p target (s) at the latest. */
     void take_step(Solution &solution, double target, StepReport &report);
     bool try_step(Solution          &solution,
@@ -113,7 +128,7 @@ namespace auxfem
     const NodeRotations          rotations;
     std::unique_ptr<Solvers>     solvers;
     std::unique_ptr<StepControl> control;
-    const std::vector<TimeEvent> events;
+    const StepEnds               ends;
     std::string                  last_failure;
   };
 } // namespace auxfem

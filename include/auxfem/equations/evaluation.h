@@ -1,6 +1,7 @@
 #ifndef auxfem_equations_evaluation_h
 #define auxfem_equations_evaluation_h
 
+#include <auxfem/loads/time_event.h>
 #include <auxfem/time/state.h>
 
 #include <memory>
@@ -48,10 +49,17 @@ namespace auxfem
     /** Length of the step (s); 0 if the kind is no step. */
     double dt = 0;
     /**
-     * Whether loads jump at the times of `from` and `to`: a step begins with
-     * what they are just after, and ends with what they were just before.
+     * Where functions of time may jump, or their derivatives, at the times of
+     * `from` and `to`: when that is exactly, and of `to` the side from which
+     * they are taken. A step begins with what they are just after (s).
      */
-    bool jumps_at_from = false, jumps_at_to = false;
+    std::optional<double>    event_at_from = {};
+    std::optional<TimeLimit> event_at_to   = {};
+    /**
+     * Of an instant at which supports strike: their impulses (N s, N m s), by
+     * which the velocities of `from` became those of `to`.
+     */
+    const Vector *impulses = nullptr;
 
     /** A step with inertia of the length @p dt (s). */
     static Evaluation step(const State &from, State &to, const double dt)

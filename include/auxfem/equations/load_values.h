@@ -6,25 +6,26 @@
 
 namespace auxfem
 {
-  /** Value with which a step begins: where the load jumps that just after. */
+  /** Value with which a step begins: where there is an event that just after.
+   */
   inline double value_at_start(const TimeFunction &load, const Evaluation &step)
   {
-    return step.jumps_at_from ? load.value_after(step.from.time)
+    return step.event_at_from ? load.value_after(*step.event_at_from)
                               : load.value(step.from.time);
   }
 
   /**
-   * Value with which a step ends: where the load jumps that just before. At an
-   * instant it is that just after, for what begins then.
+   * Value at evaluation.to, where there is an event on the side that the
+   * evaluation asks for.
    */
   inline double value_at_end(const TimeFunction &load,
                              const Evaluation   &evaluation)
   {
-    const double time = evaluation.to.time;
-    if (!evaluation.jumps_at_to)
-      return load.value(time);
-    return evaluation.kind == Evaluation::Kind::rates ? load.value_after(time)
-                                                      : load.value_before(time);
+    if (!evaluation.event_at_to)
+      return load.value(evaluation.to.time);
+    const auto &[time, side] = *evaluation.event_at_to;
+    return side == TimeSide::before ? load.value_before(time)
+                                    : load.value_after(time);
   }
 } // namespace auxfem
 

@@ -8,11 +8,27 @@ namespace auxfem
 {
   /**
    * Displacement, and in dynamics velocity and acceleration, of prescribed
-   * unknowns of evaluation.to at its time, which are differences over @p dt (s).
+   * unknowns of evaluation.to at its time.
    */
   void prescribe_motion(const LatticeModel &model,
-                        const Evaluation   &evaluation,
-                        double              dt);
+                        const Evaluation   &evaluation);
+
+  /**
+   * Gives unknowns that supports hold still the velocities in @p before that
+   * they have in @p after, a state at the same time: nothing strikes them.
+   */
+  void hold_still(const LatticeModel &model, const State &after, State &before);
+
+  /**
+   * By what velocities of prescribed unknowns in @p after exceed those in
+   * @p before, a state at the same time, into the owned prescribed rows of
+   * @p jumps; of large rotations in space as spins. Returns the largest over
+   * all ranks.
+   */
+  double find_velocity_jumps(const LatticeModel &model,
+                             const State        &before,
+                             const State        &after,
+                             double             *jumps);
 
   /**
    * Right-hand side of an increment at evaluation.to into @p right_side
@@ -22,6 +38,13 @@ namespace auxfem
   void find_right_side(const LatticeModel &model,
                        const Evaluation   &evaluation,
                        double             *right_side);
+
+  /**
+   * How far the work of supports in a step with inertia may be off (J): what
+   * the mean of forces times the way leaves out where forces change evenly over
+   * the step and places are cubic. Collective.
+   */
+  double support_work_error(const LatticeModel &model, const Evaluation &step);
 
   /**
    * Keeps account of the work of supports that move; they have no forces

@@ -14,22 +14,26 @@ namespace auxfem
    */
   struct FunctionSize
   {
-    double value = 0; ///< greatest absolute value
-    double slope = 0; ///< greatest absolute first derivative
+    double value     = 0; ///< greatest absolute value
+    double slope     = 0; ///< greatest absolute first derivative
+    double curvature = 0; ///< greatest absolute second derivative
   };
 
   /**
-   * The kinks and jumps of @p expression at begin < t < end (s), sorted. Times
-   * closer than time_resolution() to either end count as being there.
+   * The jumps of @p expression and of its first @p derivatives derivatives, 1
+   * or 2, at begin < t < end (s), sorted. Times closer than time_resolution()
+   * to either end count as being there.
    *
    * Where no operation may switch, by bounds of its margin over a span of time
    * (interval arithmetic), there is neither. Spans are halved until each margin
    * has at most one root, or one extremum, in them by bounds of its
    * derivatives. Roots are found by bisection to neighbouring numbers, and kept
-   * if value or slope differ between their sides by more than round-off.
+   * if value or derivatives differ between their sides by more than round-off.
    */
-  std::vector<TimeEvent>
-  find_events(const ExpressionTree &expression, double begin, double end);
+  std::vector<TimeEvent> find_events(const ExpressionTree &expression,
+                                     double                begin,
+                                     double                end,
+                                     unsigned int          derivatives);
 
   /**
    * Limits of value and derivatives of @p expression at @p t (s): those at t
@@ -44,6 +48,9 @@ namespace auxfem
 
   /** Whether slopes on both sides differ by more than round-off. */
   bool is_kink(double before, double after, const FunctionSize &size);
+
+  /** Whether second derivatives on both sides differ by more than round-off. */
+  bool is_bend(double before, double after, const FunctionSize &size);
 } // namespace auxfem
 
 #endif

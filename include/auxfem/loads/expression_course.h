@@ -32,7 +32,10 @@ namespace auxfem
 
     double limit(double t, TimeSide side) const override;
 
-    std::vector<TimeEvent> events(double begin, double end) const override;
+    Jet<double> jet(double t, TimeSide side) const override;
+
+    std::vector<TimeEvent>
+    events(double begin, double end, unsigned int derivatives) const override;
 
     /** Whether `t` does not occur in it. */
     bool is_constant() const;

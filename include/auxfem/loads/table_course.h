@@ -1,17 +1,20 @@
 #ifndef auxfem_loads_table_course_h
 #define auxfem_loads_table_course_h
 
+#include <auxfem/loads/cubic_spline.h>
 #include <auxfem/loads/time_course.h>
+#include <auxfem/loads/time_function.h>
 #include <auxfem/parameters/registry.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace auxfem
 {
   /**
-   * Two columns of a file, linear between rows, constant outside. Two rows at
-   * one time are a jump.
+   * Two columns of a file, linear between rows or a cubic spline through them,
+   * constant outside. Two rows at one time are a jump of a linear table.
    */
   class TableCourse : public TimeCourse
   {
@@ -19,17 +22,21 @@ namespace auxfem
     /**
      * @p reference is what follows `table:`: a file name, maybe a column;
      * @p path that of the parameter. Throws InputError if there is no such
-     * table.
+     * table, and for a jump of a smooth one.
      */
     TableCourse(const std::string  &reference,
                 const std::string  &path,
-                const SceneContext &context);
+                const SceneContext &context,
+                TableKind           kind);
 
     double value(double t) const override;
 
     double limit(double t, TimeSide side) const override;
 
-    std::vector<TimeEvent> events(double begin, double end) const override;
+    Jet<double> jet(double t, TimeSide side) const override;
+
+    std::vector<TimeEvent>
+    events(double begin, double end, unsigned int derivatives) const override;
 
   private:
     void   read_reference(const std::string  &reference,
@@ -39,8 +46,9 @@ namespace auxfem
     double number(const std::string &cell, unsigned int cell_column) const;
     [[noreturn]] void fail(const std::string &problem) const;
 
-    double between(std::size_t next, double t) const;
-    double slope(std::size_t next) const;
+    void make_spline();
+    /** At @p t after row next - 1 and before row @p next, if there are such. */
+    Jet<double> between(std::size_t next, double t) const;
 
     std::string         path; ///< of the parameter, for messages
     std::string         file;
@@ -48,6 +56,8 @@ namespace auxfem
     unsigned int        line        = 0;
     bool                header_seen = false;
     std::vector<double> times, values;
+    /** If the table is smooth. */
+    std::optional<CubicSpline> spline;
   };
 } // namespace auxfem
 

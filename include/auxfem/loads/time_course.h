@@ -1,6 +1,7 @@
 #ifndef auxfem_loads_time_course_h
 #define auxfem_loads_time_course_h
 
+#include <auxfem/loads/jet.h>
 #include <auxfem/loads/time_event.h>
 
 #include <string>
@@ -20,8 +21,18 @@ namespace auxfem
     /** Limit of the value at @p t (s) from one side, finite or not. */
     virtual double limit(double t, TimeSide side) const = 0;
 
-    /** Kinks and jumps at begin < t < end (s), sorted. */
-    virtual std::vector<TimeEvent> events(double begin, double end) const = 0;
+    /**
+     * Limits of the value and its first two derivatives at @p t (s) from one
+     * side, finite or not.
+     */
+    virtual Jet<double> jet(double t, TimeSide side) const = 0;
+
+    /**
+     * Jumps of the value and of its first @p derivatives derivatives, 1 or 2,
+     * at begin < t < end (s), sorted.
+     */
+    virtual std::vector<TimeEvent>
+    events(double begin, double end, unsigned int derivatives) const = 0;
 
     /** Path and text of the parameter, for messages. */
     std::string origin;

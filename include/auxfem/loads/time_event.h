@@ -7,11 +7,12 @@
 
 namespace auxfem
 {
-  /** A time at which a function of time or its slope jumps. */
+  /** A time at which a function of time or a derivative of it jumps. */
   struct TimeEvent
   {
     enum class Kind
     {
+      bend, ///< value and first derivative are continuous, the second is not
       kink, ///< the value is continuous, its first derivative is not
       jump  ///< the value jumps
     };
@@ -25,6 +26,13 @@ namespace auxfem
   {
     before,
     after
+  };
+
+  /** A time (s) and the side from which it is approached. */
+  struct TimeLimit
+  {
+    double   time;
+    TimeSide side;
   };
 
   /**

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,20 +14,39 @@ namespace auxfem
 {
   class TimeCourse;
 
+  /** What a table is between its rows. */
+  enum class TableKind
+  {
+    linear,
+    smooth
+  };
+
+  /** What a user writes for a table, apart from it being one. */
+  struct TableText
+  {
+    std::string word; ///< `table:` or `linear table:`
+    std::string file; ///< file name, maybe a column
+  };
+
+  /** Nothing if @p text is no table. */
+  std::optional<TableText> table_text(const std::string &text);
+
   /**
    * A number that depends on time: an expression in `t` (muParser syntax, with
-   * the scene's constants and `pi`), or `table: file.csv` (linear between rows,
-   * constant outside; `table: file.csv, 3` takes the third column; the first
-   * column is time in s). Cheap to copy: copies share the parsed function.
+   * the scene's constants and `pi`), or `table: file.csv` (`table: file.csv, 3`
+   * takes the third column; the first column is time in s; constant outside of
+   * the rows). Between rows a table is linear, or smooth (CubicSpline) if its
+   * kind is; `linear table: file.csv` is linear whatever its kind. Cheap to
+   * copy: copies share the parsed function.
    *
    * Besides muParser's own functions there are `if(condition, then, else)`,
    * `pow`, `floor` and `ceil`; `log` is the natural logarithm.
    *
    * In a table cells are separated by commas, semicolons or white space; a row
    * without any number before the first row of numbers is a header; what
-   * follows `#` and empty rows are skipped. Two rows at one time are a jump:
-   * the values just before and just after it, of which the latter is the value
-   * at that time.
+   * follows `#` and empty rows are skipped. In a linear table two rows at one
+   * time are a jump: the values just before and just after it, of which the
+   * latter is the value at that time.
    */
   class TimeFunction
   {
@@ -37,10 +57,12 @@ namespace auxfem
     /**
      * @param text as the user wrote it. Throws InputError, naming
      * @p context.path and @p parameter, if it cannot be parsed or read.
+     * @param tables what a table is between its rows
      */
     TimeFunction(const std::string  &text,
                  const std::string  &parameter,
-                 const SceneContext &context);
+                 const SceneContext &context,
+                 TableKind           tables = TableKind::linear);
 
     /**
      * Value at time @p t (s). Throws ComputationError if it is not finite. Not
@@ -62,26 +84,23 @@ namespace auxfem
     double value_after(double t) const;
 
     /**
-     * The times (s) at which the value or its first derivative jumps, sorted,
-     * of those between @p begin and @p end; either end is excluded, as is what
-     * is closer to it than time_resolution(). The same on all ranks.
+     * The times (s) at which the value or one of its first @p derivatives
+     * derivatives, 1 or 2, jumps, sorted, of those between @p begin and @p end;
+     * either end is excluded, as is what is closer to it than
+     * time_resolution(). The same on all ranks.
      *
      * Roots of numbers that touch zero count as kinks, as sqrt((t - 1)^2) has
      * one. Where the function or its slope is infinite there is an event too.
      * Single times at which the value is another one, as in `t == 1`, are none.
      */
-    std::vector<TimeEvent> events(double begin, double end) const;
+    std::vector<TimeEvent>
+    events(double begin, double end, unsigned int derivatives = 1) const;
 
     /**
-     * Value, first and second time derivative at @p t (s). The derivatives are
-     * fourth-order differences between values at most @p scale (s, > 0) away,
-     * a time over which the function is smooth (e.g. the time step): central
-     * ones, but forward ones where central ones would need times before zero,
-     * so that at t = 0 a motion has its rates just after the start. Those of
-     * tables are the same differences of the piecewise linear function: between
-     * rows, further than @p scale from either, the slope and zero.
+     * Limits of value, first and second time derivative at @p t (s) from one
+     * side, exact. Throws ComputationError if one is not finite.
      */
-    std::array<double, 3> jet(double t, double scale) const;
+    std::array<double, 3> jet(double t, TimeSide side = TimeSide::after) const;
 
     /**
      * True if it is zero at all times by construction: an empty text, `0`, or
@@ -90,7 +109,8 @@ namespace auxfem
     bool is_zero() const;
 
   private:
-    double checked(double result, double t) const;
+    /** @p result, which is @p what of the function at @p t. */
+    double checked(double result, double t, const std::string &what = "") const;
 
     std::shared_ptr<const TimeCourse> course;
   };

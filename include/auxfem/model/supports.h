@@ -38,6 +38,15 @@ namespace auxfem
       return !rotations.empty() && prescribed.component >= first_rotation;
     }
 
+    /** Whether an unknown is moved, not only held. */
+    bool moves(const PrescribedUnknown &prescribed) const
+    {
+      return !motion[prescribed.component].is_zero();
+    }
+
+    /** Whether a rotation is moved, not only held about some axes. */
+    bool moves(const PrescribedRotation &prescribed) const;
+
     /** Whether it holds everything at rest. */
     bool is_at_rest() const;
   };

@@ -103,7 +103,8 @@ namespace auxfem
    */
   TimeFunction read_time_function(dealii::ParameterHandler &prm,
                                   const TimeExpression     &entry,
-                                  const SceneContext       &context);
+                                  const SceneContext       &context,
+                                  TableKind tables = TableKind::linear);
 
   /** An entry as a declare() function has declared it. */
   struct DeclaredEntry
