@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <sstream>
 
 namespace auxfem
@@ -42,6 +43,49 @@ namespace auxfem
     solver.residual(evaluation, results);
   }
 
+  void ConsistentRates::keep_massless(State &state)
+  {
+    if (!is_singular)
+      return;
+    const State      before = state;
+    const Evaluation now    = Evaluation::rates(before, state);
+    solver.residual(now, results);
+    solver.assemble(now, results, {0., 0., 1.});
+    const std::vector<double> massless = empty_rows();
+    if (!is_anywhere(massless))
+      return;
+    refuse_viscous(massless, now);
+    state.is_massless.emplace(state.displacement.size(), 0.);
+    std::copy(massless.begin(), massless.end(), state.is_massless->begin());
+    model.numbering.layout().update_ghosts(state.is_massless->data());
+    for (std::optional<Vector> *accelerations :
+         {&state.acceleration, &state.algorithmic_acceleration})
+      if (*accelerations)
+        for (unsigned int i = 0; i < state.is_massless->size(); ++i)
+          if ((*state.is_massless)[i] != 0)
+            (**accelerations)[i] = 0;
+  }
+
+  void ConsistentRates::refuse_viscous(const std::vector<double> &massless,
+                                       const Evaluation          &now)
+  {
+    solver.assemble(now, results, {0., 1., 0.});
+    std::vector<double> both  = massless;
+    const auto          still = empty_rows();
+    for (unsigned int i = 0; i < both.size(); ++i)
+      if (still[i] != 0)
+        both[i] = 0;
+    if (is_anywhere(both))
+      throw InputError(
+        "The " + describe_largest(model.numbering, both) +
+        " has no inertia, but a dashpot or damping acts on it: its velocity "
+        "is not determined by a scheme without numerical damping. Give the "
+        "joint a mass (Masses) or its struts a Density, a rotation rotary "
+        "inertia (Effects/Rotary inertia = on); put a spring and a dashpot in "
+        "series into one connector (Law = maxwell); or use Scheme = "
+        "generalized-alpha.");
+  }
+
   void ConsistentRates::restore(State &state)
   {
     const State before = state;
@@ -76,7 +120,7 @@ namespace auxfem
   bool ConsistentRates::prepare_mass(const Evaluation &evaluation)
   {
     solver.assemble(evaluation, results, {0., 0., 1.});
-    is_singular = has_empty_row();
+    is_singular = is_anywhere(empty_rows());
     if (is_singular)
       return false;
     // Conditions make the matrix indefinite.
@@ -185,20 +229,25 @@ namespace auxfem
       throw ComputationError(found + solver.why() + '.');
   }
 
-  bool ConsistentRates::has_empty_row()
+  std::vector<double> ConsistentRates::empty_rows()
   {
-    const std::vector<double> sizes = solver.matrix().row_sizes();
+    std::vector<double> emptiness = solver.matrix().row_sizes();
+    for (double &row : emptiness)
+      row = row == 0 ? 1. : 0.;
+    return emptiness;
+  }
+
+  bool ConsistentRates::is_anywhere(const std::vector<double> &flags) const
+  {
     return model.numbering.layout().sum(
-             std::count(sizes.begin(), sizes.end(), 0.)) > 0;
+             std::count(flags.begin(), flags.end(), 1.)) > 0;
   }
 
   void ConsistentRates::refuse_empty_rows()
   {
-    if (!has_empty_row())
+    const std::vector<double> emptiness = empty_rows();
+    if (!is_anywhere(emptiness))
       return;
-    std::vector<double> emptiness;
-    for (const double size : solver.matrix().row_sizes())
-      emptiness.push_back(size == 0 ? 1. : 0.);
     throw InputError(
       "Nothing resists the " + describe_largest(model.numbering, emptiness) +
       ": no mass, no strut and no connector. Give the joint a mass, "

@@ -85,7 +85,10 @@ namespace auxfem
       find_static_equilibrium(state);
     if (scheme.is_dynamic())
       {
-        ConsistentRates(solvers->tangent).start(state, parameters.step);
+        ConsistentRates rates(solvers->tangent);
+        rates.start(state, parameters.step);
+        if (scheme.keeps_massless_in_equilibrium())
+          rates.keep_massless(state);
         solvers->newton.drop_factorization();
       }
     const State before  = state;

@@ -18,6 +18,11 @@ namespace auxfem
     return c.gamma == 0.5 && !uses_algorithmic_acceleration();
   }
 
+  bool AlphaFamily::keeps_massless_in_equilibrium() const
+  {
+    return c.gamma == 2 * c.beta;
+  }
+
   bool AlphaFamily::uses_algorithmic_acceleration() const
   {
     return c.alpha_m != 0 || c.alpha_f != 0;
@@ -47,6 +52,25 @@ namespace auxfem
         if (uses_algorithmic_acceleration())
           (*to.algorithmic_acceleration)[i] = a_new;
       }
+    to.is_massless = from.is_massless;
+    settle_massless(from, dt, to);
+  }
+
+  void AlphaFamily::settle_massless(const State &from,
+                                    const double dt,
+                                    State       &trial) const
+  {
+    if (!from.is_massless)
+      return;
+    for (unsigned int i = 0; i < from.displacement.size(); ++i)
+      if ((*from.is_massless)[i] != 0)
+        {
+          (*trial.velocity)[i] =
+            (trial.displacement[i] - from.displacement[i]) / dt;
+          (*trial.acceleration)[i] = 0;
+          if (uses_algorithmic_acceleration())
+            (*trial.algorithmic_acceleration)[i] = 0;
+        }
   }
 
   TangentFactors AlphaFamily::factors(const double dt) const
@@ -57,7 +81,7 @@ namespace auxfem
             acceleration * (1 - c.alpha_m) / (1 - c.alpha_f)};
   }
 
-  void AlphaFamily::correct(const State & /*from*/,
+  void AlphaFamily::correct(const State  &from,
                             const Vector &increment,
                             const double  dt,
                             State        &trial) const
@@ -78,5 +102,6 @@ namespace auxfem
       add_multiple(1 / (c.beta * dt * dt),
                    increment,
                    *trial.algorithmic_acceleration);
+    settle_massless(from, dt, trial);
   }
 } // namespace auxfem

@@ -38,6 +38,14 @@ namespace auxfem
     void start(State &state, double dt);
 
     /**
+     * After start(), for a scheme that keeps unknowns without mass in
+     * equilibrium: makes them known to @p state and takes their accelerations
+     * from it. Throws InputError, naming one, if viscous forces depend on their
+     * velocities.
+     */
+    void keep_massless(State &state);
+
+    /**
      * Puts velocities and accelerations of @p state, solved at the end of a
      * step, right: undamped schemes carry on what is wrong in them with
      * alternating sign, and in turning parts it grows. Does nothing if a free
@@ -66,8 +74,13 @@ namespace auxfem
     void   find_accelerations(const Evaluation &evaluation);
     /** Solves for `increment`; throws ComputationError if that fails. */
     void solve();
-    bool has_empty_row();
     void refuse_empty_rows();
+    void refuse_viscous(const std::vector<double> &massless,
+                        const Evaluation          &now);
+    /** 1 for owned rows of the matrix that are zero, else 0. */
+    std::vector<double> empty_rows();
+    /** Whether one of the flags is 1, over all ranks. */
+    bool is_anywhere(const std::vector<double> &flags) const;
 
     TangentSolver      &solver;
     const LatticeModel &model;

@@ -93,6 +93,12 @@ namespace auxfem
      */
     virtual bool carries_on_alternating_errors() const;
 
+    /**
+     * Whether unknowns without mass follow from equilibrium alone
+     * (State::is_massless). Forces must not depend on their velocities then.
+     */
+    virtual bool keeps_massless_in_equilibrium() const;
+
     /** Whether the state must carry the algorithmic acceleration. */
     virtual bool uses_algorithmic_acceleration() const;
   };
