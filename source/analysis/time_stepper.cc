@@ -167,7 +167,7 @@ namespace auxfem
                                   const double end_of_scene_step) const
   {
     // An event at the end of a step of the scene is no other time.
-    const double near = 1e-6 * parameters.step;
+    const double near = nearness_of_step_ends * parameters.step;
     const auto   next =
       std::find_if(events.begin(), events.end(), [&](const TimeEvent &event) {
         return event.time > time + near;
@@ -183,7 +183,8 @@ namespace auxfem
                        events.end(),
                        [&](const TimeEvent &event) {
                          return event.kind == TimeEvent::Kind::jump &&
-                           std::abs(event.time - time) < 1e-6 * parameters.step;
+                           std::abs(event.time - time) <
+                           nearness_of_step_ends * parameters.step;
                        });
   }
 

@@ -31,6 +31,8 @@ namespace auxfem
 
     std::vector<TimeEvent> events(double begin, double end) const override;
 
+    std::optional<double> last_time() const override;
+
   private:
     void   read_reference(const std::string  &reference,
                           const SceneContext &context);

@@ -3,6 +3,7 @@
 
 #include <auxfem/loads/time_event.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,13 @@ namespace auxfem
 
     /** Kinks and jumps at begin < t < end (s), sorted. */
     virtual std::vector<TimeEvent> events(double begin, double end) const = 0;
+
+    /** Last time (s) it is given for, from which on its value is held; none if
+     * it is given for all. */
+    virtual std::optional<double> last_time() const
+    {
+      return {};
+    }
 
     /** Path and text of the parameter, for messages. */
     std::string origin;

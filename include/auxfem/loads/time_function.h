@@ -6,6 +6,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -71,6 +72,15 @@ namespace auxfem
      * Single times at which the value is another one, as in `t == 1`, are none.
      */
     std::vector<TimeEvent> events(double begin, double end) const;
+
+    /**
+     * Last time (s) of a table, from which on its last value is held; none for
+     * expressions.
+     */
+    std::optional<double> last_time() const;
+
+    /** Path and text of the parameter; empty for the constant zero. */
+    const std::string &origin() const;
 
     /**
      * Value, first and second time derivative at @p t (s). The derivatives are
