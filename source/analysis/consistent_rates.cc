@@ -3,6 +3,7 @@
 #include <auxfem/equations/prescribed_motion.h>
 #include <auxfem/model/unknown_words.h>
 #include <auxfem/parameters/errors.h>
+#include <auxfem/time/massless.h>
 
 #include <algorithm>
 #include <cmath>
@@ -51,12 +52,12 @@ namespace auxfem
     const Evaluation now    = Evaluation::rates(before, state);
     solver.residual(now, results);
     solver.assemble(now, results, {0., 0., 1.});
-    const std::vector<double> massless = empty_rows();
-    if (!is_anywhere(massless))
+    std::vector<double> kinds = empty_rows();
+    if (!is_anywhere(kinds))
       return;
-    refuse_viscous(massless, now);
+    mark_damped(kinds, now);
     state.is_massless.emplace(state.displacement.size(), 0.);
-    std::copy(massless.begin(), massless.end(), state.is_massless->begin());
+    std::copy(kinds.begin(), kinds.end(), state.is_massless->begin());
     model.numbering.layout().update_ghosts(state.is_massless->data());
     for (std::optional<Vector> *accelerations :
          {&state.acceleration, &state.algorithmic_acceleration})
@@ -66,23 +67,26 @@ namespace auxfem
             (**accelerations)[i] = 0;
   }
 
-  void ConsistentRates::refuse_viscous(const std::vector<double> &massless,
-                                       const Evaluation          &now)
+  void ConsistentRates::mark_damped(std::vector<double> &kinds,
+                                    const Evaluation    &now)
   {
     solver.assemble(now, results, {0., 1., 0.});
-    std::vector<double> both  = massless;
-    const auto          still = empty_rows();
-    for (unsigned int i = 0; i < both.size(); ++i)
-      if (still[i] != 0)
-        both[i] = 0;
-    if (is_anywhere(both))
+    const std::vector<double> is_undamped = empty_rows();
+    std::vector<double>       refused(kinds.size(), 0.);
+    for (unsigned int i = 0; i < kinds.size(); ++i)
+      if (kinds[i] == massless && is_undamped[i] == 0)
+        {
+          kinds[i] = massless_and_damped;
+          if (!model.numbering.unknowns().is_rotation[i])
+            refused[i] = 1;
+        }
+    if (is_anywhere(refused))
       throw InputError(
-        "The " + describe_largest(model.numbering, both) +
+        "The " + describe_largest(model.numbering, refused) +
         " has no inertia, but a dashpot or damping acts on it: its velocity "
         "is not determined by a scheme without numerical damping. Give the "
-        "joint a mass (Masses) or its struts a Density, a rotation rotary "
-        "inertia (Effects/Rotary inertia = on); put a spring and a dashpot in "
-        "series into one connector (Law = maxwell); or use Scheme = "
+        "joint a mass (Masses) or its struts a Density; put a spring and a "
+        "dashpot in series into one connector (Law = maxwell); or use Scheme = "
         "generalized-alpha.");
   }
 

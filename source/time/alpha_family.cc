@@ -1,4 +1,5 @@
 #include <auxfem/time/alpha_family.h>
+#include <auxfem/time/massless.h>
 
 namespace auxfem
 {
@@ -63,14 +64,26 @@ namespace auxfem
     if (!from.is_massless)
       return;
     for (unsigned int i = 0; i < from.displacement.size(); ++i)
-      if ((*from.is_massless)[i] != 0)
+      if ((*from.is_massless)[i] == massless)
         {
-          (*trial.velocity)[i] =
-            (trial.displacement[i] - from.displacement[i]) / dt;
-          (*trial.acceleration)[i] = 0;
-          if (uses_algorithmic_acceleration())
-            (*trial.algorithmic_acceleration)[i] = 0;
+          const double before =
+                         (*from.velocity)[i] - dt / 2 * (*from.acceleration)[i],
+                       now =
+                         (trial.displacement[i] - from.displacement[i]) / dt;
+          settle_acceleration(i, (now - before) / dt, trial);
+          (*trial.velocity)[i] = now + (now - before) / 2;
         }
+      else if ((*from.is_massless)[i] == massless_and_damped)
+        settle_acceleration(i, 0, trial);
+  }
+
+  void AlphaFamily::settle_acceleration(const unsigned int unknown,
+                                        const double       acceleration,
+                                        State             &trial) const
+  {
+    (*trial.acceleration)[unknown] = acceleration;
+    if (uses_algorithmic_acceleration())
+      (*trial.algorithmic_acceleration)[unknown] = acceleration;
   }
 
   TangentFactors AlphaFamily::factors(const double dt) const

@@ -43,13 +43,12 @@ TEST(MaxwellOrder, IsTwoForAnyRatioOfStepAndRelaxationTime)
   for (const char *scheme : {"newmark", "generalized-alpha"})
     for (const double ratio : {1e-3, 1e-2, 0.1, 1., 10., 100., 1000.})
       {
-        // Not stiffer than 400 N/m, and C not beyond 8 N s/m, a fifth of
-        // critical damping.
-        const double tau = dt / ratio, k = std::min(400., 8 / tau);
+        // C = 8 N s/m, a fifth of critical damping, or a spring of 400 N/m.
+        const double tau = dt / ratio, k = ratio < 1 ? 400 : 8 / tau;
         // From an accuracy of a few percent, higher orders are not far.
         const double coarse = error(k, tau, dt, scheme),
                      fine   = error(k, tau, dt / 2, scheme);
-        EXPECT_LT(coarse, 0.03) << ratio;
+        EXPECT_LT(coarse, 0.1) << ratio;
         table.row(label(std::string(scheme) + ", dt / tau", ratio),
                   std::log2(coarse / fine),
                   2,

@@ -40,8 +40,8 @@ namespace auxfem
     /**
      * After start(), for a scheme that keeps unknowns without mass in
      * equilibrium: makes them known to @p state and takes their accelerations
-     * from it. Throws InputError, naming one, if viscous forces depend on their
-     * velocities.
+     * from it. Throws InputError, naming it, if viscous forces depend on the
+     * velocity of a displacement among them.
      */
     void keep_massless(State &state);
 
@@ -75,8 +75,9 @@ namespace auxfem
     /** Solves for `increment`; throws ComputationError if that fails. */
     void solve();
     void refuse_empty_rows();
-    void refuse_viscous(const std::vector<double> &massless,
-                        const Evaluation          &now);
+    /** Marks those of the massless unknowns that are damped; refuses
+     * displacements among these. */
+    void mark_damped(std::vector<double> &kinds, const Evaluation &now);
     /** 1 for owned rows of the matrix that are zero, else 0. */
     std::vector<double> empty_rows();
     /** Whether one of the flags is 1, over all ranks. */

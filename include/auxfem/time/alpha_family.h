@@ -23,7 +23,8 @@ namespace auxfem
    *
    * Members whose spectral radius at infinity is one, with gamma = 2 beta,
    * would let accelerations of unknowns without mass grow from step to step.
-   * Such unknowns have a = v' = 0 there and v = (u_{n+1} - u_n) / dt.
+   * There their rates are differences of the last three places; of those that
+   * damping acts on a = v' = 0.
    */
   class AlphaFamily : public ImplicitScheme
   {
@@ -62,6 +63,10 @@ namespace auxfem
   private:
     /** Rates of unknowns without mass in a step of @p dt to @p trial. */
     void settle_massless(const State &from, double dt, State &trial) const;
+
+    void settle_acceleration(unsigned int unknown,
+                             double       acceleration,
+                             State       &trial) const;
 
     Coefficients c;
   };

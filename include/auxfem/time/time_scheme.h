@@ -94,8 +94,8 @@ namespace auxfem
     virtual bool carries_on_alternating_errors() const;
 
     /**
-     * Whether unknowns without mass follow from equilibrium alone
-     * (State::is_massless). Forces must not depend on their velocities then.
+     * Whether rates of unknowns without mass (State::is_massless) are kept from
+     * growing.
      */
     virtual bool keeps_massless_in_equilibrium() const;
 
