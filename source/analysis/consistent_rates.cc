@@ -3,9 +3,11 @@
 #include <auxfem/equations/prescribed_motion.h>
 #include <auxfem/model/unknown_words.h>
 #include <auxfem/parameters/errors.h>
+#include <auxfem/time/massless.h>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <sstream>
 
 namespace auxfem
@@ -39,6 +41,59 @@ namespace auxfem
     return before;
   }
 
+  void ConsistentRates::leave_to_equilibrium(State &state) const
+  {
+    if (!state.is_massless)
+      return;
+    for (std::optional<Vector> *accelerations :
+         {&state.acceleration, &state.algorithmic_acceleration})
+      if (*accelerations)
+        for (unsigned int i = 0; i < state.is_massless->size(); ++i)
+          if ((*state.is_massless)[i] != 0)
+            (**accelerations)[i] = 0;
+  }
+
+  void ConsistentRates::keep_massless(State &state)
+  {
+    if (!is_singular)
+      return;
+    const State      before = state;
+    const Evaluation now    = Evaluation::rates(before, state);
+    solver.residual(now, results);
+    solver.assemble(now, results, {0., 0., 1.});
+    std::vector<double> kinds = empty_rows();
+    if (!is_anywhere(kinds))
+      return;
+    mark_damped(kinds, now);
+    state.is_massless.emplace(state.displacement.size(), 0.);
+    std::copy(kinds.begin(), kinds.end(), state.is_massless->begin());
+    model.numbering.layout().update_ghosts(state.is_massless->data());
+    leave_to_equilibrium(state);
+  }
+
+  void ConsistentRates::mark_damped(std::vector<double> &kinds,
+                                    const Evaluation    &now)
+  {
+    solver.assemble(now, results, {0., 1., 0.});
+    const std::vector<double> is_undamped = empty_rows();
+    std::vector<double>       refused(kinds.size(), 0.);
+    for (unsigned int i = 0; i < kinds.size(); ++i)
+      if (kinds[i] == massless && is_undamped[i] == 0)
+        {
+          kinds[i] = massless_and_damped;
+          if (!model.numbering.unknowns().is_rotation[i])
+            refused[i] = 1;
+        }
+    if (is_anywhere(refused))
+      throw InputError(
+        "The " + describe_largest(model.numbering, refused) +
+        " has no inertia, but a dashpot or damping acts on it: its velocity "
+        "is not determined by a scheme without numerical damping. Give the "
+        "joint a mass (Masses) or its struts a Density; put a spring and a "
+        "dashpot in series into one connector (Law = maxwell); or use Scheme = "
+        "generalized-alpha.");
+  }
+
   void ConsistentRates::restore(const Evaluation &step)
   {
     if (is_singular)
@@ -67,6 +122,7 @@ namespace auxfem
     find_accelerations(instant);
     if (state.algorithmic_acceleration)
       *state.algorithmic_acceleration = *state.acceleration;
+    leave_to_equilibrium(state);
     return before;
   }
 
@@ -78,7 +134,7 @@ namespace auxfem
   bool ConsistentRates::prepare_mass(const Evaluation &evaluation)
   {
     solver.assemble(evaluation, results, {0., 0., 1.});
-    is_singular = has_empty_row();
+    is_singular = is_anywhere(empty_rows());
     if (is_singular)
       return false;
     // Conditions make the matrix indefinite.
@@ -226,20 +282,25 @@ namespace auxfem
       throw ComputationError(found + solver.why() + '.');
   }
 
-  bool ConsistentRates::has_empty_row()
+  std::vector<double> ConsistentRates::empty_rows()
   {
-    const std::vector<double> sizes = solver.matrix().row_sizes();
+    std::vector<double> emptiness = solver.matrix().row_sizes();
+    for (double &row : emptiness)
+      row = row == 0 ? 1. : 0.;
+    return emptiness;
+  }
+
+  bool ConsistentRates::is_anywhere(const std::vector<double> &flags) const
+  {
     return model.numbering.layout().sum(
-             std::count(sizes.begin(), sizes.end(), 0.)) > 0;
+             std::count(flags.begin(), flags.end(), 1.)) > 0;
   }
 
   void ConsistentRates::refuse_empty_rows()
   {
-    if (!has_empty_row())
+    const std::vector<double> emptiness = empty_rows();
+    if (!is_anywhere(emptiness))
       return;
-    std::vector<double> emptiness;
-    for (const double size : solver.matrix().row_sizes())
-      emptiness.push_back(size == 0 ? 1. : 0.);
     throw InputError(
       "Nothing resists the " + describe_largest(model.numbering, emptiness) +
       ": no mass, no strut and no connector. Give the joint a mass, "

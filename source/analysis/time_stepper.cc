@@ -9,18 +9,6 @@
 
 namespace auxfem
 {
-  namespace
-  {
-    /**
-     * Times that are closer (s) are one to the steps: an event at the end of a
-     * step of the scene is no other time.
-     */
-    double one_time(const TimeParameters &parameters)
-    {
-      return 1e-6 * parameters.step;
-    }
-  } // namespace
-
   TimeStepper::RateSolver::RateSolver(const Equations        &equations,
                                       const SolverParameters &parameters,
                                       Work                   &work)
@@ -102,6 +90,8 @@ namespace auxfem
       }
     ConsistentRates rates(solvers->tangent);
     const State     before = rates.start(state, parameters.step);
+    if (scheme.keeps_massless_in_equilibrium())
+      rates.keep_massless(state);
     account_for_rates(solution, before, &rates, 0.);
     solvers->newton.drop_factorization();
   }
@@ -191,7 +181,7 @@ namespace auxfem
   {
     const auto next = ends_at(time).second;
     return next != ends.end() &&
-        next->time < end_of_scene_step - one_time(parameters)
+        next->time < end_of_scene_step - nearness_of_step_ends(parameters)
       ? next->time
       : end_of_scene_step;
   }
@@ -200,7 +190,7 @@ namespace auxfem
             TimeStepper::StepEnds::const_iterator>
   TimeStepper::ends_at(const double time) const
   {
-    const double near = one_time(parameters);
+    const double near = nearness_of_step_ends(parameters);
     return {std::lower_bound(ends.begin(),
                              ends.end(),
                              time - near,

@@ -3,6 +3,8 @@
 #include <auxfem/parameters/declare.h>
 #include <auxfem/parameters/errors.h>
 
+#include <boost/math/quadrature/gauss.hpp>
+
 #include <cmath>
 #include <limits>
 
@@ -15,30 +17,6 @@ namespace auxfem
     {
       return relaxation_time > 0 ? dt / relaxation_time
                                  : std::numeric_limits<double>::infinity();
-    }
-
-    /**
-     * [a - 2 (1 - e^(-a)) + (1 - e^(-2a)) / 2] / a^2, the loss due to the
-     * extension alone. It behaves as a / 3 for a -> 0 and 1 / a for large a.
-     */
-    double loss_coefficient(const double a)
-    {
-      if (a < 0.5)
-        {
-          // The closed form would lose 3 eps / a^2 to cancellation. Terms of
-          // the series: (-1)^(n+1) (2^(n-1) - 2) / n! a^(n-2), n = 3, 4, ...;
-          // at a = 0.5 the 18th is below 1e-16 of the sum.
-          double sum = 0, term = a / 6, power_of_two = 4;
-          for (unsigned int n = 3; n <= 18; ++n)
-            {
-              sum += term * (power_of_two - 2);
-              term *= -a / (n + 1);
-              power_of_two *= 2;
-            }
-          return sum;
-        }
-      const double relaxed = -std::expm1(-a);
-      return (1 - relaxed * (1 + 0.5 * relaxed) / a) / a;
     }
 
     /**
@@ -60,6 +38,52 @@ namespace auxfem
           return sum;
         }
       return (1 + std::expm1(-a) / a) / a;
+    }
+
+    /** (1 - e^(-a)) / a, the mean of e^(-as) over s from 0 to 1. */
+    double mean_decay(const double a)
+    {
+      return a == 0 ? 1 : -std::expm1(-a) / a;
+    }
+
+    /** The course of k times the extension in a step (N), and dt / tau. */
+    struct Course
+    {
+      double a;
+      double increment; ///< of the step
+      double lead;      ///< what the rate at the end makes more of it than that
+    };
+
+    /** The force at the part @p s in [0, 1] of a step that starts with @p force. */
+    double force_at(const double s, const double force, const Course &course)
+    {
+      return std::exp(-course.a * s) * force +
+        (course.increment - course.lead) * s * mean_decay(course.a * s) +
+        2 * course.lead * s * s * mean_coefficient(course.a * s);
+    }
+
+    /** Integral of the squared force over s from 0 to 1. */
+    double mean_square(const double force, const Course &course)
+    {
+      const double a = course.a;
+      // The closed form would lose eps / a^4 to cancellation; the integrand is
+      // a polynomial to round-off.
+      if (a < 0.5)
+        return boost::math::quadrature::gauss<double, 7>::integrate(
+          [&](const double s) {
+            const double now = force_at(s, force, course);
+            return now * now;
+          },
+          0.,
+          1.);
+      // The force is flow + slope s + rest e^(-as).
+      const double slope = 2 * course.lead / a,
+                   flow  = (course.increment - course.lead - slope) / a,
+                   rest  = force - flow;
+      return flow * flow + flow * slope + slope * slope / 3 +
+        2 * rest *
+        (flow * mean_decay(a) + slope * (mean_decay(a) - std::exp(-a)) / a) +
+        rest * rest * mean_decay(2 * a);
     }
 
     /** Spring side by side with Maxwell elements; see maxwell_element.h. */
@@ -120,12 +144,11 @@ namespace auxfem
             for (unsigned int e = 0; e < elements.size(); ++e)
               {
                 const auto place = std::size_t(i) * elements.size() + e;
-                const MaxwellElement::Step step =
-                                             elements[e].step(motion[i].dt),
-                                           mean =
-                                             elements[e].mean(motion[i].dt);
-                trial[place] =
-                  step.decay * committed[place] + step.stiffness * increment;
+                const MaxwellElement::Mean mean =
+                  elements[e].mean(motion[i].dt);
+                trial[place] = elements[e].at_constant_rate(committed[place],
+                                                            increment,
+                                                            motion[i].dt);
                 response[i].force +=
                   mean.decay * committed[place] + mean.stiffness * increment;
                 response[i].stiffness += mean.stiffness;
@@ -140,12 +163,11 @@ namespace auxfem
         ConnectorEnergy energy = {0.5 * stiffness * motion.extension *
                                     motion.extension,
                                   0};
-        const double increment = motion.extension - motion.previous_extension;
         for (unsigned int i = 0; i < elements.size(); ++i)
           {
             energy.stored += elements[i].stored_energy(trial[i]);
             energy.dissipated +=
-              elements[i].dissipated_energy(committed[i], increment, motion.dt);
+              elements[i].dissipated_energy(committed[i], motion);
           }
         return energy;
       }
@@ -198,10 +220,11 @@ namespace auxfem
             const auto   place = std::size_t(i) * elements.size() + element;
             const double increment =
               motion[i].extension - motion[i].previous_extension;
-            trial[place] =
-              step.decay * committed[place] + step.stiffness * increment;
+            trial[place] = step.decay * committed[place] +
+              step.stiffness * increment + step.damping * motion[i].rate;
             response[i].force += trial[place];
             response[i].stiffness += step.stiffness;
+            response[i].damping += step.damping;
           }
       }
 
@@ -266,18 +289,26 @@ namespace auxfem
 
   MaxwellElement::Step MaxwellElement::step(const double dt) const
   {
-    const double a = reduced_time(dt, relaxation_time);
-    if (a == 0)
-      return {1, stiffness};
-    return {std::exp(-a), stiffness * (-std::expm1(-a) / a)};
+    const double a = reduced_time(dt, relaxation_time), steady = mean_decay(a),
+                 lead = 2 * mean_coefficient(a) - steady;
+    return {std::exp(-a),
+            stiffness * (steady - lead),
+            stiffness * (std::isinf(a) ? relaxation_time : lead * dt)};
   }
 
-  MaxwellElement::Step MaxwellElement::mean(const double dt) const
+  double MaxwellElement::at_constant_rate(const double force,
+                                          const double extension_increment,
+                                          const double dt) const
   {
     const double a = reduced_time(dt, relaxation_time);
-    if (a == 0)
-      return {1, stiffness / 2};
-    return {-std::expm1(-a) / a, stiffness * mean_coefficient(a)};
+    return std::exp(-a) * force +
+      stiffness * mean_decay(a) * extension_increment;
+  }
+
+  MaxwellElement::Mean MaxwellElement::mean(const double dt) const
+  {
+    const double a = reduced_time(dt, relaxation_time);
+    return {mean_decay(a), stiffness * mean_coefficient(a)};
   }
 
   double MaxwellElement::stored_energy(const double force) const
@@ -299,22 +330,19 @@ namespace auxfem
                                : 0.;
   }
 
-  double MaxwellElement::dissipated_energy(const double force,
-                                           const double extension_increment,
-                                           const double dt) const
+  double MaxwellElement::dissipated_energy(const double           force,
+                                           const ConnectorMotion &motion) const
   {
-    const double a = reduced_time(dt, relaxation_time);
-    if (a == 0)
-      return 0;
+    const double a = reduced_time(motion.dt, relaxation_time);
+    if (a == 0 || std::isinf(a))
+      return a == 0 ? 0 : stored_energy(force);
 
-    // With F(s) = F0 e^(-s/tau) + (G/a) (1 - e^(-s/tau)), G = k du, the
-    // integral of F^2 / c is a quadratic form in F0 and G. Written in G and not
-    // in the force G / a of steady flow, it stays finite for a -> 0.
-    const double G       = stiffness * extension_increment;
-    const double relaxed = -std::expm1(-a);
-    return (force * force * relaxed * (1 - 0.5 * relaxed) +
-            force * G * relaxed * (relaxed / a) + G * G * loss_coefficient(a)) /
-      stiffness;
+    const double increment = motion.extension - motion.previous_extension;
+    return a / stiffness *
+      mean_square(force,
+                  {a,
+                   stiffness * increment,
+                   stiffness * (motion.rate * motion.dt - increment)});
   }
 
   std::unique_ptr<ConnectorLaw>

@@ -211,6 +211,11 @@ namespace auxfem
     return between(next - times.begin(), t);
   }
 
+  std::optional<double> TableCourse::last_time() const
+  {
+    return times.back();
+  }
+
   std::vector<TimeEvent>
   TableCourse::events(const double       begin,
                       const double       end,

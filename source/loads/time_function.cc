@@ -85,6 +85,17 @@ namespace auxfem
                                  : std::vector<TimeEvent>();
   }
 
+  std::optional<double> TimeFunction::last_time() const
+  {
+    return course ? course->last_time() : std::nullopt;
+  }
+
+  const std::string &TimeFunction::origin() const
+  {
+    static const std::string none;
+    return course ? course->origin : none;
+  }
+
   double TimeFunction::checked(const double       result,
                                const double       t,
                                const std::string &what) const

@@ -2,30 +2,309 @@
 #include <auxfem/mesh/sets.h>
 #include <auxfem/model/initial_velocities.h>
 #include <auxfem/model/line_rule.h>
+#include <auxfem/model/strut_velocities.h>
+#include <auxfem/model/unknown_words.h>
+#include <auxfem/parameters/errors.h>
 
 #include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
 #include <set>
+#include <sstream>
 
 namespace auxfem
 {
   namespace
   {
-    using Velocity = std::array<double, n_motion_components>;
+    /**
+     * Of the largest velocity of a set: velocities of supports are differences,
+     * given ones have few digits.
+     */
+    constexpr double digits_of_velocities = 1e-6;
 
     /** Of a point of a body that moves with @p velocity at @p centre. */
-    Velocity velocity_at(const dealii::Point<3> &point,
-                         const dealii::Point<3> &centre,
-                         const Velocity         &velocity)
+    JointVelocity velocity_at(const dealii::Point<3> &point,
+                              const dealii::Point<3> &centre,
+                              const JointVelocity    &velocity)
     {
       const SpaceVector turning =
         dealii::cross_product_3d(SpaceVector(
                                    {velocity[3], velocity[4], velocity[5]}),
                                  point - centre);
-      Velocity result = velocity;
+      JointVelocity result = velocity;
       for (unsigned int c = 0; c < 3; ++c)
         result[c] += turning[c];
       return result;
     }
+
+    double norm(const JointVelocity &velocity, const unsigned int first)
+    {
+      return std::hypot(std::hypot(velocity[first], velocity[first + 1]),
+                        velocity[first + 2]);
+    }
+
+    /** The velocity that a definition gives to one joint. */
+    struct Given
+    {
+      const InitialVelocityDefinition *definition;
+      JointVelocity                    velocity;
+      double largest_speed; ///< of the joints of the definition (m/s)
+
+      /** Against which a component is judged (m/s, rad/s). */
+      double size(const unsigned int component) const
+      {
+        return component < first_rotation ? largest_speed
+                                          : norm(velocity, first_rotation);
+      }
+    };
+
+    /** The joints of one definition, which move as one body. */
+    struct MovingSet
+    {
+      const InitialVelocityDefinition *definition;
+      std::vector<unsigned int>        joints;
+      dealii::Point<3>                 centre;
+
+      bool turns() const
+      {
+        const JointVelocity &v = definition->velocity;
+        return v[3] != 0 || v[4] != 0 || v[5] != 0;
+      }
+
+      bool has_all(const std::vector<unsigned int> &others) const
+      {
+        return std::all_of(others.begin(), others.end(), [&](const auto joint) {
+          return std::find(joints.begin(), joints.end(), joint) != joints.end();
+        });
+      }
+    };
+
+    class InitialVelocities
+    {
+    public:
+      InitialVelocities(const Scene        &scene,
+                        const Lattice      &lattice,
+                        const DofNumbering &numbering)
+        : scene(scene)
+        , lattice(lattice)
+        , numbering(numbering)
+        , of_joints(lattice.joints.size())
+        , spins_of_parts(lattice.rigid_parts.size())
+      {
+        find_turning_parts();
+        for (const InitialVelocityDefinition &definition :
+             scene.initial_velocities)
+          take(definition);
+        refuse_held();
+        for (unsigned int j = 0; j < of_joints.size(); ++j)
+          if (of_joints[j])
+            move_joint(j, of_joints[j]->velocity);
+        for (unsigned int e = 0; e < numbering.elements().size(); ++e)
+          move_element(e);
+      }
+
+      std::vector<std::pair<int, double>> by_unknown() const
+      {
+        return {velocities.begin(), velocities.end()};
+      }
+
+    private:
+      void find_turning_parts()
+      {
+        for (unsigned int p = 0; p < lattice.rigid_parts.size(); ++p)
+          if (lattice.rigid_parts[p].has_rotation)
+            turning_parts
+              [numbering.global().rigid_parts[p].motion[rotation_z]] = p;
+        for (const unsigned int p : numbering.constraints().rigid_parts())
+          if (lattice.rigid_parts[p].has_rotation)
+            for (const unsigned int c : numbering.components())
+              of_rigid_parts.insert(numbering.constraints().motion(p, c));
+      }
+
+      void take(const InitialVelocityDefinition &definition)
+      {
+        MovingSet set{&definition,
+                      select_joints(lattice,
+                                    definition.joints,
+                                    scene.context,
+                                    definition.path + "/Joints"),
+                      {}};
+        for (const unsigned int joint : set.joints)
+          set.centre += lattice.joints[joint] / double(set.joints.size());
+        refuse_vain_turning(set);
+        move_joints(set);
+        for (unsigned int p = 0; p < lattice.rigid_parts.size(); ++p)
+          if (lattice.rigid_parts[p].has_rotation &&
+              set.has_all(lattice.rigid_parts[p].joints))
+            spins_of_parts[p] = definition.velocity;
+        for (const unsigned int p : numbering.constraints().rigid_parts())
+          if (lattice.rigid_parts[p].has_rotation &&
+              set.has_all(lattice.rigid_parts[p].joints))
+            move_rigid_part(p, set);
+      }
+
+      void move_joints(const MovingSet &set)
+      {
+        std::vector<JointVelocity> of_set;
+        double                     largest_speed = 0;
+        for (const unsigned int joint : set.joints)
+          {
+            of_set.push_back(velocity_at(lattice.joints[joint],
+                                         set.centre,
+                                         set.definition->velocity));
+            largest_speed = std::max(largest_speed, norm(of_set.back(), 0));
+          }
+        for (unsigned int i = 0; i < set.joints.size(); ++i)
+          of_joints[set.joints[i]] = {set.definition, of_set[i], largest_speed};
+      }
+
+      /** The rigid part whose rotation a joint has, if any. */
+      std::optional<unsigned int>
+      turning_part_of(const unsigned int joint) const
+      {
+        const auto found =
+          turning_parts.find(numbering.global().joints[joint][rotation_z]);
+        if (found == turning_parts.end())
+          return {};
+        return found->second;
+      }
+
+      /** A set of several joints moves them; one joint can only turn itself. */
+      void refuse_vain_turning(const MovingSet &set) const
+      {
+        if (!set.turns() || set.joints.size() > 1)
+          return;
+        const unsigned int joint = set.joints.front();
+        const std::string  found = set.definition->path + "/Angular velocity: ";
+        if (!numbering.joint_has(joint, rotation_z))
+          throw InputError(
+            found + why_no_rotation(numbering, joint) +
+            " To turn a rigid part, name all its joints in one set.");
+        if (const std::optional<unsigned int> part = turning_part_of(joint);
+            part && !set.has_all(lattice.rigid_parts[*part].joints))
+          throw InputError(found + "joint " + std::to_string(joint) +
+                           " turns with a rigid part. Name all joints of the "
+                           "part in one set, which turns about their mean.");
+      }
+
+      void refuse_held() const
+      {
+        for (const SupportDefinition &support : scene.supports)
+          for (const unsigned int joint :
+               select_joints(lattice,
+                             support.joints,
+                             scene.context,
+                             support.path + "/Joints"))
+            if (of_joints[joint])
+              refuse_held(support, joint, *of_joints[joint]);
+      }
+
+      void refuse_held(const SupportDefinition &support,
+                       const unsigned int       joint,
+                       const Given             &given) const
+      {
+        for (const unsigned int c : numbering.components())
+          {
+            const double velocity = given.velocity[c];
+            if (!support.fixed[c] || !numbering.joint_has(joint, c) ||
+                std::abs(velocity) <= digits_of_velocities * given.size(c))
+              continue;
+            const double allowed = support.motion[c].jet(0, scene.time.step)[1];
+            if (std::abs(velocity - allowed) <=
+                digits_of_velocities * given.size(c))
+              continue;
+            const char        *unit = c < first_rotation ? " m/s" : " rad/s";
+            std::ostringstream message;
+            message << given.definition->path << ": the "
+                    << motion_in_words(c, lattice.dimension) << " of joint "
+                    << joint << " is prescribed by " << support.path
+                    << " and starts with " << allowed << unit << ", not with "
+                    << velocity << unit
+                    << ". Take the joint out of the set, give it another "
+                       "velocity in a later one, or give the support a motion "
+                       "that starts so.";
+            throw InputError(message.str());
+          }
+      }
+
+      void move_joint(const unsigned int joint, const JointVelocity &velocity)
+      {
+        for (const unsigned int c : numbering.components())
+          if (const int unknown = numbering.joint_unknown(joint, c);
+              unknown >= 0 && of_rigid_parts.count(unknown) == 0)
+            velocities[unknown] = velocity[c];
+      }
+
+      void move_rigid_part(const unsigned int p, const MovingSet &set)
+      {
+        const JointVelocity velocity =
+          velocity_at(lattice.rigid_parts[p].centre_of_mass,
+                      set.centre,
+                      set.definition->velocity);
+        for (const unsigned int c : numbering.components())
+          velocities[numbering.constraints().motion(p, c)] = velocity[c];
+      }
+
+      /** Known on every rank, as the strut may reach beyond this one's part. */
+      MovingEnd end_of(const unsigned int strut, const unsigned int end) const
+      {
+        const unsigned int joint = lattice.struts[strut].joints[end];
+        MovingEnd          result{lattice.joints[joint],
+                         of_joints[joint]->velocity,
+                         numbering.global().released_ends.count({strut, end}) >
+                           0};
+        if (const std::optional<unsigned int> part = turning_part_of(joint);
+            part && !result.is_released)
+          for (unsigned int c = first_rotation; c < n_motion_components; ++c)
+            result.velocity[c] = spins_of_parts[*part][c];
+        return result;
+      }
+
+      /** Nodes of an element but those at joints, whose unknowns are these. */
+      void move_element(const unsigned int e)
+      {
+        const StrutMesh::Place &place = numbering.elements()[e].place;
+        const Strut            &strut = lattice.struts[place.strut];
+        if (!of_joints[strut.joints[0]] || !of_joints[strut.joints[1]])
+          return;
+        const std::array<MovingEnd, 2> ends = {
+          {end_of(place.strut, 0), end_of(place.strut, 1)}};
+        const StrutVelocities inside(ends);
+        const LineRule        rule(numbering.order());
+        const unsigned int    n = numbering.n_components();
+        for (unsigned int a = 0; a < rule.nodes.size(); ++a)
+          {
+            const double         fraction = place.at(rule.nodes[a]);
+            dealii::Point<3>     position;
+            dealii::Tensor<1, 3> tangent;
+            lattice.axis(strut, fraction, position, tangent);
+            const JointVelocity velocity = inside.at(fraction, position);
+            for (unsigned int i = 0; i < n; ++i)
+              {
+                const int  unknown = numbering.element_unknowns(e)[n * a + i];
+                const bool is_of_joint = place.is_joint(a) &&
+                  unknown ==
+                    numbering.joint_unknown(strut.joints[a],
+                                            numbering.components()[i]);
+                if (!is_of_joint)
+                  velocities[unknown] = velocity[numbering.components()[i]];
+              }
+          }
+      }
+
+      const Scene                      &scene;
+      const Lattice                    &lattice;
+      const DofNumbering               &numbering;
+      std::vector<std::optional<Given>> of_joints;
+      /** A rigid part turns with a set only if all of it does: its velocity,
+       * by part. */
+      std::vector<JointVelocity> spins_of_parts;
+      /** Rigid parts by the global number of their rotation. */
+      std::map<int, unsigned int> turning_parts;
+      std::set<int>               of_rigid_parts; ///< local unknowns
+      std::map<int, double>       velocities;     ///< by local unknown
+    };
   } // namespace
 
   std::vector<std::pair<int, double>>
@@ -33,78 +312,8 @@ namespace auxfem
                      const Lattice      &lattice,
                      const DofNumbering &numbering)
   {
-    const LineRule                      rule(numbering.order());
-    const std::vector<unsigned int>    &components = numbering.components();
-    const unsigned int                  n          = numbering.n_components();
-    std::vector<std::pair<int, double>> velocities;
-    // A rigid part turns with a set only if all of it does.
-    std::set<int> of_rigid_parts;
-    for (const unsigned int p : numbering.constraints().rigid_parts())
-      if (lattice.rigid_parts[p].has_rotation)
-        for (const unsigned int c : components)
-          of_rigid_parts.insert(numbering.constraints().motion(p, c));
-    const auto is_of_rigid_part = [&](const int unknown) {
-      return of_rigid_parts.count(unknown) > 0;
-    };
-    for (const InitialVelocityDefinition &definition : scene.initial_velocities)
-      {
-        const std::vector<unsigned int> joints =
-          select_joints(lattice,
-                        definition.joints,
-                        scene.context,
-                        definition.path + "/Joints");
-        dealii::Point<3>  centre;
-        std::vector<bool> chosen(lattice.joints.size(), false);
-        for (const unsigned int joint : joints)
-          {
-            chosen[joint] = true;
-            centre += lattice.joints[joint] / double(joints.size());
-          }
-        for (const unsigned int joint : joints)
-          {
-            const Velocity velocity =
-              velocity_at(lattice.joints[joint], centre, definition.velocity);
-            for (const unsigned int c : components)
-              if (numbering.joint_unknown(joint, c) >= 0 &&
-                  !is_of_rigid_part(numbering.joint_unknown(joint, c)))
-                velocities.emplace_back(numbering.joint_unknown(joint, c),
-                                        velocity[c]);
-          }
-        for (const unsigned int p : numbering.constraints().rigid_parts())
-          {
-            const RigidPart &part = lattice.rigid_parts[p];
-            if (!part.has_rotation ||
-                !std::all_of(part.joints.begin(),
-                             part.joints.end(),
-                             [&](const auto joint) { return chosen[joint]; }))
-              continue;
-            const Velocity velocity =
-              velocity_at(part.centre_of_mass, centre, definition.velocity);
-            for (const unsigned int c : components)
-              velocities.emplace_back(numbering.constraints().motion(p, c),
-                                      velocity[c]);
-          }
-        for (unsigned int e = 0; e < numbering.elements().size(); ++e)
-          {
-            const StrutMesh::Place &place = numbering.elements()[e].place;
-            const Strut            &strut = lattice.struts[place.strut];
-            if (!chosen[strut.joints[0]] || !chosen[strut.joints[1]])
-              continue;
-            for (unsigned int a = 0; a < rule.nodes.size(); ++a)
-              {
-                dealii::Point<3>     position;
-                dealii::Tensor<1, 3> tangent;
-                lattice.axis(strut, place.at(rule.nodes[a]), position, tangent);
-                const Velocity velocity =
-                  velocity_at(position, centre, definition.velocity);
-                for (unsigned int i = 0; i < n; ++i)
-                  if (const int unknown =
-                        numbering.element_unknowns(e)[n * a + i];
-                      !is_of_rigid_part(unknown))
-                    velocities.emplace_back(unknown, velocity[components[i]]);
-              }
-          }
-      }
-    return velocities;
+    if (scene.initial_velocities.empty())
+      return {};
+    return InitialVelocities(scene, lattice, numbering).by_unknown();
   }
 } // namespace auxfem

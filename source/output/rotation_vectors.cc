@@ -9,6 +9,21 @@ namespace auxfem
   namespace
   {
     const std::string record_name = "history: rotation vectors";
+
+    /** Further away (rad) a rotation vector would be a leap in the output. */
+    constexpr double nearest_leap = 1;
+
+    /**
+     * The rotation vector nearest to @p expected. Where a body has turned
+     * often about an axis that is now tilted, all of them are far away: what is
+     * expected stands, which counts the turns.
+     */
+    SpaceVector followed(const Quaternion  &rotation,
+                         const SpaceVector &expected)
+    {
+      const SpaceVector nearest = rotation_vector_near(rotation, expected);
+      return (nearest - expected).norm() < nearest_leap ? nearest : expected;
+    }
   } // namespace
 
   RotationVectors::RotationVectors(const LatticeModel &model)
@@ -26,11 +41,10 @@ namespace auxfem
         if (state.rotations.empty())
           vector = entries;
         else
-          vector =
-            rotation_vector_near(state.rotations[i],
-                                 vector +
-                                   rotated(state.rotations[i],
-                                           entries - rotations[i].entries));
+          vector = followed(state.rotations[i],
+                            vector +
+                              rotated(state.rotations[i],
+                                      entries - rotations[i].entries));
         rotations[i].entries = entries;
       }
   }

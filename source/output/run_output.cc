@@ -1,6 +1,7 @@
 #include <auxfem/output/console.h>
 #include <auxfem/output/first_rank.h>
 #include <auxfem/output/history.h>
+#include <auxfem/output/notes.h>
 #include <auxfem/output/run_folder.h>
 #include <auxfem/output/run_output.h>
 #include <auxfem/output/vtu_writer.h>
@@ -103,9 +104,11 @@ namespace auxfem
     signals.emplace();
     const Counts counts = count(equations);
     if (console)
-      console->print(
-        overview_text(scene, counts, equations.model().simulated.decisions) +
-        '\n');
+      console->print(overview_text(scene,
+                                   counts,
+                                   equations.model().simulated.decisions,
+                                   notes_on(scene, equations.model())) +
+                     '\n');
     this->equations = &equations;
     history.emplace(scene, equations, communicator);
     on_first_rank(communicator, [&]() {
@@ -234,6 +237,7 @@ namespace auxfem
       dealii::Utilities::MPI::max(history->largest_rotation(), communicator);
     summary.time       = result.time;
     summary.exit_state = result.exit_state;
+    summary.notes      = notes_on(scene, equations->model());
 
     on_first_rank(communicator, [&]() {
       replace_file(folder + "/summary.json", summary_json(scene, summary));
@@ -293,7 +297,8 @@ namespace auxfem
     if (equations.model().numbering.layout().rank() == 0)
       std::cout << overview_text(scene,
                                  counts,
-                                 equations.model().simulated.decisions)
+                                 equations.model().simulated.decisions,
+                                 notes_on(scene, equations.model()))
                 << std::endl;
   }
 } // namespace auxfem

@@ -276,6 +276,8 @@ namespace auxfem
     object.add("peak_memory_bytes", memory);
     object.add("energies_joule", json_of_energies(summary.energies));
     object.add("largest_rotation_radian", summary.largest_rotation);
+    if (!summary.notes.empty())
+      object.add("notes", summary.notes);
     if (summary.strain.along(1))
       object.add("largest_effective_strain", json(summary.strain));
     return object.text() + '\n';
@@ -283,7 +285,8 @@ namespace auxfem
 
   std::string overview_text(const Scene                       &scene,
                             const Counts                      &counts,
-                            const std::vector<EffectDecision> &decisions)
+                            const std::vector<EffectDecision> &decisions,
+                            const std::vector<std::string>    &notes)
   {
     std::ostringstream stream;
     stream << heading_text(scene) << "\n\n";
@@ -319,13 +322,11 @@ namespace auxfem
 
     list_effects(stream, "Simulated", decisions, true);
     list_effects(stream, "Left out", decisions, false);
-    const std::optional<std::string> note =
-      scene.time.scheme->note_on_rigid_parts();
-    if (counts.conditions > 0 && note)
+    for (const std::string &note : notes)
       {
         stream << "\nNote\n";
         for (const std::string &part :
-             dealii::Utilities::break_text_into_lines(*note, 93))
+             dealii::Utilities::break_text_into_lines(note, 93))
           stream << "  " << part << '\n';
       }
     std::string text = stream.str();

@@ -20,6 +20,10 @@ namespace auxfem
       return text.str();
     }
 
+    /** Beyond, times of neighbouring steps lose their digits; years of
+     * computing before that. */
+    constexpr double most_steps = 1e12;
+
     void check_steps(const Scene &scene, Mistakes &mistakes)
     {
       const TimeParameters &time = scene.time;
@@ -30,17 +34,18 @@ namespace auxfem
                              " s is longer than Time/End time = ",
                              time.end_time,
                              " s. Reduce the step or move the end"));
-      // More could not be told apart by their times.
-      const double most = 1e15;
-      if (time.end_time / time.step > most)
+      if (time.end_time / time.step > most_steps)
         mistakes.add(message(scene,
                              "Time/Time step = ",
                              time.step,
-                             " s is too short for Time/End time = ",
+                             " s makes ",
+                             time.end_time / time.step,
+                             " steps until Time/End time = ",
                              time.end_time,
-                             " s: a run has at most ",
-                             most,
-                             " steps"));
+                             " s, at most ",
+                             most_steps,
+                             " are allowed. Give a longer step, with its unit, "
+                             "e.g. 10 us"));
       if (time.smallest_step > time.step)
         mistakes.add(message(scene,
                              "Time/Smallest time step = ",

@@ -208,17 +208,19 @@ namespace auxfem
 
     SubsectionKind initial_velocities_kind()
     {
-      return {"Initial velocities",
-              Form::named_groups,
-              "Joints that move at t = 0.",
-              [](ParameterHandler &prm) {
-                declare(prm, joints);
-                for (const Quantity &entry : initial_velocity)
-                  declare(prm, entry);
-              },
-              "",
-              {},
-              read_initial_velocity};
+      return {
+        "Initial velocities",
+        Form::named_groups,
+        "Joints that move at t = 0, each set as a rigid body; struts move "
+        "along if both their ends are in these sets.",
+        [](ParameterHandler &prm) {
+          declare(prm, joints);
+          for (const Quantity &entry : initial_velocity)
+            declare(prm, entry);
+        },
+        "",
+        {},
+        read_initial_velocity};
     }
   } // namespace
 

@@ -1,4 +1,5 @@
 #include <auxfem/time/alpha_family.h>
+#include <auxfem/time/massless.h>
 
 namespace auxfem
 {
@@ -16,6 +17,11 @@ namespace auxfem
   bool AlphaFamily::carries_on_alternating_errors() const
   {
     return c.gamma == 0.5 && !uses_algorithmic_acceleration();
+  }
+
+  bool AlphaFamily::keeps_massless_in_equilibrium() const
+  {
+    return c.gamma == 2 * c.beta;
   }
 
   bool AlphaFamily::uses_algorithmic_acceleration() const
@@ -47,6 +53,37 @@ namespace auxfem
         if (uses_algorithmic_acceleration())
           (*to.algorithmic_acceleration)[i] = a_new;
       }
+    to.is_massless = from.is_massless;
+    settle_massless(from, dt, to);
+  }
+
+  void AlphaFamily::settle_massless(const State &from,
+                                    const double dt,
+                                    State       &trial) const
+  {
+    if (!from.is_massless)
+      return;
+    for (unsigned int i = 0; i < from.displacement.size(); ++i)
+      if ((*from.is_massless)[i] == massless)
+        {
+          const double before =
+                         (*from.velocity)[i] - dt / 2 * (*from.acceleration)[i],
+                       now =
+                         (trial.displacement[i] - from.displacement[i]) / dt;
+          settle_acceleration(i, (now - before) / dt, trial);
+          (*trial.velocity)[i] = now + (now - before) / 2;
+        }
+      else if ((*from.is_massless)[i] == massless_and_damped)
+        settle_acceleration(i, 0, trial);
+  }
+
+  void AlphaFamily::settle_acceleration(const unsigned int unknown,
+                                        const double       acceleration,
+                                        State             &trial) const
+  {
+    (*trial.acceleration)[unknown] = acceleration;
+    if (uses_algorithmic_acceleration())
+      (*trial.algorithmic_acceleration)[unknown] = acceleration;
   }
 
   TangentFactors AlphaFamily::factors(const double dt) const
@@ -57,7 +94,7 @@ namespace auxfem
             acceleration * (1 - c.alpha_m) / (1 - c.alpha_f)};
   }
 
-  void AlphaFamily::correct(const State & /*from*/,
+  void AlphaFamily::correct(const State  &from,
                             const Vector &increment,
                             const double  dt,
                             State        &trial) const
@@ -78,5 +115,6 @@ namespace auxfem
       add_multiple(1 / (c.beta * dt * dt),
                    increment,
                    *trial.algorithmic_acceleration);
+    settle_massless(from, dt, trial);
   }
 } // namespace auxfem

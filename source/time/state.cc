@@ -30,7 +30,7 @@ namespace auxfem
     take(displacement);
     residual.resize(layout.n_local(), 0.);
     for (std::optional<Vector> *rate :
-         {&velocity, &acceleration, &algorithmic_acceleration})
+         {&velocity, &acceleration, &algorithmic_acceleration, &is_massless})
       if (*rate)
         take(**rate);
   }

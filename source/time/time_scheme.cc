@@ -30,6 +30,11 @@ namespace auxfem
     return false;
   }
 
+  bool ImplicitScheme::keeps_massless_in_equilibrium() const
+  {
+    return false;
+  }
+
   bool ImplicitScheme::uses_algorithmic_acceleration() const
   {
     return false;

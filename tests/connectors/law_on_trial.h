@@ -64,6 +64,14 @@ namespace auxfem
       return response;
     }
 
+    /** The same at a constant rate, none if no time passes or for ever. */
+    ConnectorResponse ramp(const double new_extension, const double dt)
+    {
+      return step(new_extension,
+                  dt > 0 ? (new_extension - extension) / dt : 0.,
+                  dt);
+    }
+
     const std::unique_ptr<ConnectorLaw> law;
     std::vector<double>                 history;
     double                              extension = 0;

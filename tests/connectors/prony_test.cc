@@ -21,8 +21,8 @@ TEST(GeneralizedMaxwell, OneTermIsTheStandardLinearSolid)
   for (unsigned int i = 1; i <= 20; ++i)
     {
       const double extension = 0.01 * std::sin(i);
-      EXPECT_DOUBLE_EQ(prony.step(extension, 0., 0.02).force,
-                       solid.step(extension, 0., 0.02).force);
+      EXPECT_DOUBLE_EQ(prony.ramp(extension, 0.02).force,
+                       solid.ramp(extension, 0.02).force);
       EXPECT_DOUBLE_EQ(prony.stored, solid.stored);
       EXPECT_DOUBLE_EQ(prony.dissipated, solid.dissipated);
     }
@@ -36,12 +36,12 @@ TEST(GeneralizedMaxwell, RelaxationIsThePronySeries)
                            {"Relaxation times", "1, 0.1, 0.01"}}));
   ASSERT_EQ(law.law->n_history(), 3u);
   const double U = 0.01, dt = 0.013;
-  law.step(U, 0., 0.);
+  law.ramp(U, 0.);
   for (unsigned int i = 1; i <= 50; ++i)
     {
       const double t = i * dt;
       // round-off of 50 products
-      EXPECT_NEAR(law.step(U, 0., dt).force,
+      EXPECT_NEAR(law.ramp(U, dt).force,
                   U *
                     (50 + 100 * std::exp(-t) + 200 * std::exp(-t / 0.1) +
                      300 * std::exp(-t / 0.01)),

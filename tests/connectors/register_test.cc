@@ -139,7 +139,7 @@ TEST(ConnectorLaws, WorkOfTheMeanForceIsStoredOrLost)
     for (const double dt : {1e-8, 1e-3, 0.024, 0.026, 0.05, 1., 1e4})
       {
         const std::vector<double> history(law->n_history(), 3.);
-        const ConnectorMotion     motion = {0.01, 0.3, 0.008, dt};
+        const ConnectorMotion     motion = {0.01, 0.002 / dt, 0.008, dt};
         std::vector<double>       trial(history.size());
         ConnectorResponse         response;
         law->evaluate_mean(1, &motion, history.data(), trial.data(), &response);
@@ -155,7 +155,8 @@ TEST(ConnectorLaws, WorkOfTheMeanForceIsStoredOrLost)
         std::vector<double> other(history.size());
         ConnectorResponse   at_end;
         law->evaluate(1, &motion, history.data(), other.data(), &at_end);
-        EXPECT_EQ(trial, other);
+        for (unsigned int j = 0; j < trial.size(); ++j)
+          EXPECT_NEAR(trial[j], other[j], 1e-14 * (3 + std::abs(trial[j])));
 
         ConnectorMotion plus = motion, minus = motion;
         plus.extension += 1e-3;
@@ -267,7 +268,8 @@ namespace
   }
 } // namespace
 
-// Steps take the extension to be piecewise linear: second order in dt. The
+// Maxwell elements take the rate to be linear in steps that end with the true
+// one: third order. Losses of Kelvin-Voigt are of second order. The
 // Runge-Kutta reference is exact to 1e-10 and better.
 TEST(ConnectorLaws, SmallStepsTendToTheContinuousForm)
 {
@@ -288,7 +290,8 @@ TEST(ConnectorLaws, SmallStepsTendToTheContinuousForm)
         }
       if (error[0] > 1e-10)
         {
-          EXPECT_NEAR(error[0] / error[1], 4, 0.1) << i;
+          const unsigned int order = laws[i]->n_history() > 0 ? 3 : 2;
+          EXPECT_NEAR(std::log2(error[0] / error[1]), order, 0.05) << i;
         }
     }
 }

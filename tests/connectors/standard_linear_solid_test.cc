@@ -29,12 +29,10 @@ TEST(StandardLinearSolid, Relaxation)
                            4.1831563889};
   LawOnTrial   law      = standard_linear_solid();
   double       previous = 0;
-  EXPECT_DOUBLE_EQ(law.step(0.01, 0., 0.).force, 14.);
+  EXPECT_DOUBLE_EQ(law.ramp(0.01, 0.).force, 14.);
   for (unsigned int i = 0; i < 4; ++i)
     {
-      EXPECT_NEAR(law.step(0.01, 0., times[i] - previous).force,
-                  forces[i],
-                  1e-10);
+      EXPECT_NEAR(law.ramp(0.01, times[i] - previous).force, forces[i], 1e-10);
       previous = times[i];
     }
 }
@@ -74,7 +72,7 @@ TEST(StandardLinearSolid, HarmonicModuliAndPeakLossFactor)
             dissipated = law.dissipated;
           const double phase = 2 * M_PI * i / n;
           const double force =
-            law.step(0.01 * std::sin(phase), 0., 2 * M_PI / (w * n)).force;
+            law.ramp(0.01 * std::sin(phase), 2 * M_PI / (w * n)).force;
           if (i > 11 * n)
             {
               storage += 2 * force * std::sin(phase) / (0.01 * n);
@@ -103,8 +101,8 @@ TEST(StandardLinearSolid, WithoutLongTimeStiffnessItIsMaxwell)
   for (unsigned int i = 1; i <= 20; ++i)
     {
       const double extension = 0.01 * std::sin(i);
-      EXPECT_DOUBLE_EQ(law.step(extension, 0., 0.02).force,
-                       maxwell.step(extension, 0., 0.02).force);
+      EXPECT_DOUBLE_EQ(law.ramp(extension, 0.02).force,
+                       maxwell.ramp(extension, 0.02).force);
       EXPECT_DOUBLE_EQ(law.stored, maxwell.stored);
       EXPECT_DOUBLE_EQ(law.dissipated, maxwell.dissipated);
     }
@@ -113,11 +111,11 @@ TEST(StandardLinearSolid, WithoutLongTimeStiffnessItIsMaxwell)
 TEST(StandardLinearSolid, LimitsOfTheDashpot)
 {
   // Infinite: both springs, up to a / 2 = 5e-14 of the force. None: one spring.
-  EXPECT_NEAR(standard_linear_solid("400", "1e15").step(0.01, 0., 0.1).force,
+  EXPECT_NEAR(standard_linear_solid("400", "1e15").ramp(0.01, 0.1).force,
               14.,
               1e-12);
   LawOnTrial              soft     = standard_linear_solid("400", "0");
-  const ConnectorResponse response = soft.step(0.01, 0., 0.1);
+  const ConnectorResponse response = soft.ramp(0.01, 0.1);
   EXPECT_DOUBLE_EQ(response.force, 4.);
   EXPECT_DOUBLE_EQ(response.stiffness, 400.);
   EXPECT_EQ(soft.dissipated, 0.);
@@ -126,9 +124,9 @@ TEST(StandardLinearSolid, LimitsOfTheDashpot)
 TEST(StandardLinearSolid, InfiniteStepLeavesTheLongTimeSpring)
 {
   LawOnTrial law = standard_linear_solid();
-  law.step(0.01, 0., 0.);
+  law.ramp(0.01, 0.);
   EXPECT_DOUBLE_EQ(law.stored, 0.07);
-  const ConnectorResponse response = law.step(0.01, 0., infinity);
+  const ConnectorResponse response = law.ramp(0.01, infinity);
   EXPECT_DOUBLE_EQ(response.force, 4.);
   EXPECT_DOUBLE_EQ(response.stiffness, 400.);
   EXPECT_DOUBLE_EQ(law.stored, 0.02);

@@ -123,6 +123,18 @@ TEST_F(RotationVectorsTest, StaySmallWhereTheAxisGoesRoundAndRound)
   EXPECT_NEAR((vector_of(1) - vector(0)).norm(), 0, 1e-12);
 }
 
+TEST_F(RotationVectorsTest, CountTurnsAboutATiltedAxis)
+{
+  // Tilted by 0.1 rad and spun by 700 rad: near whole turns the only rotation
+  // vectors are about the axis of the tilt.
+  turn_by(SpaceVector({0.1, 0, 0}));
+  for (unsigned int i = 0; i < 14000; ++i)
+    turn_by(SpaceVector({0, 0, 0.05}));
+  // Which axis they are counted about is known to the tilt, 0.1^2 / 2.
+  EXPECT_NEAR(vector_of(1)[2], 700, 3.5);
+  EXPECT_NEAR(vectors.largest(), 700, 1);
+}
+
 TEST_F(SmallRotationVectorsTest, AreTheEntriesOfTheDisplacement)
 {
   ASSERT_TRUE(state.rotations.empty());

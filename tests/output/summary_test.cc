@@ -67,7 +67,8 @@ TEST(Summary, OverviewListsWhatIsSimulatedAndWhatIsNot)
                   counts,
                   {{"gravity", false, "it is zero"},
                    {"inertia", true, "a dynamic scheme"},
-                   {"hinges", false, "no joint has any"}});
+                   {"hinges", false, "no joint has any"}},
+                  {"The table ends.", "The struts are thick."});
   EXPECT_NE(text.find("lattice.prm: A lattice\n"), std::string::npos);
   EXPECT_NE(text.find("Joints                96\n"), std::string::npos) << text;
   EXPECT_NE(text.find("\nSimulated\n  inertia  a dynamic scheme\n"),
@@ -75,13 +76,19 @@ TEST(Summary, OverviewListsWhatIsSimulatedAndWhatIsNot)
   EXPECT_NE(text.find("\nLeft out\n  gravity  it is zero\n"
                       "  hinges   no joint has any"),
             std::string::npos);
+  EXPECT_NE(text.find("\nNote\n  The table ends.\n"
+                      "\nNote\n  The struts are thick."),
+            std::string::npos);
   EXPECT_NE(text.back(), '\n');
 }
 
 TEST(Summary, OverviewHasNoEmptyList)
 {
   const std::string text =
-    overview_text(Scene(), Counts(), {{"inertia", true, "a dynamic scheme"}});
+    overview_text(Scene(),
+                  Counts(),
+                  {{"inertia", true, "a dynamic scheme"}},
+                  {});
   EXPECT_EQ(text.find("Left out"), std::string::npos);
 }
 

@@ -304,6 +304,10 @@ namespace
                    {"Time/Time step = 0.01 s", "Time/End time = 0.001 s"});
     expect_message(subsection("Time", "set Smallest time step = 0.1"),
                    {"Time/Smallest time step = 0.1 s", "Time/Time step"});
+    expect_message(subsection("Time", "set Time step = 1e-30"),
+                   {"Time/Time step = 1e-30 s",
+                    "makes 1e+30 steps",
+                    "at most 1e+12 are allowed"});
     expect_message(subsection("Time", "set Newmark gamma = 0.4"),
                    {"Newmark gamma = 0.4", "2 beta >= gamma >= 1/2"});
     expect_message(subsection("Time", "set Newmark beta = 0.2"),

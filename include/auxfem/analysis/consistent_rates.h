@@ -43,6 +43,14 @@ namespace auxfem
     State start(State &state, double dt);
 
     /**
+     * After start(), for a scheme that keeps unknowns without mass in
+     * equilibrium: makes them known to @p state and takes their accelerations
+     * from it. Throws InputError, naming it, if viscous forces depend on the
+     * velocity of a displacement among them.
+     */
+    void keep_massless(State &state);
+
+    /**
      * Puts velocities and accelerations of step.to, solved at the end of @p step,
      * right: undamped schemes carry on what is wrong in them with alternating
      * sign, and in turning parts it grows. Does nothing if a free unknown has
@@ -81,12 +89,20 @@ namespace auxfem
     /** Those that change velocities by `increment` and its multipliers. */
     void find_impulses(const Evaluation &instant, double dt);
     void find_accelerations(const Evaluation &evaluation);
+    /** Takes the accelerations of unknowns without mass, if known, away. */
+    void leave_to_equilibrium(State &state) const;
     /** Makes `increment` zero for prescribed unknowns. */
     void hold_prescribed();
     /** Solves for `increment`; throws ComputationError if that fails. */
     void solve();
-    bool has_empty_row();
     void refuse_empty_rows();
+    /** Marks those of the massless unknowns that are damped; refuses
+     * displacements among these. */
+    void mark_damped(std::vector<double> &kinds, const Evaluation &now);
+    /** 1 for owned rows of the matrix that are zero, else 0. */
+    std::vector<double> empty_rows();
+    /** Whether one of the flags is 1, over all ranks. */
+    bool is_anywhere(const std::vector<double> &flags) const;
 
     TangentSolver      &solver;
     const LatticeModel &model;

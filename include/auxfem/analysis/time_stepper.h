@@ -3,7 +3,7 @@
 
 #include <auxfem/analysis/consistent_rates.h>
 #include <auxfem/analysis/newton.h>
-#include <auxfem/analysis/step_ends.h>
+#include <auxfem/scene/step_ends.h>
 #include <auxfem/time/step_control.h>
 
 namespace auxfem

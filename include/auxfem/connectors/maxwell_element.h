@@ -13,9 +13,10 @@ namespace auxfem
    *   dF/dt + F / tau = k du/dt,   tau = c / k,
    *
    * with its force F (N) as internal variable. All functions below take the
-   * extension u to be linear in the step; for such motion they are exact for
-   * every step length from zero to infinity and every relaxation time >= 0
-   * (zero: the dashpot offers no resistance and F = 0).
+   * rate of the extension u to be linear in the step, with the increment and
+   * the rate at its end as given; mean() takes it to be constant. For such
+   * motion they are exact for every step length from zero to infinity and every
+   * relaxation time >= 0 (zero: the dashpot offers no resistance and F = 0).
    */
   struct MaxwellElement
   {
@@ -25,23 +26,34 @@ namespace auxfem
     /** Relaxation time tau (s), >= 0. */
     double relaxation_time;
 
-    /** What a step makes of the force: F_new = decay F_old + stiffness du. */
+    /** What a step makes of the force:
+     * F_new = decay F_old + stiffness du + damping v, v the rate at the end.
+     * With g = 1 - e^(-a) and l = 2 (a - g) / a^2 - g / a, which is a / 6 for
+     * short steps and 1 / a for long ones: */
     struct Step
     {
-      /** e^(-a), with a = dt / tau. */
-      double decay;
-      /** k (1 - e^(-a)) / a (N/m): the algorithmic tangent dF/du. */
-      double stiffness;
+      double decay;     ///< e^(-a), with a = dt / tau
+      double stiffness; ///< k (g / a - l) (N/m)
+      double damping;   ///< k l dt (N s/m)
     };
 
     /** Coefficients of a step of length @p dt (s). */
     Step step(double dt) const;
 
-    /**
-     * Mean force over a step: F_mean = decay F_old + stiffness du, here with
-     * decay (1 - e^(-a)) / a and stiffness k (a - (1 - e^(-a))) / a^2.
-     */
-    Step mean(double dt) const;
+    /** Force (N) at the end of a step of length @p dt (s) that starts with
+     * @p force (N) and adds @p extension_increment (m) at a constant rate. */
+    double
+    at_constant_rate(double force, double extension_increment, double dt) const;
+
+    /** Of a mean force: F_mean = decay F_old + stiffness du. */
+    struct Mean
+    {
+      double decay;     ///< g / a
+      double stiffness; ///< k (a - g) / a^2 (N/m)
+    };
+
+    /** Mean force over a step of length @p dt (s) at a constant rate. */
+    Mean mean(double dt) const;
 
     /** Energy in the spring (J) under @p force (N): F^2 / (2 k). */
     double stored_energy(double force) const;
@@ -56,13 +68,10 @@ namespace auxfem
     double lost_power(double force) const;
 
     /**
-     * Energy lost in the dashpot (J), the integral of F^2 / c over a step of
-     * length @p dt (s) that starts with @p force (N) and adds
-     * @p extension_increment (m).
+     * Energy lost in the dashpot (J), the integral of F^2 / c over the step
+     * that @p motion describes and that starts with @p force (N).
      */
-    double dissipated_energy(double force,
-                             double extension_increment,
-                             double dt) const;
+    double dissipated_energy(double force, const ConnectorMotion &motion) const;
   };
 
   /**

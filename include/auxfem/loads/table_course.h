@@ -38,6 +38,8 @@ namespace auxfem
     std::vector<TimeEvent>
     events(double begin, double end, unsigned int derivatives) const override;
 
+    std::optional<double> last_time() const override;
+
   private:
     void   read_reference(const std::string  &reference,
                           const SceneContext &context);

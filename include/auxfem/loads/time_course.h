@@ -4,6 +4,7 @@
 #include <auxfem/loads/jet.h>
 #include <auxfem/loads/time_event.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,13 @@ namespace auxfem
      */
     virtual std::vector<TimeEvent>
     events(double begin, double end, unsigned int derivatives) const = 0;
+
+    /** Last time (s) it is given for, from which on its value is held; none if
+     * it is given for all. */
+    virtual std::optional<double> last_time() const
+    {
+      return {};
+    }
 
     /** Path and text of the parameter, for messages. */
     std::string origin;

@@ -97,6 +97,15 @@ namespace auxfem
     events(double begin, double end, unsigned int derivatives = 1) const;
 
     /**
+     * Last time (s) of a table, from which on its last value is held; none for
+     * expressions.
+     */
+    std::optional<double> last_time() const;
+
+    /** Path and text of the parameter; empty for the constant zero. */
+    const std::string &origin() const;
+
+    /**
      * Limits of value, first and second time derivative at @p t (s) from one
      * side, exact. Throws ComputationError if one is not finite.
      */

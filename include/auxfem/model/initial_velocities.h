@@ -9,8 +9,13 @@ namespace auxfem
   /**
    * Velocities at t = 0 by local unknown (m/s, rad/s). A set moves as a rigid
    * body: its velocity plus the angular velocity about the mean of its joints;
-   * nodes inside a strut move along if both ends belong to the set, rigid parts
-   * with a rotation of their own turn along if all their joints do.
+   * of several sets with a joint the last counts. Struts whose ends both have
+   * an initial velocity, by one set or two, move with them (StrutVelocities);
+   * others are at rest but for the end. Rigid parts with a rotation of their
+   * own turn with a set if all their joints belong to it.
+   *
+   * Throws InputError for a velocity that a support does not allow, and for an
+   * angular velocity that turns nothing.
    */
   std::vector<std::pair<int, double>>
   initial_velocities(const Scene        &scene,

@@ -66,6 +66,8 @@ namespace auxfem
     LargestStrain strain;               ///< if effective strains are wanted
     double        largest_rotation = 0; ///< rad
     double        time             = 0; ///< reached (s)
+    /** What the user should know of the scene (output/notes.h). */
+    std::vector<std::string> notes;
     /** `completed` or the reason it was not. */
     std::string exit_state;
   };
@@ -106,12 +108,13 @@ namespace auxfem
   std::string summary_json(const Scene &scene, const Summary &summary);
 
   /**
-   * Counts, then the effects simulated and left out, each with its reason;
-   * lines without the last line break.
+   * Counts, then the effects simulated and left out, each with its reason, and
+   * @p notes; lines without the last line break.
    */
   std::string overview_text(const Scene                       &scene,
                             const Counts                      &counts,
-                            const std::vector<EffectDecision> &decisions);
+                            const std::vector<EffectDecision> &decisions,
+                            const std::vector<std::string>    &notes);
 
   /** The last lines of a run on the screen, without the last line break. */
   std::string closing_text(const Summary &summary, const std::string &folder);

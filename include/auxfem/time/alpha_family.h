@@ -20,6 +20,11 @@ namespace auxfem
    *
    * For linear systems this is the method of Chung & Hulbert (1993). With
    * alpha_m = alpha_f = 0 it is Newmark's method and a = v'.
+   *
+   * Members whose spectral radius at infinity is one, with gamma = 2 beta,
+   * would let accelerations of unknowns without mass grow from step to step.
+   * There their rates are differences of the last three places; of those that
+   * damping acts on a = v' = 0.
    */
   class AlphaFamily : public ImplicitScheme
   {
@@ -53,8 +58,16 @@ namespace auxfem
                            State        &trial) const override;
     bool           carries_on_alternating_errors() const override;
     bool           uses_algorithmic_acceleration() const override;
+    bool           keeps_massless_in_equilibrium() const override;
 
   private:
+    /** Rates of unknowns without mass in a step of @p dt to @p trial. */
+    void settle_massless(const State &from, double dt, State &trial) const;
+
+    void settle_acceleration(unsigned int unknown,
+                             double       acceleration,
+                             State       &trial) const;
+
     Coefficients c;
   };
 } // namespace auxfem

@@ -69,6 +69,13 @@ namespace auxfem
     std::optional<Vector> algorithmic_acceleration;
 
     /**
+     * Not 0 for free unknowns with neither mass nor condition; known from the
+     * start of a run with inertia on. Schemes that would let their
+     * accelerations grow keep them in equilibrium.
+     */
+    std::optional<Vector> is_massless;
+
+    /**
      * Internal + inertia - applied force. Zero to the Newton tolerance in free
      * rows; in prescribed rows the force of the support on the lattice (N, N
      * m); in rows of multipliers the constraints (m).

@@ -93,6 +93,12 @@ namespace auxfem
      */
     virtual bool carries_on_alternating_errors() const;
 
+    /**
+     * Whether rates of unknowns without mass (State::is_massless) are kept from
+     * growing.
+     */
+    virtual bool keeps_massless_in_equilibrium() const;
+
     /** Whether the state must carry the algorithmic acceleration. */
     virtual bool uses_algorithmic_acceleration() const;
   };

@@ -1,5 +1,5 @@
-#ifndef auxfem_analysis_step_ends_h
-#define auxfem_analysis_step_ends_h
+#ifndef auxfem_scene_step_ends_h
+#define auxfem_scene_step_ends_h
 
 #include <auxfem/scene/scene.h>
 
@@ -28,11 +28,18 @@ namespace auxfem
    * forces and motions for smooth over a step. With inertia also those at which
    * accelerations of supports jump.
    *
-   * Kinks of a load, without inertia of a motion too, that follow each other
-   * within a time step are left out: such a function, a measured one, say, is
-   * sampled by the steps. Jumps never are, nor what strikes.
+   * More than eight kinks of a load, without inertia of a motion too, that
+   * follow each other within a time step are left out: such a function, a
+   * measured one, say, is sampled by the steps. Fewer, as those of a pulse, are
+   * not; jumps never are, nor what strikes.
    */
   std::vector<StepEnd> step_ends(const Scene &scene);
+
+  /** Times that are closer (s) are one to the steps. */
+  double nearness_of_step_ends(const TimeParameters &time);
+
+  /** All functions of time that act on the lattice. */
+  std::vector<TimeFunction> functions_of_time(const Scene &scene);
 } // namespace auxfem
 
 #endif

@@ -1,4 +1,4 @@
-#include <auxfem/analysis/step_ends.h>
+#include <auxfem/scene/step_ends.h>
 
 #include <algorithm>
 
@@ -8,6 +8,9 @@ namespace auxfem
   {
     using Kind = TimeEvent::Kind;
     using Jump = StepEnd::Jump;
+
+    /** Kinks that follow each other as those of a pulse or two may do. */
+    constexpr std::size_t most_kinks_of_pulses = 8;
 
     std::vector<TimeFunction> loads_of(const Scene &scene)
     {
@@ -32,19 +35,22 @@ namespace auxfem
       return functions;
     }
 
-    /** @p events without kinks nearer than @p step (s) to another event. */
+    /** @p events without kinks that come in long rows, each nearer than @p step
+     * (s) to the one before. */
     std::vector<TimeEvent>
     without_dense_kinks(const std::vector<TimeEvent> &events, const double step)
     {
       std::vector<TimeEvent> result;
-      for (std::size_t i = 0; i < events.size(); ++i)
+      for (std::size_t first = 0, after; first < events.size(); first = after)
         {
-          const bool follows =
-                       i > 0 && events[i].time - events[i - 1].time < step,
-                     precedes = i + 1 < events.size() &&
-            events[i + 1].time - events[i].time < step;
-          if (events[i].kind == Kind::jump || !(follows || precedes))
-            result.push_back(events[i]);
+          after = first + 1;
+          while (after < events.size() &&
+                 events[after].time - events[after - 1].time < step)
+            ++after;
+          for (std::size_t i = first; i < after; ++i)
+            if (events[i].kind == Kind::jump ||
+                after - first <= most_kinks_of_pulses)
+              result.push_back(events[i]);
         }
       return result;
     }
@@ -76,6 +82,19 @@ namespace auxfem
                                                    : Jump::velocities});
     }
   } // namespace
+
+  std::vector<TimeFunction> functions_of_time(const Scene &scene)
+  {
+    std::vector<TimeFunction> functions = loads_of(scene);
+    for (const TimeFunction &motion : motions_of(scene))
+      functions.push_back(motion);
+    return functions;
+  }
+
+  double nearness_of_step_ends(const TimeParameters &time)
+  {
+    return 1e-6 * time.step;
+  }
 
   std::vector<StepEnd> step_ends(const Scene &scene)
   {

@@ -1,4 +1,4 @@
-#include <auxfem/analysis/step_ends.h>
+#include <auxfem/scene/step_ends.h>
 
 #include <gtest/gtest.h>
 #include <support/scene_run.h>
@@ -148,4 +148,14 @@ TEST(StepEnds, AForceSwitchedOnJustAfterTheStartActsFromTheStart)
   always.run();
   EXPECT_DOUBLE_EQ(after.motion(0, 0), always.motion(0, 0));
   EXPECT_DOUBLE_EQ(after.balance(), always.balance());
+}
+
+TEST(StepEnds, APulseShorterThanAStepHasItsImpulse)
+{
+  // A triangle of 2 ms and 500 N is 0.5 N s: the mass of 1 kg goes on with
+  // 0.5 m/s, but for what the spring does meanwhile.
+  SceneRun run(pushed_mass("500 * max(0, 1 - abs(t - 0.5137) / 0.001)",
+                           "  set End time = 0.52\n  set Time step = 0.01\n"));
+  run.run();
+  EXPECT_NEAR(run.velocity(0, 0), 0.5, 1e-4);
 }

@@ -1,0 +1,23 @@
+#ifndef auxfem_scene_time_function_notes_h
+#define auxfem_scene_time_function_notes_h
+
+#include <auxfem/scene/scene.h>
+
+#include <string>
+#include <vector>
+
+namespace auxfem
+{
+  /**
+   * What the user should know of loads and motions of supports: tables that end
+   * before the run, with the time from which on their last value is held, and
+   * functions that the steps do not resolve, with the step in which most is
+   * missed. Of the latter, such as change by more than a quarter of their
+   * largest value between what the ends of a step show; looked for at up to 64
+   * times a step, 2^18 in all, and at kinks and jumps, in runs of fewer than
+   * 2^18 steps.
+   */
+  std::vector<std::string> time_function_notes(const Scene &scene);
+} // namespace auxfem
+
+#endif

@@ -1,0 +1,41 @@
+#include <auxfem/output/notes.h>
+
+#include <equations/equations_on_ranks.h>
+#include <gtest/gtest.h>
+
+#include <support/messages.h>
+
+using namespace auxfem;
+using namespace auxfem::testing_support;
+
+namespace
+{
+  std::vector<std::string> notes_of(const std::string &height)
+  {
+    const EquationsOnRanks of_scene(
+      "subsection Lattice\n  set Cell = frame\n"
+      "  set Joints = 0 0; 1 0; 1 0.02\n  set Struts = 0 1; 1 2\nend\n"
+      "subsection Sections\n  subsection strip\n    set Shape = rectangle\n"
+      "    set Width = 5 mm\n    set Height = " +
+        height +
+        "\n    set Young's modulus = 1e9\n    set Density = 1\n  end\nend\n",
+      {},
+      MPI_COMM_SELF);
+    return notes_on(of_scene.scene, of_scene.model);
+  }
+} // namespace
+
+TEST(Notes, AskAboutSectionsThickForTheirStruts)
+{
+  EXPECT_TRUE(notes_of("4.9 mm").empty());
+  const std::vector<std::string> metres = notes_of("1");
+  ASSERT_EQ(metres.size(), 1u);
+  expect_parts(metres[0],
+               {"Sections/strip",
+                "about 1 m thick",
+                "strut 1 is only 0.02 m long",
+                "was 1 mm meant?"});
+  const std::vector<std::string> stout = notes_of("6 mm");
+  ASSERT_EQ(stout.size(), 1u);
+  expect_parts(stout[0], {"0.006 m thick"});
+}

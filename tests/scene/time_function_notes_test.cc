@@ -1,0 +1,74 @@
+#include <auxfem/scene/step_ends.h>
+#include <auxfem/scene/time_function_notes.h>
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include <support/messages.h>
+
+using namespace auxfem;
+
+namespace
+{
+  std::vector<std::string> notes_of(const std::string &force)
+  {
+    return time_function_notes(read_scene_from_text(
+      "subsection Lattice\n  set Cell = frame\n  set Joints = 0 0; 1 0\n"
+      "  set Struts = 0 1\nend\n"
+      "subsection Sections\n  subsection s\n    set Shape = circle\n"
+      "    set Radius = 0.01\n    set Young's modulus = 1e9\n"
+      "    set Density = 1000\n  end\nend\n"
+      "subsection Loads\n  subsection blast\n    set Joints = 1\n"
+      "    set Force y = " +
+        force +
+        "\n  end\nend\n"
+        "subsection Time\n  set End time = 1\n  set Time step = 0.01\nend\n",
+      "scene.prm"));
+  }
+} // namespace
+
+TEST(TimeFunctionNotes, WhatStepsResolveHasNone)
+{
+  for (const char *force : {"5",
+                            "sin(10 * t)",
+                            "if(t < 0.505, 0, 3)",
+                            "if(t < 0.505, 0, if(t < 0.506, 3, 0))",
+                            "500 * max(0, 1 - abs(t - 0.5137) / 0.001)"})
+    EXPECT_TRUE(notes_of(force).empty()) << notes_of(force).front();
+}
+
+TEST(TimeFunctionNotes, SmoothPulsesShorterThanAStepAreNamed)
+{
+  const std::vector<std::string> notes =
+    notes_of("7 * exp(-((t - 0.5137) / 1e-3)^2)");
+  ASSERT_EQ(notes.size(), 1u);
+  expect_parts(notes[0],
+               {"Loads/blast/Force y",
+                "between t = 0.51 s and 0.52 s",
+                "most at t = 0.513",
+                "Reduce Time/Time step"});
+}
+
+TEST(TimeFunctionNotes, FastRecordsAreNamed)
+{
+  // 200 half waves of 5 ms, more than eight kinks in a row.
+  const std::vector<std::string> notes = notes_of("abs(sin(200 * pi * t))");
+  ASSERT_EQ(notes.size(), 1u);
+  expect_parts(notes[0], {"Loads/blast/Force y", "Reduce Time/Time step"});
+}
+
+TEST(TimeFunctionNotes, TablesThatEndBeforeTheRunAreNamed)
+{
+  const std::string name = testing::TempDir() + "short_table.csv";
+  std::ofstream(name) << "0, 0\n0.25, 3\n0.75, 2\n";
+  const std::vector<std::string> notes = notes_of("table: " + name);
+  ASSERT_EQ(notes.size(), 1u);
+  expect_parts(notes[0],
+               {"Loads/blast/Force y",
+                "short_table.csv",
+                "ends at t = 0.75 s",
+                "its last value, 2, is held"});
+  std::ofstream(name) << "0, 0\n0.25, 3\n1, 2\n";
+  EXPECT_TRUE(notes_of("table: " + name).empty());
+}
