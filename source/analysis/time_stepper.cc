@@ -93,6 +93,14 @@ namespace auxfem
     instant.jumps_at_to = true;
     solvers->tangent.residual(instant, solution.results);
     equations.accept(instant, solution.results);
+    if (const std::string what = what_is_not_finite(equations.model(), state);
+        !what.empty())
+      {
+        const std::string why =
+          equations.why_not_finite(instant, solution.results);
+        throw ComputationError(
+          "The start is not finite: " + (why.empty() ? what : why) + '.');
+      }
     state.largest_energy = state.energies.total();
   }
 
@@ -224,6 +232,10 @@ namespace auxfem
     if (solvers->rates)
       restore_rates(step);
     equations.accept(step, trial.results);
+    if (const std::string what =
+          what_is_not_finite(equations.model(), trial.state);
+        !what.empty())
+      return reject(what + " is not a finite number");
     if (creates_energy(step))
       return reject(
         "the step would create energy (more than Time/Largest energy error)");
@@ -268,7 +280,7 @@ namespace auxfem
       std::max({step.from.largest_energy,
                 std::abs(after.external() - before.external()),
                 after.dissipated() - before.dissipated()});
-    return created > parameters.energy_error * turnover;
+    return !(created <= parameters.energy_error * turnover);
   }
 
   bool TimeStepper::reject(const std::string &reason)

@@ -113,9 +113,16 @@ namespace auxfem
     /**
      * Force size against which the residual is judged (N): norm of the internal
      * forces or of internal and inertia forces, whichever is larger, prescribed
-     * rows included, moments divided by the mean strut length.
+     * rows included, moments divided by the mean strut length. Not finite if a
+     * force in any row is not.
      */
     double force_scale = 0;
+
+    /**
+     * In each owned row, the internal forces or internal and inertia forces
+     * together, whichever are larger (N, N m).
+     */
+    Vector row_forces;
   };
 
   /** Takes down the energies of an evaluation, this rank's share. */
