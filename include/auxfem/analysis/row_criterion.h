@@ -18,7 +18,8 @@ namespace auxfem
   public:
     /**
      * @param equations must outlive the object.
-     * @param tolerance part of a row's forces that may be left.
+     * @param tolerance of the norm of all rows; a row of its own is granted
+     *   some hundred times as much.
      */
     RowCriterion(const Equations &equations, double tolerance);
 
