@@ -25,9 +25,8 @@ namespace auxfem
     State  &to     = evaluation.to;
     Vector &forces = to.largest_forces;
     forces         = evaluation.from.largest_forces;
-    for (std::size_t i = 0; i < results.row_forces.size(); ++i)
-      forces[i] =
-        std::max({forces[i], results.row_forces[i], std::abs(to.residual[i])});
+    for (std::size_t i = 0; i < forces.size(); ++i)
+      forces[i] = std::max(forces[i], std::abs(to.residual[i]));
     equations.raise_forces(evaluation, results, forces.data());
     return largest_excess(to, nullptr);
   }

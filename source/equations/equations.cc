@@ -68,13 +68,6 @@ namespace auxfem
       return *std::max_element(results.begin(), results.end());
     }
 
-    /** Largest |value| by row, of @p sizes and the owned @p residual. */
-    void raise_to(const double *residual, Vector &sizes)
-    {
-      for (std::size_t i = 0; i < sizes.size(); ++i)
-        sizes[i] = std::max(sizes[i], std::abs(residual[i]));
-    }
-
     bool are_finite(const double *values, const std::size_t n)
     {
       // Zero times anything else is not a number; four sums, as one would wait
@@ -189,18 +182,11 @@ namespace auxfem
     };
     const OwnedRows &rows = structure.rows;
     RowSums          sums, of_internal, of_balanced;
-    results.row_forces.assign(structure.numbering.layout().n_owned(), 0.);
     if (add(0, n_internal))
-      {
-        sums = sum_rows(residual, rows);
-        raise_to(residual, results.row_forces);
-      }
+      sums = sum_rows(residual, rows);
     of_internal = sums;
     if (add(n_internal, n_balanced))
-      {
-        sums = sum_rows(residual, rows);
-        raise_to(residual, results.row_forces);
-      }
+      sums = sum_rows(residual, rows);
     of_balanced = sums;
     if (add(n_balanced, effects.size()))
       sums = sum_rows(residual, rows);
@@ -289,7 +275,15 @@ namespace auxfem
                                const EvaluationResults &results,
                                double                  *forces) const
   {
-    for (unsigned int i = 0; i < effects.size(); ++i)
+    // Inertia balances the others.
+    Vector loads(unknowns().layout.n_local(), 0.);
+    for (unsigned int i = n_balanced; i < effects.size(); ++i)
+      effects[i]->add_residual(evaluation,
+                               loads.data(),
+                               results.of_effects[i].get());
+    for (std::size_t i = 0; i < loads.size(); ++i)
+      forces[i] = std::max(forces[i], std::abs(loads[i]));
+    for (unsigned int i = 0; i < n_balanced; ++i)
       effects[i]->raise_forces(evaluation, results.of_effects[i].get(), forces);
   }
 
@@ -385,7 +379,6 @@ namespace auxfem
     if (state.algorithmic_acceleration)
       motions.emplace_back("auxiliary acceleration of the ",
                            &*state.algorithmic_acceleration);
-    motions.emplace_back("residual of the ", &state.residual);
     bool is_finite = are_finite(state.history.data(), state.history.size()) &&
       are_finite(state.energies.amounts().data(),
                  state.energies.amounts().size());

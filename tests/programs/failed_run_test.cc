@@ -258,7 +258,7 @@ namespace
           "  set Time step = 0.01\n"
           "end\n"
           "subsection Probes\n"
-          "  set hand = 1\n"
+          "  set moved = 1\n"
           "end\n");
     expect_failure(run_auxfem({"scene.prm", "--output", "out"}),
                    {"connector \"short one\"",
@@ -267,6 +267,6 @@ namespace
     const double reached = std::stod(summary("time_reached"));
     EXPECT_LT(reached, 0.5);
     EXPECT_GT(reached, 0.49);
-    expect_results_until(reached, {"short one", "meet"}, 0, 0.2, "hand");
+    expect_results_until(reached, {"short one", "meet"}, 0, 0.2, "moved");
   }
 } // namespace

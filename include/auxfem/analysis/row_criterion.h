@@ -10,8 +10,8 @@ namespace auxfem
    * alone, so that a weak part is solved as well as a strong one beside it.
    *
    * The forces of a row are those of the struts, connectors, springs and
-   * multipliers that end there, and the sums of internal and of inertia forces,
-   * the largest of this iterate and of all accepted steps.
+   * multipliers that end there, and the loads, the largest of this iterate and
+   * of all accepted steps. Inertia is what balances these.
    */
   class RowCriterion
   {

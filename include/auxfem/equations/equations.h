@@ -111,7 +111,7 @@ namespace auxfem
 
     /**
      * Raises @p forces (n_local entries) to those that all effects exert in each
-     * row, as Effect::raise_forces().
+     * row, as Effect::raise_forces(), and to the loads.
      */
     void raise_forces(const Evaluation        &evaluation,
                       const EvaluationResults &results,

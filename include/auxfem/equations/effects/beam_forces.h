@@ -26,8 +26,8 @@ namespace auxfem
     /** Of all that are counted by this rank. */
     BeamEnergy energy;
     /**
-     * Of every element, its largest force on a node (N); moments divided by the
-     * length of the strut.
+     * Of every element, the largest force at its ends (N); moments divided by
+     * the length of the strut.
      */
     std::vector<double> forces;
   };
@@ -298,15 +298,16 @@ namespace auxfem
             }
           for (int i = 0; i < n; ++i)
             residual[unknowns[i]] += force[i];
-          results.forces[e] = largest_on_node(force, elements[e].length);
+          results.forces[e] = largest_at_ends(force, elements[e].length);
         }
       results.energy = energy;
     }
 
-    static double largest_on_node(const double *force, const double length)
+    static double largest_at_ends(const double *force, const double length)
     {
       double of_forces = 0, of_moments = 0;
-      for (int a = 0; a <= order; ++a)
+      // The first two nodes.
+      for (int a = 0; a < 2; ++a)
         for (int c = 0; c < n_components; ++c)
           {
             double &largest = c < n_translations ? of_forces : of_moments;
@@ -323,9 +324,10 @@ namespace auxfem
       const double moment   = force * elements[e].length;
       for (int a = 0; a <= order; ++a)
         for (int c = 0; c < n_components; ++c)
-          raise(forces,
-                unknowns[n_components * a + c],
-                c < n_translations ? force : moment);
+          {
+            double &row = forces[unknowns[n_components * a + c]];
+            row         = std::max(row, c < n_translations ? force : moment);
+          }
     }
 
     BeamEnergy internal_force(const unsigned int           e,
