@@ -83,9 +83,9 @@ TEST(WeakParts, AreSolvedBesideAStrongPart)
   run.run();
   ComparisonTable table("Weak cantilever beside a strong one, and alone");
   table.row("angle of the tip (rad)", run.motion(3, rotation_z), 2 * pi, 1e-6);
-  // A closed circle of cubic elements, four to the turn.
-  table.row("tip x (m)", run.motion(3, 0), -1, 1e-2);
-  table.row("tip y (m)", run.motion(3, 1), 0, 1e-2);
+  // A closed circle.
+  table.row("tip x (m)", run.motion(3, 0), -1, 1e-6);
+  table.row("tip y (m)", run.motion(3, 1), 0, 1e-6);
 }
 
 TEST(WeakParts, AreSolvedAtTheEndOfAStrongPart)

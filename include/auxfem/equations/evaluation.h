@@ -117,12 +117,6 @@ namespace auxfem
      * force in any row is not.
      */
     double force_scale = 0;
-
-    /**
-     * In each owned row, the internal forces or internal and inertia forces
-     * together, whichever are larger (N, N m).
-     */
-    Vector row_forces;
   };
 
   /** Takes down the energies of an evaluation, this rank's share. */
