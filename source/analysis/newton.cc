@@ -38,6 +38,7 @@ namespace auxfem
   Newton::Newton(TangentSolver &solver, const NewtonParameters &parameters)
     : solver(solver)
     , parameters(parameters)
+    , rows(solver.equations(), parameters.tolerance)
     , is_linear(solver.equations().is_linear())
     , rotations(solver.model().numbering)
   {}
@@ -57,34 +58,48 @@ namespace auxfem
     double reduction = std::numeric_limits<double>::infinity();
     // Prescribed unknowns may still have to move to their place.
     bool is_in_place = scheme.is_dynamic();
+    // Of the last iterate; large if its norm was not small.
+    double excess_before = std::numeric_limits<double>::infinity();
 
     while (true)
       {
         // A wild iterate must not set the scale for what follows.
         const double force =
           std::max(evaluation.from.largest_force, results.force_scale);
-        if (!std::isfinite(size))
+        if (!std::isfinite(size) || !std::isfinite(results.force_scale))
           {
-            result.reason = "the residual is not finite";
+            result.relative_residual = std::numeric_limits<double>::quiet_NaN();
+            result.reason =
+              solver.equations().why_not_finite(evaluation, results);
+            if (result.reason.empty())
+              result.reason = "the residual is not finite";
             return result;
           }
         result.relative_residual = force > 0 ? size / force : 0.;
-        // The floor is that of the iterate: a static step from rest begins
-        // without motion, hence without round-off.
-        const double wanted = parameters.tolerance * force;
-        const bool   stagnates =
-          reduction < parameters.kept_reduction || result.iterations == 0;
+        const auto stagnates     = [&] {
+          return reduction < parameters.kept_reduction ||
+            result.iterations == 0;
+        };
         if (is_in_place && meets_conditions(results, evaluation.to) &&
-            (size <= wanted ||
-             (stagnates &&
-              size <= wanted +
-                  solver.equations().round_off_floor(evaluation.to, results))))
+            is_small(evaluation, results, size, force, stagnates()))
           {
-            result.converged            = true;
-            has_failed                  = false;
-            evaluation.to.largest_force = force;
-            return result;
+            const double excess = rows.excess(evaluation, results);
+            // The strong parts, in which the norm lies, may have come to their
+            // round-off: from here on the weak ones count.
+            reduction     = excess_before / excess;
+            excess_before = excess;
+            if (excess <= 1 ||
+                (stagnates() &&
+                 rows.excess_beyond_round_off(evaluation, results) <= 1))
+              {
+                result.converged            = true;
+                has_failed                  = false;
+                evaluation.to.largest_force = force;
+                return result;
+              }
           }
+        else
+          excess_before = std::numeric_limits<double>::infinity();
         if (result.iterations == parameters.maximum_iterations)
           {
             result.reason = "Newton's method has not converged in " +
@@ -156,15 +171,30 @@ namespace auxfem
     find_right_side(model, evaluation, increment.data());
     if (!solver.solve(increment))
       return solver.why();
-    if (!is_linear && largest_motion(model, increment).second > half_turn)
+    if (!is_linear && !(largest_motion(model, increment).second <= half_turn))
       return "an iteration turned a section by more than half a turn";
     rotations.turn(evaluation, increment);
     scheme.correct(evaluation.from, increment, evaluation.dt, evaluation.to);
     if (evaluation.kind == Evaluation::Kind::between &&
-        largest_turn(model, evaluation) > largest_turn_between)
+        !(largest_turn(model, evaluation) <= largest_turn_between))
       return "the step turns a section by more than 1 rad, too far for mean "
              "forces";
     return "";
+  }
+
+  bool Newton::is_small(const Evaluation        &evaluation,
+                        const EvaluationResults &results,
+                        const double             size,
+                        const double             scale,
+                        const bool               stagnates) const
+  {
+    const double wanted = parameters.tolerance * scale;
+    // The floor is that of the iterate: a static step from rest begins without
+    // motion, hence without round-off.
+    return size <= wanted ||
+      (stagnates &&
+       size <=
+         wanted + solver.equations().round_off_floor(evaluation, results));
   }
 
   bool Newton::meets_conditions(const EvaluationResults &results,

@@ -107,6 +107,14 @@ namespace auxfem
     instant.impulses    = rates ? rates->impulses() : nullptr;
     solvers->tangent.residual(instant, solution.results);
     equations.accept(instant, solution.results);
+    if (const std::string what = what_is_not_finite(equations.model(), state);
+        !what.empty())
+      {
+        const std::string why =
+          equations.why_not_finite(instant, solution.results);
+        throw ComputationError(
+          "The start is not finite: " + (why.empty() ? what : why) + '.');
+      }
     state.largest_energy = std::max({state.largest_energy,
                                      state.energies.total(),
                                      state.energies.dissipated()});
@@ -267,6 +275,10 @@ namespace auxfem
     if (solvers->rates)
       restore_rates(step);
     equations.accept(step, trial.results);
+    if (const std::string what =
+          what_is_not_finite(equations.model(), trial.state);
+        !what.empty())
+      return reject(what + " is not a finite number");
     if (creates_energy(step))
       return reject(
         "the step would create energy (more than Time/Largest energy error)");
@@ -315,7 +327,7 @@ namespace auxfem
       std::max({step.from.largest_energy,
                 std::abs(after.external() - before.external()),
                 after.dissipated() - before.dissipated()});
-    if (!(created > parameters.energy_error * turnover))
+    if (created <= parameters.energy_error * turnover)
       return false;
     // A lattice at rest in another place than at first has the round-off of its
     // places; where a motion begins smoothly, all energy is the work of
@@ -325,7 +337,7 @@ namespace auxfem
       largest_motion(model, step.to.displacement).first;
     if (scheme.is_dynamic())
       error += support_work_error(model, step);
-    return created > parameters.energy_error * turnover + error;
+    return !(created <= parameters.energy_error * turnover + error);
   }
 
   bool TimeStepper::reject(const std::string &reason)

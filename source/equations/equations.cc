@@ -68,6 +68,33 @@ namespace auxfem
       return *std::max_element(results.begin(), results.end());
     }
 
+    bool are_finite(const double *values, const std::size_t n)
+    {
+      // Zero times anything else is not a number; four sums, as one would wait
+      // for itself.
+      double            sums[4]   = {0, 0, 0, 0};
+      const std::size_t n_in_four = n - n % 4;
+      for (std::size_t i = 0; i < n_in_four; i += 4)
+        for (unsigned int k = 0; k < 4; ++k)
+          sums[k] += 0 * values[i + k];
+      for (std::size_t i = n_in_four; i < n; ++i)
+        sums[0] += 0 * values[i];
+      return sums[0] + sums[1] + sums[2] + sums[3] == 0;
+    }
+
+    /** On every rank, the words of the lowest rank that has some. */
+    std::string words_of_lowest_rank(const UnknownLayout &layout,
+                                     const std::string   &mine)
+    {
+      namespace MPI = dealii::Utilities::MPI;
+      const unsigned int who =
+        MPI::min(mine.empty() ? layout.n_ranks() : layout.rank(),
+                 layout.communicator());
+      return who < layout.n_ranks()
+        ? MPI::broadcast(layout.communicator(), mine, who)
+        : "";
+    }
+
     /**
      * Multipliers have no inertia: their rates, by-products of the time scheme,
      * must not enter its next prediction.
@@ -153,15 +180,16 @@ namespace auxfem
                                  results.of_effects[i].get());
       return begin < end;
     };
+    const OwnedRows &rows = structure.rows;
     RowSums sums;
     if (add(0, n_internal))
-      sums = sum_rows(residual, structure.rows);
+      sums = sum_rows(residual, rows);
     const RowSums of_internal = sums;
     if (add(n_internal, n_balanced))
-      sums = sum_rows(residual, structure.rows);
+      sums = sum_rows(residual, rows);
     const RowSums of_balanced = sums;
     if (add(n_balanced, effects.size()))
-      sums = sum_rows(residual, structure.rows);
+      sums = sum_rows(residual, rows);
     const std::vector<double> all = structure.numbering.layout().sum(
       {of_internal.forces,
        of_internal.moments,
@@ -169,7 +197,9 @@ namespace auxfem
        of_balanced.moments,
        sums.free_forces,
        sums.free_moments,
-       sum_of_squares(residual, structure.rows.multipliers)});
+       sum_of_squares(residual, rows.multipliers),
+       sums.forces,
+       sums.moments});
 
     results.force        = std::sqrt(all[4]);
     results.moment       = std::sqrt(all[5]);
@@ -179,6 +209,9 @@ namespace auxfem
                  moments = std::max(all[1], all[3]);
     results.force_scale =
       std::sqrt(std::max(forces, moments / (length * length)));
+    // std::max drops a NaN in its second place.
+    if (!are_finite(all.data(), all.size()))
+      results.force_scale = std::numeric_limits<double>::quiet_NaN();
   }
 
   void Equations::tangent(const Evaluation        &evaluation,
@@ -238,24 +271,64 @@ namespace auxfem
     return grow;
   }
 
-  double Equations::round_off_floor(const State             &state,
-                                    const EvaluationResults &results) const
+  void Equations::raise_forces(const Evaluation        &evaluation,
+                               const EvaluationResults &results,
+                               double                  *forces) const
+  {
+    // Inertia balances the others.
+    Vector loads(unknowns().layout.n_local(), 0.);
+    for (unsigned int i = n_balanced; i < effects.size(); ++i)
+      effects[i]->add_residual(evaluation,
+                               loads.data(),
+                               results.of_effects[i].get());
+    for (std::size_t i = 0; i < loads.size(); ++i)
+      forces[i] = std::max(forces[i], std::abs(loads[i]));
+    for (unsigned int i = 0; i < n_balanced; ++i)
+      effects[i]->raise_forces(evaluation, results.of_effects[i].get(), forces);
+  }
+
+  Vector Equations::round_off(const Evaluation        &evaluation,
+                              const EvaluationResults &results) const
   {
     const auto [displacement, rotation] =
-      largest_motion(structure, state.displacement);
-    double mine = 0;
+      largest_motion(structure, evaluation.to.displacement);
+    const UnknownLayout &layout = structure.numbering.layout();
+    Vector               sizes(unknowns().layout.n_local(), 0.);
     for (unsigned int i = 0; i < effects.size(); ++i)
-      mine = std::max(mine,
-                      effects[i]->round_off_scale(state,
-                                                  results.of_effects[i].get(),
-                                                  displacement,
-                                                  rotation));
-    const DofNumbering &numbering    = structure.numbering;
-    const double        scale_of_row = numbering.layout().largest(mine);
+      effects[i]->raise_uncertain_forces(evaluation,
+                                         results.of_effects[i].get(),
+                                         displacement,
+                                         rotation,
+                                         sizes.data());
     // A row sums a few roundings of a few products each.
     const double safety = 4;
-    return safety * std::numeric_limits<double>::epsilon() * scale_of_row *
-      std::sqrt(double(numbering.layout().n_global()));
+    for (double &size : sizes)
+      size *= safety * std::numeric_limits<double>::epsilon() *
+        std::sqrt(double(layout.n_global()));
+    return sizes;
+  }
+
+  double Equations::round_off_floor(const Evaluation        &evaluation,
+                                    const EvaluationResults &results) const
+  {
+    const Vector     sizes = round_off(evaluation, results);
+    const OwnedRows &rows  = structure.rows;
+    return structure.numbering.layout().largest(std::max(
+      {largest(sizes.data(), rows.free_translations),
+       largest(sizes.data(), rows.prescribed_translations),
+       largest(sizes.data(), rows.free_rotations) / structure.mean_strut_length,
+       largest(sizes.data(), rows.prescribed_rotations) /
+         structure.mean_strut_length}));
+  }
+
+  std::string Equations::why_not_finite(const Evaluation        &evaluation,
+                                        const EvaluationResults &results) const
+  {
+    std::string mine;
+    for (unsigned int i = 0; i < effects.size() && mine.empty(); ++i)
+      mine =
+        effects[i]->why_not_finite(evaluation, results.of_effects[i].get());
+    return words_of_lowest_rank(structure.numbering.layout(), mine);
   }
 
   std::pair<double, double> largest_motion(const LatticeModel &model,
@@ -292,6 +365,40 @@ namespace auxfem
     return safety * std::numeric_limits<double>::epsilon() *
       (longest + largest_motion(model, state.displacement).first) *
       std::sqrt(double(model.numbering.constraints().n_multipliers()));
+  }
+
+  std::string what_is_not_finite(const LatticeModel &model, const State &state)
+  {
+    const UnknownLayout &layout = model.numbering.layout();
+    std::vector<std::pair<const char *, const Vector *>> motions = {
+      {"", &state.displacement}};
+    if (state.velocity)
+      motions.emplace_back("velocity of the ", &*state.velocity);
+    if (state.acceleration)
+      motions.emplace_back("acceleration of the ", &*state.acceleration);
+    if (state.algorithmic_acceleration)
+      motions.emplace_back("auxiliary acceleration of the ",
+                           &*state.algorithmic_acceleration);
+    bool is_finite = are_finite(state.history.data(), state.history.size()) &&
+      are_finite(state.energies.amounts().data(),
+                 state.energies.amounts().size());
+    for (const auto &[name, motion] : motions)
+      is_finite = is_finite && are_finite(motion->data(), layout.n_owned());
+    if (layout.largest(is_finite ? 0. : 1.) == 0)
+      return "";
+
+    std::string mine;
+    for (const auto &[name, motion] : motions)
+      for (unsigned int i = 0; i < layout.n_owned() && mine.empty(); ++i)
+        if (!std::isfinite((*motion)[i]))
+          mine = name + describe(model.numbering, i);
+    if (mine.empty() && !are_finite(state.history.data(), state.history.size()))
+      mine = "an internal variable of a connector or spring";
+    const std::vector<EnergyEntry> &entries = state.energies.ledger().entries();
+    for (unsigned int i = 0; i < entries.size() && mine.empty(); ++i)
+      if (!std::isfinite(state.energies[i]))
+        mine = "the energy " + entries[i].name;
+    return words_of_lowest_rank(layout, mine);
   }
 
   std::string worst_unknown(const LatticeModel &model, const State &state)

@@ -198,8 +198,7 @@ namespace auxfem
                                     structure.lattice,
                                     structure.numbering,
                                     bodies,
-                                    simulated.large_rotation,
-                                    structure.mean_strut_length))
+                                    simulated.large_rotation))
       effects.push_back(std::move(masses));
   }
 

@@ -41,12 +41,10 @@ namespace auxfem
               const Lattice      &lattice,
               const DofNumbering &numbering,
               const RigidBodies  &bodies,
-              const bool          large_rotation,
-              const double        length)
+              const bool          large_rotation)
   {
     auto points = std::make_unique<PointMasses>(numbering);
-    auto rotary =
-      std::make_unique<RotaryMasses>(numbering, large_rotation, length);
+    auto rotary = std::make_unique<RotaryMasses>(numbering, large_rotation);
     const bool is_spatial = lattice.dimension == 3;
     for (const MassDefinition &mass : scene.masses)
       for (const unsigned int joint : select_joints(lattice,

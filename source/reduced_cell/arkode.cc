@@ -152,13 +152,15 @@ namespace auxfem
         energies[cell_stored]     = connector.stored;
         energies[cell_dissipated] = y[lost_energy()];
         energies[cell_work]       = y[work_of_load()];
-        return {time,
-                cell.angle(motion.position[0]),
-                extension,
-                motion.position[1],
-                scene.reduced_cell->load.value(time),
-                -connector.force,
-                energies};
+        const CellSample sample{time,
+                                cell.angle(motion.position[0]),
+                                extension,
+                                motion.position[1],
+                                scene.reduced_cell->load.value(time),
+                                -connector.force,
+                                energies};
+        refuse_not_finite(sample);
+        return sample;
       }
 
       [[noreturn]] void give_up() const

@@ -77,13 +77,15 @@ namespace auxfem
     energies[cell_work] -= (load_before + load_now) / 2 *
       (connector_motion.extension - connector_motion.previous_extension);
     committed = trial;
-    return {time,
-            cell.angle(motion.position[0]),
-            connector_motion.extension,
-            motion.position[1],
-            load_now,
-            -response.force,
-            energies};
+    const CellSample sample{time,
+                            cell.angle(motion.position[0]),
+                            connector_motion.extension,
+                            motion.position[1],
+                            load_now,
+                            -response.force,
+                            energies};
+    refuse_not_finite(sample);
+    return sample;
   }
 
   TwoStepGrid::TwoStepGrid(const std::array<CellVector, 4> &first) : x(first)

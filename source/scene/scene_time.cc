@@ -199,7 +199,7 @@ namespace auxfem
       "1e-8",
       "1",
       Range::open(0, 1),
-      "Largest residual, relative to the scene's own force and moment scale."};
+      "Largest residual, relative to the forces of the scene; rows have their own scale too."};
     const Integer maximum_iterations = {
       "Maximum iterations",
       30,

@@ -12,6 +12,7 @@ namespace auxfem
     , energies(std::make_shared<const EnergyLedger>(layout.energies))
     , energy_sums(energies.amounts())
     , powers(energies.amounts())
+    , largest_forces(n_unknowns, 0.)
   {
     if (layout.velocity)
       velocity.emplace(n_unknowns, 0.);
@@ -29,6 +30,7 @@ namespace auxfem
     };
     take(displacement);
     residual.resize(layout.n_local(), 0.);
+    largest_forces.resize(layout.n_local(), 0.);
     for (std::optional<Vector> *rate :
          {&velocity, &acceleration, &algorithmic_acceleration, &is_massless})
       if (*rate)

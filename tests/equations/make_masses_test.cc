@@ -34,8 +34,7 @@ namespace
                                           of_scene.lattice,
                                           of_scene.dofs(),
                                           {},
-                                          /*large_rotation=*/true,
-                                          1.))
+                                          /*large_rotation=*/true))
       effect->add_residual(step, residual.data(), effect->make_results().get());
     return residual;
   }

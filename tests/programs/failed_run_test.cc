@@ -208,4 +208,65 @@ namespace
                          0.0409807621,
                          "apex");
   }
+
+
+  TEST_F(FailedRun, ConnectorWhoseEndsMeet)
+  {
+    // Both ends are prescribed, so no free row sees the connector's force.
+    write("scene.prm",
+          "set Dimension = 2\n"
+          "subsection Lattice\n"
+          "  set Cell = frame\n"
+          "  set Joints = 0 0; 0 0.2; 1 0\n"
+          "  set Struts = 0 2; 1 2\n"
+          "end\n"
+          "subsection Sections\n"
+          "  subsection all\n"
+          "    set Shape = given\n"
+          "    set Area = 0.01\n"
+          "    set Shear area = 0.01\n"
+          "    set Second moment of area = 2e-6\n"
+          "    set Young's modulus = 1e6\n"
+          "    set Poisson's ratio = 0\n"
+          "    set Density = 100\n"
+          "  end\n"
+          "end\n"
+          "subsection Supports\n"
+          "  subsection wall\n"
+          "    set Joints = 0, 2\n"
+          "    set Type = clamp\n"
+          "  end\n"
+          "  subsection hand\n"
+          "    set Joints = 1\n"
+          "    set Type = prescribed\n"
+          "    set Displacement x = 0\n"
+          "    set Displacement y = -0.4 * t\n"
+          "    set Rotation z = 0\n"
+          "  end\n"
+          "end\n"
+          "subsection Connectors\n"
+          "  subsection short one\n"
+          "    set Law = kelvin-voigt\n"
+          "    set Spring stiffness = 10 N/m\n"
+          "    set Damping coefficient = 0.1 N s/m\n"
+          "    set Between = 0 1\n"
+          "  end\n"
+          "end\n"
+          "subsection Time\n"
+          "  set Scheme = newmark\n"
+          "  set End time = 1\n"
+          "  set Time step = 0.01\n"
+          "end\n"
+          "subsection Probes\n"
+          "  set moved = 1\n"
+          "end\n");
+    expect_failure(run_auxfem({"scene.prm", "--output", "out"}),
+                   {"connector \"short one\"",
+                    "joint 0 and joint 1",
+                    "meet at t = 0.5 s"});
+    const double reached = std::stod(summary("time_reached"));
+    EXPECT_LT(reached, 0.5);
+    EXPECT_GT(reached, 0.49);
+    expect_results_until(reached, {"short one", "meet"}, 0, 0.2, "moved");
+  }
 } // namespace

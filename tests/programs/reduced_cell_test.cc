@@ -185,6 +185,25 @@ namespace
 
 
 
+  TEST_F(ReducedCellProgram, AnUnstableSchemeEndsWithItsNumbers)
+  {
+    const ProgramRun run =
+      run_cell(1,
+               {"Time/Scheme=central difference",
+                "Connectors/connector/Spring stiffness=2e10 N/m"});
+    const double reached = std::stod(summary("time_reached"));
+    EXPECT_LT(reached, 0.05);
+    EXPECT_GT(history().n_rows, 2u);
+    expect_failure_at(run,
+                      reached,
+                      {"At t = ",
+                       "not a finite number",
+                       "too long for the scheme",
+                       "Time/Time step"});
+  }
+
+
+
   TEST_F(ReducedCellProgram, Check)
   {
     const ProgramRun run = run_auxfem({"--check", cell_file(3)});

@@ -262,7 +262,7 @@ TEST(HardCases, RigidTurnsGiveNoForce)
                   (EA * 0.01),
                 0,
                 56 * std::pow(1e-14, 2));
-      const double floor = run.equations.round_off_floor(run.state, results);
+      const double floor = run.equations.round_off_floor(instant, results);
       EXPECT_LT(results.force, floor);
       EXPECT_LT(results.moment, floor * run.model.mean_strut_length);
     }

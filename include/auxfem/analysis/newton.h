@@ -1,6 +1,7 @@
 #ifndef auxfem_analysis_newton_h
 #define auxfem_analysis_newton_h
 
+#include <auxfem/analysis/row_criterion.h>
 #include <auxfem/analysis/tangent_solver.h>
 #include <auxfem/equations/node_rotations.h>
 #include <auxfem/time/time_scheme.h>
@@ -15,8 +16,9 @@ namespace auxfem
    * and the moment rows below (tolerance * F + floor) * l: F the largest
    * internal force of this iterate and of all accepted steps, l the mean strut
    * length, floor the round-off of the residual itself, below which no
-   * iteration can go. The conditions of rigid parts must hold to their own
-   * round-off.
+   * iteration can go. And every row must be solved by the measure of the forces
+   * that act in it (RowCriterion). The conditions of rigid parts must hold to
+   * their own round-off.
    */
   class Newton
   {
@@ -37,7 +39,7 @@ namespace auxfem
 
     /**
      * Solves evaluation.to, which the scheme has predicted; of a solved one
-     * State::largest_force too.
+     * State::largest_force and State::largest_forces too.
      */
     Result solve(const ImplicitScheme &scheme,
                  const Evaluation     &evaluation,
@@ -59,10 +61,16 @@ namespace auxfem
     };
 
     /** Factorizes unless the kept factorization serves; false if singular. */
-    bool   prepare(const ImplicitScheme    &scheme,
-                   const Evaluation        &evaluation,
-                   const EvaluationResults &results,
-                   double                   reduction);
+    bool prepare(const ImplicitScheme    &scheme,
+                 const Evaluation        &evaluation,
+                 const EvaluationResults &results,
+                 double                   reduction);
+    /** Whether the residual is small beside the largest force @p scale (N). */
+    bool   is_small(const Evaluation        &evaluation,
+                    const EvaluationResults &results,
+                    double                   size,
+                    double                   scale,
+                    bool                     stagnates) const;
     bool   meets_conditions(const EvaluationResults &results,
                             const State             &state) const;
     double in_force_units(const EvaluationResults &results) const;
@@ -72,6 +80,7 @@ namespace auxfem
 
     TangentSolver         &solver;
     const NewtonParameters parameters;
+    const RowCriterion     rows;
     const bool             is_linear;
     const NodeRotations    rotations;
     Vector                 increment;

@@ -5,8 +5,18 @@
 #include <auxfem/equations/evaluation.h>
 #include <auxfem/time/time_scheme.h>
 
+#include <algorithm>
+#include <string>
+
 namespace auxfem
 {
+  /** Raises the entry of a local unknown to @p size; none of -1 (ground). */
+  inline void raise(double *sizes, const int unknown, const double size)
+  {
+    if (unknown >= 0)
+      sizes[unknown] = std::max(sizes[unknown], size);
+  }
+
   /**
    * One kind of physics: struts, inertia, a group of connectors, a load. The
    * scene makes a list of these; what is not in the list costs nothing. Called
@@ -98,18 +108,39 @@ namespace auxfem
     {}
 
     /**
-     * Size of the forces (N) whose last digit is uncertain in the residual at
-     * @p state, whose displacements (m) and rotations (rad) are at most this
-     * large: machine precision times this is the residual's round-off floor in
-     * one row.
-     * @param results of the evaluation of @p state
+     * Raises @p forces (N, N m in rows of rotations, n_local entries) to the
+     * forces that the parts of the effect exert in each row at evaluation.to,
+     * which may cancel there: what residuals are measured by.
+     * @param results of add_residual() in the same evaluation
      */
-    virtual double round_off_scale(const State & /*state*/,
-                                   const EffectResults * /*results*/,
-                                   const double /*largest_displacement*/,
-                                   const double /*largest_rotation*/) const
+    virtual void raise_forces(const Evaluation & /*evaluation*/,
+                              const EffectResults * /*results*/,
+                              double * /*forces*/) const
+    {}
+
+    /**
+     * Raises @p forces, as raise_forces() does, to those whose last digit is
+     * uncertain in the residual: machine precision times these is the
+     * residual's round-off. With displacements (m) and rotations (rad) that are
+     * at most this large.
+     */
+    virtual void raise_uncertain_forces(const Evaluation    &evaluation,
+                                        const EffectResults *results,
+                                        const double /*largest_displacement*/,
+                                        const double /*largest_rotation*/,
+                                        double *forces) const
     {
-      return 0;
+      raise_forces(evaluation, results, forces);
+    }
+
+    /**
+     * What has no finite force in an evaluation, and why, in the user's words;
+     * empty: nothing, or the effect does not know.
+     */
+    virtual std::string why_not_finite(const Evaluation & /*evaluation*/,
+                                       const EffectResults * /*results*/) const
+    {
+      return "";
     }
   };
 } // namespace auxfem

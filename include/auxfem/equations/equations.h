@@ -110,11 +110,31 @@ namespace auxfem
     bool update_couplings(State &accepted);
 
     /**
-     * Norm (N) below which the residual at @p state is round-off.
-     * @param results of its evaluation
+     * Raises @p forces (n_local entries) to those that all effects exert in each
+     * row, as Effect::raise_forces(), and to the loads.
      */
-    double round_off_floor(const State             &state,
+    void raise_forces(const Evaluation        &evaluation,
+                      const EvaluationResults &results,
+                      double                  *forces) const;
+
+    /**
+     * What in each row of the residual is round-off (N, N m), complete in owned
+     * rows. Collective.
+     * @param results of residual() in the same evaluation
+     */
+    Vector round_off(const Evaluation        &evaluation,
+                     const EvaluationResults &results) const;
+
+    /** Norm (N) below which the residual is round-off. Collective. */
+    double round_off_floor(const Evaluation        &evaluation,
                            const EvaluationResults &results) const;
+
+    /**
+     * Why the residual of an evaluation is not finite, in words, where an
+     * effect knows it. The same on all ranks; collective.
+     */
+    std::string why_not_finite(const Evaluation        &evaluation,
+                               const EvaluationResults &results) const;
 
   private:
     void make_internal_forces(const Scene &scene);
@@ -160,6 +180,13 @@ namespace auxfem
    * tolerance would return as forces, divided by the square of the step.
    */
   double condition_tolerance(const Equations &equations, const State &state);
+
+  /**
+   * What of @p state is not a finite number, in words: an unknown or its rates,
+   * an internal variable, an energy; empty: all are. The same on all ranks;
+   * collective.
+   */
+  std::string what_is_not_finite(const LatticeModel &model, const State &state);
 
   /** Unknown with the largest free residual, in words, over all ranks. */
   std::string worst_unknown(const LatticeModel &model, const State &state);

@@ -121,7 +121,8 @@ namespace auxfem
     /**
      * Force size against which the residual is judged (N): norm of the internal
      * forces or of internal and inertia forces, whichever is larger, prescribed
-     * rows included, moments divided by the mean strut length.
+     * rows included, moments divided by the mean strut length. Not finite if a
+     * force in any row is not.
      */
     double force_scale = 0;
   };

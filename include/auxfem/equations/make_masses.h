@@ -15,15 +15,13 @@ namespace auxfem
    * The scene's point masses and their rotary inertia, and those of the rigid
    * parts that have a rotation of their own, as effects. Throws InputError for
    * rotary inertia on a joint without rotation.
-   * @param length as for RotaryMasses (m).
    */
   std::vector<std::unique_ptr<Effect>>
   make_masses(const Scene        &scene,
               const Lattice      &lattice,
               const DofNumbering &numbering,
               const RigidBodies  &bodies,
-              bool                large_rotation,
-              double              length);
+              bool                large_rotation);
 } // namespace auxfem
 
 #endif

@@ -38,6 +38,9 @@ namespace auxfem
     Energies energies;
   };
 
+  /** Throws ComputationError if a number of @p sample is not finite. */
+  void refuse_not_finite(const CellSample &sample);
+
   /** An angle (rad) as users read it (deg). */
   inline double degrees(const double radians)
   {

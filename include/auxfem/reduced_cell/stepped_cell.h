@@ -34,7 +34,8 @@ namespace auxfem
 
     /**
      * Ends the step with @p motion: internal variables and energies follow. The work of the load is that of its mean
-     * over the step, as for lattices.
+     * over the step, as for lattices. Throws ComputationError if a number of
+     * the sample is not finite.
      */
     CellSample accept(const CellMotion &motion);
 

@@ -107,7 +107,9 @@ namespace auxfem
 
     /** @name Largest so far in the run, what errors are judged by. */
     ///@{
-    double largest_force  = 0; ///< Newton's force scale (N)
+    double largest_force = 0; ///< Newton's force scale (N)
+    /** In each owned row (N, N m), what its residual is judged by. */
+    Vector largest_forces;
     double largest_energy = 0; ///< mechanical or dissipated (J)
     ///@}
   };

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <sstream>
 
 namespace auxfem
 {
@@ -174,6 +176,9 @@ namespace auxfem
             results.direction[i]                   = (line_before + line) /
               (line_before.norm() + results.current_length[i]);
           }
+        if (ends_meet(i, results.current_length[i]))
+          for (unsigned int c = 0; c < 3; ++c)
+            results.direction[i][c] = std::numeric_limits<double>::quiet_NaN();
         if (v != nullptr)
           results.velocity_difference[i] = difference(ends, v);
         // Without inertia a velocity is a difference over a step in which the
@@ -345,17 +350,59 @@ namespace auxfem
       }
   }
 
-  double
-  ConnectorForces::round_off_scale(const State & /*state*/,
-                                   const EffectResults *results,
-                                   const double         largest_displacement,
-                                   const double /*largest_rotation*/) const
+  void ConnectorForces::raise_forces(const Evaluation & /*evaluation*/,
+                                     const EffectResults *results,
+                                     double              *forces) const
   {
     const auto &of_group = static_cast<const ConnectorResults &>(*results);
-    double      stiffest = 0;
-    for (const ConnectorResponse &r : of_group.response)
-      stiffest = std::max(stiffest, r.stiffness);
-    return stiffest * largest_displacement;
+    for (unsigned int i = 0; i < connectors.size(); ++i)
+      for (const int unknown : connectors[i].unknowns)
+        raise(forces, unknown, std::abs(of_group.response[i].force));
+  }
+
+  void
+  ConnectorForces::raise_uncertain_forces(const Evaluation & /*evaluation*/,
+                                          const EffectResults *results,
+                                          const double largest_displacement,
+                                          const double /*largest_rotation*/,
+                                          double *forces) const
+  {
+    const auto &of_group = static_cast<const ConnectorResults &>(*results);
+    for (unsigned int i = 0; i < connectors.size(); ++i)
+      for (const int unknown : connectors[i].unknowns)
+        raise(forces,
+              unknown,
+              of_group.response[i].stiffness * largest_displacement);
+  }
+
+  bool ConnectorForces::ends_meet(const unsigned int i,
+                                  const double       length) const
+  {
+    // Of a shorter line the direction is round-off.
+    constexpr double digits = 1e-12;
+    return follows_line && length <= digits * connectors[i].rest_length;
+  }
+
+  std::string
+  ConnectorForces::why_not_finite(const Evaluation    &evaluation,
+                                  const EffectResults *results) const
+  {
+    const auto &of_group = static_cast<const ConnectorResults &>(*results);
+    for (unsigned int i = 0; i < connectors.size(); ++i)
+      if (ends_meet(i, of_group.current_length[i]))
+        {
+          const Ends        &ends = connectors[i];
+          std::ostringstream words;
+          words << "the ends of the connector \"" << group_name
+                << "\" between joint " << ends.first_joint << " and "
+                << (ends.second_joint == invalid_index
+                      ? "the ground"
+                      : "joint " + std::to_string(ends.second_joint))
+                << " meet at t = " << evaluation.to.time
+                << " s, so no line leads along it";
+          return words.str();
+        }
+    return "";
   }
 
   const std::string &ConnectorForces::name() const

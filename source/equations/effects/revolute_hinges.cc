@@ -185,19 +185,17 @@ namespace auxfem
       }
   }
 
-  double
-  RevoluteHinges::round_off_scale(const State &state,
-                                  const EffectResults * /*results*/,
-                                  const double /*largest_displacement*/,
-                                  const double /*largest_rotation*/) const
+  void RevoluteHinges::raise_forces(const Evaluation &evaluation,
+                                    const EffectResults * /*results*/,
+                                    double *forces) const
   {
-    double largest_multiplier = 0;
+    const double *u = evaluation.to.displacement.data();
     for (const Hinge &hinge : hinges)
       for (unsigned int i = 0; i < 2; ++i)
-        largest_multiplier =
-          std::max(largest_multiplier,
-                   std::abs(state.displacement[hinge.unknowns[6 + i]]));
-    return largest_multiplier;
+        for (unsigned int c = 0; c < 6; ++c)
+          raise(forces,
+                hinge.unknowns[c],
+                unit * std::abs(u[hinge.unknowns[6 + i]]));
   }
 
   void RevoluteHinges::find_rates(const State &state, double *rates) const

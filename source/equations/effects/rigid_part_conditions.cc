@@ -70,17 +70,12 @@ namespace auxfem
       group->add_tangent(evaluation, nullptr, factors, matrix);
   }
 
-  double
-  RigidPartConditions::round_off_scale(const State &state,
-                                       const EffectResults * /*results*/,
-                                       const double /*largest_displacement*/,
-                                       const double /*largest_rotation*/) const
+  void RigidPartConditions::raise_forces(const Evaluation &evaluation,
+                                         const EffectResults * /*results*/,
+                                         double *forces) const
   {
-    double largest_multiplier = 0;
-    for (const int multiplier : numbering.constraints().multipliers())
-      largest_multiplier =
-        std::max(largest_multiplier, std::abs(state.displacement[multiplier]));
-    return largest_multiplier;
+    for (const auto &group : groups)
+      group->raise_forces(evaluation, nullptr, forces);
   }
 
   void RigidPartConditions::find_rates(const State &state, double *rates) const

@@ -1,16 +1,13 @@
 #include <auxfem/equations/effects/rotary_masses.h>
 
-#include <algorithm>
 
 namespace auxfem
 {
   RotaryMasses::RotaryMasses(const DofNumbering &numbering,
-                             const bool          large_rotation,
-                             const double        length)
+                             const bool          large_rotation)
     : numbering(numbering)
     , rotations(numbering)
     , large_rotation(large_rotation)
-    , length(length)
   {}
 
   void RotaryMasses::add(const unsigned int rotation,
@@ -105,22 +102,19 @@ namespace auxfem
       }
   }
 
-  double RotaryMasses::round_off_scale(const State &state,
-                                       const EffectResults * /*results*/,
-                                       const double /*largest_displacement*/,
-                                       const double /*largest_rotation*/) const
+  void RotaryMasses::raise_forces(const Evaluation &evaluation,
+                                  const EffectResults * /*results*/,
+                                  double *forces) const
   {
     // A body that spins freely has torques that cancel, and no others.
-    double largest_torque = 0;
     for (const Mass &mass : masses)
       {
-        const RotaryInertia::Motion now = motion(mass, state);
-        largest_torque                  = std::max(largest_torque,
-                                  (mass.inertia * now.acceleration).norm() +
-                                    now.velocity.norm() *
-                                      (mass.inertia * now.velocity).norm());
+        const RotaryInertia::Motion now = motion(mass, evaluation.to);
+        const double torque = (mass.inertia * now.acceleration).norm() +
+          now.velocity.norm() * (mass.inertia * now.velocity).norm();
+        for (const int spin : numbering.rotations()[mass.rotation])
+          raise(forces, spin, torque);
       }
-    return largest_torque / length;
   }
 
   void RotaryMasses::account(const Evaluation &step,

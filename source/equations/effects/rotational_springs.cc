@@ -1,7 +1,7 @@
 #include <auxfem/elements/cayley_turn.h>
 #include <auxfem/equations/effects/rotational_springs.h>
 
-#include <algorithm>
+#include <cmath>
 
 namespace auxfem
 {
@@ -115,15 +115,25 @@ namespace auxfem
                     spring.stiffness / 2 * angle(spring, u) * angle(spring, u));
   }
 
-  double
-  RotationalSprings::round_off_scale(const State & /*state*/,
-                                     const EffectResults * /*results*/,
-                                     const double /*largest_displacement*/,
-                                     const double largest_rotation) const
+  void RotationalSprings::raise_forces(const Evaluation &evaluation,
+                                       const EffectResults * /*results*/,
+                                       double *forces) const
   {
-    double stiffest = 0;
+    const double *u = evaluation.to.displacement.data();
     for (const Spring &spring : springs)
-      stiffest = std::max(stiffest, spring.stiffness);
-    return stiffest * largest_rotation;
+      for (const int unknown : spring.unknowns)
+        raise(forces, unknown, spring.stiffness * std::abs(angle(spring, u)));
+  }
+
+  void RotationalSprings::raise_uncertain_forces(
+    const Evaluation & /*evaluation*/,
+    const EffectResults * /*results*/,
+    const double /*largest_displacement*/,
+    const double largest_rotation,
+    double      *forces) const
+  {
+    for (const Spring &spring : springs)
+      for (const int unknown : spring.unknowns)
+        raise(forces, unknown, spring.stiffness * largest_rotation);
   }
 } // namespace auxfem

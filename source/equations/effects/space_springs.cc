@@ -1,6 +1,5 @@
 #include <auxfem/equations/effects/space_springs.h>
 
-#include <algorithm>
 
 namespace auxfem
 {
@@ -146,14 +145,26 @@ namespace auxfem
                       material_angle(i, step).norm_square());
   }
 
-  double SpaceSprings::round_off_scale(const State & /*state*/,
+  void SpaceSprings::raise_forces(const Evaluation &evaluation,
+                                  const EffectResults * /*results*/,
+                                  double *forces) const
+  {
+    for (unsigned int i = 0; i < springs.size(); ++i)
+      for (const int unknown : springs[i].unknowns)
+        raise(forces,
+              unknown,
+              springs[i].stiffness * material_angle(i, evaluation).norm());
+  }
+
+  void
+  SpaceSprings::raise_uncertain_forces(const Evaluation & /*evaluation*/,
                                        const EffectResults * /*results*/,
                                        const double /*largest_displacement*/,
-                                       const double largest_rotation) const
+                                       const double largest_rotation,
+                                       double      *forces) const
   {
-    double stiffest = 0;
     for (const Spring &spring : springs)
-      stiffest = std::max(stiffest, spring.stiffness);
-    return stiffest * largest_rotation;
+      for (const int unknown : spring.unknowns)
+        raise(forces, unknown, spring.stiffness * largest_rotation);
   }
 } // namespace auxfem

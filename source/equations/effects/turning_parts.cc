@@ -132,6 +132,23 @@ namespace auxfem
           }
       }
 
+      void raise_forces(const Evaluation &evaluation,
+                        const EffectResults * /*results*/,
+                        double *forces) const override
+      {
+        const Vector &u = evaluation.to.displacement;
+        for (const Joint &joint : joints)
+          {
+            const double lambda = values(u, joint, 9).norm();
+            for (unsigned int c = 0; c < 3; ++c)
+              {
+                raise(forces, joint.unknowns[c], lambda);
+                raise(forces, joint.unknowns[3 + c], lambda);
+                raise(forces, joint.unknowns[6 + c], lambda * joint.arm.norm());
+              }
+          }
+      }
+
       void find_rates(const State &state, double *rates) const override
       {
         for (const Joint &joint : joints)

@@ -137,7 +137,7 @@ TEST(SpaceStruts, InertiaHasThePowerOfItsKineticEnergy)
 TEST(RotaryMasses, TangentIsThatOfDifferences)
 {
   SpaceEffect  mass(space_frame("0 0 0; 1 0 0.3", "0 1", ""), true);
-  RotaryMasses masses(mass.of_scene.dofs(), true, 1.);
+  RotaryMasses masses(mass.of_scene.dofs(), true);
   SpaceTensor  inertia;
   inertia[0][0] = 1;
   inertia[1][1] = 2.5;

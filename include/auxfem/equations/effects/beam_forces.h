@@ -4,6 +4,7 @@
 #include <auxfem/equations/effects/struts.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace auxfem
 {
@@ -16,10 +17,19 @@ namespace auxfem
     double strain = 0, dissipation = 0;
   };
 
-  /** Energy of all struts counted by this rank in one evaluation. */
+  /** What struts do in one evaluation. */
   struct BeamResults : public EffectResults
   {
+    explicit BeamResults(const unsigned int n_elements) : forces(n_elements)
+    {}
+
+    /** Of all that are counted by this rank. */
     BeamEnergy energy;
+    /**
+     * Of every element, the largest force at its ends (N); moments divided by
+     * the length of the strut.
+     */
+    std::vector<double> forces;
   };
 
   /** Resultants at a point: N, Q_2, Q_3 (N), T, M_2, M_3 (N m). */
@@ -58,15 +68,12 @@ namespace auxfem
           const double   length  = lattice.length(strut);
 
           Element data;
+          data.length = length;
           data.jacobian =
             length * (element.place.end - element.place.begin) / 2;
           data.stiffness =
             Beam::stiffness(section, shear_flexibility ? 0. : length);
-          data.counted          = element.is_owned;
-          const double stiffest = Beam::largest_stiffness(data.stiffness);
-          largest_stiffness     = std::max(largest_stiffness, stiffest);
-          largest_stiffness_per_length =
-            std::max(largest_stiffness_per_length, stiffest / data.jacobian);
+          data.counted = element.is_owned;
           elements.push_back(data);
           set_frames(element.place,
                      strut,
@@ -96,25 +103,26 @@ namespace auxfem
 
     std::unique_ptr<EffectResults> make_results() const override
     {
-      return std::make_unique<BeamResults>();
+      return std::make_unique<BeamResults>(elements.size());
     }
 
     void add_residual(const Evaluation &evaluation,
                       double           *residual,
                       EffectResults    *results) const override
     {
-      BeamEnergy &energy = static_cast<BeamResults &>(*results).energy;
+      auto &of_struts = static_cast<BeamResults &>(*results);
       if (evaluation.kind == Evaluation::Kind::between)
         {
           if constexpr (Beam::has_mean_forces)
-            energy = sum_forces(
+            sum_forces(
               [&](const unsigned int e, double *force) {
                 return mean_force(evaluation, e, force);
               },
-              residual);
+              residual,
+              of_struts);
         }
       else
-        energy = sum_forces(
+        sum_forces(
           [&](const unsigned int e, double *force) {
             return internal_force(e,
                                   Beam::motion(numbering,
@@ -122,7 +130,8 @@ namespace auxfem
                                                evaluation.to),
                                   force);
           },
-          residual);
+          residual,
+          of_struts);
     }
 
     void add_tangent(const Evaluation &evaluation,
@@ -174,13 +183,27 @@ namespace auxfem
       return Beam::has_mean_forces ? "" : "struts that turn in space";
     }
 
-    double round_off_scale(const State & /*state*/,
-                           const EffectResults * /*results*/,
-                           const double largest_displacement,
-                           const double largest_rotation) const override
+    void raise_forces(const Evaluation & /*evaluation*/,
+                      const EffectResults *results,
+                      double              *forces) const override
     {
-      return largest_stiffness_per_length * largest_displacement +
-        largest_stiffness * std::min(1., largest_rotation);
+      const auto &of_struts = static_cast<const BeamResults &>(*results);
+      for (unsigned int e = 0; e < elements.size(); ++e)
+        raise_nodes(e, of_struts.forces[e], forces);
+    }
+
+    void raise_uncertain_forces(const Evaluation & /*evaluation*/,
+                                const EffectResults * /*results*/,
+                                const double largest_displacement,
+                                const double largest_rotation,
+                                double      *forces) const override
+    {
+      for (unsigned int e = 0; e < elements.size(); ++e)
+        raise_nodes(e,
+                    Beam::largest_stiffness(elements[e].stiffness) *
+                      (largest_displacement / elements[e].jacobian +
+                       std::min(1., largest_rotation)),
+                    forces);
     }
 
     std::vector<StrutPoint> sample(const State       &state,
@@ -245,18 +268,22 @@ namespace auxfem
     static constexpr int order        = Beam::order;
     static constexpr int n_components = Beam::n_components;
     static constexpr int n            = n_components * (order + 1);
+    /** Components of displacements, before those of rotations. */
+    static constexpr int n_translations = n_components == 3 ? 2 : 3;
 
     struct Element
     {
+      double                   length; ///< of the strut (m)
       double                   jacobian;
       typename Beam::Stiffness stiffness;
       bool                     counted;
     };
 
-    /** Adds element_force(e, force) of all elements and their energies. */
+    /** Adds element_force(e, force) of all elements; fills @p results. */
     template <class ElementForce>
-    BeamEnergy sum_forces(const ElementForce &element_force,
-                          double             *residual) const
+    void sum_forces(const ElementForce &element_force,
+                    double             *residual,
+                    BeamResults        &results) const
     {
       BeamEnergy energy;
       double     force[n];
@@ -271,8 +298,36 @@ namespace auxfem
             }
           for (int i = 0; i < n; ++i)
             residual[unknowns[i]] += force[i];
+          results.forces[e] = largest_at_ends(force, elements[e].length);
         }
-      return energy;
+      results.energy = energy;
+    }
+
+    static double largest_at_ends(const double *force, const double length)
+    {
+      double of_forces = 0, of_moments = 0;
+      // The first two nodes.
+      for (int a = 0; a < 2; ++a)
+        for (int c = 0; c < n_components; ++c)
+          {
+            double &largest = c < n_translations ? of_forces : of_moments;
+            largest = std::max(largest, std::abs(force[n_components * a + c]));
+          }
+      return std::max(of_forces, of_moments / length);
+    }
+
+    /** Raises @p forces in the rows of element @p e to @p force (N). */
+    void
+    raise_nodes(const unsigned int e, const double force, double *forces) const
+    {
+      const int   *unknowns = numbering.element_unknowns(e);
+      const double moment   = force * elements[e].length;
+      for (int a = 0; a <= order; ++a)
+        for (int c = 0; c < n_components; ++c)
+          {
+            double &row = forces[unknowns[n_components * a + c]];
+            row         = std::max(row, c < n_translations ? force : moment);
+          }
     }
 
     BeamEnergy internal_force(const unsigned int           e,
@@ -371,8 +426,6 @@ namespace auxfem
     const BeamShape<order>            shape;
     std::vector<Element>              elements;
     std::vector<typename Beam::Frame> frames;
-    double                            largest_stiffness            = 0;
-    double                            largest_stiffness_per_length = 0;
     unsigned int                      strain_entry = 0, damping_entry = 0;
   };
 

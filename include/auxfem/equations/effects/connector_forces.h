@@ -28,7 +28,8 @@ namespace auxfem
 
     std::vector<ConnectorMotion>   motion;
     std::vector<ConnectorResponse> response;
-    /** Of the force; of a mean force not quite of unit length. */
+    /** Of the force; of a mean force not quite of unit length; not a number
+     * where the ends meet. */
     std::vector<dealii::Tensor<1, 3>> direction;
     std::vector<dealii::Tensor<1, 3>> velocity_difference;
     std::vector<double>               current_length; ///< m
@@ -55,20 +56,26 @@ namespace auxfem
     void        register_blocks(TangentPattern &pattern) override;
     std::unique_ptr<EffectResults> make_results() const override;
 
-    void   add_residual(const Evaluation &evaluation,
-                        double           *residual,
-                        EffectResults    *results) const override;
-    void   add_tangent(const Evaluation     &evaluation,
-                       const EffectResults  *results,
-                       const TangentFactors &factors,
-                       TangentMatrix        &matrix) const override;
-    void   account(const Evaluation    &step,
-                   const EffectResults *results,
-                   EnergyAccount       &account) const override;
-    double round_off_scale(const State         &state,
-                           const EffectResults *results,
-                           double               largest_displacement,
-                           double largest_rotation) const override;
+    void        add_residual(const Evaluation &evaluation,
+                             double           *residual,
+                             EffectResults    *results) const override;
+    void        add_tangent(const Evaluation     &evaluation,
+                            const EffectResults  *results,
+                            const TangentFactors &factors,
+                            TangentMatrix        &matrix) const override;
+    void        account(const Evaluation    &step,
+                        const EffectResults *results,
+                        EnergyAccount       &account) const override;
+    void        raise_forces(const Evaluation    &evaluation,
+                             const EffectResults *results,
+                             double              *forces) const override;
+    void        raise_uncertain_forces(const Evaluation    &evaluation,
+                                       const EffectResults *results,
+                                       double               largest_displacement,
+                                       double               largest_rotation,
+                                       double              *forces) const override;
+    std::string why_not_finite(const Evaluation    &evaluation,
+                               const EffectResults *results) const override;
 
     const std::string &name() const;
 
@@ -106,8 +113,10 @@ namespace auxfem
                                            const double *values);
     /** The line between the ends, displaced by @p du. */
     double extension(const Ends &ends, const dealii::Tensor<1, 3> &du) const;
-    void   find_motion(const Evaluation &evaluation,
-                       ConnectorResults &results) const;
+    /** Whether connector @p i has no direction at a length (m). */
+    bool ends_meet(unsigned int i, double length) const;
+    void find_motion(const Evaluation &evaluation,
+                     ConnectorResults &results) const;
 
     /** Forces of the motion in @p results, and internal variables. */
     void find_response(const Evaluation &evaluation,

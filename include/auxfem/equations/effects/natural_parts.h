@@ -109,6 +109,33 @@ namespace auxfem
         add_clamp_blocks(evaluation, factors, matrix, block);
     }
 
+    void raise_forces(const Evaluation &evaluation,
+                      const EffectResults * /*results*/,
+                      double *forces) const override
+    {
+      const double *u = evaluation.to.displacement.data();
+      for (const Base &base : bases)
+        for (unsigned int i = 0; i < 2 * dim; ++i)
+          raise(forces, base.unknowns[i], std::abs(u[base.unknowns[2 * dim]]));
+      for (const Joint &joint : joints)
+        for (unsigned int c = 0; c < dim; ++c)
+          {
+            const double lambda = std::abs(u[joint.unknowns[3 * dim + c]]);
+            raise(forces, joint.unknowns[c], lambda);
+            for (unsigned int i = 0; i < 2 * dim; ++i)
+              raise(forces,
+                    joint.unknowns[dim + i],
+                    lambda * std::abs(joint.shapes[c][i]));
+          }
+      for (const Clamp &clamp : clamps)
+        {
+          const double lambda = std::abs(u[clamp.unknowns[5]]);
+          for (unsigned int i = 0; i < 4; ++i)
+            raise(forces, clamp.unknowns[i], lambda);
+          raise(forces, clamp.unknowns[4], lambda * clamp.condition.length);
+        }
+    }
+
     void find_rates(const State &state, double *rates) const override
     {
       const double *u = state.displacement.data();

@@ -45,10 +45,9 @@ namespace auxfem
                             const EffectResults  *results,
                             const TangentFactors &factors,
                             TangentMatrix        &matrix) const override;
-    double      round_off_scale(const State         &state,
-                                const EffectResults *results,
-                                double               largest_displacement,
-                                double largest_rotation) const override;
+    void        raise_forces(const Evaluation    &evaluation,
+                             const EffectResults *results,
+                             double              *forces) const override;
     void        find_rates(const State &state, double *rates) const override;
 
   private:

@@ -13,10 +13,7 @@ namespace auxfem
   class RotaryMasses : public Effect
   {
   public:
-    /** @param length (m) by which moments are compared with forces. */
-    RotaryMasses(const DofNumbering &numbering,
-                 bool                large_rotation,
-                 double              length);
+    RotaryMasses(const DofNumbering &numbering, bool large_rotation);
 
     /** Adds @p inertia (kg m2, global frame at rest) to one of DofNumbering::spatial_rotations(). */
     void add(unsigned int rotation, const SpaceTensor &inertia);
@@ -38,10 +35,9 @@ namespace auxfem
     void        account(const Evaluation    &step,
                         const EffectResults *results,
                         EnergyAccount       &account) const override;
-    double      round_off_scale(const State         &state,
-                                const EffectResults *results,
-                                double               largest_displacement,
-                                double largest_rotation) const override;
+    void        raise_forces(const Evaluation    &evaluation,
+                             const EffectResults *results,
+                             double              *forces) const override;
 
   private:
     struct Mass
@@ -54,7 +50,6 @@ namespace auxfem
     const DofNumbering &numbering;
     const NodeRotations rotations;
     const bool          large_rotation;
-    const double        length;
     std::vector<Mass>   masses;
     std::size_t         first_block   = 0;
     unsigned int        kinetic_entry = 0;

@@ -33,10 +33,14 @@ namespace auxfem
     void        account(const Evaluation    &step,
                         const EffectResults *results,
                         EnergyAccount       &account) const override;
-    double      round_off_scale(const State         &state,
-                                const EffectResults *results,
-                                double               largest_displacement,
-                                double largest_rotation) const override;
+    void        raise_forces(const Evaluation    &evaluation,
+                             const EffectResults *results,
+                             double              *forces) const override;
+    void        raise_uncertain_forces(const Evaluation    &evaluation,
+                                       const EffectResults *results,
+                                       double               largest_displacement,
+                                       double               largest_rotation,
+                                       double              *forces) const override;
 
   private:
     struct Spring
