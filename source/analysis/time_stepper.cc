@@ -263,8 +263,10 @@ namespace auxfem
     // Implicit schemes can converge to states that have nothing to do with the
     // motion when a step is too long for it; these show by energy from nowhere.
     const Energies &before = step.from.energies, &after = step.to.energies;
-    const double    created = after.balance(before.balance(0.));
-    const double    turnover =
+    // That the scheme accounts for what it gives is no excuse.
+    const double created = after.balance(before.balance(0.)) -
+      (after.numerical() - before.numerical());
+    const double turnover =
       std::max({step.from.largest_energy,
                 std::abs(after.external() - before.external()),
                 after.dissipated() - before.dissipated()});

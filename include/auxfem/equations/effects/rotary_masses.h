@@ -57,7 +57,7 @@ namespace auxfem
     const double        length;
     std::vector<Mass>   masses;
     std::size_t         first_block   = 0;
-    unsigned int        kinetic_entry = 0;
+    unsigned int        kinetic_entry = 0, numerical_entry = 0;
   };
 } // namespace auxfem
 
