@@ -97,7 +97,10 @@ namespace auxfem
                       JointDefinition::Type::rotational_spring;
                   });
     if (structure.simulated.inertia)
-      state_layout.energies.enter(kinetic_energy_entry());
+      {
+        state_layout.energies.enter(kinetic_energy_entry());
+        state_layout.energies.enter(numerical_energy_entry());
+      }
     if (structure.lattice.n_elastic_struts() > 0 || has_springs)
       state_layout.energies.enter(strain_energy_entry());
   }

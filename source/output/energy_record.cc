@@ -17,9 +17,9 @@ namespace auxfem
       std::string name, meaning;
     };
 
-    const std::array<KindOfEnergy, 5> &kinds()
+    const std::array<KindOfEnergy, 6> &kinds()
     {
-      static const std::array<KindOfEnergy, 5> list = {
+      static const std::array<KindOfEnergy, 6> list = {
         {{EnergyKind::kinetic, "kinetic", "kinetic energy"},
          {EnergyKind::strain,
           "strain",
@@ -30,7 +30,10 @@ namespace auxfem
           "energy lost since the start, by all causes"},
          {EnergyKind::work,
           "external",
-          "work of loads and prescribed motion since the start"}}};
+          "work of loads and prescribed motion since the start"},
+         {EnergyKind::numerical,
+          "numerical",
+          numerical_energy_entry().meaning}}};
       return list;
     }
 
@@ -53,8 +56,8 @@ namespace auxfem
       if (ledger.has(EnergyKind::work))
         sum += " - external";
       return sum +
-        " minus its value at the start: error of the time integration and loss "
-        "by its numerical damping";
+        " minus its value at the start: zero to round-off for linear scenes, "
+        "else the error of the step length";
     }
   } // namespace
 

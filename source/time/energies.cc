@@ -49,6 +49,14 @@ namespace auxfem
             "energy in the springs of connectors"};
   }
 
+  EnergyEntry numerical_energy_entry()
+  {
+    return {EnergyKind::numerical,
+            "numerical",
+            "energy taken by the time integration since the start, which the "
+            "structure would not lose; below zero it was given"};
+  }
+
   Energies::Energies() : entries(std::make_shared<const EnergyLedger>())
   {}
 
@@ -111,6 +119,11 @@ namespace auxfem
     return sum(EnergyKind::dissipated);
   }
 
+  double Energies::numerical() const
+  {
+    return sum(EnergyKind::numerical);
+  }
+
   double Energies::external() const
   {
     return sum(EnergyKind::work);
@@ -123,6 +136,6 @@ namespace auxfem
 
   double Energies::balance(const double initial_total) const
   {
-    return total() + dissipated() - external() - initial_total;
+    return total() + dissipated() + numerical() - external() - initial_total;
   }
 } // namespace auxfem

@@ -11,7 +11,6 @@ namespace auxfem
     , history(layout.history.n_values(), 0.)
     , energies(std::make_shared<const EnergyLedger>(layout.energies))
     , energy_sums(energies.amounts())
-    , powers(energies.amounts())
     , largest_forces(n_unknowns, 0.)
   {
     if (layout.velocity)

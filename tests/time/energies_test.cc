@@ -17,6 +17,7 @@ namespace
     ledger->enter(stored_energy_entry());
     ledger->enter({EnergyKind::dissipated, "brake.dissipated", "lost there"});
     ledger->enter({EnergyKind::work, "shaker.support_work", "work of shaker"});
+    ledger->enter(numerical_energy_entry());
     return ledger;
   }
 
@@ -24,7 +25,7 @@ namespace
   Energies powers_of_two()
   {
     Energies energies(ledger_of_all_kinds());
-    for (unsigned int i = 0; i < 7; ++i)
+    for (unsigned int i = 0; i < 8; ++i)
       energies[i] = 1u << i;
     return energies;
   }
@@ -57,6 +58,7 @@ TEST(EnergyLedger, TellsWhichKindsItHas)
                                 EnergyKind::strain,
                                 EnergyKind::stored,
                                 EnergyKind::dissipated,
+                                EnergyKind::numerical,
                                 EnergyKind::work})
     {
       EXPECT_FALSE(ledger.has(kind));
@@ -72,6 +74,7 @@ TEST(EnergyLedger, SharedEntriesAreOfTheKindTheyAreNamedBy)
   EXPECT_EQ(kinetic_energy_entry().kind, EnergyKind::kinetic);
   EXPECT_EQ(strain_energy_entry().kind, EnergyKind::strain);
   EXPECT_EQ(stored_energy_entry().kind, EnergyKind::stored);
+  EXPECT_EQ(numerical_energy_entry().kind, EnergyKind::numerical);
 }
 
 TEST(Energies, SumsAreByKind)
@@ -82,13 +85,15 @@ TEST(Energies, SumsAreByKind)
   EXPECT_EQ(energies.stored(), 16);
   EXPECT_EQ(energies.dissipated(), 2 + 32);
   EXPECT_EQ(energies.external(), 8 + 64);
+  EXPECT_EQ(energies.numerical(), 128);
   EXPECT_EQ(energies.total(), 1 + 4 + 16);
 }
 
 TEST(Energies, BalanceIsWhatWorkAndLossesLeaveUnexplained)
 {
   Energies energies = powers_of_two();
-  EXPECT_EQ(energies.balance(0), (1 + 4 + 16) + (2 + 32) - (8 + 64));
+  EXPECT_EQ(energies.balance(0), (1 + 4 + 16) + (2 + 32) + 128 - (8 + 64));
+  energies[7] = 0;
   EXPECT_EQ(energies.balance(-17), 0);
   // Kinetic energy lost to the damper.
   energies[0] -= 1;
@@ -102,7 +107,7 @@ TEST(Energies, BalanceIsWhatWorkAndLossesLeaveUnexplained)
 TEST(Energies, StartAtZeroInEveryEntry)
 {
   const Energies energies(ledger_of_all_kinds());
-  EXPECT_EQ(energies.amounts(), std::vector<double>(7, 0.));
+  EXPECT_EQ(energies.amounts(), std::vector<double>(8, 0.));
   EXPECT_EQ(energies.balance(0), 0);
   EXPECT_TRUE(Energies().amounts().empty());
   EXPECT_TRUE(Energies().ledger().entries().empty());

@@ -178,8 +178,9 @@ TEST(SpaceMechanisms, ABarIsASphericalPendulum)
                 18 * dt * dt);
       table.row(label("length (m), dt", dt), length, 0, 5e-14);
       table.row(label("moment of momentum, dt", dt), moment, 0, 6 * dt * dt);
-      table.row(label("energy balance (J), dt", dt),
-                run.balance(),
+      // What the motion has gained, whether the scheme accounts for it or not.
+      table.row(label("energy gained (J), dt", dt),
+                run.balance() - run.state.energies.numerical(),
                 0,
                 5 * dt * dt);
     }

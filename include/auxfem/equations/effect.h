@@ -2,7 +2,7 @@
 #define auxfem_equations_effect_h
 
 #include <auxfem/algebra/tangent_matrix.h>
-#include <auxfem/equations/evaluation.h>
+#include <auxfem/equations/energy_account.h>
 #include <auxfem/time/time_scheme.h>
 
 #include <algorithm>

@@ -126,35 +126,6 @@ namespace auxfem
      */
     double force_scale = 0;
   };
-
-  /** Takes down the energies of an evaluation, this rank's share. */
-  class EnergyAccount
-  {
-  public:
-    /** Sums of step.to go on from those of step.from. */
-    explicit EnergyAccount(const Evaluation &step);
-
-    /** Adds an amount there is now (J). */
-    void add(unsigned int entry, double energy);
-
-    /** Adds what was dissipated, or done as work, in the step (J). */
-    void add_in_step(unsigned int entry, double energy);
-
-    /**
-     * Adds to the power now (W), which is summed up over the steps by the
-     * trapezoidal rule, of second order like the time schemes. In a step
-     * between two states, where amounts in the step are exact, it is not.
-     */
-    void add_power(unsigned int entry, double power);
-
-    /** Writes the sums and powers to the state, and returns this rank's
-     * energies. */
-    std::vector<double> close();
-
-  private:
-    const Evaluation   &step;
-    std::vector<double> amounts, sums, powers;
-  };
 } // namespace auxfem
 
 #endif

@@ -14,7 +14,9 @@ namespace auxfem
     strain,     ///< in struts and rotational springs
     stored,     ///< in the springs of connectors
     dissipated, ///< since the start
-    work        ///< done by loads and prescribed motion since the start
+    /** Taken by the time integration since the start; below zero: given. */
+    numerical,
+    work ///< done by loads and prescribed motion since the start
   };
 
   /** One entry of the ledger: a column of history.csv. */
@@ -51,6 +53,7 @@ namespace auxfem
   EnergyEntry kinetic_energy_entry();
   EnergyEntry strain_energy_entry();
   EnergyEntry stored_energy_entry();
+  EnergyEntry numerical_energy_entry();
   ///@}
 
   /** Energies at one time (J), an amount for each entry of a ledger. */
@@ -81,6 +84,8 @@ namespace auxfem
     double strain() const;
     double stored() const;
     double dissipated() const;
+    /** Taken by the time integration. */
+    double numerical() const;
     /** Work of loads and prescribed motion. */
     double external() const;
     ///@}
@@ -89,8 +94,8 @@ namespace auxfem
     double total() const;
 
     /**
-     * total + dissipated - external - @p initial_total: zero but for the error of the
-     * time integration (and its numerical damping, if it has any).
+     * total + dissipated + numerical - external - @p initial_total: zero to
+     * round-off for linear scenes, else but for the error of the step length.
      */
     double balance(double initial_total) const;
 

@@ -97,13 +97,11 @@ namespace auxfem
     /** Energies of the whole lattice, known for accepted states. */
     Energies energies;
 
-    /** @name This rank's share, by entry of the ledger. */
-    ///@{
-    /** Dissipated so far, and work done so far (J). */
+    /**
+     * What was dissipated, taken by the scheme and done as work so far (J),
+     * this rank's share, by entry of the ledger.
+     */
     std::vector<double> energy_sums;
-    /** Power at `time` of what is summed up by the trapezoidal rule (W). */
-    std::vector<double> powers;
-    ///@}
 
     /** @name Largest so far in the run, what errors are judged by. */
     ///@{

@@ -108,6 +108,7 @@ namespace auxfem
       layout.energies.enter({EnergyKind::dissipated,
                              group_name + ".dissipated",
                              "energy lost in the connectors since the start"});
+    numerical_entry = layout.energies.enter(numerical_energy_entry());
   }
 
   void ConnectorForces::register_blocks(TangentPattern &pattern)
@@ -188,6 +189,17 @@ namespace auxfem
           ? (motion.extension - motion.previous_extension) / evaluation.dt
           : results.direction[i] * results.velocity_difference[i];
       }
+  }
+
+  ConnectorMotion ConnectorForces::motion_at(const Ends  &ends,
+                                             const State &state,
+                                             const double extension) const
+  {
+    const dealii::Tensor<1, 3> line =
+      ends.span + difference(ends, state.displacement.data());
+    const double rate = (follows_line ? line / line.norm() : ends.direction) *
+      difference(ends, state.velocity->data());
+    return {extension, rate, extension, 0};
   }
 
   void ConnectorForces::find_response(const Evaluation &evaluation,
@@ -345,9 +357,34 @@ namespace auxfem
           continue;
         step.to.history[first_dissipated + i] =
           step.from.history[first_dissipated + i] + energy.dissipated;
-        if (connectors[i].counted)
-          account.add_in_step(dissipated_entry, energy.dissipated);
+        if (!connectors[i].counted)
+          continue;
+        account.add_in_step(dissipated_entry, energy.dissipated);
+        // Between two states the mean force does what is stored and lost.
+        if (account.takes_time() && step.kind != Evaluation::Kind::between)
+          account.add_in_step(numerical_entry,
+                              taken(i, step, of_group, energy));
       }
+  }
+
+  double ConnectorForces::taken(const unsigned int      i,
+                                const Evaluation       &step,
+                                const ConnectorResults &results,
+                                const ConnectorEnergy  &energy) const
+  {
+    const Ends           &ends = connectors[i];
+    const ConnectorMotion start =
+      motion_at(ends, step.from, results.motion[i].previous_extension);
+    const double *committed =
+      step.from.history.data() + first_history + i * law->n_history();
+    std::vector<double> internal(law->n_history());
+    ConnectorResponse   before;
+    law->evaluate(1, &start, committed, internal.data(), &before);
+    const double stored_before =
+      law->energy(start, committed, committed).stored;
+    return (before.force + results.response[i].force) / 2 *
+      (results.motion[i].extension - start.extension) -
+      (energy.stored - stored_before) - energy.dissipated;
   }
 
   void ConnectorForces::raise_forces(const Evaluation & /*evaluation*/,

@@ -27,20 +27,28 @@ namespace auxfem
         double v[damped ? n : 1];
       };
 
+      static Motion motion(const DofNumbering &numbering,
+                           const int          *unknowns,
+                           const State        &state)
+      {
+        return motion(numbering,
+                      unknowns,
+                      state,
+                      damped ? state.velocity->data() : nullptr);
+      }
+
       static Motion motion(const DofNumbering & /*numbering*/,
-                           const int   *unknowns,
-                           const State &state)
+                           const int                     *unknowns,
+                           const State                   &state,
+                           [[maybe_unused]] const double *v)
       {
         Motion        motion;
         const double *u = state.displacement.data();
         for (int i = 0; i < n; ++i)
           motion.u[i] = u[unknowns[i]];
         if constexpr (damped)
-          {
-            const double *v = state.velocity->data();
-            for (int i = 0; i < n; ++i)
-              motion.v[i] = v[unknowns[i]];
-          }
+          for (int i = 0; i < n; ++i)
+            motion.v[i] = v[unknowns[i]];
         return motion;
       }
 
@@ -238,14 +246,14 @@ namespace auxfem
         return axes;
       }
 
-      /** Strain energy per length (J/m) of elastic section forces. */
-      static double energy_density(const Stiffness     &stiffness,
-                                   const SectionForces &forces)
+      /** Section forces times the strains of others (J/m). */
+      static double strain_product(const Stiffness     &stiffness,
+                                   const SectionForces &forces,
+                                   const SectionForces &others)
       {
-        return (forces[0] * forces[0] / stiffness.axial +
-                forces[1] * forces[1] / stiffness.shear +
-                forces[5] * forces[5] / stiffness.bending) /
-          2;
+        return forces[0] * others[0] / stiffness.axial +
+          forces[1] * others[1] / stiffness.shear +
+          forces[5] * others[5] / stiffness.bending;
       }
     };
   } // namespace

@@ -27,7 +27,8 @@ namespace auxfem
 
   void PointMasses::register_in(StateLayout &layout)
   {
-    kinetic_entry = layout.energies.enter(kinetic_energy_entry());
+    kinetic_entry   = layout.energies.enter(kinetic_energy_entry());
+    numerical_entry = layout.energies.enter(numerical_energy_entry());
   }
 
   void PointMasses::register_blocks(TangentPattern &pattern)
@@ -61,14 +62,19 @@ namespace auxfem
       }
   }
 
-  void PointMasses::account(const Evaluation &step,
+  void PointMasses::account(const Evaluation & /*step*/,
                             const EffectResults * /*results*/,
                             EnergyAccount &account) const
   {
-    const double *v = step.to.velocity->data();
-    for (const Mass &mass : masses)
-      if (numbering.layout().is_owned(mass.unknown))
-        account.add(kinetic_entry,
-                    mass.mass / 2 * v[mass.unknown] * v[mass.unknown]);
+    account.add_inertia(kinetic_entry,
+                        numerical_entry,
+                        [&](const Vector &x, const Vector &y) {
+                          double sum = 0;
+                          for (const Mass &mass : masses)
+                            if (numbering.layout().is_owned(mass.unknown))
+                              sum +=
+                                mass.mass * x[mass.unknown] * y[mass.unknown];
+                          return sum;
+                        });
   }
 } // namespace auxfem

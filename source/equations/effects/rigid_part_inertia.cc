@@ -18,7 +18,8 @@ namespace auxfem
 
   void RigidPartInertia::register_in(StateLayout &layout)
   {
-    kinetic_entry = layout.energies.enter(kinetic_energy_entry());
+    kinetic_entry   = layout.energies.enter(kinetic_energy_entry());
+    numerical_entry = layout.energies.enter(numerical_energy_entry());
   }
 
   void RigidPartInertia::register_blocks(TangentPattern &pattern)
@@ -60,19 +61,21 @@ namespace auxfem
     });
   }
 
-  void RigidPartInertia::account(const Evaluation &step,
+  void RigidPartInertia::account(const Evaluation & /*step*/,
                                  const EffectResults * /*results*/,
                                  EnergyAccount &account) const
   {
-    const double *v = step.to.velocity->data();
-    for_each([&](const auto &body) {
-      constexpr unsigned int n = std::tuple_size_v<decltype(body.base)>;
-      if (body.counted)
-        for (unsigned int i = 0; i < n; ++i)
-          for (unsigned int j = 0; j < n; ++j)
-            account.add(kinetic_entry,
-                        body.mass[n * i + j] / 2 * v[body.base[i]] *
-                          v[body.base[j]]);
-    });
+    const auto product = [&](const Vector &x, const Vector &y) {
+      double sum = 0;
+      for_each([&](const auto &body) {
+        constexpr unsigned int n = std::tuple_size_v<decltype(body.base)>;
+        if (body.counted)
+          for (unsigned int i = 0; i < n; ++i)
+            for (unsigned int j = 0; j < n; ++j)
+              sum += body.mass[n * i + j] * x[body.base[i]] * y[body.base[j]];
+      });
+      return sum;
+    };
+    account.add_inertia(kinetic_entry, numerical_entry, product);
   }
 } // namespace auxfem

@@ -33,7 +33,8 @@ namespace auxfem
 
   void RotaryMasses::register_in(StateLayout &layout)
   {
-    kinetic_entry = layout.energies.enter(kinetic_energy_entry());
+    kinetic_entry   = layout.energies.enter(kinetic_energy_entry());
+    numerical_entry = layout.energies.enter(numerical_energy_entry());
   }
 
   void RotaryMasses::register_blocks(TangentPattern &pattern)
@@ -117,15 +118,20 @@ namespace auxfem
       }
   }
 
-  void RotaryMasses::account(const Evaluation &step,
+  void RotaryMasses::account(const Evaluation & /*step*/,
                              const EffectResults * /*results*/,
                              EnergyAccount &account) const
   {
-    for (const Mass &mass : masses)
-      if (numbering.layout().is_owned(numbering.rotations()[mass.rotation][0]))
-        account.add(
-          kinetic_entry,
-          RotaryInertia::kinetic_energy(mass.inertia,
-                                        motion(mass, step.to).velocity));
+    // Gyroscopic torques do no work.
+    const auto product = [&](const Vector &x, const Vector &y) {
+      double sum = 0;
+      for (const Mass &mass : masses)
+        if (numbering.layout().is_owned(
+              numbering.rotations()[mass.rotation][0]))
+          sum += rotations.values(x, mass.rotation) *
+            (mass.inertia * rotations.values(y, mass.rotation));
+      return sum;
+    };
+    account.add_inertia(kinetic_entry, numerical_entry, product);
   }
 } // namespace auxfem

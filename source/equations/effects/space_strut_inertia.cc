@@ -122,14 +122,14 @@ namespace auxfem
       }
 
     private:
-      double kinetic_energy(const double *velocity) const override
+      double mass_product(const Vector &x, const Vector &y) const override
       {
-        return sum_v_M_v(velocity, [](const Element &) { return 0.5; });
+        return product(x, y, [](const Element &) { return 1.; });
       }
 
-      double damping_power(const double *velocity) const override
+      double damping_product(const Vector &x, const Vector &y) const override
       {
-        return sum_v_M_v(velocity, [](const Element &e) { return e.damping; });
+        return product(x, y, [](const Element &e) { return e.damping; });
       }
 
       static constexpr int n_components = 6;
@@ -299,23 +299,25 @@ namespace auxfem
       }
 
       template <class Weight>
-      double sum_v_M_v(const double *velocity, const Weight &weight) const
+      double
+      product(const Vector &x, const Vector &y, const Weight &weight) const
       {
         double sum = 0;
         for (unsigned int e = 0; e < elements.size(); ++e)
           if (elements[e].counted)
             {
               const int *unknowns   = numbering.element_unknowns(e);
-              const auto v          = gather(velocity, unknowns, 0);
+              const auto v          = gather(x.data(), unknowns, 0);
+              const auto w          = gather(y.data(), unknowns, 0);
               double     of_element = 0;
               for (int i = 0; i <= order; ++i)
                 for (int j = 0; j <= order; ++j)
                   of_element +=
-                    elements[e].mass * shape.mass[i][j] * (v[i] * v[j]);
+                    elements[e].mass * shape.mass[i][j] * (v[i] * w[j]);
               if (rotary)
                 {
-                  const auto W = gather(velocity, unknowns, 3);
-                  const auto L = momenta(e, W);
+                  const auto W = gather(x.data(), unknowns, 3);
+                  const auto L = momenta(e, gather(y.data(), unknowns, 3));
                   for (int i = 0; i <= order; ++i)
                     of_element += W[i] * L[i];
                 }

@@ -52,9 +52,19 @@ namespace auxfem
                            const int          *unknowns,
                            const State        &state)
       {
+        return motion(numbering,
+                      unknowns,
+                      state,
+                      damped ? state.velocity->data() : nullptr);
+      }
+
+      static Motion motion(const DofNumbering            &numbering,
+                           const int                     *unknowns,
+                           const State                   &state,
+                           [[maybe_unused]] const double *v)
+      {
         Motion        motion;
-        const double *u = state.displacement.data(),
-                     *v = damped ? state.velocity->data() : nullptr;
+        const double *u = state.displacement.data();
         if constexpr (large_rotation)
           for (int a = 0; a <= order; ++a)
             {
@@ -305,16 +315,17 @@ namespace auxfem
                               : at_rest;
       }
 
-      /** Strain energy per length (J/m) of elastic section forces. */
-      static double energy_density(const Stiffness     &stiffness,
-                                   const SectionForces &forces)
+      /** Section forces times the strains of others (J/m). */
+      static double strain_product(const Stiffness     &stiffness,
+                                   const SectionForces &forces,
+                                   const SectionForces &others)
       {
         const Beam3D::Stiffness &s = stiffness.elastic;
         const double             k[] =
           {s.axial, s.shear_2, s.shear_3, s.torsion, s.bending_2, s.bending_3};
         double sum = 0;
         for (unsigned int i = 0; i < forces.size(); ++i)
-          sum += forces[i] * forces[i] / k[i] / 2;
+          sum += forces[i] * others[i] / k[i];
         return sum;
       }
 

@@ -81,14 +81,14 @@ namespace auxfem
       }
 
     private:
-      double kinetic_energy(const double *velocity) const override
+      double mass_product(const Vector &x, const Vector &y) const override
       {
-        return sum_v_M_v(velocity, [](const Element &) { return 0.5; });
+        return product(x, y, [](const Element &) { return 1.; });
       }
 
-      double damping_power(const double *velocity) const override
+      double damping_product(const Vector &x, const Vector &y) const override
       {
-        return sum_v_M_v(velocity, [](const Element &e) { return e.damping; });
+        return product(x, y, [](const Element &e) { return e.damping; });
       }
 
       static constexpr int n = 3 * (order + 1);
@@ -126,7 +126,8 @@ namespace auxfem
       };
 
       template <class Weight>
-      double sum_v_M_v(const double *v, const Weight &weight) const
+      double
+      product(const Vector &x, const Vector &y, const Weight &weight) const
       {
         double sum = 0;
         for (unsigned int e = 0; e < elements.size(); ++e)
@@ -139,10 +140,10 @@ namespace auxfem
                   double weighted[3] = {0, 0, 0};
                   for (int j = 0; j <= order; ++j)
                     for (int c = 0; c < 3; ++c)
-                      weighted[c] += shape.mass[i][j] * v[unknowns[3 * j + c]];
-                  linear += v[unknowns[3 * i]] * weighted[0] +
-                    v[unknowns[3 * i + 1]] * weighted[1];
-                  rotary += v[unknowns[3 * i + 2]] * weighted[2];
+                      weighted[c] += shape.mass[i][j] * y[unknowns[3 * j + c]];
+                  linear += x[unknowns[3 * i]] * weighted[0] +
+                    x[unknowns[3 * i + 1]] * weighted[1];
+                  rotary += x[unknowns[3 * i + 2]] * weighted[2];
                 }
               sum += weight(elements[e]) *
                 (elements[e].mass * linear + elements[e].rotary * rotary);
@@ -169,7 +170,8 @@ namespace auxfem
 
   void StrutInertia::register_in(StateLayout &layout)
   {
-    kinetic_entry = layout.energies.enter(kinetic_energy_entry());
+    kinetic_entry   = layout.energies.enter(kinetic_energy_entry());
+    numerical_entry = layout.energies.enter(numerical_energy_entry());
     if (is_damped)
       damping_entry = layout.energies.enter(mass_damping_entry());
   }
@@ -191,19 +193,25 @@ namespace auxfem
     return means.empty() ? evaluation.to.velocity->data() : means.data();
   }
 
-  void StrutInertia::account(const Evaluation &step,
+  void StrutInertia::account(const Evaluation & /*step*/,
                              const EffectResults * /*results*/,
                              EnergyAccount &account) const
   {
-    account.add(kinetic_entry, kinetic_energy(step.to.velocity->data()));
-    if (!is_damped)
+    account.add_inertia(kinetic_entry,
+                        numerical_entry,
+                        [&](const Vector &x, const Vector &y) {
+                          return mass_product(x, y);
+                        });
+    if (!is_damped || !account.takes_time())
       return;
-    const DampedVelocity velocity(step);
-    const double         power = damping_power(velocity.values());
-    if (step.kind == Evaluation::Kind::between)
-      account.add_in_step(damping_entry, step.dt * power);
-    else
-      account.add_power(damping_entry, power);
+    // The mean damping force is that of the mean velocity.
+    const StepMotion &motion = account.motion();
+    account.add_in_step(damping_entry,
+                        motion.dt *
+                          damping_product(motion.velocity, motion.velocity));
+    account.add_in_step(numerical_entry,
+                        motion.dt *
+                          damping_product(motion.velocity, motion.excess_rate));
   }
 
   std::unique_ptr<Effect>

@@ -16,7 +16,7 @@ namespace auxfem
       state.history.resize(layout.history.n_values(), 0.);
       state.energies =
         Energies(std::make_shared<const EnergyLedger>(layout.energies));
-      state.energy_sums = state.powers = state.energies.amounts();
+      state.energy_sums = state.energies.amounts();
     }
 
     /** An effect evaluated by itself. */

@@ -123,10 +123,29 @@ TEST(StrutInertia, MassProportionalDampingIsAForceOnTheVelocity)
   const EvaluatedAlone accelerated = by_acceleration.evaluated();
   for (unsigned int i = 0; i < moving.residual.size(); ++i)
     EXPECT_NEAR(moving.residual[i], accelerated.residual[i], 1e-14);
+}
 
-  // The power lost is a v.M v, twice a times the kinetic energy.
-  const Energies     energies = moving.accept();
-  const unsigned int lost =
-    by_velocity.layout.energies.enter(mass_damping_entry());
-  EXPECT_NEAR(by_velocity.to.powers[lost], 2 * 0.7 * energies.kinetic(), 1e-13);
+TEST(StrutInertia, MassProportionalDampingTakesThePowerOfTheStepsOwnMotion)
+{
+  InertiaAlone one(oblique_strut,
+                   {"Sections/band/Mass-proportional damping=0.7"},
+                   true,
+                   true);
+  Vector      &v = *one.from.velocity;
+  fill_by_place(one.of_scene.model, 1., v);
+  // In a second at this velocity a v.M v is lost, twice a times the kinetic
+  // energy, and nothing is taken by anything else.
+  *one.to.velocity    = v;
+  one.to.displacement = v;
+  const Energies even = one.evaluated().accept();
+  EXPECT_NEAR(even.dissipated(), 2 * 0.7 * even.kinetic(), 1e-13);
+  EXPECT_NEAR(even.numerical(), 0, 1e-13);
+
+  // Velocities that ring about a body at rest: it loses nothing.
+  one.to.displacement.assign(v.size(), 0.);
+  for (unsigned int i = 0; i < v.size(); ++i)
+    (*one.to.velocity)[i] = -v[i];
+  const Energies ringing = one.evaluated().accept();
+  EXPECT_NEAR(ringing.dissipated(), 0, 1e-13);
+  EXPECT_NEAR(ringing.numerical(), 0, 1e-13);
 }

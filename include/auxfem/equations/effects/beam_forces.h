@@ -42,8 +42,9 @@ namespace auxfem
    * point at rest), `Stiffness` and `Motion` (of an element's nodes); functions
    * `frame`, `stiffness`, `largest_stiffness` for the element at rest,
    * `motion`, `internal_force`, `tangent` for its forces, and `section_forces`,
-   * `rotation`, `axes`, `energy_density` for output. With `has_mean_forces` and
-   * large rotations it has `mean_force` and `mean_tangent` over a step.
+   * `rotation`, `axes` for output, `strain_product` for energies. With
+   * `has_mean_forces` and large rotations it has `mean_force` and
+   * `mean_tangent` over a step.
    */
   template <class Beam>
   class BeamForces : public StrutForces
@@ -99,6 +100,7 @@ namespace auxfem
            "strut_damping_dissipated",
            "energy lost by stiffness-proportional damping of the struts since "
              "the start"});
+      numerical_entry = layout.energies.enter(numerical_energy_entry());
     }
 
     std::unique_ptr<EffectResults> make_results() const override
@@ -170,12 +172,16 @@ namespace auxfem
       const BeamEnergy &energy =
         static_cast<const BeamResults &>(*results).energy;
       account.add(strain_entry, energy.strain);
-      if (!Beam::is_damped)
+      if (!Beam::is_damped || !account.takes_time())
         return;
       if (step.kind == Evaluation::Kind::between)
-        account.add_in_step(damping_entry, energy.dissipation);
-      else
-        account.add_power(damping_entry, energy.dissipation);
+        {
+          account.add_in_step(damping_entry, energy.dissipation);
+          return;
+        }
+      const DampingWork damping = damping_work(step, account.motion());
+      account.add_in_step(damping_entry, damping.lost);
+      account.add_in_step(numerical_entry, damping.of_forces - damping.lost);
     }
 
     std::string without_mean_forces() const override
@@ -259,7 +265,7 @@ namespace auxfem
               point.force[k]  = E[k] + V[k];
               point.moment[k] = E[3 + k] + V[3 + k];
             }
-          point.energy_density = Beam::energy_density(data.stiffness, E);
+          point.energy_density = Beam::strain_product(data.stiffness, E, E) / 2;
         }
       return points;
     }
@@ -278,6 +284,74 @@ namespace auxfem
       typename Beam::Stiffness stiffness;
       bool                     counted;
     };
+
+    /** Section forces of damping at the Gauss points of an element. */
+    struct ViscousForces
+    {
+      ViscousForces(const BeamForces  &beams,
+                    const unsigned int e,
+                    const State       &state,
+                    const Vector      &velocity)
+      {
+        SectionForces elastic[order];
+        Beam::section_forces(beams.shape,
+                             &beams.frames[std::size_t(e) * order],
+                             beams.elements[e].jacobian,
+                             beams.elements[e].stiffness,
+                             Beam::motion(beams.numbering,
+                                          beams.numbering.element_unknowns(e),
+                                          state,
+                                          velocity.data()),
+                             elastic,
+                             at_point);
+      }
+
+      SectionForces at_point[order];
+    };
+
+    /** What damping does in a step (J). */
+    struct DampingWork
+    {
+      double lost      = 0; ///< by the mean strain rates of the step
+      double of_forces = 0; ///< by the mean of the forces at both ends
+    };
+
+    DampingWork damping_work(const Evaluation &step,
+                             const StepMotion &motion) const
+    {
+      // Without inertia the rates at the end are those of the whole step.
+      const bool  ends_alike = step.kind == Evaluation::Kind::static_step;
+      DampingWork work;
+      for (unsigned int e = 0; e < elements.size(); ++e)
+        {
+          const double beta = elements[e].stiffness.damping_time;
+          if (!elements[e].counted || beta == 0)
+            continue;
+          const ViscousForces start(*this, e, step.from, *step.from.velocity),
+            end(*this, e, step.to, *step.to.velocity),
+            // For the strain rates that the step's own motion has there.
+            along_start(*this, e, step.from, motion.rate),
+            along_end(*this, e, step.to, motion.rate);
+          const auto product = [&](const SectionForces &one,
+                                   const SectionForces &other) {
+            return Beam::strain_product(elements[e].stiffness, one, other);
+          };
+          for (int g = 0; g < order; ++g)
+            {
+              const double factor =
+                shape.weight[g] * elements[e].jacobian * step.dt / beta;
+              SectionForces mean = end.at_point[g];
+              if (!ends_alike)
+                for (unsigned int k = 0; k < mean.size(); ++k)
+                  mean[k] = (mean[k] + start.at_point[g][k]) / 2;
+              work.lost += factor * product(mean, mean);
+              work.of_forces += factor / 2 *
+                (product(start.at_point[g], along_start.at_point[g]) +
+                 product(end.at_point[g], along_end.at_point[g]));
+            }
+        }
+      return work;
+    }
 
     /** Adds element_force(e, force) of all elements; fills @p results. */
     template <class ElementForce>
@@ -426,7 +500,7 @@ namespace auxfem
     const BeamShape<order>            shape;
     std::vector<Element>              elements;
     std::vector<typename Beam::Frame> frames;
-    unsigned int                      strain_entry = 0, damping_entry = 0;
+    unsigned int strain_entry = 0, damping_entry = 0, numerical_entry = 0;
   };
 
   /**

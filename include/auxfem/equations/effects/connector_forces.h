@@ -122,6 +122,19 @@ namespace auxfem
     void find_response(const Evaluation &evaluation,
                        ConnectorResults &results) const;
 
+    /** Motion of a connector at the instant @p state of @p extension (m). */
+    ConnectorMotion
+    motion_at(const Ends &ends, const State &state, double extension) const;
+
+    /**
+     * What the mean of the forces of connector @p i at both ends of the step
+     * does beyond what it stores and loses by @p energy (J).
+     */
+    double taken(unsigned int            i,
+                 const Evaluation       &step,
+                 const ConnectorResults &results,
+                 const ConnectorEnergy  &energy) const;
+
     /** Derivative of mean forces by the state at the end. */
     void add_mean_tangent(const Evaluation       &evaluation,
                           const ConnectorResults &results,
@@ -141,7 +154,7 @@ namespace auxfem
     /** Index of the first internal variable and of the first dissipated energy
      * in State::history. */
     std::size_t  first_history = 0, first_dissipated = 0;
-    unsigned int stored_entry = 0, dissipated_entry = 0;
+    unsigned int stored_entry = 0, dissipated_entry = 0, numerical_entry = 0;
     std::size_t  first_block = 0;
   };
 } // namespace auxfem

@@ -42,7 +42,7 @@ namespace auxfem
     const DofNumbering &numbering;
     std::vector<Mass>   masses;
     std::size_t         first_block   = 0;
-    unsigned int        kinetic_entry = 0;
+    unsigned int        kinetic_entry = 0, numerical_entry = 0;
   };
 } // namespace auxfem
 

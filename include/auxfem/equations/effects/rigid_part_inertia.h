@@ -44,7 +44,7 @@ namespace auxfem
 
     const RigidBodies bodies;
     std::size_t       first_block   = 0;
-    unsigned int      kinetic_entry = 0;
+    unsigned int      kinetic_entry = 0, numerical_entry = 0;
   };
 } // namespace auxfem
 

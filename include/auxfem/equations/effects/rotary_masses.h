@@ -52,7 +52,7 @@ namespace auxfem
     const bool          large_rotation;
     std::vector<Mass>   masses;
     std::size_t         first_block   = 0;
-    unsigned int        kinetic_entry = 0;
+    unsigned int        kinetic_entry = 0, numerical_entry = 0;
   };
 } // namespace auxfem
 

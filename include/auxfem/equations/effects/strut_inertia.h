@@ -51,15 +51,14 @@ namespace auxfem
     };
 
   private:
-    /** Of the struts this rank counts (J), of the velocities of all unknowns.
-     */
-    virtual double kinetic_energy(const double *velocity) const = 0;
+    /** x.M y of the struts this rank counts, of values of all unknowns. */
+    virtual double mass_product(const Vector &x, const Vector &y) const = 0;
 
-    /** Lost by mass-proportional damping in these struts (W). */
-    virtual double damping_power(const double *velocity) const = 0;
+    /** The same with the matrix of mass-proportional damping. */
+    virtual double damping_product(const Vector &x, const Vector &y) const = 0;
 
     const bool   is_damped;
-    unsigned int kinetic_entry = 0, damping_entry = 0;
+    unsigned int kinetic_entry = 0, numerical_entry = 0, damping_entry = 0;
   };
 
   /**

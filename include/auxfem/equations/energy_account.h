@@ -1,0 +1,99 @@
+#ifndef auxfem_equations_energy_account_h
+#define auxfem_equations_energy_account_h
+
+#include <auxfem/equations/evaluation.h>
+
+#include <optional>
+
+namespace auxfem
+{
+  /**
+   * The motion in a step as the mean of the forces at its ends does work on it,
+   * of all local unknowns. What is in excess vanishes for schemes that damp
+   * nothing.
+   */
+  struct StepMotion
+  {
+    /** Of a step that takes time. */
+    explicit StepMotion(const Evaluation &step);
+
+    double dt; ///< s
+    /**
+     * Increment of the displacement over dt, of large rotations in space
+     * material; in a step between two states Cayley's measure of turns.
+     */
+    Vector rate;
+
+    /** @name Empty without velocities. */
+    ///@{
+    Vector velocity;    ///< mean of those at both ends
+    Vector excess_rate; ///< rate less that
+    ///@}
+
+    /** @name Empty without accelerations. */
+    ///@{
+    /** Increment of the velocity over dt. */
+    Vector acceleration;
+    /** Mean of the accelerations that forces are balanced with, less that. */
+    Vector excess_acceleration;
+    ///@}
+
+    /**
+     * What the mean inertia force does in the step less the growth of kinetic
+     * energy (J), for the constant mass matrix M of which @p product(x, y) is
+     * x.M y.
+     */
+    template <class Product>
+    double taken_from_kinetic(const Product &product) const
+    {
+      return dt *
+        (product(rate, excess_acceleration) +
+         product(excess_rate, acceleration));
+    }
+  };
+
+  /** Takes down the energies of an evaluation, this rank's share. */
+  class EnergyAccount
+  {
+  public:
+    /** Sums of step.to go on from those of step.from. */
+    explicit EnergyAccount(const Evaluation &step);
+
+    /** Adds an amount there is now (J). */
+    void add(unsigned int entry, double energy);
+
+    /** Adds what was dissipated, taken, or done as work in the step (J). */
+    void add_in_step(unsigned int entry, double energy);
+
+    /** Whether time passes in the evaluation, so that it has a motion. */
+    bool takes_time() const;
+
+    /** Of the step, which takes time. */
+    const StepMotion &motion();
+
+    /**
+     * Adds what a constant mass matrix has now, x.M x / 2 of the velocities,
+     * and what the scheme takes from it in the step.
+     * @param product as for StepMotion::taken_from_kinetic()
+     */
+    template <class Product>
+    void add_inertia(const unsigned int kinetic_entry,
+                     const unsigned int numerical_entry,
+                     const Product     &product)
+    {
+      add(kinetic_entry, product(*step.to.velocity, *step.to.velocity) / 2);
+      if (takes_time())
+        add_in_step(numerical_entry, motion().taken_from_kinetic(product));
+    }
+
+    /** Writes the sums to the state, and returns this rank's energies. */
+    std::vector<double> close();
+
+  private:
+    const Evaluation         &step;
+    std::vector<double>       amounts, sums;
+    std::optional<StepMotion> motion_of_step;
+  };
+} // namespace auxfem
+
+#endif
