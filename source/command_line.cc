@@ -108,8 +108,8 @@ and leaves the results in a folder: history.csv, *.pvd for ParaView, log.txt, su
   --help                   print this
   --version                print the version
 
-Exit code: 0 success, 1 wrong input, 2 failed computation, 128 + N ended by signal N
-(SIGTERM or SIGINT, after the step in hand); results until then are kept.
+Exit code: 0 success, 1 wrong input, 2 failed computation, 3 results not to be used,
+128 + N ended by signal N (SIGTERM or SIGINT); results until then are kept.
 )";
   }
 } // namespace auxfem

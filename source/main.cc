@@ -96,14 +96,16 @@ namespace
                                : "a library has ended the program"));
   }
 
-  void
-  execute(const CommandLine &line, const bool speaks, const StartTimes &start)
+  int execute(const CommandLine &line,
+              const bool         speaks,
+              const StartTimes  &start)
   {
+    constexpr int unreliable = 3;
     if (const auto text = answer(line.action))
       {
         if (speaks)
           std::cout << *text;
-        return;
+        return 0;
       }
     FileRules          rules;
     std::vector<Scene> scenes;
@@ -119,7 +121,13 @@ namespace
     else if (line.action == CommandLine::Action::check)
       check(scenes[0], MPI_COMM_WORLD);
     else
-      run(scenes[0], MPI_COMM_WORLD, start, rules);
+      {
+        const RunResult result = run(scenes[0], MPI_COMM_WORLD, start, rules);
+        if (scenes[0].output.verdict_fails &&
+            verdict_of(result.findings) == Verdict::not_to_be_used)
+          return unreliable;
+      }
+    return 0;
   }
 
   int execute_on_ranks(const std::vector<std::string> &arguments,
@@ -134,8 +142,7 @@ namespace
     };
     try
       {
-        execute(read_command_line(arguments), speaks, start);
-        return 0;
+        return execute(read_command_line(arguments), speaks, start);
       }
     catch (const InputError &error)
       {

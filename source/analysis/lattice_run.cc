@@ -125,7 +125,7 @@ namespace auxfem
 
   RunResult LatticeRun::result(const std::string &exit_state) const
   {
-    return {exit_state, solution.state.time, work_done};
+    return {exit_state, solution.state.time, work_done, stepper.findings()};
   }
 
   RunResult LatticeRun::run(Recorder &recorder)

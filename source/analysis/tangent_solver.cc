@@ -49,7 +49,8 @@ namespace auxfem
         outcome == FactorizationOutcome::too_large)
       throw ComputationError("No solution could be computed: " + solver.why() +
                              '.');
-    return outcome == FactorizationOutcome::done;
+    has_new_inertia = outcome == FactorizationOutcome::done;
+    return has_new_inertia;
   }
 
   bool TangentSolver::solve(Vector &values)
@@ -72,6 +73,15 @@ namespace auxfem
   const std::string &TangentSolver::why() const
   {
     return solver.why();
+  }
+
+  std::optional<Inertia> TangentSolver::new_inertia()
+  {
+    const Stopwatch watch(work.wall.factorize);
+    if (!has_new_inertia)
+      return std::nullopt;
+    has_new_inertia = false;
+    return solver.inertia();
   }
 
   const LinearSolver &TangentSolver::linear_solver() const

@@ -42,6 +42,7 @@ namespace auxfem
                                     ? parameters.smallest_step
                                     : parameters.step / 1024))
     , ends(step_ends(scene))
+    , watches(scene, equations, work)
   {
     make_solvers();
   }
@@ -59,6 +60,11 @@ namespace auxfem
                                 work);
   }
 
+  std::vector<Finding> TimeStepper::findings() const
+  {
+    return watches.findings();
+  }
+
   TangentSolver &TimeStepper::solver()
   {
     return solvers->tangent;
@@ -67,12 +73,14 @@ namespace auxfem
   void TimeStepper::save(Records &records)
   {
     control->save(records);
+    watches.save(records);
     make_solvers();
   }
 
   void TimeStepper::resume(Solution &solution, const Records &records)
   {
     control->resume(records);
+    watches.resume(records);
     State evaluated = solution.state;
     solvers->tangent.residual(Evaluation::rates(solution.state, evaluated),
                               solution.results);
@@ -86,6 +94,7 @@ namespace auxfem
     if (!scheme.is_dynamic())
       {
         account_for_rates(solution, State(state), nullptr, 0.);
+        watches.start(state);
         return;
       }
     ConsistentRates rates(solvers->tangent);
@@ -93,6 +102,7 @@ namespace auxfem
     if (scheme.keeps_massless_in_equilibrium())
       rates.keep_massless(state);
     account_for_rates(solution, before, &rates, 0.);
+    watches.start(state);
     solvers->newton.drop_factorization();
   }
 
@@ -285,8 +295,9 @@ namespace auxfem
     trial.state.largest_energy = std::max({state.largest_energy,
                                            trial.state.energies.total(),
                                            trial.state.energies.dissipated()});
-    trial.state.step           = state.step;
-    state                      = trial.state;
+    watches.step(step, solvers->tangent);
+    trial.state.step = state.step;
+    state            = trial.state;
     std::swap(solution.results, trial.results);
     return true;
   }
@@ -322,9 +333,10 @@ namespace auxfem
     if (scheme.balances_means())
       return false;
     const Energies &before = step.from.energies, &after = step.to.energies;
-    // That the scheme accounts for what it gives is no excuse.
+    // That a scheme with inertia accounts for what it gives is no excuse.
+    // Without, it is what the rates at the end of the step leave open.
     const double created = after.balance(before.balance(0.)) -
-      (after.numerical() - before.numerical());
+      (scheme.is_dynamic() ? after.numerical() - before.numerical() : 0.);
     const double turnover =
       std::max({step.from.largest_energy,
                 std::abs(after.external() - before.external()),
@@ -335,7 +347,7 @@ namespace auxfem
     // places; where a motion begins smoothly, all energy is the work of
     // supports.
     const LatticeModel &model = equations.model();
-    double error = equations.round_off_floor(step.to, trial.results) *
+    double              error = equations.round_off_floor(step, trial.results) *
       largest_motion(model, step.to.displacement).first;
     if (scheme.is_dynamic())
       error += support_work_error(model, step);

@@ -181,7 +181,7 @@ namespace auxfem
       return begin < end;
     };
     const OwnedRows &rows = structure.rows;
-    RowSums sums;
+    RowSums          sums;
     if (add(0, n_internal))
       sums = sum_rows(residual, rows);
     const RowSums of_internal = sums;

@@ -210,7 +210,7 @@ namespace auxfem
             if (!support.fixed[c] || !numbering.joint_has(joint, c) ||
                 std::abs(velocity) <= digits_of_velocities * given.size(c))
               continue;
-            const double allowed = support.motion[c].jet(0, scene.time.step)[1];
+            const double allowed = support.motion[c].jet(0)[1];
             if (std::abs(velocity - allowed) <=
                 digits_of_velocities * given.size(c))
               continue;

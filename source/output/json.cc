@@ -73,6 +73,15 @@ namespace auxfem
     members.push_back({name, value.text()});
   }
 
+  void JsonObject::add(const std::string             &name,
+                       const std::vector<JsonObject> &values)
+  {
+    std::string list = "[";
+    for (const JsonObject &value : values)
+      list += (list.size() > 1 ? ", " : "") + value.text();
+    members.push_back({name, list + ']'});
+  }
+
   std::string JsonObject::text() const
   {
     if (members.empty())

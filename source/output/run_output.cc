@@ -237,6 +237,7 @@ namespace auxfem
       dealii::Utilities::MPI::max(history->largest_rotation(), communicator);
     summary.time       = result.time;
     summary.exit_state = result.exit_state;
+    summary.findings   = result.findings;
     summary.notes      = notes_on(scene, equations->model());
 
     on_first_rank(communicator, [&]() {

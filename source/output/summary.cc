@@ -266,6 +266,7 @@ namespace auxfem
     memory.add("all_ranks", summary.resources.memory);
 
     JsonObject object = json_of_run(scene, summary.exit_state, summary.time);
+    add_verdict(object, summary.findings);
     object.add("counts", json(summary.counts));
     object.add("sections", names_of_groups(scene.sections));
     object.add("connector_groups", names_of_groups(scene.connectors));
@@ -359,7 +360,8 @@ namespace auxfem
                              totals.linear_solutions)
              << '\n';
     stream << poissons_ratio_text(summary.strain)
-           << closing_energies_text(summary.energies, folder);
+           << closing_energies_text(summary.energies, folder) << '\n'
+           << verdict_text(summary.findings);
     return stream.str();
   }
 } // namespace auxfem

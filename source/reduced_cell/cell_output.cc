@@ -96,6 +96,7 @@ namespace auxfem
   std::string CellOutput::summary(const RunResult &result) const
   {
     JsonObject object = json_of_run(scene, result.exit_state, result.time);
+    add_verdict(object, result.findings);
     object.add("model", "reduced cell");
     object.add("scheme", scene.time.scheme->name());
     object.add("connector_groups", names_of_groups(scene.connectors));
@@ -136,6 +137,7 @@ namespace auxfem
            << largest_transmitted << " N)";
     console->print(text.str());
     console->print(closing_energies_text(energies, scene.output.directory));
+    console->print(verdict_text(result.findings));
     if (!result.completed())
       console->print_to_log("Reason: " + result.exit_state);
   }

@@ -1,3 +1,4 @@
+#include <auxfem/output/energy_judgement.h>
 #include <auxfem/parameters/errors.h>
 #include <auxfem/reduced_cell/cell_output.h>
 #include <auxfem/reduced_cell/cell_run.h>
@@ -11,19 +12,24 @@ namespace auxfem
   {
     const std::unique_ptr<CellScheme> scheme = make_cell_scheme(scene);
     RunResult                         result;
+    EnergyJudgement                   judgement(/*has_inertia=*/true);
     const auto                        record = [&](const CellSample &sample) {
       result.time = sample.time;
+      judgement.add(sample.energies, sample.time);
       recorder.cell(sample);
     };
     const auto finish = [&](const std::string &exit_state) {
       result.exit_state      = exit_state;
       result.work.iterations = scheme->work();
+      result.findings        = judgement.findings();
       recorder.finish_cell(result);
     };
     recorder.begin_cell();
     try
       {
-        record(scheme->start());
+        const CellSample at_start = scheme->start();
+        judgement.start(at_start.energies);
+        record(at_start);
         for (; result.work.steps < scene.time.n_steps(); ++result.work.steps)
           {
             end_if_interrupted(MPI_COMM_SELF);

@@ -41,6 +41,12 @@ namespace auxfem
       "and back, where both sets exist and are apart. The last lines of a run "
       "then give effective Poisson's ratios for a load along y."};
 
+    const Boolean verdict_fails = {
+      "Exit code by verdict",
+      true,
+      "Whether auxfem ends with exit code 3 where the verdict on a run is that "
+      "its results are not to be used."};
+
     void read_output(ParameterHandler &prm,
                      const std::string &,
                      const SceneContext &,
@@ -52,6 +58,7 @@ namespace auxfem
       scene.output.history_interval  = get(prm, history_interval);
       scene.output.segments          = get(prm, segments);
       scene.output.effective_strains = get(prm, effective_strains);
+      scene.output.verdict_fails     = get(prm, verdict_fails);
     }
   } // namespace
 
@@ -70,6 +77,7 @@ namespace auxfem
          declare(prm, history_interval);
          declare(prm, segments);
          declare(prm, effective_strains);
+         declare(prm, verdict_fails);
        },
        "",
        {},

@@ -61,7 +61,7 @@ namespace
     void finish()
     {
       recorder.finish(run.solution,
-                      {"completed", run.solution.state.time, run.work()});
+                      {"completed", run.solution.state.time, run.work(), {}});
     }
 
     LatticeRun   run;

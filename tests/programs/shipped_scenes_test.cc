@@ -22,6 +22,7 @@ namespace
       ASSERT_EQ(run.exit_code, 0) << run.errors;
       EXPECT_EQ(run.errors, "");
       EXPECT_EQ(summary("exit_state"), "completed");
+      EXPECT_EQ(summary("verdict"), "sound") << summary("text");
     }
 
     static std::string scene_file(const std::string &name)

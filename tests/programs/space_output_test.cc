@@ -309,6 +309,7 @@ end
                              "strain",
                              "stored",
                              "external",
+                             "numerical",
                              "hit.load_work",
                              "balance"})
       names.push_back(name);

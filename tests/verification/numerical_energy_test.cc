@@ -254,7 +254,9 @@ TEST(NumericalEnergy, IsThatOfTheIdentityOfTheScheme)
                 run.state.energies.numerical(),
                 taken,
                 1e-12);
-      EXPECT_NEAR(run.initial_total - run.state.energies.total(), taken, 1e-12);
+      EXPECT_NEAR(run.initial_balance - run.state.energies.total(),
+                  taken,
+                  1e-12);
     }
 }
 

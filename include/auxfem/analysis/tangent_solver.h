@@ -58,7 +58,13 @@ namespace auxfem
     /** Why the last factorization or solution failed. */
     const std::string &why() const;
 
-    /** Which linear solver, its factorization, its inertia. */
+    /**
+     * Inertia of the last factorization, as LinearSolver::inertia(); none if it
+     * has been asked for already. Collective.
+     */
+    std::optional<Inertia> new_inertia();
+
+    /** Which linear solver, its factorization. */
     const LinearSolver &linear_solver() const;
 
     TangentMatrix &matrix();
@@ -68,6 +74,8 @@ namespace auxfem
     TangentMatrix    tangent;
     LinearSolver     solver;
     Work            &work;
+    /** Whether new_inertia() has an answer. */
+    bool has_new_inertia = false;
   };
 } // namespace auxfem
 

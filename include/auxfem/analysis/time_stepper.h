@@ -3,6 +3,7 @@
 
 #include <auxfem/analysis/consistent_rates.h>
 #include <auxfem/analysis/newton.h>
+#include <auxfem/analysis/watch.h>
 #include <auxfem/scene/step_ends.h>
 #include <auxfem/time/step_control.h>
 
@@ -52,6 +53,9 @@ namespace auxfem
 
     /** For what has to be solved before the start; gone after save(). */
     TangentSolver &solver();
+
+    /** What the watches have found so far. Collective. */
+    std::vector<Finding> findings() const;
 
   private:
     void find_static_equilibrium(State &state);
@@ -129,6 +133,7 @@ namespace auxfem
     std::unique_ptr<Solvers>     solvers;
     std::unique_ptr<StepControl> control;
     const StepEnds               ends;
+    Watches                      watches;
     std::string                  last_failure;
   };
 } // namespace auxfem

@@ -26,6 +26,7 @@ namespace auxfem
     void add(const std::string &name, unsigned long value);
     void add(const std::string &name, const std::vector<std::string> &values);
     void add(const std::string &name, const JsonObject &value);
+    void add(const std::string &name, const std::vector<JsonObject> &values);
     ///@}
 
     /**

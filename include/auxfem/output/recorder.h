@@ -3,6 +3,7 @@
 
 #include <auxfem/equations/equations.h>
 #include <auxfem/equations/solution.h>
+#include <auxfem/output/verdict.h>
 #include <auxfem/time/step_report.h>
 
 #include <string>
@@ -18,6 +19,8 @@ namespace auxfem
     std::string exit_state;
     double      time = 0; ///< reached (s)
     Work        work;
+    /** What the run found out about its own results, the worst first. */
+    std::vector<Finding> findings;
 
     bool completed() const
     {

@@ -5,6 +5,7 @@
 #include <auxfem/output/history.h>
 #include <auxfem/output/json.h>
 #include <auxfem/output/start_times.h>
+#include <auxfem/output/verdict.h>
 #include <auxfem/scene/scene.h>
 #include <auxfem/time/step_report.h>
 
@@ -70,6 +71,8 @@ namespace auxfem
     std::vector<std::string> notes;
     /** `completed` or the reason it was not. */
     std::string exit_state;
+    /** What the run found out about its results, the worst first. */
+    std::vector<Finding> findings;
   };
 
   /**

@@ -288,7 +288,9 @@ namespace auxfem
     unsigned int history_interval = 1; ///< steps between rows of history.csv
     unsigned int segments = 8; ///< straight pieces an element is drawn with
     /** Whether history.csv has the strains between opposite sides. */
-    bool                         effective_strains = false;
+    bool effective_strains = false;
+    /** Whether results that are not to be used are a failure. */
+    bool                         verdict_fails = true;
     std::vector<ProbeDefinition> probes;
   };
 

@@ -1,0 +1,79 @@
+#ifndef auxfem_analysis_watch_h
+#define auxfem_analysis_watch_h
+
+#include <auxfem/analysis/tangent_solver.h>
+#include <auxfem/output/verdict.h>
+#include <auxfem/scene/scene.h>
+
+#include <memory>
+
+namespace auxfem
+{
+  /**
+   * Looks at a run while it goes on, and judges it at the end. All functions
+   * are collective.
+   */
+  class Watch
+  {
+  public:
+    virtual ~Watch() = default;
+
+    /** The state at t = 0, in order. */
+    virtual void start(const State & /*state*/)
+    {}
+
+    /**
+     * A step, or a part of one, is solved and accepted; step.to has its
+     * energies.
+     * @param solver of Newton's method, with the factorization it keeps
+     */
+    virtual void step(const Evaluation &step, TangentSolver &solver) = 0;
+
+    /** What it makes of the run so far; the same on all ranks. */
+    virtual std::vector<Finding> findings() const = 0;
+
+    /** @name For runs that are resumed. */
+    ///@{
+    virtual void save(Records &records) const   = 0;
+    virtual void resume(const Records &records) = 0;
+    ///@}
+  };
+
+  /** All watches that the scene gives cause for, one per file. */
+  class Watches
+  {
+  public:
+    /** @param work takes up what they do; outlives the object. */
+    Watches(const Scene &scene, const Equations &equations, Work &work);
+
+    void start(const State &state);
+    void step(const Evaluation &step, TangentSolver &solver);
+
+    /** Of all, the worst first. */
+    std::vector<Finding> findings() const;
+
+    void save(Records &records) const;
+    void resume(const Records &records);
+
+  private:
+    std::vector<std::unique_ptr<Watch>> watches;
+  };
+
+  /** @name The watches; only watch.cc needs them. */
+  ///@{
+  /** Of energy that is not accounted for, or that a scheme with inertia gives
+   * or takes. */
+  std::unique_ptr<Watch> make_energy_watch(bool has_inertia);
+
+  /** Of steps that are long for the motion that they follow. With inertia. */
+  std::unique_ptr<Watch> make_step_watch(const Scene     &scene,
+                                         const Equations &equations);
+
+  /** Of equilibria and motions that a disturbance would leave. */
+  std::unique_ptr<Watch> make_stability_watch(const Scene     &scene,
+                                              const Equations &equations,
+                                              Work            &work);
+  ///@}
+} // namespace auxfem
+
+#endif

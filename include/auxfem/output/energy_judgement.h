@@ -1,0 +1,51 @@
+#ifndef auxfem_output_energy_judgement_h
+#define auxfem_output_energy_judgement_h
+
+#include <auxfem/output/verdict.h>
+#include <auxfem/time/energies.h>
+#include <auxfem/time/records.h>
+
+namespace auxfem
+{
+  /**
+   * Judges a run by its energies: their balance, in both directions, and what
+   * the time integration gives or takes, over the energy that came in
+   * (doc/verdict.md).
+   */
+  class EnergyJudgement
+  {
+  public:
+    explicit EnergyJudgement(bool has_inertia);
+
+    /** Of t = 0. */
+    void start(const Energies &energies);
+
+    /** Of an accepted state at @p time (s). */
+    void add(const Energies &energies, double time);
+
+    std::vector<Finding> findings() const;
+
+    /** @name For runs that are resumed. */
+    ///@{
+    void save(Records &records) const;
+    void resume(const Records &records);
+    ///@}
+
+  private:
+    /** A largest value and when it was met (s). */
+    struct Largest
+    {
+      void add(double candidate, double now);
+
+      double value = 0, time = 0;
+    };
+
+    Finding error_finding(double moved) const;
+
+    const bool has_inertia;
+    double     zero = 0, initial = 0, work = 0; ///< J
+    Largest    error, given, taken;             ///< J
+  };
+} // namespace auxfem
+
+#endif

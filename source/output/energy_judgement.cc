@@ -1,0 +1,133 @@
+#include <auxfem/output/energy_judgement.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <sstream>
+
+namespace auxfem
+{
+  namespace
+  {
+    const std::string record_name = "watch: energies";
+
+    /** Of the energy that moves: what makes a run doubtful, what ruins it. */
+    constexpr double doubtful_error = 0.05, ruinous_error = 0.2;
+    /** What a scheme may give, and what a damped one may take, unasked. */
+    constexpr double doubtful_gift = 0.05, doubtful_loss = 0.2;
+
+    std::string in_per_cent(const double part)
+    {
+      char text[40];
+      std::snprintf(text, sizeof(text), "%.2g %%", 100 * part);
+      return text;
+    }
+
+    std::string in_seconds(const double time)
+    {
+      std::ostringstream text;
+      text << time << " s";
+      return text.str();
+    }
+  } // namespace
+
+  EnergyJudgement::EnergyJudgement(const bool has_inertia)
+    : has_inertia(has_inertia)
+  {}
+
+  void EnergyJudgement::Largest::add(const double candidate, const double now)
+  {
+    // What is no number stays.
+    if (value >= candidate || std::isnan(value))
+      return;
+    value = candidate;
+    time  = now;
+  }
+
+  void EnergyJudgement::start(const Energies &energies)
+  {
+    zero    = energies.balance(0.);
+    initial = std::abs(energies.total());
+  }
+
+  void EnergyJudgement::add(const Energies &energies, const double time)
+  {
+    // What is moved is what came in; energies grow with the error itself.
+    work = std::max(work, std::abs(energies.external()));
+    error.add(std::abs(energies.balance(zero)), time);
+    given.add(-energies.numerical(), time);
+    taken.add(energies.numerical(), time);
+  }
+
+  std::vector<Finding> EnergyJudgement::findings() const
+  {
+    std::vector<Finding> found;
+    const double         moved = initial + work;
+    if (!(error.value <= doubtful_error * moved))
+      found.push_back(error_finding(moved));
+    // Without inertia it is what the rates at the ends of steps leave open.
+    if (!has_inertia)
+      return found;
+    if (given.value > doubtful_gift * moved)
+      found.push_back(
+        {Verdict::doubtful,
+         "The time integration has given the structure " +
+           in_per_cent(given.value / moved) +
+           " of the energy that came in, by t = " + in_seconds(given.time) +
+           "; shorten the step, or use a scheme that damps.",
+         given.time,
+         ""});
+    if (taken.value > doubtful_loss * moved)
+      found.push_back(
+        {Verdict::doubtful,
+         "The time integration has taken " + in_per_cent(taken.value / moved) +
+           " of the energy that came in, by t = " + in_seconds(taken.time) +
+           "; shorten the step.",
+         taken.time,
+         ""});
+    return found;
+  }
+
+  Finding EnergyJudgement::error_finding(const double moved) const
+  {
+    const bool  is_ruinous = !(error.value <= ruinous_error * moved);
+    std::string text       = "Energy error ";
+    text += moved > 0
+      ? in_per_cent(error.value / moved) + " of the energy that came in"
+      : "where no energy came in";
+    text += ", at t = " + in_seconds(error.time) + ": these results are ";
+    text += is_ruinous ? "not reliable" : "doubtful";
+    text += "; shorten the step. If that does not help, the structure jumps "
+            "from one equilibrium to another, which only a simulation with "
+            "inertia follows.";
+    return {is_ruinous ? Verdict::not_to_be_used : Verdict::doubtful,
+            text,
+            error.time,
+            ""};
+  }
+
+  void EnergyJudgement::save(Records &records) const
+  {
+    records.keep(record_name,
+                 {zero,
+                  initial,
+                  work,
+                  error.value,
+                  error.time,
+                  given.value,
+                  given.time,
+                  taken.value,
+                  taken.time});
+  }
+
+  void EnergyJudgement::resume(const Records &records)
+  {
+    const std::vector<double> values = records.values(record_name, 9);
+    zero                             = values[0];
+    initial                          = values[1];
+    work                             = values[2];
+    error                            = {values[3], values[4]};
+    given                            = {values[5], values[6]};
+    taken                            = {values[7], values[8]};
+  }
+} // namespace auxfem

@@ -1,0 +1,135 @@
+#include <auxfem/output/memory_recorder.h>
+#include <auxfem/simulation.h>
+
+#include <gtest/gtest.h>
+#include <support/run_program.h>
+#include <verification/one_mass_scene.h>
+
+
+using namespace auxfem;
+using namespace auxfem::testing_support;
+
+namespace
+{
+  std::vector<Finding> findings_of(const std::string              &text,
+                                   const std::vector<std::string> &overrides)
+  {
+    const Scene    scene = read_scene_from_text(text, "test.prm", overrides);
+    MemoryRecorder recorder(scene, MPI_COMM_SELF);
+    return run(scene, MPI_COMM_SELF, recorder).findings;
+  }
+
+  /** A clamped column of EI = 2 N m2 and 1 m, pressed: it buckles at
+   * (pi / 2)^2 EI = 4.93 N, which is reached at t = 0.123 s. */
+  const std::string column = R"(
+subsection Lattice
+  set Cell   = frame
+  set Joints = 0 0; 1 0
+  set Struts = 0 1
+end
+subsection Sections
+  subsection s
+    set Shape                 = given
+    set Area                  = 0.01
+    set Shear area            = 0.01
+    set Second moment of area = 2e-6
+    set Young's modulus       = 1e6
+    set Poisson's ratio       = 0
+    set Density               = 100
+  end
+end
+subsection Supports
+  subsection foot
+    set Joints = 0
+    set Type   = clamp
+  end
+end
+subsection Loads
+  subsection press
+    set Joints  = 1
+    set Force x = -40 * t
+    set Force y = 0
+  end
+end
+subsection Discretization
+  set Order              = 3
+  set Global refinements = 2
+end
+subsection Time
+  set Scheme    = static
+  set Time step = 10 ms
+  set End time  = 0.2 s
+end
+)";
+
+  const std::string swinging_mass =
+    one_mass_scene("    set Law = spring\n    set Spring stiffness = 4\n",
+                   "  set End time = 20\n  set Time step = 0.1\n",
+                   mass_and_velocity(1, 1));
+} // namespace
+
+TEST(StepWatch, KnowsTheErrorOfAVibration)
+{
+  // omega = 2/s: (omega dt)^2 / 12.
+  EXPECT_TRUE(findings_of(swinging_mass, {}).empty());
+  const auto doubtful = findings_of(swinging_mass, {"Time/Time step=0.5"});
+  ASSERT_EQ(doubtful.size(), 1u) << verdict_text(doubtful);
+  EXPECT_EQ(doubtful[0].verdict, Verdict::doubtful);
+  const auto ruinous = findings_of(swinging_mass, {"Time/Time step=2"});
+  EXPECT_EQ(verdict_of(ruinous), Verdict::not_to_be_used)
+    << verdict_text(ruinous);
+}
+
+TEST(StabilityWatch, SaysWhenAndWhereAColumnBucklesInStatics)
+{
+  const auto straight = findings_of(column, {});
+  ASSERT_EQ(straight.size(), 1u) << verdict_text(straight);
+  EXPECT_EQ(straight[0].verdict, Verdict::doubtful);
+  // The first step beyond, or the one after: factorizations may be kept.
+  EXPECT_GE(straight[0].time, 0.123);
+  EXPECT_LE(straight[0].time, 0.15);
+  EXPECT_NE(straight[0].place.find("joint 1"), std::string::npos)
+    << straight[0].place;
+
+  const auto below = findings_of(column, {"Time/End time=0.12"});
+  EXPECT_TRUE(below.empty()) << verdict_text(below);
+  // An uneven load bends it, and that is stable.
+  const auto bent = findings_of(column, {"Loads/press/Force y=0.5*t"});
+  EXPECT_TRUE(bent.empty()) << verdict_text(bent);
+}
+
+TEST(StabilityWatch, SaysWhenAColumnBucklesInMotion)
+{
+  const std::vector<std::string> motion = {"Time/Scheme=newmark",
+                                           "Time/Time step=2 ms",
+                                           "Time/End time=2"};
+  const auto                     with   = [&motion](const std::string &load) {
+    auto overrides = motion;
+    overrides.push_back("Loads/press/Force x=" + load);
+    return overrides;
+  };
+  const auto pressed = findings_of(column, with("-10 * min(1, 10 * t)"));
+  ASSERT_EQ(pressed.size(), 1u) << verdict_text(pressed);
+  EXPECT_EQ(pressed[0].verdict, Verdict::doubtful);
+  EXPECT_NE(pressed[0].text.find("disturbance"), std::string::npos);
+  const auto below = findings_of(column, with("-4 * min(1, 10 * t)"));
+  EXPECT_TRUE(below.empty()) << verdict_text(below);
+}
+
+TEST(StabilityWatch, AFreeBodyIsStable)
+{
+  const auto free = findings_of(replaced(column,
+                                         "subsection Supports\n"
+                                         "  subsection foot\n"
+                                         "    set Joints = 0\n"
+                                         "    set Type   = clamp\n"
+                                         "  end\n"
+                                         "end\n",
+                                         ""),
+                                {"Time/Scheme=newmark",
+                                 "Time/Time step=1 ms",
+                                 "Time/End time=0.4",
+                                 "Loads/press/Force x=0",
+                                 "Loads/press/Force y=if(t < 0.05, 1, 0)"});
+  EXPECT_TRUE(free.empty()) << verdict_text(free);
+}

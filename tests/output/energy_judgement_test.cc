@@ -1,0 +1,118 @@
+#include <auxfem/output/energy_judgement.h>
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+using namespace auxfem;
+
+namespace
+{
+  /** Judgement of energies that are given, a second after the other. */
+  class GivenEnergies
+  {
+  public:
+    GivenEnergies() : judgement(/*has_inertia=*/true)
+    {
+      kinetic   = ledger.enter(kinetic_energy_entry());
+      numerical = ledger.enter(numerical_energy_entry());
+      work      = ledger.enter({EnergyKind::work, "work", ""});
+    }
+
+    void begin(const double of_motion)
+    {
+      judgement.start(energies(of_motion, 0, 0));
+    }
+
+    void
+    step(const double of_motion, const double of_scheme, const double of_work)
+    {
+      judgement.add(energies(of_motion, of_scheme, of_work), ++time);
+    }
+
+    std::vector<Finding> findings() const
+    {
+      return judgement.findings();
+    }
+
+  private:
+    Energies energies(const double of_motion,
+                      const double of_scheme,
+                      const double of_work) const
+    {
+      Energies result(std::make_shared<const EnergyLedger>(ledger));
+      result[kinetic]   = of_motion;
+      result[numerical] = of_scheme;
+      result[work]      = of_work;
+      return result;
+    }
+
+    EnergyJudgement judgement;
+    EnergyLedger    ledger;
+    unsigned int    kinetic, numerical, work;
+    double          time = 0;
+  };
+} // namespace
+
+TEST(EnergyJudgement, LooksInBothDirectionsAtWhatCameIn)
+{
+  for (const double sign : {-1., 1.})
+    {
+      GivenEnergies energies;
+      energies.begin(100);
+      energies.step(100 + sign * 4, 0, 0);
+      EXPECT_TRUE(energies.findings().empty())
+        << verdict_text(energies.findings());
+      energies.step(100 + sign * 19, 0, 0);
+      EXPECT_EQ(verdict_of(energies.findings()), Verdict::doubtful);
+      energies.step(100 + sign * 21, 0, 0);
+      energies.step(100, 0, 0);
+      ASSERT_EQ(energies.findings().size(), 1u);
+      EXPECT_EQ(energies.findings()[0].verdict, Verdict::not_to_be_used);
+      EXPECT_EQ(energies.findings()[0].time, 3.);
+      EXPECT_NE(energies.findings()[0].text.find("21 %"), std::string::npos);
+    }
+}
+
+TEST(EnergyJudgement, EnergyFromNowhereDoesNotExcuseItself)
+{
+  GivenEnergies energies;
+  energies.begin(63);
+  energies.step(215, 0, 0);
+  EXPECT_EQ(verdict_of(energies.findings()), Verdict::not_to_be_used);
+
+  GivenEnergies from_rest;
+  from_rest.begin(0);
+  from_rest.step(1e-3, 0, 0);
+  EXPECT_EQ(verdict_of(from_rest.findings()), Verdict::not_to_be_used);
+}
+
+TEST(EnergyJudgement, WorkIsEnergyThatComesIn)
+{
+  GivenEnergies energies;
+  energies.begin(0);
+  energies.step(1000, 0, 1000);
+  energies.step(30, 0, 0);
+  EXPECT_TRUE(energies.findings().empty()) << verdict_text(energies.findings());
+}
+
+TEST(EnergyJudgement, SaysWhatTheSchemeGivesAndTakes)
+{
+  for (const double of_scheme : {-10., 30.})
+    {
+      GivenEnergies energies;
+      energies.begin(100);
+      energies.step(100 - of_scheme, of_scheme, 0);
+      ASSERT_EQ(energies.findings().size(), 1u);
+      EXPECT_EQ(energies.findings()[0].verdict, Verdict::doubtful);
+    }
+}
+
+TEST(EnergyJudgement, WhatIsNoNumberIsNotToBeUsed)
+{
+  GivenEnergies energies;
+  energies.begin(1);
+  energies.step(std::numeric_limits<double>::quiet_NaN(), 0, 0);
+  energies.step(1, 0, 0);
+  EXPECT_EQ(verdict_of(energies.findings()), Verdict::not_to_be_used);
+}

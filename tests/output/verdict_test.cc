@@ -1,0 +1,46 @@
+#include <auxfem/output/verdict.h>
+
+#include <gtest/gtest.h>
+
+using namespace auxfem;
+
+namespace
+{
+  const std::vector<Finding> found = {
+    {Verdict::not_to_be_used, "Too much energy.", 0.5, ""},
+    {Verdict::doubtful, "Stability is lost.", 0.25, "joint 3"}};
+}
+
+TEST(Verdict, IsThatOfTheWorstFinding)
+{
+  EXPECT_EQ(verdict_of({}), Verdict::sound);
+  EXPECT_EQ(verdict_of({found[1]}), Verdict::doubtful);
+  EXPECT_EQ(verdict_of(found), Verdict::not_to_be_used);
+  EXPECT_EQ(verdict_of({found[1], found[0]}), Verdict::not_to_be_used);
+}
+
+TEST(Verdict, NamesItsReasonsInWords)
+{
+  EXPECT_EQ(verdict_text({}), "Verdict: sound");
+  EXPECT_EQ(verdict_text(found),
+            "Verdict: not to be used\n"
+            "  Too much energy.\n"
+            "  Stability is lost.");
+}
+
+TEST(Verdict, StandsInTheSummaryWithTimeAndPlace)
+{
+  JsonObject sound;
+  add_verdict(sound, {});
+  EXPECT_EQ(sound.text(),
+            "{\n  \"verdict\": \"sound\",\n  \"warnings\": []\n}");
+
+  JsonObject summary;
+  add_verdict(summary, found);
+  const std::string text = summary.text();
+  for (const char *part : {"\"verdict\": \"not to be used\"",
+                           "\"text\": \"Stability is lost.\"",
+                           "\"time\": 0.25",
+                           "\"place\": \"joint 3\""})
+    EXPECT_NE(text.find(part), std::string::npos) << text;
+}
