@@ -116,7 +116,7 @@ namespace auxfem
     // The cosine of an upright bar is no exact zero in floating point.
     if (!is_always_regular() && std::cos(angle(turn)) < 1e-12)
       throw ComputationError(
-        "The bars have come upright. Without mass (Reduced cell/Bar mass = 0) "
+        "The bars come upright. Without mass (Reduced cell/Bar mass = 0) "
         "the mass matrix is singular there, so that the motion is not "
         "determined beyond. Give the bars a mass, or end earlier.");
   }

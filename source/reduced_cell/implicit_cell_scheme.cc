@@ -194,7 +194,10 @@ namespace auxfem
       [[noreturn]] void give_up(const std::string &reason)
       {
         // Just before, rates grow without bounds and no iteration converges.
-        equations().refuse_singular(trial.displacement[0]);
+        constexpr double just_before = 4; // steps
+        equations().refuse_singular(state.displacement[0] +
+                                    just_before * cell.dt() *
+                                      (*state.velocity)[0]);
         std::ostringstream message;
         message << "The step from t = " << scene.time.time_at(state.step)
                 << " s with dt = " << cell.dt() << " s failed: " << reason
