@@ -39,6 +39,19 @@ namespace
     expect_contains(read_text(path("out/summary.json")), {"\"warnings\": []"});
   }
 
+  TEST_F(VerdictProgram, WatchesLeaveTheLinearSolverOfTheRun)
+  {
+    const ProgramRun run = run_auxfem({AUXFEM_PRM_DIRECTORY "/lattice.prm",
+                                       "--output",
+                                       "out",
+                                       "--set",
+                                       "Output/Graphics=false"});
+    EXPECT_EQ(run.exit_code, 0) << run.errors;
+    // Its dashpots turn; a lattice at rest, which the watch looks at, is
+    // symmetric.
+    expect_contains(summary("linear_solver"), {"unsymmetric"});
+  }
+
   TEST_F(VerdictProgram, DoubtfulResultsAreNoFailure)
   {
     const ProgramRun doubtful = run_with_step("0.5");

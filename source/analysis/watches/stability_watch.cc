@@ -35,6 +35,27 @@ namespace auxfem
       return describe_largest(numbering, mode);
     }
 
+    /** For its life what is solved leaves no mark as the run's linear solver.
+     */
+    class Aside
+    {
+    public:
+      explicit Aside(Work &work) : work(work), of_run(work.linear_solver)
+      {}
+
+      ~Aside()
+      {
+        work.linear_solver = of_run;
+      }
+
+      Aside(const Aside &)            = delete;
+      Aside &operator=(const Aside &) = delete;
+
+    private:
+      Work             &work;
+      const std::string of_run;
+    };
+
     /** Where and when stability was lost first. */
     struct Loss
     {
@@ -65,8 +86,6 @@ namespace auxfem
         last = on_the_way && more_than_conditions(*on_the_way) == 0
           ? 0
           : look_at(step);
-        if (last > 0 && !first)
-          first = {step.to.time, place_of_softest_mode(*solver)};
         most = std::max(most, last);
       }
 
@@ -116,6 +135,7 @@ namespace auxfem
       /** Negative modes at step.to; 0 if that cannot be told. */
       unsigned long look_at(const Evaluation &step)
       {
+        const Aside aside(work);
         if (!solver)
           {
             solver.emplace(equations, solver_parameters, work);
@@ -129,7 +149,10 @@ namespace auxfem
         if (!solver->factorize())
           return 0;
         const std::optional<Inertia> inertia = solver->new_inertia();
-        return inertia ? more_than_conditions(*inertia) : 0;
+        const unsigned long more = inertia ? more_than_conditions(*inertia) : 0;
+        if (more > 0 && !first)
+          first = {step.to.time, place_of_softest_mode(*solver)};
+        return more;
       }
 
       const Equations             &equations;
@@ -209,12 +232,13 @@ namespace auxfem
       /** A disturbance of a 1e-5th part becomes as large as the motion. */
       static constexpr double doubtful_exponent = 11.5;
       /** Newton's iterations between two looks. */
-      static constexpr unsigned long iterations_between = 400;
+      static constexpr unsigned long iterations_between = 500;
 
       /** Largest of the rates looked at (1/s) at which a disturbance grows at
        * step.to; 0: none. */
       double growth_rate(const Evaluation &step)
       {
+        const Aside aside(work);
         if (!solver)
           {
             solver.emplace(equations, solver_parameters, work);

@@ -36,31 +36,15 @@ namespace auxfem
 
       void step(const Evaluation &step, TangentSolver & /*solver*/) override
       {
-        const Unknowns    &unknowns = equations.unknowns();
-        const unsigned int n        = unknowns.layout.n_owned();
         // Rates and accelerations of the steps before mean nothing after a
         // jump, and other unknowns may have come.
-        if (step.event_at_from || rates.size() != n)
+        const unsigned int n = equations.unknowns().layout.n_owned();
+        if (n != n_unknowns)
+          sort_unknowns(n);
+        if (step.event_at_from)
           n_before = 0;
-        rates.resize(n);
-        accelerations.resize(n);
-        double turn = 0;
-        for (unsigned int i = 0; i < n; ++i)
-          {
-            const double increment =
-              step.to.displacement[i] - step.from.displacement[i];
-            if (unknowns.kinds[i] == UnknownKind::rotation)
-              turn = std::max(turn, std::abs(increment));
-            else if (unknowns.kinds[i] == UnknownKind::translation)
-              add(i, increment, step.dt);
-          }
-        n_before  = std::min(n_before + 1, 2u);
-        dt_before = step.dt;
-        if (turn > largest_turn)
-          {
-            largest_turn = turn;
-            turn_time    = step.to.time;
-          }
+        add_way(step);
+        add_turn(step);
         time = step.to.time;
       }
 
@@ -112,19 +96,60 @@ namespace auxfem
       }
 
     private:
-      void add(const unsigned int i, const double increment, const double dt)
+      void sort_unknowns(const unsigned int n)
       {
-        const double rate = increment / dt;
-        const double acceleration =
-          n_before > 0 ? (rate - rates[i]) / ((dt + dt_before) / 2) : 0;
+        const auto &kinds = equations.unknowns().kinds;
+        translations.clear();
+        rotations.clear();
+        for (unsigned int i = 0; i < n; ++i)
+          if (kinds[i] == UnknownKind::translation)
+            translations.push_back(i);
+          else if (kinds[i] == UnknownKind::rotation)
+            rotations.push_back(i);
+        rates.assign(translations.size(), 0.);
+        accelerations.assign(translations.size(), 0.);
+        n_unknowns = n;
+        n_before   = 0;
+      }
+
+      void add_way(const Evaluation &step)
+      {
+        const double  per_step = 1 / step.dt;
+        const double  per_mean = n_before > 0 ? 2 / (step.dt + dt_before) : 0;
+        const double *before   = step.from.displacement.data(),
+                     *now      = step.to.displacement.data();
+        double way_now = 0, change = 0;
+        for (std::size_t k = 0; k < translations.size(); ++k)
+          {
+            const int    i            = translations[k];
+            const double increment    = now[i] - before[i];
+            const double rate         = increment * per_step;
+            const double acceleration = (rate - rates[k]) * per_mean;
+            way_now += std::abs(increment);
+            change += std::abs(acceleration - accelerations[k]);
+            rates[k]         = rate;
+            accelerations[k] = acceleration;
+          }
         if (n_before > 1)
           {
-            way += std::abs(increment);
-            error += std::abs(acceleration - accelerations[i]) * dt * dt * dt /
-              dt_before / 12;
+            way += way_now;
+            error += change * step.dt * step.dt * step.dt / dt_before / 12;
           }
-        rates[i]         = rate;
-        accelerations[i] = acceleration;
+        n_before  = std::min(n_before + 1, 2u);
+        dt_before = step.dt;
+      }
+
+      void add_turn(const Evaluation &step)
+      {
+        double turn = 0;
+        for (const int i : rotations)
+          turn = std::max(turn,
+                          std::abs(step.to.displacement[i] -
+                                   step.from.displacement[i]));
+        if (turn <= largest_turn)
+          return;
+        largest_turn = turn;
+        turn_time    = step.to.time;
       }
 
       Finding error_finding(const double relative) const
@@ -150,9 +175,13 @@ namespace auxfem
       double           largest_turn = 0;   ///< rad
       double           turn_time    = 0;   ///< s
 
-      /** @name Of the steps just before, by owned unknown. */
+      /** Owned and free ones of n_unknowns owned in all. */
+      std::vector<int> translations, rotations;
+      unsigned int     n_unknowns = 0;
+
+      /** @name Of the steps just before. */
       ///@{
-      std::vector<double> rates, accelerations; ///< m/s, m/s2
+      std::vector<double> rates, accelerations; ///< m/s, m/s2; of translations
       unsigned int        n_before  = 0;        ///< steps known, at most two
       double              dt_before = 0;        ///< s
       ///@}
