@@ -340,9 +340,9 @@ TEST(HardCases, KeptFactorizationAgreesWithFullNewton)
   const Outcome   kept   = outcome(strict),
                 full     = outcome(
                   strict + Overrides{"Newton/Factorization=every iteration"});
-  // Stability is looked at every 500 iterations, and at the end.
+  // Stability is looked at every 400 iterations, and at the end.
   EXPECT_GE(full.factorizations, full.iterations);
-  EXPECT_LE(full.factorizations, full.iterations + full.iterations / 500 + 1);
+  EXPECT_LE(full.factorizations, full.iterations + full.iterations / 400 + 1);
   EXPECT_LT(kept.factorizations, full.factorizations / 5);
   // 1000 steps, each solved to 1e-11 of the forces.
   EXPECT_NEAR(kept.shortening / full.shortening, 1, 1e-8);

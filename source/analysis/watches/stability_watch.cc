@@ -185,10 +185,12 @@ namespace auxfem
         const bool is_last = step.to.time >= end_time;
         if (iterations_now < next_look && !is_last)
           return;
-        next_look         = iterations_now + iterations_between;
         const double rate = growth_rate(step);
-        exponent += rate * (step.to.time - last_look);
+        exponent += std::min(rate, last_rate) * (step.to.time - last_look);
         last_look = step.to.time;
+        last_rate = rate;
+        next_look = iterations_now +
+          (rate > 0 ? iterations_while_unstable : iterations_while_stable);
       }
 
       std::vector<Finding> findings() const override
@@ -214,25 +216,29 @@ namespace auxfem
                      {first ? 1. : 0.,
                       first ? first->time : 0.,
                       exponent,
+                      last_rate,
                       last_look,
                       double(next_look)});
       }
 
       void resume(const Records &records) override
       {
-        const std::vector<double> values = records.values(record_name, 5);
+        const std::vector<double> values = records.values(record_name, 6);
         if (values[0] != 0)
           first = {values[1], ""};
         exponent  = values[2];
-        last_look = values[3];
-        next_look = values[4];
+        last_rate = values[3];
+        last_look = values[4];
+        next_look = values[5];
       }
 
     private:
       /** A disturbance of a 1e-5th part becomes as large as the motion. */
       static constexpr double doubtful_exponent = 11.5;
-      /** Newton's iterations between two looks. */
-      static constexpr unsigned long iterations_between = 500;
+      /** Newton's iterations between two looks: a look costs as much as about
+       * five. */
+      static constexpr unsigned long iterations_while_stable   = 400,
+                                     iterations_while_unstable = 50;
 
       /** Largest of the rates looked at (1/s) at which a disturbance grows at
        * step.to; 0: none. */
@@ -252,8 +258,8 @@ namespace auxfem
         State            before  = at_rest;
         const Evaluation instant = Evaluation::step(before, at_rest, step.dt);
         solver->residual(instant, results);
-        constexpr double       factor  = 4;
-        constexpr unsigned int n_rates = 12;
+        constexpr double       factor  = 2;
+        constexpr unsigned int n_rates = 24;
         for (unsigned int i = 0; i < n_rates && is_negative(instant, rate);
              ++i, rate *= factor)
           found = rate;
@@ -283,7 +289,8 @@ namespace auxfem
       std::optional<TangentSolver> solver;
       EvaluationResults            results;
       unsigned long                iterations_now = 0;
-      unsigned long                next_look      = iterations_between;
+      unsigned long                next_look      = iterations_while_stable;
+      double                       last_rate      = 0; ///< 1/s
       double                       last_look      = 0; ///< s
       double                       exponent       = 0;
       std::optional<Loss>          first;
