@@ -131,7 +131,7 @@ namespace
     const Table former = history();
 
     // Libraries and Open MPI take half of this, the lattice more than the rest.
-    const std::string limited = "ulimit -v 1000000; exec ";
+    const std::string limited = "ulimit -v 1400000; exec ";
     const std::string words   = " '" AUXFEM_EXECUTABLE "' scene.prm --output "
                                 "out --set 'Lattice/Cells x=400' --set "
                                 "'Lattice/Cells y=400'";
