@@ -6,6 +6,8 @@
 #include <deal.II/lac/sparsity_pattern.h>
 #include <deal.II/lac/sparsity_tools.h>
 
+#include <new>
+
 namespace auxfem
 {
   std::vector<unsigned int> partition_struts(const Lattice     &lattice,
@@ -35,10 +37,19 @@ namespace auxfem
           graph.add(a, b);
     dealii::SparsityPattern pattern;
     pattern.copy_from(graph);
-    dealii::SparsityTools::partition(pattern,
-                                     n_ranks,
-                                     ranks,
-                                     dealii::SparsityTools::Partitioner::metis);
+    try
+      {
+        dealii::SparsityTools::partition(
+          pattern,
+          n_ranks,
+          ranks,
+          dealii::SparsityTools::Partitioner::metis);
+      }
+    catch (const dealii::SparsityTools::ExcMETISError &)
+      {
+        // With a graph that is right, METIS fails for want of memory only.
+        throw std::bad_alloc();
+      }
     return ranks;
   }
 
