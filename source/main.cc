@@ -3,7 +3,6 @@
 #include <auxfem/parameters/errors.h>
 #include <auxfem/parameters/out_of_memory.h>
 #include <auxfem/parameters/short_lines.h>
-#include <auxfem/scene/input_files.h>
 #include <auxfem/simulation.h>
 #include <auxfem/start_up.h>
 #include <auxfem/time/interruption.h>
@@ -110,11 +109,7 @@ namespace
     FileRules          rules;
     std::vector<Scene> scenes;
     for (const std::string &file : line.files)
-      {
-        scenes.push_back(read_scene(file, line.overrides));
-        for (const std::string &input : input_files(file, line.overrides))
-          rules.input_files.push_back(input);
-      }
+      scenes.push_back(read_scene(file, line.overrides));
     rules.replaces_files_of_others = line.replaces_files_of_others;
     if (line.action == CommandLine::Action::compare)
       compare(scenes, line.folder, rules, MPI_COMM_WORLD);

@@ -9,6 +9,17 @@
 
 namespace auxfem
 {
+  namespace
+  {
+    /** Of @p now, which follows on @p before or is the same. */
+    void raise_largest_energy(const State &before, State &now)
+    {
+      now.largest_energy = std::max({before.largest_energy,
+                                     now.energies.total(),
+                                     now.energies.dissipated()});
+    }
+  } // namespace
+
   TimeStepper::RateSolver::RateSolver(const Equations        &equations,
                                       const SolverParameters &parameters,
                                       Work                   &work)
@@ -122,12 +133,13 @@ namespace auxfem
       {
         const std::string why =
           equations.why_not_finite(instant, solution.results);
-        throw ComputationError(
-          "The start is not finite: " + (why.empty() ? what : why) + '.');
+        std::ostringstream message;
+        message << "At t = " << state.time
+                << " s the state is not finite: " << (why.empty() ? what : why)
+                << '.';
+        throw ComputationError(message.str());
       }
-    state.largest_energy = std::max({state.largest_energy,
-                                     state.energies.total(),
-                                     state.energies.dissipated()});
+    raise_largest_energy(state, state);
   }
 
   void TimeStepper::find_static_equilibrium(State &state)
@@ -292,9 +304,7 @@ namespace auxfem
     if (creates_energy(step))
       return reject(
         "the step would create energy (more than Time/Largest energy error)");
-    trial.state.largest_energy = std::max({state.largest_energy,
-                                           trial.state.energies.total(),
-                                           trial.state.energies.dissipated()});
+    raise_largest_energy(state, trial.state);
     watches.step(step, solvers->tangent);
     trial.state.step = state.step;
     state            = trial.state;

@@ -64,6 +64,7 @@ namespace auxfem
     {
       const InitialVelocityDefinition *definition;
       std::vector<unsigned int>        joints;
+      std::vector<bool>                chosen; ///< by joint of the lattice
       dealii::Point<3>                 centre;
 
       bool turns() const
@@ -75,7 +76,7 @@ namespace auxfem
       bool has_all(const std::vector<unsigned int> &others) const
       {
         return std::all_of(others.begin(), others.end(), [&](const auto joint) {
-          return std::find(joints.begin(), joints.end(), joint) != joints.end();
+          return chosen[joint];
         });
       }
     };
@@ -129,9 +130,13 @@ namespace auxfem
                                     definition.joints,
                                     scene.context,
                                     definition.path + "/Joints"),
+                      std::vector<bool>(lattice.joints.size(), false),
                       {}};
         for (const unsigned int joint : set.joints)
-          set.centre += lattice.joints[joint] / double(set.joints.size());
+          {
+            set.chosen[joint] = true;
+            set.centre += lattice.joints[joint] / double(set.joints.size());
+          }
         refuse_vain_turning(set);
         move_joints(set);
         for (unsigned int p = 0; p < lattice.rigid_parts.size(); ++p)

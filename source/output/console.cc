@@ -1,5 +1,7 @@
 #include <auxfem/output/console.h>
 
+#include <deal.II/base/utilities.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -35,6 +37,16 @@ namespace auxfem
     const long long hours = total / 3600, minutes = total / 60 % 60;
     return hours > 0 ? format("%lld:%02lld:%02lld", hours, minutes, total % 60)
                      : format("%lld:%02lld", minutes, total % 60);
+  }
+
+  std::string indented(const std::string &text)
+  {
+    constexpr int width = 93;
+    std::string   lines;
+    for (const std::string &line :
+         dealii::Utilities::break_text_into_lines(text, width))
+      lines += (lines.empty() ? "  " : "\n  ") + line;
+    return lines;
   }
 
   std::string format_progress(const Progress &progress)

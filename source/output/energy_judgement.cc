@@ -35,15 +35,6 @@ namespace auxfem
     : has_inertia(has_inertia)
   {}
 
-  void EnergyJudgement::Largest::add(const double candidate, const double now)
-  {
-    // What is no number stays.
-    if (value >= candidate || std::isnan(value))
-      return;
-    value = candidate;
-    time  = now;
-  }
-
   void EnergyJudgement::start(const Energies &energies)
   {
     zero    = energies.balance(0.);

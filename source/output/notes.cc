@@ -23,30 +23,47 @@ namespace auxfem
       return std::sqrt(12 * second_moment / section.area);
     }
 
+    /** The shortest elastic strut of a section. */
+    struct ShortestStrut
+    {
+      unsigned int strut  = 0;
+      double       length = std::numeric_limits<double>::infinity(); ///< m
+    };
+
+    std::vector<ShortestStrut> shortest_struts(const Lattice    &lattice,
+                                               const std::size_t n_sections)
+    {
+      std::vector<ShortestStrut> shortest(n_sections);
+      for (unsigned int i = 0; i < lattice.struts.size(); ++i)
+        {
+          const Strut &strut = lattice.struts[i];
+          if (strut.is_rigid())
+            continue;
+          ShortestStrut &of_section = shortest[strut.section];
+          if (const double length = lattice.length(strut);
+              length < of_section.length)
+            of_section = {i, length};
+        }
+      return shortest;
+    }
+
     void add_thick_sections(const Scene              &scene,
                             const LatticeModel       &model,
                             std::vector<std::string> &notes)
     {
-      const Lattice &lattice = model.lattice;
+      const Lattice                   &lattice = model.lattice;
+      const std::vector<ShortestStrut> shortest =
+        shortest_struts(lattice, scene.sections.size());
       for (unsigned int s = 0; s < scene.sections.size(); ++s)
         {
-          unsigned int shortest = 0;
-          double       length   = std::numeric_limits<double>::infinity();
-          for (unsigned int i = 0; i < lattice.struts.size(); ++i)
-            if (!lattice.struts[i].is_rigid() &&
-                lattice.struts[i].section == s &&
-                lattice.length(lattice.struts[i]) < length)
-              {
-                shortest = i;
-                length   = lattice.length(lattice.struts[i]);
-              }
+          const auto [strut, length] = shortest[s];
           const double found =
             thickness(scene.sections[s].section, lattice.dimension);
           if (found <= thickest * length)
             continue;
           std::ostringstream note;
           note << scene.sections[s].path << ": the struts are about " << found
-               << " m thick, but strut " << shortest << " is only " << length
+               << " m thick, but strut " << strut << " is only " << length
                << " m long; beams are meant to be slender. ";
           if (found / 1000 <= thickest * length)
             note << "A number without a unit is in m: was " << found

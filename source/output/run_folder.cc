@@ -34,18 +34,20 @@ namespace auxfem
         contents.files.emplace_back("original.prm");
       return contents;
     }
-
-    FileRules with_file_of(const Scene &scene, FileRules rules)
-    {
-      rules.input_files.push_back(scene.file);
-      return rules;
-    }
   } // namespace
+
+  FileRules with_inputs_of(const Scene &scene, FileRules rules)
+  {
+    rules.input_files.insert(rules.input_files.end(),
+                             scene.input_files.begin(),
+                             scene.input_files.end());
+    return rules;
+  }
 
   RunFolder::RunFolder(const Scene &scene, const FileRules &rules)
     : folder(scene.output.directory,
              contents_of(scene),
-             with_file_of(scene, rules))
+             with_inputs_of(scene, rules))
   {
     const std::string &path = scene.output.directory;
     errno                   = 0;

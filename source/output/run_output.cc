@@ -61,7 +61,8 @@ namespace auxfem
     Clock::time_point       first_step;
     double                  begin_time = 0; ///< of the first step (s)
 
-    const Equations *equations = nullptr; ///< from begin() on
+    const Equations         *equations = nullptr; ///< from begin() on
+    std::vector<std::string> notes;               ///< on rank 0
     /** What was begun is closed, also if a signal asks for the end. */
     std::optional<SignalsWaitForStep> signals;
     std::optional<RunFolder>          files;   ///< on rank 0
@@ -104,11 +105,14 @@ namespace auxfem
     signals.emplace();
     const Counts counts = count(equations);
     if (console)
-      console->print(overview_text(scene,
-                                   counts,
-                                   equations.model().simulated.decisions,
-                                   notes_on(scene, equations.model())) +
-                     '\n');
+      {
+        notes = notes_on(scene, equations.model());
+        console->print(overview_text(scene,
+                                     counts,
+                                     equations.model().simulated.decisions,
+                                     notes) +
+                       '\n');
+      }
     this->equations = &equations;
     history.emplace(scene, equations, communicator);
     on_first_rank(communicator, [&]() {
@@ -238,7 +242,7 @@ namespace auxfem
     summary.time       = result.time;
     summary.exit_state = result.exit_state;
     summary.findings   = result.findings;
-    summary.notes      = notes_on(scene, equations->model());
+    summary.notes      = notes;
 
     on_first_rank(communicator, [&]() {
       replace_file(folder + "/summary.json", summary_json(scene, summary));

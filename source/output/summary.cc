@@ -324,12 +324,7 @@ namespace auxfem
     list_effects(stream, "Simulated", decisions, true);
     list_effects(stream, "Left out", decisions, false);
     for (const std::string &note : notes)
-      {
-        stream << "\nNote\n";
-        for (const std::string &part :
-             dealii::Utilities::break_text_into_lines(note, 93))
-          stream << "  " << part << '\n';
-      }
+      stream << "\nNote\n" << indented(note) << '\n';
     std::string text = stream.str();
     text.pop_back();
     return text;

@@ -1,10 +1,8 @@
+#include <auxfem/output/console.h>
 #include <auxfem/output/verdict.h>
-
-#include <deal.II/base/utilities.h>
 
 #include <algorithm>
 #include <array>
-#include <sstream>
 
 namespace auxfem
 {
@@ -42,13 +40,9 @@ namespace auxfem
 
   std::string verdict_text(const std::vector<Finding> &findings)
   {
-    constexpr int      width = 93;
-    std::ostringstream stream;
-    stream << "Verdict: " << name_of(verdict_of(findings));
+    std::string text = "Verdict: " + name_of(verdict_of(findings));
     for (const Finding &finding : findings)
-      for (const std::string &line :
-           dealii::Utilities::break_text_into_lines(finding.text, width))
-        stream << "\n  " << line;
-    return stream.str();
+      text += '\n' + indented(finding.text);
+    return text;
   }
 } // namespace auxfem

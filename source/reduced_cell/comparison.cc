@@ -1,6 +1,6 @@
 #include <auxfem/output/csv_table.h>
 #include <auxfem/output/history.h>
-#include <auxfem/output/output_folder.h>
+#include <auxfem/output/run_folder.h>
 #include <auxfem/parameters/errors.h>
 #include <auxfem/reduced_cell/comparison.h>
 
@@ -172,9 +172,12 @@ namespace auxfem
       if (scene.model != Model::reduced_cell)
         throw InputError(scene.file +
                          ": --compare is for scenes with Model = reduced cell");
+    FileRules with_inputs = rules;
+    for (const Scene &scene : scenes)
+      with_inputs = with_inputs_of(scene, with_inputs);
     const OutputFolder claim(folder,
                              {{"comparison.csv", "comparison.units.csv"}, {}},
-                             rules);
+                             with_inputs);
     const std::string  file = folder + "/comparison.csv";
     CsvTable           table(file, columns);
     write_column_reference(folder + "/comparison.units.csv", columns);

@@ -1,4 +1,4 @@
-#include <auxfem/parameters/parameter_file.h>
+#include <auxfem/loads/time_function.h>
 #include <auxfem/scene/input_files.h>
 
 #include <deal.II/base/utilities.h>
@@ -23,15 +23,14 @@ namespace auxfem
       for (const ParameterEntry &entry : subsection.entries)
         {
           files.insert(entry.place.file);
-          const std::string table = "table:";
           if (subsection.name == "Lattice" && entry.name == "File")
             refer(entry.value);
-          if (entry.value.compare(0, table.size(), table) != 0)
+          const std::optional<TableText> table = table_text(entry.value);
+          if (!table)
             continue;
           // A comma may be part of the name, or stand before a column.
-          const std::string name = trim(entry.value.substr(table.size()));
-          refer(name);
-          refer(trim(name.substr(0, name.rfind(','))));
+          refer(table->file);
+          refer(trim(table->file.substr(0, table->file.rfind(','))));
         }
       for (const ParameterSubsection &child : subsection.subsections)
         {
@@ -41,13 +40,9 @@ namespace auxfem
     }
   } // namespace
 
-  std::vector<std::string>
-  input_files(const std::string              &file,
-              const std::vector<std::string> &overrides)
+  std::vector<std::string> input_files(const ParameterSubsection &root,
+                                       const std::string         &file)
   {
-    ParameterSubsection root = read_parameter_file(file);
-    for (const std::string &assignment : overrides)
-      apply_override(root, assignment);
     std::set<std::string> files = {file};
     collect_files(root, std::filesystem::path(file).parent_path(), files);
     return {files.begin(), files.end()};

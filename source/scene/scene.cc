@@ -1,4 +1,5 @@
 #include <auxfem/parameters/errors.h>
+#include <auxfem/scene/input_files.h>
 #include <auxfem/scene/scene.h>
 #include <auxfem/scene/scene_sections.h>
 
@@ -72,6 +73,7 @@ namespace auxfem
       Mistakes                 mistakes;
       dealii::ParameterHandler prm;
       scene.file              = file;
+      scene.input_files       = input_files(root, file);
       scene.context.directory = directory_of(file);
 
       // Without model and dimension nothing can be said about what the rest may

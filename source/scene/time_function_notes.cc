@@ -115,6 +115,7 @@ namespace auxfem
            "steps end.";
       return note.str();
     }
+
     /** Of tables that end before the run. */
     std::optional<std::string> note_on_end(const TimeFunction &function,
                                            const double        end_time)

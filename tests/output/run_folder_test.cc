@@ -38,6 +38,7 @@ namespace
     Scene scene;
     scene.file = folder / "scene.prm";
     std::ofstream(scene.file) << "set Title = as written\n";
+    scene.input_files      = {scene.file};
     scene.all_parameters   = "set Title = all\n";
     scene.output.directory = output;
     return scene;
@@ -112,6 +113,7 @@ TEST(RunFolder, SceneWithTheNameOfAResultIsKept)
   const fs::path folder = fresh_folder("own_scene");
   Scene          scene  = scene_in(folder, folder);
   scene.file            = folder / "log.txt";
+  scene.input_files     = {scene.file};
   fs::rename(folder / "scene.prm", scene.file);
   expect_parts(input_error_of([&]() {
                  RunFolder run(scene, {{}, true});

@@ -76,15 +76,17 @@ namespace
   {
     ASSERT_EQ(run_into("out").exit_code, 0);
     const std::string history = read_text(path("out/history.csv"));
-    for (const Words &further : {Words(), Words{"--force"}})
-      {
-        Words with_table = {"--set",
-                            "Loads/hit/Force y=table: out/history.csv"};
-        with_table.insert(with_table.end(), further.begin(), further.end());
-        expect_refusal(run_into("out", "scene.prm", with_table),
-                       {"The run reads", "history.csv"});
-        EXPECT_EQ(read_text(path("out/history.csv")), history);
-      }
+    for (const std::string table : {"table:", "linear table:"})
+      for (const Words &further : {Words(), Words{"--force"}})
+        {
+          Words with_table = {"--set",
+                              "Loads/hit/Force y=" + table +
+                                " out/history.csv"};
+          with_table.insert(with_table.end(), further.begin(), further.end());
+          expect_refusal(run_into("out", "scene.prm", with_table),
+                         {"The run reads", "history.csv"});
+          EXPECT_EQ(read_text(path("out/history.csv")), history);
+        }
 
     fs::copy(AUXFEM_PRM_DIRECTORY "/../meshes/portal.msh",
              path("out/history.csv"),

@@ -32,6 +32,10 @@ namespace auxfem
     double fraction() const;
   };
 
+  /** @p text in indented lines that fit on a screen, without the last line
+   * break. */
+  std::string indented(const std::string &text);
+
   /**
    * One line of fewer than 100 characters: step, time, time step, iterations,
    * residual, energy balance, time left.

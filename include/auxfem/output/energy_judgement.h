@@ -3,6 +3,7 @@
 
 #include <auxfem/output/verdict.h>
 #include <auxfem/time/energies.h>
+#include <auxfem/time/largest_in_time.h>
 #include <auxfem/time/records.h>
 
 namespace auxfem
@@ -32,19 +33,11 @@ namespace auxfem
     ///@}
 
   private:
-    /** A largest value and when it was met (s). */
-    struct Largest
-    {
-      void add(double candidate, double now);
-
-      double value = 0, time = 0;
-    };
-
     Finding error_finding(double moved) const;
 
-    const bool has_inertia;
-    double     zero = 0, initial = 0, work = 0; ///< J
-    Largest    error, given, taken;             ///< J
+    const bool    has_inertia;
+    double        zero = 0, initial = 0, work = 0; ///< J
+    LargestInTime error, given, taken;             ///< J
   };
 } // namespace auxfem
 

@@ -9,6 +9,9 @@
 
 namespace auxfem
 {
+  /** @p rules that spare all files @p scene was read from, too. */
+  FileRules with_inputs_of(const Scene &scene, FileRules rules);
+
   /**
    * The folder of a run, with original.prm, the file as the user gave it,
    * parameters.prm, all values used, and the log. To be used on one rank.
@@ -17,9 +20,9 @@ namespace auxfem
   {
   public:
     /**
-     * Makes the folder that @p scene names, whose file is spared, and removes the results of an earlier
-     * run in it. Throws InputError that says why the folder cannot be used, see
-     * OutputFolder.
+     * Makes the folder that @p scene names, whose files are spared, and removes
+     * the results of an earlier run in it. Throws InputError that says why the
+     * folder cannot be used, see OutputFolder.
      */
     RunFolder(const Scene &scene, const FileRules &rules);
 

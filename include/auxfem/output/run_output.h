@@ -30,7 +30,7 @@ namespace auxfem
      * @param scene must outlive the object.
      * @param communicator all ranks take part in every call.
      * @param start of this rank, for the summary.
-     * @param rules the scene's file is always spared.
+     * @param rules files that the scene was read from are always spared.
      */
     RunOutput(const Scene      &scene,
               MPI_Comm          communicator,

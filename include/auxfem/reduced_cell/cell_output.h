@@ -26,7 +26,7 @@ namespace auxfem
     /**
      * @param scene must outlive the object.
      * @param start for the summary.
-     * @param rules the scene's file is always spared.
+     * @param rules files that the scene was read from are always spared.
      */
     CellOutput(const Scene      &scene,
                const StartTimes &start,

@@ -1,19 +1,20 @@
 #ifndef auxfem_scene_input_files_h
 #define auxfem_scene_input_files_h
 
+#include <auxfem/parameters/parameter_file.h>
+
 #include <string>
 #include <vector>
 
 namespace auxfem
 {
   /**
-   * The files that read_scene() with the same arguments reads, if they exist:
-   * the parameter file with those it includes, tables, the mesh file. Throws
-   * InputError as read_parameter_file().
+   * The files that a scene with the parameters @p root is read from, each at
+   * most once: the parameter file @p file with those it includes, tables, the
+   * mesh file.
    */
-  std::vector<std::string>
-  input_files(const std::string              &file,
-              const std::vector<std::string> &overrides);
+  std::vector<std::string> input_files(const ParameterSubsection &root,
+                                       const std::string         &file);
 } // namespace auxfem
 
 #endif

@@ -303,11 +303,14 @@ namespace auxfem
     unsigned int dimension = 2;
     /** With Model::reduced_cell; its connector is the one in `connectors`. */
     std::optional<ReducedCellDefinition> reduced_cell;
-    SceneContext                context; ///< directory of the file, constants
-    std::string                 file;
-    std::shared_ptr<const Cell> cell;
-    std::array<unsigned int, 3> n_cells = {{1, 1, 1}};
-    std::vector<SetDefinition>  sets;
+    SceneContext context; ///< directory of the file, constants
+    std::string  file;
+    /** All files it was read from: `file` with those it includes, tables, the
+     * mesh file. */
+    std::vector<std::string>               input_files;
+    std::shared_ptr<const Cell>            cell;
+    std::array<unsigned int, 3>            n_cells = {{1, 1, 1}};
+    std::vector<SetDefinition>             sets;
     std::vector<SectionDefinition>         sections;
     std::vector<JointDefinition>           joints;
     std::vector<RigidPartDefinition>       rigid_parts;

@@ -2,6 +2,7 @@
 #include <auxfem/analysis/watch.h>
 #include <auxfem/model/unknown_words.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -11,55 +12,134 @@ namespace auxfem
   {
     const std::string record_name = "watch: stability";
 
-    /** Joint and component that move most in the softest mode of the matrix of
-     * @p solver, which is factorized again. */
-    std::string place_of_softest_mode(TangentSolver &solver)
-    {
-      const DofNumbering &numbering = solver.model().numbering;
-      const auto         &kinds     = numbering.unknowns().kinds;
-      Vector              weight(kinds.size(), 0.), mode;
-      const auto          is_translation = [&kinds](const unsigned int i) {
-        return kinds[i] == UnknownKind::translation;
-      };
-      for (unsigned int i = 0; i < weight.size(); ++i)
-        weight[i] = is_translation(i) ? 1. : 0.;
-      constexpr unsigned int n_iterations = 4;
-      if (!inverse_iteration(solver,
-                             weight,
-                             is_translation,
-                             n_iterations,
-                             mode))
-        return "";
-      for (unsigned int i = 0; i < mode.size(); ++i)
-        mode[i] = std::abs(mode[i]);
-      return describe_largest(numbering, mode);
-    }
-
-    /** For its life what is solved leaves no mark as the run's linear solver.
+    /**
+     * Tangents that are factorized beside the run: neither its factorization
+     * nor the name of its linear solver is touched.
      */
-    class Aside
+    class TangentAside
     {
     public:
-      explicit Aside(Work &work) : work(work), of_run(work.linear_solver)
+      TangentAside(const Scene &scene, const Equations &equations, Work &work)
+        : equations(equations)
+        , parameters(scene.solver)
+        , work(work)
       {}
 
-      ~Aside()
+      /** How many negative eigenvalues there are beside those of conditions. */
+      unsigned long beyond_conditions(const Inertia &inertia) const
       {
-        work.linear_solver = of_run;
+        const unsigned long n_conditions =
+          equations.model().numbering.constraints().n_multipliers();
+        return inertia.negative > n_conditions ? inertia.negative - n_conditions
+                                               : 0;
       }
 
-      Aside(const Aside &)            = delete;
-      Aside &operator=(const Aside &) = delete;
+      /** Of what the next tangents are. */
+      void evaluate(const Evaluation &evaluation)
+      {
+        if (!solver)
+          {
+            solver.emplace(equations, parameters, work);
+            results = equations.make_results();
+          }
+        solver->residual(evaluation, results);
+      }
+
+      /** That number of the tangent with @p factors; 0 if it cannot be told. */
+      unsigned long n_unstable(const Evaluation     &evaluation,
+                               const TangentFactors &factors)
+      {
+        const std::string of_run = work.linear_solver;
+        solver->assemble(evaluation, results, factors);
+        const bool is_done = solver->factorize();
+        work.linear_solver = of_run;
+        if (!is_done)
+          return 0;
+        const std::optional<Inertia> inertia = solver->new_inertia();
+        return inertia ? beyond_conditions(*inertia) : 0;
+      }
+
+      /** Joint and component that move most in the softest mode of the tangent
+       * with @p factors; empty if there is none to be found. */
+      std::string place_of_softest_mode(const Evaluation     &evaluation,
+                                        const TangentFactors &factors)
+      {
+        const DofNumbering &numbering = equations.model().numbering;
+        const auto         &kinds     = numbering.unknowns().kinds;
+        Vector              weight(kinds.size(), 0.), mode;
+        const auto          is_translation = [&kinds](const unsigned int i) {
+          return kinds[i] == UnknownKind::translation;
+        };
+        for (unsigned int i = 0; i < weight.size(); ++i)
+          weight[i] = is_translation(i) ? 1. : 0.;
+        constexpr unsigned int n_iterations = 4;
+        const std::string      of_run       = work.linear_solver;
+        solver->assemble(evaluation, results, factors);
+        const auto growth  = inverse_iteration(*solver,
+                                              weight,
+                                              is_translation,
+                                              n_iterations,
+                                              mode);
+        work.linear_solver = of_run;
+        if (!growth)
+          return "";
+        for (double &entry : mode)
+          entry = std::abs(entry);
+        return describe_largest(numbering, mode);
+      }
 
     private:
-      Work             &work;
-      const std::string of_run;
+      const Equations             &equations;
+      const SolverParameters       parameters;
+      Work                        &work;
+      std::optional<TangentSolver> solver;
+      EvaluationResults            results;
     };
 
-    /** Where and when stability was lost first. */
-    struct Loss
+    /** When and where stability was lost first, if it was. */
+    class FirstLoss
     {
-      double      time; ///< s
+    public:
+      explicit operator bool() const
+      {
+        return is_lost;
+      }
+
+      void note(const double at, const std::string &in)
+      {
+        is_lost = true;
+        time    = at;
+        place   = in;
+      }
+
+      /** Begins the sentence of a finding. */
+      void write(std::ostream &text) const
+      {
+        text << "Stability is lost at about t = " << time << " s"
+             << (place.empty() ? "" : ", most at the " + place) << ": ";
+      }
+
+      Finding finding(const std::string &text) const
+      {
+        return {Verdict::doubtful, text, time, place};
+      }
+
+      void save(Records &records) const
+      {
+        records.keep(record_name + ": first loss", {is_lost ? 1. : 0., time});
+      }
+
+      void resume(const Records &records)
+      {
+        const std::vector<double> values =
+          records.values(record_name + ": first loss", 2);
+        is_lost = values[0] != 0;
+        time    = values[1];
+      }
+
+    private:
+      bool        is_lost = false;
+      double      time    = 0; ///< s
       std::string place;
     };
 
@@ -75,15 +155,13 @@ namespace auxfem
       EquilibriumWatch(const Scene     &scene,
                        const Equations &equations,
                        Work            &work)
-        : equations(equations)
-        , solver_parameters(scene.solver)
-        , work(work)
+        : aside(scene, equations, work)
       {}
 
       void step(const Evaluation &step, TangentSolver &newtons) override
       {
         const std::optional<Inertia> on_the_way = newtons.new_inertia();
-        last = on_the_way && more_than_conditions(*on_the_way) == 0
+        last = on_the_way && aside.beyond_conditions(*on_the_way) == 0
           ? 0
           : look_at(step);
         most = std::max(most, last);
@@ -94,74 +172,48 @@ namespace auxfem
         if (!first)
           return {};
         std::ostringstream text;
-        text << "Stability is lost at about t = " << first->time << " s"
-             << (first->place.empty() ? "" : ", most at the " + first->place)
-             << ": from there on up to " << most
+        first.write(text);
+        text << "from there on up to " << most
              << " modes of the stiffness are negative"
              << (last == 0 ? ", though not in the end" : "")
              << ". A real structure leaves such equilibria. Give a small "
                 "disturbance (a lateral load, an uneven shape) or compute with "
                 "inertia.";
-        return {{Verdict::doubtful, text.str(), first->time, first->place}};
+        return {first.finding(text.str())};
       }
 
       void save(Records &records) const override
       {
-        records.keep(record_name,
-                     {first ? 1. : 0.,
-                      first ? first->time : 0.,
-                      double(most),
-                      double(last)});
+        first.save(records);
+        records.keep(record_name, {double(most), double(last)});
       }
 
       void resume(const Records &records) override
       {
-        const std::vector<double> values = records.values(record_name, 4);
-        if (values[0] != 0)
-          first = {values[1], ""};
-        most = values[2];
-        last = values[3];
+        first.resume(records);
+        const std::vector<double> values = records.values(record_name, 2);
+        most                             = values[0];
+        last                             = values[1];
       }
 
     private:
-      unsigned long more_than_conditions(const Inertia &inertia) const
-      {
-        const unsigned long n_conditions =
-          equations.model().numbering.constraints().n_multipliers();
-        return inertia.negative > n_conditions ? inertia.negative - n_conditions
-                                               : 0;
-      }
-
-      /** Negative modes at step.to; 0 if that cannot be told. */
+      /** Negative modes at step.to. */
       unsigned long look_at(const Evaluation &step)
       {
-        const Aside aside(work);
-        if (!solver)
-          {
-            solver.emplace(equations, solver_parameters, work);
-            results = equations.make_results();
-          }
-        State            end = step.to;
-        const Evaluation again =
+        constexpr TangentFactors stiffness = {1., 0., 0.};
+        State                    end       = step.to;
+        const Evaluation         again =
           Evaluation::static_step(step.from, end, step.dt);
-        solver->residual(again, results);
-        solver->assemble(again, results, {1., 0., 0.});
-        if (!solver->factorize())
-          return 0;
-        const std::optional<Inertia> inertia = solver->new_inertia();
-        const unsigned long more = inertia ? more_than_conditions(*inertia) : 0;
-        if (more > 0 && !first)
-          first = {step.to.time, place_of_softest_mode(*solver)};
-        return more;
+        aside.evaluate(again);
+        const unsigned long n = aside.n_unstable(again, stiffness);
+        if (n > 0 && !first)
+          first.note(end.time, aside.place_of_softest_mode(again, stiffness));
+        return n;
       }
 
-      const Equations             &equations;
-      const SolverParameters       solver_parameters;
-      Work                        &work;
-      std::optional<TangentSolver> solver;
-      EvaluationResults            results;
-      std::optional<Loss>          first;
-      unsigned long                most = 0, last = 0;
+      TangentAside  aside;
+      FirstLoss     first;
+      unsigned long most = 0, last = 0;
     };
 
     /**
@@ -173,23 +225,21 @@ namespace auxfem
     {
     public:
       MotionWatch(const Scene &scene, const Equations &equations, Work &work)
-        : equations(equations)
-        , solver_parameters(scene.solver)
+        : aside(scene, equations, work)
         , end_time(scene.time.end_time)
         , work(work)
       {}
 
       void step(const Evaluation &step, TangentSolver & /*solver*/) override
       {
-        iterations_now     = work.iterations;
         const bool is_last = step.to.time >= end_time;
-        if (iterations_now < next_look && !is_last)
+        if (work.iterations < next_look && !is_last)
           return;
         const double rate = growth_rate(step);
         exponent += std::min(rate, last_rate) * (step.to.time - last_look);
         last_look = step.to.time;
         last_rate = rate;
-        next_look = iterations_now +
+        next_look = work.iterations +
           (rate > 0 ? iterations_while_unstable : iterations_while_stable);
       }
 
@@ -199,37 +249,31 @@ namespace auxfem
           return {};
         std::ostringstream text;
         text.precision(3);
-        text << "Stability is lost at about t = " << first->time << " s"
-             << (first->place.empty() ? "" : ", most at the " + first->place)
-             << ": from there on a small disturbance grows, until the end by a "
+        first.write(text);
+        text << "from there on a small disturbance grows, until the end by a "
                 "factor of e^"
              << exponent
              << " at least. What the lattice does then depends on disturbances "
                 "that the scene does not give: try a small one (a lateral "
                 "load, an uneven shape), and compare.";
-        return {{Verdict::doubtful, text.str(), first->time, first->place}};
+        return {first.finding(text.str())};
       }
 
       void save(Records &records) const override
       {
+        first.save(records);
         records.keep(record_name,
-                     {first ? 1. : 0.,
-                      first ? first->time : 0.,
-                      exponent,
-                      last_rate,
-                      last_look,
-                      double(next_look)});
+                     {exponent, last_rate, last_look, double(next_look)});
       }
 
       void resume(const Records &records) override
       {
-        const std::vector<double> values = records.values(record_name, 6);
-        if (values[0] != 0)
-          first = {values[1], ""};
-        exponent  = values[2];
-        last_rate = values[3];
-        last_look = values[4];
-        next_look = values[5];
+        first.resume(records);
+        const std::vector<double> values = records.values(record_name, 4);
+        exponent                         = values[0];
+        last_rate                        = values[1];
+        last_look                        = values[2];
+        next_look                        = values[3];
       }
 
     private:
@@ -244,56 +288,37 @@ namespace auxfem
        * step.to; 0: none. */
       double growth_rate(const Evaluation &step)
       {
-        const Aside aside(work);
-        if (!solver)
-          {
-            solver.emplace(equations, solver_parameters, work);
-            results = equations.make_results();
-          }
-        // Slower ones do not get far in the whole run.
-        double rate = doubtful_exponent / end_time, found = 0;
-        State  at_rest = step.to;
+        State at_rest = step.to;
         for (Vector *rates : {&*at_rest.velocity, &*at_rest.acceleration})
           rates->assign(rates->size(), 0.);
-        State            before  = at_rest;
+        const State      before  = at_rest;
         const Evaluation instant = Evaluation::step(before, at_rest, step.dt);
-        solver->residual(instant, results);
+        aside.evaluate(instant);
+        const auto shifted = [](const double rate) {
+          return TangentFactors{1., 0., rate * rate};
+        };
+        // Slower ones do not get far in the whole run.
+        double                 rate = doubtful_exponent / end_time, found = 0;
         constexpr double       factor  = 2;
         constexpr unsigned int n_rates = 24;
-        for (unsigned int i = 0; i < n_rates && is_negative(instant, rate);
+        for (unsigned int i = 0;
+             i < n_rates && aside.n_unstable(instant, shifted(rate)) > 0;
              ++i, rate *= factor)
           found = rate;
         if (found > 0 && !first)
-          {
-            solver->assemble(instant, results, {1., 0., found * found});
-            first = {step.to.time, place_of_softest_mode(*solver)};
-          }
+          first.note(at_rest.time,
+                     aside.place_of_softest_mode(instant, shifted(found)));
         return found;
       }
 
-      bool is_negative(const Evaluation &instant, const double rate)
-      {
-        solver->assemble(instant, results, {1., 0., rate * rate});
-        if (!solver->factorize())
-          return false;
-        const std::optional<Inertia> inertia = solver->new_inertia();
-        return inertia &&
-          inertia->negative >
-          equations.model().numbering.constraints().n_multipliers();
-      }
-
-      const Equations             &equations;
-      const SolverParameters       solver_parameters;
-      const double                 end_time; ///< s
-      Work                        &work;
-      std::optional<TangentSolver> solver;
-      EvaluationResults            results;
-      unsigned long                iterations_now = 0;
-      unsigned long                next_look      = iterations_while_stable;
-      double                       last_rate      = 0; ///< 1/s
-      double                       last_look      = 0; ///< s
-      double                       exponent       = 0;
-      std::optional<Loss>          first;
+      TangentAside  aside;
+      const double  end_time; ///< s
+      const Work   &work;
+      unsigned long next_look = iterations_while_stable;
+      double        last_rate = 0; ///< 1/s
+      double        last_look = 0; ///< s
+      double        exponent  = 0;
+      FirstLoss     first;
     };
   } // namespace
 

@@ -1,4 +1,5 @@
 #include <auxfem/analysis/watch.h>
+#include <auxfem/time/largest_in_time.h>
 
 #include <algorithm>
 #include <cmath>
@@ -52,20 +53,16 @@ namespace auxfem
       {
         const UnknownLayout      &layout = equations.unknowns().layout;
         const std::vector<double> sums   = layout.sum({error, way});
-        const double              turn   = layout.largest(largest_turn);
+        const LargestInTime       turn   = turn_of_all_ranks();
         std::vector<Finding>      found;
         if (!(sums[0] <= doubtful_error * sums[1]))
           found.push_back(error_finding(sums[0] / sums[1]));
-        if (turn > doubtful_turn)
+        if (turn.value > doubtful_turn)
           {
             std::ostringstream text;
-            text << "A joint turns by " << turn
+            text << "A joint turns by " << turn.value
                  << " rad in one step; shorten the step.";
-            found.push_back(
-              {Verdict::doubtful,
-               text.str(),
-               layout.largest(turn == largest_turn ? turn_time : 0.),
-               ""});
+            found.push_back({Verdict::doubtful, text.str(), turn.time, ""});
           }
         return found;
       }
@@ -74,13 +71,9 @@ namespace auxfem
       {
         const UnknownLayout      &layout = equations.unknowns().layout;
         const std::vector<double> sums   = layout.sum({error, way});
-        const double              turn   = layout.largest(largest_turn);
+        const LargestInTime       turn   = turn_of_all_ranks();
         records.keep(record_name,
-                     {sums[0],
-                      sums[1],
-                      time,
-                      turn,
-                      layout.largest(turn == largest_turn ? turn_time : 0.)});
+                     {sums[0], sums[1], time, turn.value, turn.time});
       }
 
       void resume(const Records &records) override
@@ -91,8 +84,7 @@ namespace auxfem
         error               = is_first ? values[0] : 0;
         way                 = is_first ? values[1] : 0;
         time                = values[2];
-        largest_turn        = values[3];
-        turn_time           = values[4];
+        largest_turn        = {values[3], values[4]};
       }
 
     private:
@@ -146,10 +138,16 @@ namespace auxfem
           turn = std::max(turn,
                           std::abs(step.to.displacement[i] -
                                    step.from.displacement[i]));
-        if (turn <= largest_turn)
-          return;
-        largest_turn = turn;
-        turn_time    = step.to.time;
+        largest_turn.add(turn, step.to.time);
+      }
+
+      LargestInTime turn_of_all_ranks() const
+      {
+        const UnknownLayout &layout  = equations.unknowns().layout;
+        const double         largest = layout.largest(largest_turn.value);
+        return {largest,
+                layout.largest(largest == largest_turn.value ? largest_turn.time
+                                                             : 0.)};
       }
 
       Finding error_finding(const double relative) const
@@ -171,9 +169,8 @@ namespace auxfem
       const double     scene_step; ///< s
       const Equations &equations;
       double           error = 0, way = 0; ///< m, summed up on this rank
-      double           time         = 0;   ///< s
-      double           largest_turn = 0;   ///< rad
-      double           turn_time    = 0;   ///< s
+      double           time = 0;           ///< s
+      LargestInTime    largest_turn;       ///< rad
 
       /** Owned and free ones of n_unknowns owned in all. */
       std::vector<int> translations, rotations;

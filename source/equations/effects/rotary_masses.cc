@@ -1,6 +1,5 @@
 #include <auxfem/equations/effects/rotary_masses.h>
 
-
 namespace auxfem
 {
   RotaryMasses::RotaryMasses(const DofNumbering &numbering,

@@ -1,6 +1,5 @@
 #include <auxfem/equations/effects/space_springs.h>
 
-
 namespace auxfem
 {
   SpaceSprings::SpaceSprings(const DofNumbering &numbering)

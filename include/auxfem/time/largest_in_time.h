@@ -1,0 +1,24 @@
+#ifndef auxfem_time_largest_in_time_h
+#define auxfem_time_largest_in_time_h
+
+#include <cmath>
+
+namespace auxfem
+{
+  /** The largest value so far, zero at least, and when it was met (s). */
+  struct LargestInTime
+  {
+    void add(const double candidate, const double now)
+    {
+      // What is no number stays.
+      if (value >= candidate || std::isnan(value))
+        return;
+      value = candidate;
+      time  = now;
+    }
+
+    double value = 0, time = 0;
+  };
+} // namespace auxfem
+
+#endif
