@@ -135,8 +135,10 @@ namespace auxfem
                        const EvaluationResults &results,
                        const double             reduction)
   {
+    const TangentFactors factors =
+      scheme.factors(evaluation.from, evaluation.dt);
     const bool serves = kept && kept->kind == evaluation.kind &&
-      kept->dt == evaluation.dt &&
+      kept->dt == evaluation.dt && kept->factors == factors &&
       kept->pattern_version == solver.equations().pattern().version() &&
       (is_linear ||
        (parameters.keep_factorization &&
@@ -152,11 +154,12 @@ namespace auxfem
         reduction < parameters.kept_reduction)
       exactness = Exactness::exact;
     kept.reset();
-    solver.assemble(evaluation, results, scheme.factors(evaluation.dt));
+    solver.assemble(evaluation, results, factors);
     if (!solver.factorize(exactness))
       return false;
     kept = Kept{evaluation.kind,
                 evaluation.dt,
+                factors,
                 solver.matrix().version(),
                 solver.linear_solver().is_exact(),
                 /*is_fresh=*/true};

@@ -177,8 +177,10 @@ namespace auxfem
       {
         if (equations.update_couplings(state))
           trial.state.take_ghosts(equations.unknowns().layout);
-        renew_rates(solution);
+        const bool is_jump = pass_events(solution, report);
         take_step(solution, next_target(state.time, end), report);
+        if (is_jump)
+          state.before.reset();
       }
     ++state.step;
     ++work.steps;
@@ -251,20 +253,48 @@ namespace auxfem
     return TimeLimit{first->time, TimeSide::before};
   }
 
-  void TimeStepper::renew_rates(Solution &solution)
+  bool TimeStepper::pass_events(Solution &solution, StepReport &report)
   {
-    using Jump                = StepEnd::Jump;
-    State &state              = solution.state;
-    const auto [first, after] = ends_at(state.time);
-    Jump jump                 = Jump::none;
+    const auto [first, after] = ends_at(solution.state.time);
+    if (first == after)
+      return false;
+    StepEnd::Jump jump = StepEnd::Jump::none;
     std::for_each(first, after, [&jump](const StepEnd &end) {
       jump = std::max(jump, end.jump);
     });
+    if (scheme.is_dynamic())
+      {
+        renew_rates(solution, jump, std::prev(after)->time);
+        return false;
+      }
+    solution.state.before.reset();
+    if (jump != StepEnd::Jump::accelerations || !solution.state.velocity)
+      return jump != StepEnd::Jump::none;
+    take_sudden_loads(solution, report);
+    return false;
+  }
+
+  void TimeStepper::take_sudden_loads(Solution &solution, StepReport &report)
+  {
+    constexpr double part_of_step = 1e-5;
+    State           &state        = solution.state;
+    StepReport       of_jump;
+    take_step(solution, state.time + part_of_step * parameters.step, of_jump);
+    report.iterations += of_jump.iterations;
+    report.retries += of_jump.retries;
+    state.before.reset();
+  }
+
+  void TimeStepper::renew_rates(Solution           &solution,
+                                const StepEnd::Jump jump,
+                                const double        event)
+  {
+    using Jump   = StepEnd::Jump;
+    State &state = solution.state;
     // Accelerations at the start of a step do not matter if means are balanced.
-    if (!scheme.is_dynamic() || jump == Jump::none ||
+    if (jump == Jump::none ||
         (scheme.balances_means() && jump != Jump::velocities))
       return;
-    const double    event = std::prev(after)->time;
     ConsistentRates rates(solvers->tangent);
     const State     before = rates.renew(state, event, parameters.step);
     account_for_rates(solution, before, &rates, event);

@@ -1,5 +1,6 @@
 #include <auxfem/equations/load_values.h>
 #include <auxfem/equations/node_rotations.h>
+#include <auxfem/equations/path_work.h>
 #include <auxfem/equations/prescribed_motion.h>
 #include <auxfem/equations/step_travel.h>
 
@@ -341,13 +342,23 @@ namespace auxfem
         const auto          mean_force = [&](const int unknown) {
           return (step.from.residual[unknown] + step.to.residual[unknown]) / 2;
         };
-        double sum = 0;
+        const PathWork path(step);
+        double         sum = 0;
         for (const Support::PrescribedUnknown &prescribed : support.unknowns)
           if (const int i = prescribed.unknown;
               numbering.layout().is_owned(i) &&
               !support.moves_as_rotation(prescribed))
-            sum += mean_force(i) *
-              (step.to.displacement[i] - step.from.displacement[i]);
+            {
+              sum += mean_force(i) *
+                (step.to.displacement[i] - step.from.displacement[i]);
+              if (const State::Before *before = path.state_before())
+                sum += path.beyond_mean({{before->residual[i],
+                                          step.from.residual[i],
+                                          step.to.residual[i]}},
+                                        {{before->displacement[i],
+                                          step.from.displacement[i],
+                                          step.to.displacement[i]}});
+            }
         for (const Support::PrescribedRotation &prescribed : support.rotations)
           {
             const std::array<int, 3> &spins =

@@ -162,7 +162,7 @@ namespace auxfem
 
       void solve()
       {
-        const TangentFactors factors = scheme.factors(cell.dt());
+        const TangentFactors factors = scheme.factors(state, cell.dt());
         for (unsigned int iteration = 0;; ++iteration)
           {
             const Evaluation now = evaluate();

@@ -55,18 +55,38 @@ namespace auxfem
       return result;
     }
 
-    /** Of functions that are sampled by the steps where they are rough. */
-    void add_ends_of_loads(const std::vector<TimeFunction> &functions,
-                           const TimeParameters            &time,
-                           std::vector<StepEnd>            &ends)
+    /**
+     * Of functions that are sampled by the steps where they are rough.
+     * @param jump what jumps with them
+     */
+    void add_ends_of_samples(const std::vector<TimeFunction> &functions,
+                             const TimeParameters            &time,
+                             const Jump                       jump,
+                             std::vector<StepEnd>            &ends)
     {
       for (const TimeFunction &function : functions)
         for (const TimeEvent &event :
              without_dense_kinks(function.events(0, time.end_time), time.step))
           ends.push_back(
-            {event.time,
-             event.kind == Kind::jump ? Jump::accelerations : Jump::none});
+            {event.time, event.kind == Kind::jump ? jump : Jump::none});
     }
+
+    /** Of functions that a scene at rest does not begin with. */
+    void add_sudden_start(const std::vector<TimeFunction> &functions,
+                          const Jump                       jump,
+                          std::vector<StepEnd>            &ends)
+    {
+      if (std::any_of(functions.begin(),
+                      functions.end(),
+                      [](const TimeFunction &function) {
+                        return function.value_after(0) != 0;
+                      }))
+        ends.push_back({0, jump});
+    }
+
+    /** What jumps in a scene without inertia with loads, with motions. */
+    constexpr Jump with_loads   = Jump::accelerations,
+                   with_motions = Jump::velocities;
 
     /** Of motions with inertia. */
     void add_ends_of_motions(const std::vector<TimeFunction> &functions,
@@ -98,13 +118,22 @@ namespace auxfem
 
   std::vector<StepEnd> step_ends(const Scene &scene)
   {
-    const TimeParameters &time = scene.time;
-    std::vector<StepEnd>  all;
-    add_ends_of_loads(loads_of(scene), time, all);
+    const TimeParameters           &time    = scene.time;
+    const std::vector<TimeFunction> loads   = loads_of(scene),
+                                    motions = motions_of(scene);
+    std::vector<StepEnd> all;
+    add_ends_of_samples(loads, time, with_loads, all);
     if (time.scheme->is_dynamic())
-      add_ends_of_motions(motions_of(scene), time, all);
+      add_ends_of_motions(motions, time, all);
     else
-      add_ends_of_loads(motions_of(scene), time, all);
+      {
+        add_ends_of_samples(motions, time, with_motions, all);
+        if (!time.static_start)
+          {
+            add_sudden_start(loads, with_loads, all);
+            add_sudden_start(motions, with_motions, all);
+          }
+      }
     std::sort(all.begin(), all.end(), [](const auto &one, const auto &other) {
       return one.time < other.time;
     });

@@ -86,7 +86,8 @@ namespace auxfem
       (*trial.algorithmic_acceleration)[unknown] = acceleration;
   }
 
-  TangentFactors AlphaFamily::factors(const double dt) const
+  TangentFactors AlphaFamily::factors(const State & /*from*/,
+                                      const double dt) const
   {
     const double acceleration = 1 / (c.beta * dt * dt);
     return {1.,
@@ -99,7 +100,7 @@ namespace auxfem
                             const double  dt,
                             State        &trial) const
   {
-    const TangentFactors f  = factors(dt);
+    const TangentFactors f  = factors(from, dt);
     const int            n  = increment.size();
     const double        *du = increment.data();
     double              *u  = trial.displacement.data();

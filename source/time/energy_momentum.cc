@@ -24,7 +24,8 @@ namespace auxfem
 
       void predict(const State &from, double dt, State &to) const override;
 
-      TangentFactors factors(const double dt) const override
+      TangentFactors factors(const State & /*from*/,
+                             const double dt) const override
       {
         return {0.5, 1 / dt, 2 / (dt * dt)};
       }
@@ -62,7 +63,7 @@ namespace auxfem
                                  const double  dt,
                                  State        &trial) const
     {
-      const TangentFactors f  = factors(dt);
+      const TangentFactors f  = factors(from, dt);
       const int            n  = increment.size();
       const double        *du = increment.data();
       const double        *u0 = from.displacement.data();

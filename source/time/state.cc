@@ -28,6 +28,11 @@ namespace auxfem
       layout.update_ghosts(values.data());
     };
     take(displacement);
+    if (before)
+      {
+        take(before->displacement);
+        before->residual.resize(layout.n_local(), 0.);
+      }
     residual.resize(layout.n_local(), 0.);
     largest_forces.resize(layout.n_local(), 0.);
     for (std::optional<Vector> *rate :

@@ -7,6 +7,7 @@ namespace auxfem
   {
     const std::string word = "static";
 
+    /** Where it is, without motion. */
     void put_at_rest(const State &from, State &to)
     {
       to.displacement = from.displacement;
@@ -23,28 +24,48 @@ namespace auxfem
     }
   } // namespace
 
+  BackwardDifference::BackwardDifference(const State &from, const double dt)
+    : now(1 / dt)
+    , before(0)
+  {
+    if (!from.before)
+      return;
+    const double dt_before = from.time - from.before->time;
+    const double part      = dt / (dt + dt_before);
+    now += part / dt;
+    before = part / dt_before;
+  }
+
   QuasiStatic::QuasiStatic() : ImplicitScheme(word)
   {}
 
-  void
-  QuasiStatic::predict(const State &from, const double /*dt*/, State &to) const
+  void QuasiStatic::predict(const State &from, const double dt, State &to) const
   {
     put_at_rest(from, to);
+    if (to.velocity && from.before)
+      {
+        const double weight = BackwardDifference(from, dt).before;
+        add_multiple(-weight, from.displacement, *to.velocity);
+        add_multiple(weight, from.before->displacement, *to.velocity);
+      }
+    to.before = {from.time, from.load_factor, from.displacement, from.residual};
   }
 
-  TangentFactors QuasiStatic::factors(const double dt) const
+  TangentFactors QuasiStatic::factors(const State &from, const double dt) const
   {
-    return {1., 1 / dt, 0.};
+    return {1., from.velocity ? BackwardDifference(from, dt).now : 0., 0.};
   }
 
-  void QuasiStatic::correct(const State & /*from*/,
+  void QuasiStatic::correct(const State  &from,
                             const Vector &increment,
                             const double  dt,
                             State        &trial) const
   {
     add_multiple(1., increment, trial.displacement);
     if (trial.velocity)
-      add_multiple(1 / dt, increment, *trial.velocity);
+      add_multiple(BackwardDifference(from, dt).now,
+                   increment,
+                   *trial.velocity);
   }
 
   bool QuasiStatic::is_dynamic() const
@@ -63,7 +84,8 @@ namespace auxfem
     put_at_rest(from, to);
   }
 
-  TangentFactors Equilibrium::factors(const double /*dt*/) const
+  TangentFactors Equilibrium::factors(const State & /*from*/,
+                                      const double /*dt*/) const
   {
     return {1., 0., 0.};
   }

@@ -162,8 +162,8 @@ TEST(AlphaFamily, FactorsTellWhatACorrectionDoes)
   for (const Coefficients &c : members)
     {
       const AlphaFamily    scheme("member", c);
-      const TangentFactors factors = scheme.factors(dt);
       BareStates           states;
+      const TangentFactors factors = scheme.factors(states.from, dt);
       scheme.predict(states.from, dt, states.to);
       const State  before = states.to;
       const Vector increment(states.to.residual);
@@ -200,7 +200,7 @@ namespace
     (*states.from.algorithmic_acceleration)[0] = start[2];
     (*states.from.acceleration)[0]             = -k * start[0];
     scheme.predict(states.from, 1., states.to);
-    const TangentFactors factors = scheme.factors(1.);
+    const TangentFactors factors = scheme.factors(states.from, 1.);
     Vector               increment(states.to.displacement);
     increment.assign(increment.size(), 0);
     increment[0] =

@@ -55,3 +55,57 @@ TEST(MaxwellOrder, IsTwoForAnyRatioOfStepAndRelaxationTime)
                   0.15);
       }
 }
+
+namespace
+{
+  /**
+   * Largest error of the force of a Maxwell element of 1 N/m without inertia
+   * whose ends move by sin(w t), over the largest force.
+   */
+  double static_error(const double tau, const double dt)
+  {
+    const double w = 10;
+    SceneRun     run(one_mass_scene(
+      "    set Law = maxwell\n    set Spring stiffness = 1\n"
+          "    set Damping coefficient = " +
+        text(tau),
+      "  set Scheme = static\n  set Time step = " + text(dt) +
+        "\n  set End time = " + text(end) + "\n",
+      "subsection Supports\n subsection drive\n  set Joints = 0\n"
+          "  set Type = prescribed\n  set Displacement x = sin(10 * t)\n end\n"
+          "end\n"));
+    double       largest_error = 0, largest_force = 0;
+    run.run([&] {
+      // F' + F / tau = k u'.
+      const double t = run.state.time, a = w * tau;
+      const double exact = a / (1 + a * a) *
+        (std::cos(w * t) + a * std::sin(w * t) - std::exp(-t / tau));
+      // The rate in the first step is that of its middle.
+      if (run.state.step > 1)
+        largest_error =
+          std::max(largest_error, std::abs(run.reaction("drive", 0) - exact));
+      largest_force = std::max(largest_force, std::abs(exact));
+    });
+    return largest_error / largest_force;
+  }
+} // namespace
+
+TEST(MaxwellOrder, IsTwoWithoutInertia)
+{
+  const double    dt = 0.01;
+  ComparisonTable table("Order of the force of a Maxwell element without "
+                        "inertia, steps of 10 and 5 ms");
+  for (const double ratio : {1e-3, 1e-2, 0.1, 1., 10., 100., 1000.})
+    {
+      const double coarse = static_error(dt / ratio, dt),
+                   fine   = static_error(dt / ratio, dt / 2);
+      EXPECT_LT(coarse, 0.02) << ratio;
+      // Errors of the second order are those of a rate, which matters to the
+      // force of a dashpot alone.
+      const double order = std::log2(coarse / fine);
+      if (ratio < 100)
+        EXPECT_GT(order, 1.9) << ratio;
+      else
+        table.row(label("dt / tau", ratio), order, 2, 0.1);
+    }
+}

@@ -368,3 +368,33 @@ end
       table.row(scheme.name, std::log2(coarse / fine), 2, 0.2);
     }
 }
+
+TEST(NumericalEnergy, OfAnElasticStaticPathTheBalanceIsOfThirdOrder)
+{
+  const auto error_of = [](const double dt) {
+    SceneRun run(frame_scene(in_statics,
+                             dt,
+                             1,
+                             "",
+                             "    set Type = prescribed\n"
+                             "    set Displacement x = 0.1 * t^2\n"
+                             "    set Displacement y = 0\n"
+                             "    set Rotation z = 0.3 * t\n",
+                             R"(
+subsection Loads
+  subsection push
+    set Joints   = 2
+    set Force x  = 4 * sin(3 * t)
+    set Moment z = 1.5 * t
+  end
+end
+)"));
+    return relative_error(run);
+  };
+  const double coarse = error_of(0.0125), fine = error_of(0.00625);
+  EXPECT_LT(coarse, 1e-2);
+  ComparisonTable table(
+    "Order of the balance of a static path, steps of 0.0125 "
+    "and 0.00625");
+  table.row("frame", std::log2(coarse / fine), 3, 0.2);
+}

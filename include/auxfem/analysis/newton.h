@@ -54,6 +54,7 @@ namespace auxfem
     {
       Evaluation::Kind kind;
       double           dt;
+      TangentFactors   factors;
       unsigned long    pattern_version;
       bool             is_exact;
       /** Whether no iteration has used it yet but the last. */

@@ -69,8 +69,18 @@ namespace auxfem
     std::optional<double> event_at_begin(double time) const;
     /** Where one that ends there does. */
     std::optional<TimeLimit> event_at_end(double time) const;
-    /** Rates just after loads, or motions of supports, have jumped. */
-    void renew_rates(Solution &solution);
+    /**
+     * What follows from loads, or motions of supports, that are not smooth at
+     * the state. Returns whether the next step follows a jump of them.
+     */
+    bool pass_events(Solution &solution, StepReport &report);
+    /**
+     * Without inertia: a part of a step in which springs answer loads that have
+     * jumped, dashpots do not.
+     */
+    void take_sudden_loads(Solution &solution, StepReport &report);
+    /** With inertia: rates just after the jump at the time @p event (s). */
+    void renew_rates(Solution &solution, StepEnd::Jump jump, double event);
     /**
      * Results and energies of an instant at which rates have been found; where
      * supports have struck, with the work of their impulses.

@@ -10,7 +10,9 @@ namespace auxfem
   /** A time at which a step has to end. */
   struct StepEnd
   {
-    /** What of the lattice's motion jumps there; each includes those before. */
+    /** What of the lattice's motion jumps there; each includes those before.
+     * Without inertia accelerations stand for loads, velocities for supports
+     * that jump. */
     enum class Jump
     {
       none,
@@ -26,7 +28,8 @@ namespace auxfem
    * The times within a run, rising, at which loads and motions of supports have
    * kinks or jump, so that a step has to end there: the time schemes take
    * forces and motions for smooth over a step. With inertia also those at which
-   * accelerations of supports jump.
+   * accelerations of supports jump, without it t = 0 if anything begins
+   * suddenly.
    *
    * More than eight kinks of a load, without inertia of a motion too, that
    * follow each other within a time step are left out: such a function, a

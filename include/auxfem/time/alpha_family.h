@@ -51,7 +51,7 @@ namespace auxfem
     const Coefficients &coefficients() const;
 
     void predict(const State &from, double dt, State &to) const override;
-    TangentFactors factors(double dt) const override;
+    TangentFactors factors(const State &from, double dt) const override;
     void           correct(const State  &from,
                            const Vector &increment,
                            double        dt,

@@ -55,6 +55,19 @@ namespace auxfem
     /** By which the loads of `time` are multiplied. */
     double load_factor = 1;
 
+    /**
+     * The accepted state before this one, kept by schemes without inertia:
+     * velocities and work of second order look back on it. Empty at the start
+     * of a run and where loads have had a kink since.
+     */
+    struct Before
+    {
+      double time; ///< s
+      double load_factor;
+      Vector displacement, residual;
+    };
+    std::optional<Before> before;
+
     /** M, m, rad; the multipliers of constraints (N) lie here too, without
      * rates. Large rotations in space: see NodeRotations. */
     Vector displacement;

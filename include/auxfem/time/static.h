@@ -6,8 +6,26 @@
 namespace auxfem
 {
   /**
+   * Weights (1/s) of the increments of this step and of the one before in the
+   * velocity at the end of a step without inertia,
+   *
+   *   v_{n+1} = now (u_{n+1} - u_n) - before (u_n - u_{n-1}):
+   *
+   * the derivative of the parabola through the three (BDF2, e.g. Hairer &
+   * Wanner 1996, section V.1, of second order for steps of any lengths); of the
+   * line through two where none came before, in the first step after an event.
+   */
+  struct BackwardDifference
+  {
+    double now, before;
+
+    /** Of a step of length @p dt (s) that begins with @p from. */
+    BackwardDifference(const State &from, double dt);
+  };
+
+  /**
    * Equilibrium without inertia at every step. Where viscosity needs a velocity
-   * it is the backward difference (u_{n+1} - u_n) / dt (first order).
+   * it is the BackwardDifference.
    */
   class QuasiStatic : public ImplicitScheme
   {
@@ -15,7 +33,7 @@ namespace auxfem
     QuasiStatic();
 
     void predict(const State &from, double dt, State &to) const override;
-    TangentFactors factors(double dt) const override;
+    TangentFactors factors(const State &from, double dt) const override;
     void           correct(const State  &from,
                            const Vector &increment,
                            double        dt,
@@ -34,7 +52,7 @@ namespace auxfem
     Equilibrium();
 
     void predict(const State &from, double dt, State &to) const override;
-    TangentFactors factors(double dt) const override;
+    TangentFactors factors(const State &from, double dt) const override;
     void           correct(const State  &from,
                            const Vector &increment,
                            double        dt,

@@ -19,6 +19,12 @@ namespace auxfem
     double mass      = 0; ///< 1/s2
   };
 
+  inline bool operator==(const TangentFactors &one, const TangentFactors &other)
+  {
+    return one.stiffness == other.stiffness && one.damping == other.damping &&
+      one.mass == other.mass;
+  }
+
   /**
    * What the user chose as `Time/Scheme`, with its parameters. It says of
    * itself whatever the rest of the program decides by the scheme, so that no
@@ -67,9 +73,10 @@ namespace auxfem
 
     /**
      * How an increment of displacement changes displacement, velocity and
-     * acceleration in a step of length @p dt (s), means if it balances these.
+     * acceleration in a step of length @p dt (s) that begins with @p from, means
+     * if it balances these.
      */
-    virtual TangentFactors factors(double dt) const = 0;
+    virtual TangentFactors factors(const State &from, double dt) const = 0;
 
     /**
      * Adds the increment (values at all local unknowns) to the trial state,

@@ -1,5 +1,6 @@
 #include <auxfem/equations/effects/applied_loads.h>
 #include <auxfem/equations/load_values.h>
+#include <auxfem/equations/path_work.h>
 #include <auxfem/equations/step_travel.h>
 
 namespace auxfem
@@ -110,6 +111,7 @@ namespace auxfem
   {
     // The mean force over the step times the displacement: exact for the
     // average-acceleration rule and between two states, second order otherwise.
+    const PathWork path(step);
     for (const Load &load : loads)
       {
         double along = 0;
@@ -117,7 +119,31 @@ namespace auxfem
           if (numbering.layout().is_owned(w.unknown))
             along += w.weight * motion(step, w.unknown);
         account.add_in_step(load.work_entry, mean_value(load, step) * along);
+        if (path.state_before() != nullptr)
+          account.add_in_step(load.work_entry, work_of_path(load, step, path));
       }
+  }
+
+  double AppliedLoads::work_of_path(const Load       &load,
+                                    const Evaluation &step,
+                                    const PathWork   &path) const
+  {
+    const State::Before   &before = *path.state_before();
+    PathWork::Values       displacement{};
+    const PathWork::Values force{
+      {before.load_factor * load.time_history.value(before.time),
+       step.from.load_factor * value_before(load, step),
+       step.to.load_factor * value_at_end(load.time_history, step)}};
+    for (const Weight &w : load.weights)
+      if (numbering.layout().is_owned(w.unknown) &&
+          (step.to.rotations.empty() ||
+           numbering.rotations().with(w.unknown) < 0))
+        {
+          displacement[0] += w.weight * before.displacement[w.unknown];
+          displacement[1] += w.weight * step.from.displacement[w.unknown];
+          displacement[2] += w.weight * step.to.displacement[w.unknown];
+        }
+    return path.beyond_mean(force, displacement);
   }
 
   double AppliedLoads::motion(const Evaluation &step, const int unknown) const

@@ -1,5 +1,6 @@
 #include <auxfem/equations/effects/connector_forces.h>
 #include <auxfem/parameters/errors.h>
+#include <auxfem/time/static.h>
 
 #include <algorithm>
 #include <cmath>
@@ -182,13 +183,30 @@ namespace auxfem
             results.direction[i][c] = std::numeric_limits<double>::quiet_NaN();
         if (v != nullptr)
           results.velocity_difference[i] = difference(ends, v);
-        // Without inertia a velocity is a difference over a step in which the
-        // line turns; that of the extension does not see the turn.
-        motion.rate =
-          is_between || evaluation.kind == Evaluation::Kind::static_step
-          ? (motion.extension - motion.previous_extension) / evaluation.dt
-          : results.direction[i] * results.velocity_difference[i];
+        motion.rate = rate(i, evaluation, results);
       }
+  }
+
+  double ConnectorForces::rate(const unsigned int      i,
+                               const Evaluation       &evaluation,
+                               const ConnectorResults &results) const
+  {
+    const ConnectorMotion &motion = results.motion[i];
+    const double increment = motion.extension - motion.previous_extension;
+    if (evaluation.kind == Evaluation::Kind::between)
+      return increment / evaluation.dt;
+    if (evaluation.kind != Evaluation::Kind::static_step)
+      return results.direction[i] * results.velocity_difference[i];
+    // Without inertia velocities are differences over steps in which the line
+    // turns; those of the extension do not see the turn.
+    const BackwardDifference difference_in(evaluation.from, evaluation.dt);
+    double                   rate = difference_in.now * increment;
+    if (const auto &before = evaluation.from.before)
+      rate -= difference_in.before *
+        (motion.previous_extension -
+         extension(connectors[i],
+                   difference(connectors[i], before->displacement.data())));
+    return rate;
   }
 
   ConnectorMotion ConnectorForces::motion_at(const Ends  &ends,

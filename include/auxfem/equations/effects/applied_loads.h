@@ -6,6 +6,8 @@
 
 namespace auxfem
 {
+  class PathWork;
+
   /**
    * Dead loads: a fixed distribution over the unknowns times a function of
    * time. Joint forces, line loads and gravity all take this form.
@@ -60,6 +62,10 @@ namespace auxfem
     };
     /** Value when the step begins. */
     double value_before(const Load &load, const Evaluation &step) const;
+    /** By a curved path, of all but moments on large rotations in space (J). */
+    double work_of_path(const Load       &load,
+                        const Evaluation &step,
+                        const PathWork   &path) const;
     /** Mean over the step. */
     double mean_value(const Load &load, const Evaluation &step) const;
     /** Of a step between two states: such that moments too do their work. */

@@ -319,8 +319,9 @@ namespace auxfem
     DampingWork damping_work(const Evaluation &step,
                              const StepMotion &motion) const
     {
-      // Without inertia the rates at the end are those of the whole step.
-      const bool  ends_alike = step.kind == Evaluation::Kind::static_step;
+      // Without inertia the rates at the end are those of the first step.
+      const bool ends_alike =
+        step.kind == Evaluation::Kind::static_step && !step.from.before;
       DampingWork work;
       for (unsigned int e = 0; e < elements.size(); ++e)
         {

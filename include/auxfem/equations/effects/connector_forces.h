@@ -118,6 +118,11 @@ namespace auxfem
     void find_motion(const Evaluation &evaluation,
                      ConnectorResults &results) const;
 
+    /** At which connector @p i with the extensions in @p results grows (m/s). */
+    double rate(unsigned int            i,
+                const Evaluation       &evaluation,
+                const ConnectorResults &results) const;
+
     /** Forces of the motion in @p results, and internal variables. */
     void find_response(const Evaluation &evaluation,
                        ConnectorResults &results) const;
