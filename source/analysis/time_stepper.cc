@@ -335,7 +335,7 @@ namespace auxfem
       return reject(
         "the step would create energy (more than Time/Largest energy error)");
     raise_largest_energy(state, trial.state);
-    watches.step(step, solvers->tangent);
+    watches.step(step, trial.results, solvers->tangent);
     trial.state.step = state.step;
     state            = trial.state;
     std::swap(solution.results, trial.results);

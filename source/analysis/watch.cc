@@ -14,6 +14,13 @@ namespace auxfem
       watches.push_back(make_stability_watch(scene, equations, work));
     if (has_inertia)
       watches.push_back(make_step_watch(scene, equations));
+    // Nor does what is in proportion to the loads show by its size.
+    if (equations.reporting().struts != nullptr && !equations.is_linear())
+      {
+        watches.push_back(make_strain_watch(equations));
+        if (!scene.struts_may_cross)
+          watches.push_back(make_crossing_watch(scene, equations));
+      }
   }
 
   void Watches::start(const State &state)
@@ -22,10 +29,12 @@ namespace auxfem
       watch->start(state);
   }
 
-  void Watches::step(const Evaluation &step, TangentSolver &solver)
+  void Watches::step(const Evaluation        &step,
+                     const EvaluationResults &results,
+                     TangentSolver           &solver)
   {
     for (const auto &watch : watches)
-      watch->step(step, solver);
+      watch->step(step, results, solver);
   }
 
   std::vector<Finding> Watches::findings() const

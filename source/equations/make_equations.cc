@@ -124,11 +124,12 @@ namespace auxfem
           simulated.large_rotation,
           simulated.shear_flexibility,
           has_damping(structure, &Section::stiffness_proportional_damping)};
-        auto struts              = StrutForces::make(structure.lattice,
+        auto struts                    = StrutForces::make(structure.lattice,
                                         structure.numbering,
                                         structure.sections,
                                         beams);
-        reporting_effects.struts = struts.get();
+        reporting_effects.struts       = struts.get();
+        reporting_effects.strut_effect = effects.size();
         effects.push_back(std::move(struts));
       }
     if (auto springs =

@@ -82,6 +82,12 @@ namespace auxfem
       "Joints of the cell at which these struts stand: sets of joints or sides "
       "of the cell joined by +, or all; only with a Layer distance."};
 
+    const Boolean struts_may_cross = {
+      "Struts may cross",
+      false,
+      "Whether struts may pass through each other, as those that lie side by "
+      "side across the plane may; else the verdict tells when they do."};
+
     /** In the plane there is one layer of no thickness. */
     void refuse_layers(dealii::ParameterHandler &prm,
                        const SceneContext       &context)
@@ -121,7 +127,8 @@ namespace auxfem
         refuse_layers(prm, context);
       scene.n_cells = {
         {get(prm, cells_x), get(prm, cells_y), get(prm, cells_z)}};
-      scene.cell = read_cell(prm, context);
+      scene.cell             = read_cell(prm, context);
+      scene.struts_may_cross = get(prm, struts_may_cross);
     }
 
     SubsectionKind lattice_kind()
@@ -136,6 +143,7 @@ namespace auxfem
                 declare(prm, cells_z);
                 declare(prm, layer_distance);
                 declare(prm, columns_at);
+                declare(prm, struts_may_cross);
               },
               "Cell",
               variants_of(cell_registry()),

@@ -249,15 +249,17 @@ namespace auxfem
         value_or(prm,
                  torsion_of_rectangle,
                  torsion_constant_of_rectangle(std::max(b, h), std::min(b, h)));
-      section.radius = h / 2;
+      section.radius          = h / 2;
+      section.fibre_distances = {{b / 2, h / 2}};
       set_shear_areas(prm, 5. / 6., section);
     }
 
     void read_circle(dealii::ParameterHandler &prm, Section &section)
     {
-      const double r = get(prm, radius);
-      section.area   = PI * r * r;
-      section.radius = r;
+      const double r          = get(prm, radius);
+      section.area            = PI * r * r;
+      section.radius          = r;
+      section.fibre_distances = {{r, r}};
       set_round(PI / 4 * r * r * r * r, section);
       set_shear_areas(prm, 0.9, section);
     }
@@ -273,8 +275,9 @@ namespace auxfem
           path + ": Wall thickness = " + prm.get(wall_thickness.name) +
           " is more than Outer radius = " + prm.get(outer_radius.name) +
           "; reduce it, or set Shape = circle for a solid rod");
-      section.area   = PI * (outer * outer - inner * inner);
-      section.radius = outer;
+      section.area            = PI * (outer * outer - inner * inner);
+      section.radius          = outer;
+      section.fibre_distances = {{outer, outer}};
       set_round(PI / 4 * (std::pow(outer, 4) - std::pow(inner, 4)), section);
       set_shear_areas(prm, 0.5, section);
     }

@@ -170,4 +170,20 @@ namespace auxfem
         }
     return notes;
   }
+
+  std::string load_values_in_words(const Scene &scene, const double time)
+  {
+    constexpr unsigned int most = 3;
+    std::ostringstream     words;
+    words.precision(4);
+    unsigned int n = 0;
+    for (const TimeFunction &function : functions_of_time(scene))
+      if (const double value = function.value(time); value != 0)
+        {
+          if (++n > most)
+            return words.str() + ", ...";
+          words << (n > 1 ? ", " : "") << function.origin() << " = " << value;
+        }
+    return words.str();
+  }
 } // namespace auxfem

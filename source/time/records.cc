@@ -105,4 +105,16 @@ namespace auxfem
   {
     return values(name, the_run, n);
   }
+
+  void Records::keep_text(const std::string &name, const std::string &text)
+  {
+    keep(name, std::vector<double>(text.begin(), text.end()));
+  }
+
+  std::string Records::text(const std::string &name) const
+  {
+    const std::vector<double> characters =
+      values(name, find(name).values_per_item);
+    return {characters.begin(), characters.end()};
+  }
 } // namespace auxfem

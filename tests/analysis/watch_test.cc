@@ -5,7 +5,6 @@
 #include <support/run_program.h>
 #include <verification/one_mass_scene.h>
 
-
 using namespace auxfem;
 using namespace auxfem::testing_support;
 
@@ -90,6 +89,8 @@ TEST(StabilityWatch, SaysWhenAndWhereAColumnBucklesInStatics)
   EXPECT_LE(straight[0].time, 0.15);
   EXPECT_NE(straight[0].place.find("joint 1"), std::string::npos)
     << straight[0].place;
+  EXPECT_NE(straight[0].text.find("Force x: '-40 * t' = -5"), std::string::npos)
+    << straight[0].text;
 
   const auto below = findings_of(column, {"Time/End time=0.12"});
   EXPECT_TRUE(below.empty()) << verdict_text(below);
@@ -133,4 +134,43 @@ TEST(StabilityWatch, AFreeBodyIsStable)
                                  "Loads/press/Force x=0",
                                  "Loads/press/Force y=if(t < 0.05, 1, 0)"});
   EXPECT_TRUE(free.empty()) << verdict_text(free);
+}
+
+TEST(StrainWatch, KnowsTheStrainOfABarAndItsOuterFibres)
+{
+  const auto findings = [](const std::string &x, const std::string &turn) {
+    return findings_of(column,
+                       {"Loads/press/Force x=0",
+                        "Supports/pull/Type=prescribed",
+                        "Supports/pull/Joints=1",
+                        "Supports/pull/Displacement x=" + x,
+                        "Supports/pull/Rotation z=" + turn});
+  };
+  const auto stretched = findings("3 * t", "0");
+  ASSERT_EQ(stretched.size(), 1u) << verdict_text(stretched);
+  EXPECT_EQ(stretched[0].verdict, Verdict::doubtful);
+  EXPECT_EQ(stretched[0].place, "strut 0");
+  EXPECT_EQ(stretched[0].time, 0.2);
+  EXPECT_NE(stretched[0].text.find(" 60 %"), std::string::npos)
+    << stretched[0].text;
+  EXPECT_EQ(verdict_of(findings("2.4 * t", "0")), Verdict::sound);
+  EXPECT_EQ(verdict_of(findings("6 * t", "0")), Verdict::not_to_be_used);
+
+  // Without a force on its end the curve is a circle, and not stretched; with a
+  // fifth of its length as radius of the section it does not close.
+  const auto bent = [](const double strain) {
+    const double curvature = strain / 0.2,
+                 stiffness = 1e6 * std::acos(-1.) / 4 * std::pow(0.2, 4);
+    return findings_of(replaced(column,
+                                "given\n    set Area                  = 0.01\n"
+                                "    set Shear area            = 0.01\n"
+                                "    set Second moment of area = 2e-6\n",
+                                "circle\n    set Radius = 0.2\n"),
+                       {"Loads/press/Force x=0",
+                        "Loads/press/Moment z=" +
+                          std::to_string(stiffness * curvature) +
+                          " * t / 0.2"});
+  };
+  EXPECT_EQ(verdict_of(bent(0.49)), Verdict::sound);
+  EXPECT_EQ(verdict_of(bent(0.51)), Verdict::doubtful);
 }

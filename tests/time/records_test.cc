@@ -48,3 +48,12 @@ TEST(Records, WhatIsNotThereIsRefusedByName)
   expect_parts(input_error_of([&] { records.values("pairs", {4}, 3); }),
                {"\"pairs\" with 3 values"});
 }
+
+TEST(Records, KeepTexts)
+{
+  Records records;
+  records.keep_text("place", "joint 3 at (0, 1)");
+  records.keep_text("nowhere", "");
+  EXPECT_EQ(records.text("place"), "joint 3 at (0, 1)");
+  EXPECT_EQ(records.text("nowhere"), "");
+}

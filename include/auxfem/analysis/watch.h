@@ -25,9 +25,12 @@ namespace auxfem
     /**
      * A step, or a part of one, is solved and accepted; step.to has its
      * energies.
+     * @param results of its end
      * @param solver of Newton's method, with the factorization it keeps
      */
-    virtual void step(const Evaluation &step, TangentSolver &solver) = 0;
+    virtual void step(const Evaluation        &step,
+                      const EvaluationResults &results,
+                      TangentSolver           &solver) = 0;
 
     /** What it makes of the run so far; the same on all ranks. */
     virtual std::vector<Finding> findings() const = 0;
@@ -47,7 +50,9 @@ namespace auxfem
     Watches(const Scene &scene, const Equations &equations, Work &work);
 
     void start(const State &state);
-    void step(const Evaluation &step, TangentSolver &solver);
+    void step(const Evaluation        &step,
+              const EvaluationResults &results,
+              TangentSolver           &solver);
 
     /** Of all, the worst first. */
     std::vector<Finding> findings() const;
@@ -68,6 +73,13 @@ namespace auxfem
   /** Of steps that are long for the motion that they follow. With inertia. */
   std::unique_ptr<Watch> make_step_watch(const Scene     &scene,
                                          const Equations &equations);
+
+  /** Of strains that no linear law stands for; the scene has elastic struts. */
+  std::unique_ptr<Watch> make_strain_watch(const Equations &equations);
+
+  /** Of struts that pass through each other; the scene has elastic struts. */
+  std::unique_ptr<Watch> make_crossing_watch(const Scene     &scene,
+                                             const Equations &equations);
 
   /** Of equilibria and motions that a disturbance would leave. */
   std::unique_ptr<Watch> make_stability_watch(const Scene     &scene,

@@ -34,6 +34,11 @@ namespace auxfem
      * Vector that axis 3 is as near to as can be; empty: default_reference().
      */
     std::optional<dealii::Tensor<1, 3>> reference;
+    /**
+     * Distance of the outer fibres from axes 2 and 3 (m); 0 of a section that
+     * is given by its stiffnesses: it has no shape.
+     */
+    std::array<double, 2> fibre_distances = {{0., 0.}};
     /** Radius of the tube drawn in ParaView (m). */
     double radius = 0;
     /** The time beta in stress = E (strain + beta strain rate) (s). */

@@ -29,6 +29,7 @@ namespace auxfem
   {
     /** nullptr if the scene has no elastic struts. */
     const StrutForces *struts = nullptr;
+    unsigned int strut_effect = 0; ///< index in EvaluationResults::of_effects
     /** nullptr if the scene has no rigid parts. */
     const RigidPartConditions  *rigid_parts = nullptr;
     std::vector<ConnectorGroup> connectors;

@@ -307,9 +307,11 @@ namespace auxfem
     std::string  file;
     /** All files it was read from: `file` with those it includes, tables, the
      * mesh file. */
-    std::vector<std::string>               input_files;
-    std::shared_ptr<const Cell>            cell;
-    std::array<unsigned int, 3>            n_cells = {{1, 1, 1}};
+    std::vector<std::string>    input_files;
+    std::shared_ptr<const Cell> cell;
+    std::array<unsigned int, 3> n_cells = {{1, 1, 1}};
+    /** Nothing is wrong with struts that pass through each other. */
+    bool                                   struts_may_cross = false;
     std::vector<SetDefinition>             sets;
     std::vector<SectionDefinition>         sections;
     std::vector<JointDefinition>           joints;

@@ -18,6 +18,13 @@ namespace auxfem
    * 2^18 steps.
    */
   std::vector<std::string> time_function_notes(const Scene &scene);
+
+  /**
+   * The loads and motions of supports that are not zero at @p time (s), with
+   * their values, in words, e.g. `Loads/press/Force x: '-40 * t' = -4.9`; three
+   * at most.
+   */
+  std::string load_values_in_words(const Scene &scene, double time);
 } // namespace auxfem
 
 #endif

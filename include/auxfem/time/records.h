@@ -58,6 +58,9 @@ namespace auxfem
     /** Adds a record of the run as a whole, the same on all ranks. */
     void keep(const std::string &name, const std::vector<double> &new_values);
 
+    /** Adds a record of the run as a whole, a text, the same on all ranks. */
+    void keep_text(const std::string &name, const std::string &text);
+
     /** Items of a record. Throws InputError if there is no such record. */
     const std::vector<unsigned int> &items(const std::string &name) const;
 
@@ -74,6 +77,10 @@ namespace auxfem
      * there is no such record.
      */
     std::vector<double> values(const std::string &name, unsigned int n) const;
+
+    /** What keep_text() has kept. Throws InputError if there is no such record.
+     */
+    std::string text(const std::string &name) const;
 
   private:
     const Record &find(const std::string &name) const;

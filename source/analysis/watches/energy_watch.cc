@@ -16,7 +16,9 @@ namespace auxfem
         judgement.start(state.energies);
       }
 
-      void step(const Evaluation &step, TangentSolver & /*solver*/) override
+      void step(const Evaluation &step,
+                const EvaluationResults & /*results*/,
+                TangentSolver & /*solver*/) override
       {
         judgement.add(step.to.energies, step.to.time);
       }

@@ -1,6 +1,7 @@
 #include <auxfem/analysis/inverse_iteration.h>
 #include <auxfem/analysis/watch.h>
 #include <auxfem/model/unknown_words.h>
+#include <auxfem/scene/time_function_notes.h>
 
 #include <algorithm>
 #include <cmath>
@@ -96,10 +97,14 @@ namespace auxfem
       EvaluationResults            results;
     };
 
-    /** When and where stability was lost first, if it was. */
+    /** When, where and under which loads stability was lost first, if it was.
+     */
     class FirstLoss
     {
     public:
+      explicit FirstLoss(const Scene &scene) : scene(scene)
+      {}
+
       explicit operator bool() const
       {
         return is_lost;
@@ -115,7 +120,9 @@ namespace auxfem
       /** Begins the sentence of a finding. */
       void write(std::ostream &text) const
       {
+        const std::string loads = load_values_in_words(scene, time);
         text << "Stability is lost at about t = " << time << " s"
+             << (loads.empty() ? "" : " (" + loads + ")")
              << (place.empty() ? "" : ", most at the " + place) << ": ";
       }
 
@@ -127,6 +134,7 @@ namespace auxfem
       void save(Records &records) const
       {
         records.keep(record_name + ": first loss", {is_lost ? 1. : 0., time});
+        records.keep_text(record_name + ": place", place);
       }
 
       void resume(const Records &records)
@@ -135,12 +143,14 @@ namespace auxfem
           records.values(record_name + ": first loss", 2);
         is_lost = values[0] != 0;
         time    = values[1];
+        place   = records.text(record_name + ": place");
       }
 
     private:
-      bool        is_lost = false;
-      double      time    = 0; ///< s
-      std::string place;
+      const Scene &scene;
+      bool         is_lost = false;
+      double       time    = 0; ///< s
+      std::string  place;
     };
 
     /**
@@ -156,9 +166,12 @@ namespace auxfem
                        const Equations &equations,
                        Work            &work)
         : aside(scene, equations, work)
+        , first(scene)
       {}
 
-      void step(const Evaluation &step, TangentSolver &newtons) override
+      void step(const Evaluation &step,
+                const EvaluationResults & /*results*/,
+                TangentSolver &newtons) override
       {
         const std::optional<Inertia> on_the_way = newtons.new_inertia();
         last = on_the_way && aside.beyond_conditions(*on_the_way) == 0
@@ -228,9 +241,12 @@ namespace auxfem
         : aside(scene, equations, work)
         , end_time(scene.time.end_time)
         , work(work)
+        , first(scene)
       {}
 
-      void step(const Evaluation &step, TangentSolver & /*solver*/) override
+      void step(const Evaluation &step,
+                const EvaluationResults & /*results*/,
+                TangentSolver & /*solver*/) override
       {
         const bool is_last = step.to.time >= end_time;
         if (work.iterations < next_look && !is_last)

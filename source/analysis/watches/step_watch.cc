@@ -35,7 +35,9 @@ namespace auxfem
         , equations(equations)
       {}
 
-      void step(const Evaluation &step, TangentSolver & /*solver*/) override
+      void step(const Evaluation &step,
+                const EvaluationResults & /*results*/,
+                TangentSolver & /*solver*/) override
       {
         // Rates and accelerations of the steps before mean nothing after a
         // jump, and other unknowns may have come.

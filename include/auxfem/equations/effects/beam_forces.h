@@ -20,7 +20,9 @@ namespace auxfem
   /** What struts do in one evaluation. */
   struct BeamResults : public EffectResults
   {
-    explicit BeamResults(const unsigned int n_elements) : forces(n_elements)
+    explicit BeamResults(const unsigned int n_elements)
+      : forces(n_elements)
+      , strain_energies(n_elements)
     {}
 
     /** Of all that are counted by this rank. */
@@ -30,6 +32,8 @@ namespace auxfem
      * the length of the strut.
      */
     std::vector<double> forces;
+    /** Of every element (J). */
+    std::vector<double> strain_energies;
   };
 
   /** Resultants at a point: N, Q_2, Q_3 (N), T, M_2, M_3 (N m). */
@@ -270,6 +274,57 @@ namespace auxfem
       return points;
     }
 
+    std::vector<dealii::Point<3>>
+    axis(const State       &state,
+         const unsigned int e,
+         const unsigned int n_points) const override
+    {
+      const DofNumbering::Element  &element  = numbering.elements()[e];
+      const int                    *unknowns = numbering.element_unknowns(e);
+      std::vector<dealii::Point<3>> points(n_points);
+      for (unsigned int i = 0; i < n_points; ++i)
+        {
+          const double xi = -1 + 2. * i / (n_points - 1);
+          double       N[order + 1];
+          shape.values_at(xi, N);
+          dealii::Tensor<1, 3> tangent;
+          lattice.axis(lattice.struts[element.place.strut],
+                       element.place.at(xi),
+                       points[i],
+                       tangent);
+          for (int a = 0; a <= order; ++a)
+            for (unsigned int d = 0; d < lattice.dimension; ++d)
+              points[i][d] +=
+                N[a] * state.displacement[unknowns[n_components * a + d]];
+        }
+      return points;
+    }
+
+    StrutStrain largest_strain(const State         &state,
+                               const EffectResults &results,
+                               const double         least) const override
+    {
+      const auto &energies =
+        static_cast<const BeamResults &>(results).strain_energies;
+      const double weight =
+        *std::min_element(std::begin(shape.weight), std::end(shape.weight));
+      StrutStrain largest{least, invalid_index};
+      for (unsigned int e = 0; e < elements.size(); ++e)
+        {
+          const Element     &data    = elements[e];
+          const unsigned int strut   = numbering.elements()[e].place.strut;
+          const Section     &section = sections[lattice.struts[strut].section];
+          if (!data.counted ||
+              2 * strain_per_energy(section) * energies[e] <=
+                largest.value * largest.value * weight * data.jacobian)
+            continue;
+          const double strain = largest_strain(state, e, section);
+          if (strain > largest.value)
+            largest = {strain, strut};
+        }
+      return largest;
+    }
+
   private:
     static constexpr int order        = Beam::order;
     static constexpr int n_components = Beam::n_components;
@@ -354,6 +409,45 @@ namespace auxfem
       return work;
     }
 
+    /**
+     * Square of the strain of outer fibres over twice the energy per length
+     * (1/N), at most: N / EA + M d / EI against N^2 / EA + M^2 / EI.
+     */
+    static double strain_per_energy(const Section &section)
+    {
+      const auto [d2, d3] = section.fibre_distances;
+      return 1 / section.axial_stiffness() +
+        d2 * d2 / section.bending_stiffness_2() +
+        d3 * d3 / section.bending_stiffness_3();
+    }
+
+    /** Of outer fibres at the Gauss points of element @p e. */
+    double largest_strain(const State       &state,
+                          const unsigned int e,
+                          const Section     &section) const
+    {
+      SectionForces elastic[order], viscous[order] = {};
+      Beam::section_forces(shape,
+                           &frames[std::size_t(e) * order],
+                           elements[e].jacobian,
+                           elements[e].stiffness,
+                           Beam::motion(numbering,
+                                        numbering.element_unknowns(e),
+                                        state),
+                           elastic,
+                           viscous);
+      const auto &fibres  = section.fibre_distances;
+      double      largest = 0;
+      for (const SectionForces &forces : elastic)
+        largest = std::max(largest,
+                           std::abs(forces[0]) / section.axial_stiffness() +
+                             std::abs(forces[4]) * fibres[0] /
+                               section.bending_stiffness_2() +
+                             std::abs(forces[5]) * fibres[1] /
+                               section.bending_stiffness_3());
+      return largest;
+    }
+
     /** Adds element_force(e, force) of all elements; fills @p results. */
     template <class ElementForce>
     void sum_forces(const ElementForce &element_force,
@@ -374,6 +468,7 @@ namespace auxfem
           for (int i = 0; i < n; ++i)
             residual[unknowns[i]] += force[i];
           results.forces[e] = largest_at_ends(force, elements[e].length);
+          results.strain_energies[e] = of_element.strain;
         }
       results.energy = energy;
     }

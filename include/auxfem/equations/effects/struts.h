@@ -25,6 +25,13 @@ namespace auxfem
     double               energy_density; ///< strain energy per length (J/m)
   };
 
+  /** Strain of an outer fibre: axial strain and those of bending. */
+  struct StrutStrain
+  {
+    double       value = 0;
+    unsigned int strut = invalid_index;
+  };
+
   /** Which part of the beam theory is used. */
   struct StrutModel
   {
@@ -51,6 +58,20 @@ namespace auxfem
      */
     virtual std::vector<StrutPoint>
     sample(const State &state, unsigned int e, unsigned int n_points) const = 0;
+
+    /** Positions (m) at @p state of the same points. */
+    virtual std::vector<dealii::Point<3>>
+    axis(const State &state, unsigned int e, unsigned int n_points) const = 0;
+
+    /**
+     * The largest strain at a Gauss point of the struts counted by this rank,
+     * if
+     * it is more than @p least; else that, of no strut.
+     * @param results of the evaluation of @p state
+     */
+    virtual StrutStrain largest_strain(const State         &state,
+                                       const EffectResults &results,
+                                       double               least) const = 0;
   };
 } // namespace auxfem
 

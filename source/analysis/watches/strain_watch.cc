@@ -1,0 +1,101 @@
+#include <auxfem/analysis/watch.h>
+#include <auxfem/time/largest_in_time.h>
+
+#include <sstream>
+
+namespace auxfem
+{
+  namespace
+  {
+    const std::string record_name = "watch: strain";
+
+    /**
+     * Of outer fibres. At 50 % what is called strain makes as large a
+     * difference to the force; at 100 % a fibre in compression is gone.
+     */
+    constexpr double doubtful_strain = 0.5, ruinous_strain = 1;
+
+    class StrainWatch : public Watch
+    {
+    public:
+      explicit StrainWatch(const Equations &equations) : equations(equations)
+      {}
+
+      void step(const Evaluation        &step,
+                const EvaluationResults &results,
+                TangentSolver & /*solver*/) override
+      {
+        const ReportingEffects &effects = equations.reporting();
+        const StrutStrain       found   = effects.struts->largest_strain(
+          step.to,
+          *results.of_effects[effects.strut_effect],
+          std::max(largest.value, doubtful_strain));
+        if (found.strut == invalid_index)
+          return;
+        largest.add(found.value, step.to.time);
+        strut = found.strut;
+      }
+
+      std::vector<Finding> findings() const override
+      {
+        const OfAllRanks all = of_all_ranks();
+        if (all.value <= doubtful_strain)
+          return {};
+        std::ostringstream text;
+        text.precision(3);
+        const std::string place = "strut " + std::to_string(all.strut);
+        text << "The strain reaches " << 100 * all.value << " % in an outer "
+             << "fibre of " << place
+             << ". Stress in proportion to strain and sections that keep their "
+                "shape, which beams here are made of, do not hold beyond some "
+             << 100 * doubtful_strain
+             << " % for any material: check loads, sections and units.";
+        return {{all.value > ruinous_strain ? Verdict::not_to_be_used
+                                            : Verdict::doubtful,
+                 text.str(),
+                 all.time,
+                 place}};
+      }
+
+      void save(Records &records) const override
+      {
+        const OfAllRanks all = of_all_ranks();
+        records.keep(record_name, {all.value, all.time, double(all.strut)});
+      }
+
+      void resume(const Records &records) override
+      {
+        const std::vector<double> values = records.values(record_name, 3);
+        largest                          = {values[0], values[1]};
+        strut                            = values[2];
+      }
+
+    private:
+      struct OfAllRanks
+      {
+        double       value, time; ///< s
+        unsigned int strut;
+      };
+
+      OfAllRanks of_all_ranks() const
+      {
+        const UnknownLayout &layout  = equations.unknowns().layout;
+        const double         value   = layout.largest(largest.value);
+        const bool           is_mine = value == largest.value;
+        return {value,
+                layout.largest(is_mine ? largest.time : 0.),
+                static_cast<unsigned int>(
+                  layout.largest(is_mine ? double(strut) : 0.))};
+      }
+
+      const Equations &equations;
+      LargestInTime    largest;
+      unsigned int     strut = 0;
+    };
+  } // namespace
+
+  std::unique_ptr<Watch> make_strain_watch(const Equations &equations)
+  {
+    return std::make_unique<StrainWatch>(equations);
+  }
+} // namespace auxfem

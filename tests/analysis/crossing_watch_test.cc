@@ -1,0 +1,142 @@
+#include <auxfem/output/memory_recorder.h>
+#include <auxfem/simulation.h>
+
+#include <gtest/gtest.h>
+
+using namespace auxfem;
+
+namespace
+{
+  std::vector<Finding> findings_of(const std::string &text,
+                                   const MPI_Comm     communicator)
+  {
+    const Scene    scene = read_scene_from_text(text, "test.prm", {});
+    MemoryRecorder recorder(scene, communicator);
+    return run(scene, communicator, recorder).findings;
+  }
+
+  /** Bars of radius 10 mm; joint 0 is moved. */
+  std::string bars(const std::string &dimension,
+                   const std::string &joints,
+                   const std::string &struts,
+                   const std::string &held,
+                   const std::string &motion)
+  {
+    return "set Dimension = " + dimension +
+      "\nsubsection Lattice\n  set Cell = frame\n  set Joints = " + joints +
+      "\n  set Struts = " + struts + R"(
+end
+subsection Sections
+  subsection s
+    set Shape           = circle
+    set Radius          = 10 mm
+    set Young's modulus = 1 GPa
+    set Density         = 1000
+  end
+end
+subsection Supports
+  subsection held
+    set Type   = clamp
+    set Joints = )" +
+      held + R"(
+  end
+  subsection moved
+    set Type   = prescribed
+    set Joints = 0
+)" + motion +
+      R"(  end
+end
+subsection Time
+  set Scheme    = static
+  set Time step = 0.01
+  set End time  = 1
+end
+)";
+  }
+
+  /** A cantilever, whose end is bent through a bar at y = 0.2. */
+  std::string bent_through(const std::string &motion)
+  {
+    return bars("2",
+                "0.9 0; 0 0; 0.6 0.2; 1.5 0.2",
+                "0 1; 2 3",
+                "1, 2, 3",
+                "    set Displacement y = " + motion + '\n');
+  }
+
+  /** The same in space, beside the bar. */
+  std::string bent_past(const std::string &z)
+  {
+    return bars("3",
+                "0.9 0 0; 0 0 0; 0.8 0.2 " + z + "; 0.8 0.2 -1",
+                "0 1; 2 3",
+                "1, 2, 3",
+                "    set Displacement y = 0.4 * t\n");
+  }
+} // namespace
+
+TEST(CrossingWatch, SaysWhichStrutsCrossAndWhen)
+{
+  const auto found = findings_of(bent_through("0.4 * t"), MPI_COMM_SELF);
+  ASSERT_EQ(found.size(), 1u) << verdict_text(found);
+  EXPECT_EQ(found[0].verdict, Verdict::doubtful);
+  // Looks are two steps from each other.
+  EXPECT_NEAR(found[0].time, 0.5, 0.101);
+  EXPECT_EQ(found[0].place, "strut 0");
+  EXPECT_NE(found[0].text.find("0 and 1"), std::string::npos) << found[0].text;
+
+  const auto short_of = findings_of(bent_through("0.19 * t"), MPI_COMM_SELF);
+  EXPECT_TRUE(short_of.empty()) << verdict_text(short_of);
+}
+
+TEST(CrossingWatch, WhatCrossesAtRestMay)
+{
+  const auto found = findings_of(bars("2",
+                                      "0.9 0; 0 0; 0.3 -1; 0.3 1",
+                                      "0 1; 2 3",
+                                      "1, 2, 3",
+                                      "    set Displacement y = 0.2 * t\n"),
+                                 MPI_COMM_SELF);
+  EXPECT_TRUE(found.empty()) << verdict_text(found);
+}
+
+TEST(CrossingWatch, AStrutMayCrossItself)
+{
+  // Its end turned by more than once round and led past its beginning.
+  const std::string motion =
+    "    set Displacement x = -0.95 * t\n"
+    "    set Displacement y = 0.3 * sin(pi * t) - 0.05 * t\n"
+    "    set Rotation z     = 2 * pi * t\n";
+  const std::string loop = bars("2", "1 0; 0 0", "0 1", "1", motion) +
+    "subsection Discretization\n  set Order = 3\n"
+    "  set Global refinements = 3\nend\n";
+  const auto found = findings_of(loop, MPI_COMM_SELF);
+  ASSERT_FALSE(found.empty());
+  bool is_told = false;
+  for (const Finding &finding : found)
+    is_told |= finding.text.find("crosses itself") != std::string::npos;
+  EXPECT_TRUE(is_told) << verdict_text(found);
+}
+
+TEST(CrossingWatch, KnowsThicknessInSpace)
+{
+  // Along y past the end of a bar along z, in it by 15 mm and beside it.
+  const auto through = findings_of(bent_past("0.005"), MPI_COMM_SELF);
+  ASSERT_EQ(through.size(), 1u) << verdict_text(through);
+  EXPECT_NEAR(through[0].time, 0.5, 0.05);
+  const auto beside = findings_of(bent_past("-0.025"), MPI_COMM_SELF);
+  EXPECT_TRUE(beside.empty()) << verdict_text(beside);
+}
+
+TEST(CrossingWatch, FindsTheSameOnAllRanks)
+{
+  for (const std::string &scene : {bent_through("0.4 * t"), bent_past("0.005")})
+    {
+      const auto alone    = findings_of(scene, MPI_COMM_SELF),
+                 together = findings_of(scene, MPI_COMM_WORLD);
+      ASSERT_EQ(alone.size(), 1u);
+      ASSERT_EQ(together.size(), 1u);
+      EXPECT_EQ(together[0].text, alone[0].text);
+      EXPECT_EQ(together[0].time, alone[0].time);
+    }
+}
