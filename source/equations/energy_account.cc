@@ -1,6 +1,10 @@
 #include <auxfem/elements/cayley_turn.h>
 #include <auxfem/equations/energy_account.h>
 
+#include <cmath>
+#include <cstdint>
+
+
 namespace auxfem
 {
   namespace
@@ -49,6 +53,36 @@ namespace auxfem
                  acceleration);
   }
 
+  bool may_have_excess(const Evaluation &step)
+  {
+    // Mean forces go with means of the motion, large turns in the plane by
+    // Cayley's measure.
+    if (step.kind == Evaluation::Kind::between)
+      return true;
+    constexpr double digits = 1e-12;
+    const double     per_dt = 1 / step.dt;
+    const double    *u0     = step.from.displacement.data(),
+                 *u1        = step.to.displacement.data(),
+                 *v0        = step.from.velocity->data(),
+                 *v1        = step.to.velocity->data(),
+                 *a0        = step.from.acceleration->data(),
+                 *a1        = step.to.acceleration->data();
+    std::uint64_t n         = 0;
+    for (std::size_t i = 0; i < step.to.displacement.size(); ++i)
+      {
+        const double v = (v0[i] + v1[i]) / 2, a = (a0[i] + a1[i]) / 2;
+        n += std::abs((u1[i] - u0[i]) * per_dt - v) >
+            digits * (std::abs(u1[i]) * per_dt + std::abs(v))
+          ? 1
+          : 0;
+        n += std::abs((v1[i] - v0[i]) * per_dt - a) >
+            digits * (std::abs(v1[i]) * per_dt + std::abs(a))
+          ? 1
+          : 0;
+      }
+    return n > 0;
+  }
+
   EnergyAccount::EnergyAccount(const Evaluation &step)
     : step(step)
     , amounts(step.from.energy_sums.size(), 0.)
@@ -75,6 +109,13 @@ namespace auxfem
     if (!motion_of_step)
       motion_of_step.emplace(step);
     return *motion_of_step;
+  }
+
+  bool EnergyAccount::has_excess()
+  {
+    if (!step_has_excess)
+      step_has_excess = may_have_excess(step);
+    return *step_has_excess;
   }
 
   std::vector<double> EnergyAccount::close()

@@ -9,8 +9,8 @@ namespace auxfem
 {
   /**
    * The motion in a step as the mean of the forces at its ends does work on it,
-   * of all local unknowns. What is in excess vanishes for schemes that damp
-   * nothing.
+   * of all local unknowns. What is in excess is round-off for schemes that damp
+   * nothing, where neither motions of supports nor rates put right interfere.
    */
   struct StepMotion
   {
@@ -52,6 +52,12 @@ namespace auxfem
     }
   };
 
+  /**
+   * Whether what StepMotion has in excess in a step with inertia can be more
+   * than round-off. Tells in one pass what takes several to compute.
+   */
+  bool may_have_excess(const Evaluation &step);
+
   /** Takes down the energies of an evaluation, this rank's share. */
   class EnergyAccount
   {
@@ -82,7 +88,7 @@ namespace auxfem
                      const Product     &product)
     {
       add(kinetic_entry, product(*step.to.velocity, *step.to.velocity) / 2);
-      if (takes_time())
+      if (takes_time() && has_excess())
         add_in_step(numerical_entry, motion().taken_from_kinetic(product));
     }
 
@@ -90,9 +96,12 @@ namespace auxfem
     std::vector<double> close();
 
   private:
+    bool has_excess();
+
     const Evaluation         &step;
     std::vector<double>       amounts, sums;
     std::optional<StepMotion> motion_of_step;
+    std::optional<bool>       step_has_excess;
   };
 } // namespace auxfem
 

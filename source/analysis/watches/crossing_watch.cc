@@ -32,12 +32,6 @@ namespace auxfem
       {
         archive &struts &points;
       }
-
-      void add(const Axes &others)
-      {
-        struts.insert(struts.end(), others.struts.begin(), others.struts.end());
-        points.insert(points.end(), others.points.begin(), others.points.end());
-      }
     };
 
     dealii::BoundingBox<3> box_of(const Points &points, const double margin)
@@ -65,7 +59,7 @@ namespace auxfem
       /** How far struts may move between two looks (m). */
       double way_between_looks(const double mean_strut_length) const
       {
-        double way = mean_strut_length / 50;
+        double way = mean_strut_length / 20;
         if (lattice.dimension == 3)
           for (unsigned int s = 0; s < lattice.struts.size(); ++s)
             if (!lattice.struts[s].is_rigid() && half_thickness(s) > 0)
@@ -155,7 +149,7 @@ namespace auxfem
         , rule(model.lattice, model.sections)
         , way_between_looks(rule.way_between_looks(model.mean_strut_length))
         , end_time(scene.time.end_time)
-        , steps_between_looks(model.simulated.inertia ? 10 : 1)
+        , steps_between_looks(model.simulated.inertia ? 20 : 1)
       {}
 
       void start(const State &state) override
@@ -303,11 +297,7 @@ namespace auxfem
       /** All that cross, of all ranks, each once. Collective. */
       std::set<Pair> pairs(const Axes &mine) const
       {
-        using dealii::Utilities::MPI::all_gather;
-        const MPI_Comm communicator = model.numbering.layout().communicator();
-        Axes           all;
-        for (const Axes &axes : all_gather(communicator, mine))
-          all.add(axes);
+        const Axes                          all = of_all_ranks(mine);
         std::vector<dealii::BoundingBox<3>> boxes;
         boxes.reserve(all.struts.size());
         for (std::size_t i = 0; i < all.struts.size(); ++i)
@@ -326,10 +316,36 @@ namespace auxfem
                   rule.cross(one, mine.points[i], other, all.points[j]))
                 of_mine.emplace(one, other);
           }
-        std::set<Pair> of_all;
-        for (const std::set<Pair> &found : all_gather(communicator, of_mine))
-          of_all.insert(found.begin(), found.end());
-        return of_all;
+        return of_all_ranks(of_mine);
+      }
+
+      /** Gathers what the ranks have; @p mine is all there is on one. */
+      template <class Part>
+      Part of_all_ranks(const Part &mine) const
+      {
+        const MPI_Comm communicator = model.numbering.layout().communicator();
+        if (dealii::Utilities::MPI::n_mpi_processes(communicator) == 1)
+          return mine;
+        Part all;
+        for (const Part &part :
+             dealii::Utilities::MPI::all_gather(communicator, mine))
+          add(part, all);
+        return all;
+      }
+
+      static void add(const Axes &part, Axes &all)
+      {
+        all.struts.insert(all.struts.end(),
+                          part.struts.begin(),
+                          part.struts.end());
+        all.points.insert(all.points.end(),
+                          part.points.begin(),
+                          part.points.end());
+      }
+
+      static void add(const std::set<Pair> &part, std::set<Pair> &all)
+      {
+        all.insert(part.begin(), part.end());
       }
 
       const Equations              &equations;

@@ -297,7 +297,7 @@ namespace auxfem
       static constexpr double doubtful_exponent = 11.5;
       /** Newton's iterations between two looks: a look costs as much as about
        * five. */
-      static constexpr unsigned long iterations_while_stable   = 400,
+      static constexpr unsigned long iterations_while_stable   = 600,
                                      iterations_while_unstable = 50;
 
       /** Largest of the rates looked at (1/s) at which a disturbance grows at

@@ -78,7 +78,8 @@ namespace auxfem
             length * (element.place.end - element.place.begin) / 2;
           data.stiffness =
             Beam::stiffness(section, shear_flexibility ? 0. : length);
-          data.counted = element.is_owned;
+          data.counted           = element.is_owned;
+          data.strain_per_energy = strain_per_energy(section);
           elements.push_back(data);
           set_frames(element.place,
                      strut,
@@ -311,14 +312,14 @@ namespace auxfem
       StrutStrain largest{least, invalid_index};
       for (unsigned int e = 0; e < elements.size(); ++e)
         {
-          const Element     &data    = elements[e];
-          const unsigned int strut   = numbering.elements()[e].place.strut;
-          const Section     &section = sections[lattice.struts[strut].section];
+          const Element &data = elements[e];
           if (!data.counted ||
-              2 * strain_per_energy(section) * energies[e] <=
+              2 * data.strain_per_energy * energies[e] <=
                 largest.value * largest.value * weight * data.jacobian)
             continue;
-          const double strain = largest_strain(state, e, section);
+          const unsigned int strut = numbering.elements()[e].place.strut;
+          const double       strain =
+            largest_strain(state, e, sections[lattice.struts[strut].section]);
           if (strain > largest.value)
             largest = {strain, strut};
         }
@@ -338,6 +339,8 @@ namespace auxfem
       double                   jacobian;
       typename Beam::Stiffness stiffness;
       bool                     counted;
+      /** See strain_per_energy() (1/N). */
+      double strain_per_energy;
     };
 
     /** Section forces of damping at the Gauss points of an element. */
