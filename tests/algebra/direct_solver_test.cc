@@ -440,6 +440,9 @@ TEST(DirectSolver, NewEntriesAndPatternsFollow)
 
 TEST(DirectSolver, LackOfMemoryIsReported)
 {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "The address sanitizer takes all addresses there are.";
+#endif
   DistributedMatrix of(supported_grid(25, 10.));
   const auto        without_memory_on = [&](const unsigned int rank,
                                      const auto        &action) {

@@ -129,6 +129,17 @@ end
                       rest   = "    set Long-time stiffness = 30\n";
     return {
       {"load", "", held, pushed},
+      {"load that jumps",
+       "",
+       held,
+       R"(
+subsection Loads
+  subsection push
+    set Joints  = 2
+    set Force x = if(t < 0.51, 3, -8)
+  end
+end
+)"},
       {"damping by stiffness", stiffness_damping, held, pushed},
       {"damping by mass", mass_damping, held, pushed},
       {"moving support", "", moving, pushed},

@@ -6,12 +6,18 @@
 
 namespace auxfem
 {
-  /** Value with which a step begins: where there is an event that just after.
+  /**
+   * Value with which a step begins: where there is an event that just after;
+   * without inertia that just before, from which the step raises the load.
    */
   inline double value_at_start(const TimeFunction &load, const Evaluation &step)
   {
-    return step.event_at_from ? load.value_after(*step.event_at_from)
-                              : load.value(step.from.time);
+    if (!step.event_at_from)
+      return load.value(step.from.time);
+    const double event = *step.event_at_from;
+    const bool   is_raised =
+      step.kind == Evaluation::Kind::static_step && step.from.time > 0;
+    return is_raised ? load.value_before(event) : load.value_after(event);
   }
 
   /**
