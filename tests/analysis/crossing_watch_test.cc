@@ -1,20 +1,11 @@
-#include <auxfem/output/memory_recorder.h>
-#include <auxfem/simulation.h>
-
+#include <analysis/findings_of.h>
 #include <gtest/gtest.h>
 
 using namespace auxfem;
+using namespace auxfem::testing_support;
 
 namespace
 {
-  std::vector<Finding> findings_of(const std::string &text,
-                                   const MPI_Comm     communicator)
-  {
-    const Scene    scene = read_scene_from_text(text, "test.prm", {});
-    MemoryRecorder recorder(scene, communicator);
-    return run(scene, communicator, recorder).findings;
-  }
-
   /** Bars of radius 10 mm; joint 0 is moved. */
   std::string bars(const std::string &dimension,
                    const std::string &joints,
@@ -77,7 +68,7 @@ end
 
 TEST(CrossingWatch, SaysWhichStrutsCrossAndWhen)
 {
-  const auto found = findings_of(bent_through("0.4 * t"), MPI_COMM_SELF);
+  const auto found = findings_of(bent_through("0.4 * t"));
   ASSERT_EQ(found.size(), 1u) << verdict_text(found);
   EXPECT_EQ(found[0].verdict, Verdict::doubtful);
   // Looks are two steps from each other.
@@ -85,7 +76,7 @@ TEST(CrossingWatch, SaysWhichStrutsCrossAndWhen)
   EXPECT_EQ(found[0].place, "strut 0");
   EXPECT_NE(found[0].text.find("0 and 1"), std::string::npos) << found[0].text;
 
-  const auto short_of = findings_of(bent_through("0.19 * t"), MPI_COMM_SELF);
+  const auto short_of = findings_of(bent_through("0.19 * t"));
   EXPECT_TRUE(short_of.empty()) << verdict_text(short_of);
 }
 
@@ -95,8 +86,7 @@ TEST(CrossingWatch, WhatCrossesAtRestMay)
                                       "0.9 0; 0 0; 0.3 -1; 0.3 1",
                                       "0 1; 2 3",
                                       "1, 2, 3",
-                                      "    set Displacement y = 0.2 * t\n"),
-                                 MPI_COMM_SELF);
+                                      "    set Displacement y = 0.2 * t\n"));
   EXPECT_TRUE(found.empty()) << verdict_text(found);
 }
 
@@ -110,7 +100,7 @@ TEST(CrossingWatch, AStrutMayCrossItself)
   const std::string loop = bars("2", "1 0; 0 0", "0 1", "1", motion) +
     "subsection Discretization\n  set Order = 3\n"
     "  set Global refinements = 3\nend\n";
-  const auto found = findings_of(loop, MPI_COMM_SELF);
+  const auto found = findings_of(loop);
   ASSERT_FALSE(found.empty());
   bool is_told = false;
   for (const Finding &finding : found)
@@ -121,10 +111,10 @@ TEST(CrossingWatch, AStrutMayCrossItself)
 TEST(CrossingWatch, KnowsThicknessInSpace)
 {
   // Along y past the end of a bar along z, in it by 15 mm and beside it.
-  const auto through = findings_of(bent_past("0.005"), MPI_COMM_SELF);
+  const auto through = findings_of(bent_past("0.005"));
   ASSERT_EQ(through.size(), 1u) << verdict_text(through);
   EXPECT_NEAR(through[0].time, 0.5, 0.05);
-  const auto beside = findings_of(bent_past("-0.025"), MPI_COMM_SELF);
+  const auto beside = findings_of(bent_past("-0.025"));
   EXPECT_TRUE(beside.empty()) << verdict_text(beside);
 }
 
@@ -132,8 +122,8 @@ TEST(CrossingWatch, FindsTheSameOnAllRanks)
 {
   for (const std::string &scene : {bent_through("0.4 * t"), bent_past("0.005")})
     {
-      const auto alone    = findings_of(scene, MPI_COMM_SELF),
-                 together = findings_of(scene, MPI_COMM_WORLD);
+      const auto alone    = findings_of(scene),
+                 together = findings_of(scene, {}, MPI_COMM_WORLD);
       ASSERT_EQ(alone.size(), 1u);
       ASSERT_EQ(together.size(), 1u);
       EXPECT_EQ(together[0].text, alone[0].text);

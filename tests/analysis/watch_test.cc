@@ -1,6 +1,4 @@
-#include <auxfem/output/memory_recorder.h>
-#include <auxfem/simulation.h>
-
+#include <analysis/findings_of.h>
 #include <gtest/gtest.h>
 #include <support/run_program.h>
 #include <verification/one_mass_scene.h>
@@ -10,14 +8,6 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  std::vector<Finding> findings_of(const std::string              &text,
-                                   const std::vector<std::string> &overrides)
-  {
-    const Scene    scene = read_scene_from_text(text, "test.prm", overrides);
-    MemoryRecorder recorder(scene, MPI_COMM_SELF);
-    return run(scene, MPI_COMM_SELF, recorder).findings;
-  }
-
   /** A clamped column of EI = 2 N m2 and 1 m, pressed: it buckles at
    * (pi / 2)^2 EI = 4.93 N, which is reached at t = 0.123 s. */
   const std::string column = R"(

@@ -1,6 +1,8 @@
 #ifndef auxfem_time_largest_in_time_h
 #define auxfem_time_largest_in_time_h
 
+#include <auxfem/algebra/unknown_layout.h>
+
 #include <cmath>
 
 namespace auxfem
@@ -15,6 +17,13 @@ namespace auxfem
         return;
       value = candidate;
       time  = now;
+    }
+
+    /** The largest of all ranks; @p layout knows them. Collective. */
+    LargestInTime of_all_ranks(const UnknownLayout &layout) const
+    {
+      const double largest = layout.largest(value);
+      return {largest, layout.largest(largest == value ? time : 0.)};
     }
 
     double value = 0, time = 0;

@@ -251,14 +251,11 @@ namespace auxfem
       void look(const State &state)
       {
         if (!crossed_at_rest)
-          {
-            State at_rest(state);
-            at_rest.displacement.assign(at_rest.displacement.size(), 0.);
-            crossed_at_rest = pairs(axes_of(at_rest));
-          }
+          crossed_at_rest =
+            pairs(axes_of(Vector(state.displacement.size(), 0.)));
         last_displacement = state.displacement;
         std::set<Pair> found;
-        for (const Pair &pair : pairs(axes_of(state)))
+        for (const Pair &pair : pairs(axes_of(state.displacement)))
           if (crossed_at_rest->count(pair) == 0)
             found.insert(pair);
         if (most == 0 && !found.empty())
@@ -270,7 +267,7 @@ namespace auxfem
       }
 
       /** Of the elastic struts of this rank. */
-      Axes axes_of(const State &state) const
+      Axes axes_of(const Vector &displacement) const
       {
         const DofNumbering &numbering = model.numbering;
         const unsigned int  n_points  = numbering.order() + 1;
@@ -281,7 +278,7 @@ namespace auxfem
             if (!element.is_owned)
               continue;
             const Points points =
-              equations.reporting().struts->axis(state, e, n_points);
+              equations.reporting().struts->axis(displacement, e, n_points);
             if (axes.struts.empty() ||
                 axes.struts.back() != element.place.strut)
               {

@@ -296,7 +296,7 @@ namespace auxfem
       /** A disturbance of a 1e-5th part becomes as large as the motion. */
       static constexpr double doubtful_exponent = 11.5;
       /** Newton's iterations between two looks: a look costs as much as about
-       * five. */
+       * nine. */
       static constexpr unsigned long iterations_while_stable   = 600,
                                      iterations_while_unstable = 50;
 

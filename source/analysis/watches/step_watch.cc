@@ -55,7 +55,7 @@ namespace auxfem
       {
         const UnknownLayout      &layout = equations.unknowns().layout;
         const std::vector<double> sums   = layout.sum({error, way});
-        const LargestInTime       turn   = turn_of_all_ranks();
+        const LargestInTime       turn   = largest_turn.of_all_ranks(layout);
         std::vector<Finding>      found;
         if (!(sums[0] <= doubtful_error * sums[1]))
           found.push_back(error_finding(sums[0] / sums[1]));
@@ -73,7 +73,7 @@ namespace auxfem
       {
         const UnknownLayout      &layout = equations.unknowns().layout;
         const std::vector<double> sums   = layout.sum({error, way});
-        const LargestInTime       turn   = turn_of_all_ranks();
+        const LargestInTime       turn   = largest_turn.of_all_ranks(layout);
         records.keep(record_name,
                      {sums[0], sums[1], time, turn.value, turn.time});
       }
@@ -141,15 +141,6 @@ namespace auxfem
                           std::abs(step.to.displacement[i] -
                                    step.from.displacement[i]));
         largest_turn.add(turn, step.to.time);
-      }
-
-      LargestInTime turn_of_all_ranks() const
-      {
-        const UnknownLayout &layout  = equations.unknowns().layout;
-        const double         largest = layout.largest(largest_turn.value);
-        return {largest,
-                layout.largest(largest == largest_turn.value ? largest_turn.time
-                                                             : 0.)};
       }
 
       Finding error_finding(const double relative) const

@@ -38,12 +38,12 @@ namespace auxfem
 
       std::vector<Finding> findings() const override
       {
-        const OfAllRanks all = of_all_ranks();
+        const LargestInTime all   = of_all_ranks();
+        const std::string   place = "strut " + std::to_string(strut_of(all));
         if (all.value <= doubtful_strain)
           return {};
         std::ostringstream text;
         text.precision(3);
-        const std::string place = "strut " + std::to_string(all.strut);
         text << "The strain reaches " << 100 * all.value << " % in an outer "
              << "fibre of " << place
              << ". Stress in proportion to strain and sections that keep their "
@@ -59,8 +59,8 @@ namespace auxfem
 
       void save(Records &records) const override
       {
-        const OfAllRanks all = of_all_ranks();
-        records.keep(record_name, {all.value, all.time, double(all.strut)});
+        const LargestInTime all = of_all_ranks();
+        records.keep(record_name, {all.value, all.time, double(strut_of(all))});
       }
 
       void resume(const Records &records) override
@@ -71,21 +71,16 @@ namespace auxfem
       }
 
     private:
-      struct OfAllRanks
+      LargestInTime of_all_ranks() const
       {
-        double       value, time; ///< s
-        unsigned int strut;
-      };
+        return largest.of_all_ranks(equations.unknowns().layout);
+      }
 
-      OfAllRanks of_all_ranks() const
+      /** The one with the largest strain, @p all, of all ranks. */
+      unsigned int strut_of(const LargestInTime &all) const
       {
-        const UnknownLayout &layout  = equations.unknowns().layout;
-        const double         value   = layout.largest(largest.value);
-        const bool           is_mine = value == largest.value;
-        return {value,
-                layout.largest(is_mine ? largest.time : 0.),
-                static_cast<unsigned int>(
-                  layout.largest(is_mine ? double(strut) : 0.))};
+        return equations.unknowns().layout.largest(
+          all.value == largest.value ? double(strut) : 0.);
       }
 
       const Equations &equations;

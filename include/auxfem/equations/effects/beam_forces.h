@@ -228,13 +228,7 @@ namespace auxfem
       const typename Beam::Motion  motion =
         Beam::motion(numbering, unknowns, state);
       SectionForces elastic[order], viscous[order] = {};
-      Beam::section_forces(shape,
-                           &frames[std::size_t(e) * order],
-                           data.jacobian,
-                           data.stiffness,
-                           motion,
-                           elastic,
-                           viscous);
+      section_forces(e, motion, elastic, viscous);
 
       std::vector<StrutPoint> points(n_points);
       for (unsigned int i = 0; i < n_points; ++i)
@@ -246,14 +240,9 @@ namespace auxfem
           StrutPoint          &point = points[i];
           dealii::Tensor<1, 3> tangent;
           lattice.axis(strut, element.place.at(xi), point.position, tangent);
-          for (int a = 0; a <= order; ++a)
-            for (unsigned int d = 0; d < lattice.dimension; ++d)
-              {
-                const int unknown = unknowns[n_components * a + d];
-                point.displacement[d] += N[a] * state.displacement[unknown];
-                if (state.velocity)
-                  point.velocity[d] += N[a] * (*state.velocity)[unknown];
-              }
+          point.displacement = interpolated(N, unknowns, state.displacement);
+          if (state.velocity)
+            point.velocity = interpolated(N, unknowns, *state.velocity);
           point.rotation  = Beam::rotation(N, motion);
           point.axes      = Beam::axes(tangent,
                                   sections[strut.section].reference,
@@ -276,7 +265,7 @@ namespace auxfem
     }
 
     std::vector<dealii::Point<3>>
-    axis(const State       &state,
+    axis(const Vector      &displacement,
          const unsigned int e,
          const unsigned int n_points) const override
     {
@@ -293,10 +282,7 @@ namespace auxfem
                        element.place.at(xi),
                        points[i],
                        tangent);
-          for (int a = 0; a <= order; ++a)
-            for (unsigned int d = 0; d < lattice.dimension; ++d)
-              points[i][d] +=
-                N[a] * state.displacement[unknowns[n_components * a + d]];
+          points[i] += interpolated(N, unknowns, displacement);
         }
       return points;
     }
@@ -343,6 +329,34 @@ namespace auxfem
       double strain_per_energy;
     };
 
+    /** Of the translations among @p values of all local unknowns, at a point with
+     * shape functions @p N. */
+    dealii::Tensor<1, 3> interpolated(const double (&N)[order + 1],
+                                      const int    *unknowns,
+                                      const Vector &values) const
+    {
+      dealii::Tensor<1, 3> result;
+      for (int a = 0; a <= order; ++a)
+        for (unsigned int d = 0; d < lattice.dimension; ++d)
+          result[d] += N[a] * values[unknowns[n_components * a + d]];
+      return result;
+    }
+
+    /** At the Gauss points of element @p e. */
+    void section_forces(const unsigned int           e,
+                        const typename Beam::Motion &motion,
+                        SectionForces (&elastic)[order],
+                        SectionForces (&viscous)[order]) const
+    {
+      Beam::section_forces(shape,
+                           &frames[std::size_t(e) * order],
+                           elements[e].jacobian,
+                           elements[e].stiffness,
+                           motion,
+                           elastic,
+                           viscous);
+    }
+
     /** Section forces of damping at the Gauss points of an element. */
     struct ViscousForces
     {
@@ -352,10 +366,7 @@ namespace auxfem
                     const Vector      &velocity)
       {
         SectionForces elastic[order];
-        Beam::section_forces(beams.shape,
-                             &beams.frames[std::size_t(e) * order],
-                             beams.elements[e].jacobian,
-                             beams.elements[e].stiffness,
+        beams.section_forces(e,
                              Beam::motion(beams.numbering,
                                           beams.numbering.element_unknowns(e),
                                           state,
@@ -430,15 +441,12 @@ namespace auxfem
                           const Section     &section) const
     {
       SectionForces elastic[order], viscous[order] = {};
-      Beam::section_forces(shape,
-                           &frames[std::size_t(e) * order],
-                           elements[e].jacobian,
-                           elements[e].stiffness,
-                           Beam::motion(numbering,
-                                        numbering.element_unknowns(e),
-                                        state),
-                           elastic,
-                           viscous);
+      section_forces(e,
+                     Beam::motion(numbering,
+                                  numbering.element_unknowns(e),
+                                  state),
+                     elastic,
+                     viscous);
       const auto &fibres  = section.fibre_distances;
       double      largest = 0;
       for (const SectionForces &forces : elastic)

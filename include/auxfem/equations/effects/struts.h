@@ -59,9 +59,11 @@ namespace auxfem
     virtual std::vector<StrutPoint>
     sample(const State &state, unsigned int e, unsigned int n_points) const = 0;
 
-    /** Positions (m) at @p state of the same points. */
-    virtual std::vector<dealii::Point<3>>
-    axis(const State &state, unsigned int e, unsigned int n_points) const = 0;
+    /** Positions (m) of the same points under @p displacement, by local
+     * unknown. */
+    virtual std::vector<dealii::Point<3>> axis(const Vector &displacement,
+                                               unsigned int  e,
+                                               unsigned int n_points) const = 0;
 
     /**
      * The largest strain at a Gauss point of the struts counted by this rank,

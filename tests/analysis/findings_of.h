@@ -1,0 +1,24 @@
+#ifndef auxfem_tests_analysis_findings_of_h
+#define auxfem_tests_analysis_findings_of_h
+
+#include <auxfem/output/memory_recorder.h>
+#include <auxfem/simulation.h>
+
+namespace auxfem
+{
+  namespace testing_support
+  {
+    /** What a run of the scene of @p text makes of its own results. */
+    inline std::vector<Finding>
+    findings_of(const std::string              &text,
+                const std::vector<std::string> &overrides    = {},
+                const MPI_Comm                  communicator = MPI_COMM_SELF)
+    {
+      const Scene    scene = read_scene_from_text(text, "test.prm", overrides);
+      MemoryRecorder recorder(scene, communicator);
+      return run(scene, communicator, recorder).findings;
+    }
+  } // namespace testing_support
+} // namespace auxfem
+
+#endif
