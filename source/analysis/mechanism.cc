@@ -18,9 +18,10 @@ namespace auxfem
     constexpr double softest = 2e-15;
 
     /** The softest mode is found far sooner when it is that of a mechanism. */
-    constexpr unsigned int n_inverse_iterations = 6;
+    constexpr unsigned int n_mechanism_iterations = 6;
 
-    [[noreturn]] void refuse(const LatticeModel &model, const Vector &mode)
+    [[noreturn]] void tell_mechanism(const LatticeModel &model,
+                                     const Vector       &mode)
     {
       const DofNumbering &numbering = model.numbering;
       std::vector<double> sizes(numbering.layout().n_owned());
@@ -94,7 +95,7 @@ namespace auxfem
         return numbering.unknowns().kinds[i] != UnknownKind::multiplier &&
           numbering.unknowns().kinds[i] != UnknownKind::prescribed;
       },
-      n_inverse_iterations,
+      n_mechanism_iterations,
       mode);
     Vector image(layout.n_owned());
     matrix.multiply(mode.data(), image.data());
@@ -105,6 +106,6 @@ namespace auxfem
         scale += mode[i] * weight[i] * mode[i];
       }
     if (!growth || !(layout.sum(energy) > softest * layout.sum(scale)))
-      refuse(model, mode);
+      tell_mechanism(model, mode);
   }
 } // namespace auxfem

@@ -15,7 +15,7 @@ namespace auxfem
      */
     constexpr double smallest_eigenvalue = 1e-11;
 
-    constexpr unsigned int n_inverse_iterations = 4;
+    constexpr unsigned int n_overconstraint_iterations = 4;
 
     /**
      * Identity in the rows of displacements, the conditions' gradients G beside
@@ -38,7 +38,8 @@ namespace auxfem
       matrix.set_diagonal(diagonal);
     }
 
-    [[noreturn]] void refuse(const LatticeModel &model, const Vector &mode)
+    [[noreturn]] void tell_overconstraint(const LatticeModel &model,
+                                          const Vector       &mode)
     {
       const DofNumbering &numbering = model.numbering;
       std::vector<double> sizes(numbering.layout().n_owned());
@@ -84,9 +85,9 @@ namespace auxfem
       [&](const unsigned int i) {
         return numbering.unknowns().kinds[i] == UnknownKind::multiplier;
       },
-      n_inverse_iterations,
+      n_overconstraint_iterations,
       mode);
     if (!growth || *growth > 1 / smallest_eigenvalue)
-      refuse(model, mode);
+      tell_overconstraint(model, mode);
   }
 } // namespace auxfem

@@ -5,23 +5,23 @@ namespace auxfem
 {
   namespace
   {
-    const Quantity damping_coefficient{"Damping coefficient",
-                                       "",
-                                       "N s/m",
-                                       Range::non_negative(),
-                                       "Force of the dashpot per rate of "
-                                       "extension."};
+    const Quantity dashpot_damping{"Damping coefficient",
+                                   "",
+                                   "N s/m",
+                                   Range::non_negative(),
+                                   "Force of the dashpot per rate of "
+                                   "extension."};
 
     void declare_dashpot(dealii::ParameterHandler &prm)
     {
-      declare(prm, damping_coefficient);
+      declare(prm, dashpot_damping);
     }
 
     /** Linear dashpot: F = C du/dt. */
     std::unique_ptr<ConnectorLaw> make_dashpot(dealii::ParameterHandler &prm,
                                                const SceneContext & /*context*/)
     {
-      return make_kelvin_voigt_law(0, get(prm, damping_coefficient));
+      return make_kelvin_voigt_law(0, get(prm, dashpot_damping));
     }
   } // namespace
 

@@ -94,14 +94,14 @@ namespace auxfem
       const double damping;   ///< C (N s/m)
     };
 
-    const Quantity spring_stiffness{"Spring stiffness",
-                                    "",
-                                    "N/m",
-                                    Range::positive(),
-                                    "Stiffness of the spring; a dashpot "
-                                    "without spring is Law = dashpot."};
+    const Quantity kelvin_voigt_stiffness{"Spring stiffness",
+                                          "",
+                                          "N/m",
+                                          Range::positive(),
+                                          "Stiffness of the spring; a dashpot "
+                                          "without spring is Law = dashpot."};
 
-    const Quantity damping_coefficient{
+    const Quantity kelvin_voigt_damping{
       "Damping coefficient",
       "",
       "N s/m",
@@ -111,16 +111,16 @@ namespace auxfem
 
     void declare_kelvin_voigt(dealii::ParameterHandler &prm)
     {
-      declare(prm, spring_stiffness);
-      declare(prm, damping_coefficient);
+      declare(prm, kelvin_voigt_stiffness);
+      declare(prm, kelvin_voigt_damping);
     }
 
     std::unique_ptr<ConnectorLaw>
     make_kelvin_voigt(dealii::ParameterHandler &prm,
                       const SceneContext & /*context*/)
     {
-      return make_kelvin_voigt_law(get(prm, spring_stiffness),
-                                   get(prm, damping_coefficient));
+      return make_kelvin_voigt_law(get(prm, kelvin_voigt_stiffness),
+                                   get(prm, kelvin_voigt_damping));
     }
   } // namespace
 

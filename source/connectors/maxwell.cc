@@ -6,7 +6,7 @@ namespace auxfem
 {
   namespace
   {
-    const Quantity spring_stiffness{
+    const Quantity maxwell_stiffness{
       "Spring stiffness",
       "",
       "N/m",
@@ -14,7 +14,7 @@ namespace auxfem
       "Stiffness of the spring in series with the dashpot; without it "
       "there is no force."};
 
-    const Quantity damping_coefficient{
+    const Quantity maxwell_damping{
       "Damping coefficient",
       "",
       "N s/m",
@@ -24,16 +24,16 @@ namespace auxfem
 
     void declare_maxwell(dealii::ParameterHandler &prm)
     {
-      declare(prm, spring_stiffness);
-      declare(prm, damping_coefficient);
+      declare(prm, maxwell_stiffness);
+      declare(prm, maxwell_damping);
     }
 
     /** Spring and dashpot in series: dF/dt + (K/C) F = K du/dt. */
     std::unique_ptr<ConnectorLaw> make_maxwell(dealii::ParameterHandler &prm,
                                                const SceneContext & /*context*/)
     {
-      const double stiffness = get(prm, spring_stiffness);
-      const double damping   = get(prm, damping_coefficient);
+      const double stiffness = get(prm, maxwell_stiffness);
+      const double damping   = get(prm, maxwell_damping);
       return make_generalized_maxwell_law(0,
                                           {{stiffness, damping / stiffness}});
     }

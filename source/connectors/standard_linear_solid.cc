@@ -6,32 +6,32 @@ namespace auxfem
 {
   namespace
   {
-    const Quantity long_time_stiffness{"Long-time stiffness",
-                                       "",
-                                       "N/m",
-                                       Range::non_negative(),
-                                       "Stiffness of the spring beside the "
-                                       "Maxwell element."};
+    const Quantity parallel_stiffness{"Long-time stiffness",
+                                      "",
+                                      "N/m",
+                                      Range::non_negative(),
+                                      "Stiffness of the spring beside the "
+                                      "Maxwell element."};
 
-    const Quantity spring_stiffness{"Spring stiffness",
+    const Quantity series_stiffness{"Spring stiffness",
                                     "",
                                     "N/m",
                                     Range::positive(),
                                     "Stiffness of the spring in series with "
                                     "the dashpot."};
 
-    const Quantity damping_coefficient{"Damping coefficient",
-                                       "",
-                                       "N s/m",
-                                       Range::non_negative(),
-                                       "Force of the dashpot per rate of its "
-                                       "own extension."};
+    const Quantity series_damping{"Damping coefficient",
+                                  "",
+                                  "N s/m",
+                                  Range::non_negative(),
+                                  "Force of the dashpot per rate of its "
+                                  "own extension."};
 
     void declare_standard_linear_solid(dealii::ParameterHandler &prm)
     {
-      declare(prm, long_time_stiffness);
-      declare(prm, spring_stiffness);
-      declare(prm, damping_coefficient);
+      declare(prm, parallel_stiffness);
+      declare(prm, series_stiffness);
+      declare(prm, series_damping);
     }
 
     /**
@@ -42,9 +42,9 @@ namespace auxfem
     make_standard_linear_solid(dealii::ParameterHandler &prm,
                                const SceneContext & /*context*/)
     {
-      const double stiffness = get(prm, spring_stiffness);
-      const double damping   = get(prm, damping_coefficient);
-      return make_generalized_maxwell_law(get(prm, long_time_stiffness),
+      const double stiffness = get(prm, series_stiffness);
+      const double damping   = get(prm, series_damping);
+      return make_generalized_maxwell_law(get(prm, parallel_stiffness),
                                           {{stiffness, damping / stiffness}});
     }
   } // namespace

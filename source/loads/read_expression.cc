@@ -52,7 +52,7 @@ namespace auxfem
                       {sum(tree, x), tree.constant(x.size())});
     }
 
-    Index maximum(ExpressionTree &tree, const Operands &x)
+    Index largest_of(ExpressionTree &tree, const Operands &x)
     {
       Index result = x[0];
       for (std::size_t i = 1; i < x.size(); ++i)
@@ -60,16 +60,16 @@ namespace auxfem
       return result;
     }
 
-    Index minimum(ExpressionTree &tree, Operands x)
+    Index smallest_of(ExpressionTree &tree, Operands x)
     {
       for (Index &i : x)
         i = negative(tree, i);
-      return negative(tree, maximum(tree, x));
+      return negative(tree, largest_of(tree, x));
     }
 
     Index absolute(ExpressionTree &tree, const Operands &x)
     {
-      return maximum(tree, {x[0], negative(tree, x[0])});
+      return largest_of(tree, {x[0], negative(tree, x[0])});
     }
 
     Index sign(ExpressionTree &tree, const Operands &x)
@@ -170,8 +170,8 @@ namespace auxfem
          [](ExpressionTree &tree, const Operands &x) {
            return logarithm(tree, x[0], 2);
          }},
-        {"max", &maximum},
-        {"min", &minimum},
+        {"max", &largest_of},
+        {"min", &smallest_of},
         {"pow",
          [](ExpressionTree &tree, const Operands &x) {
            return tree.add(Operation::power, x);

@@ -9,7 +9,7 @@ namespace auxfem
 {
   namespace
   {
-    const std::string record_name = "watch: energies";
+    const std::string judgement_record = "watch: energies";
 
     /** Of the energy that moves: what makes a run doubtful, what ruins it. */
     constexpr double doubtful_error = 0.05, ruinous_error = 0.2;
@@ -99,7 +99,7 @@ namespace auxfem
 
   void EnergyJudgement::save(Records &records) const
   {
-    records.keep(record_name,
+    records.keep(judgement_record,
                  {zero,
                   initial,
                   work,
@@ -113,7 +113,7 @@ namespace auxfem
 
   void EnergyJudgement::resume(const Records &records)
   {
-    const std::vector<double> values = records.values(record_name, 9);
+    const std::vector<double> values = records.values(judgement_record, 9);
     zero                             = values[0];
     initial                          = values[1];
     work                             = values[2];

@@ -8,7 +8,7 @@ namespace auxfem
 {
   namespace
   {
-    const std::string record_name =
+    const std::string energy_record =
       "history: energies at the start, largest error of the balance, largest";
 
     struct KindOfEnergy
@@ -79,12 +79,13 @@ namespace auxfem
 
   void EnergyRecord::save(Records &records) const
   {
-    records.keep(record_name, {start.value(), largest_balance, largest_energy});
+    records.keep(energy_record,
+                 {start.value(), largest_balance, largest_energy});
   }
 
   void EnergyRecord::resume(const Energies &energies, const Records &records)
   {
-    const std::vector<double> values = records.values(record_name, 3);
+    const std::vector<double> values = records.values(energy_record, 3);
     start                            = values[0];
     largest_balance                  = values[1];
     largest_energy                   = values[2];

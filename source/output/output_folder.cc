@@ -111,7 +111,7 @@ namespace auxfem
   void OutputFolder::lock()
   {
     list.number =
-      open(file(list_name).c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+      ::open(file(list_name).c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
     if (list.number < 0)
       refuse(list_name + " cannot be written", errno);
     // Where the file system knows no locks, two runs cannot know of each other.

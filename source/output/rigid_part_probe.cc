@@ -16,7 +16,8 @@ namespace auxfem
   {
     const std::string prefix = "rigid:";
 
-    const std::string record_name = "history: rotations of rigid parts";
+    const std::string rigid_rotations_record =
+      "history: rotations of rigid parts";
 
     struct Selection
     {
@@ -113,13 +114,13 @@ namespace auxfem
       components.insert(components.end(),
                         rotation.begin_raw(),
                         rotation.end_raw());
-    records.keep(record_name, parts(), 3, components);
+    records.keep(rigid_rotations_record, parts(), 3, components);
   }
 
   void RigidPartRotations::resume(const Records &records)
   {
     const std::vector<double> components =
-      records.values(record_name, parts(), 3);
+      records.values(rigid_rotations_record, parts(), 3);
     for (unsigned int i = 0; i < rotations.size(); ++i)
       for (unsigned int c = 0; c < 3; ++c)
         rotations[i][c] = components[3 * i + c];

@@ -8,7 +8,7 @@ namespace auxfem
 {
   namespace
   {
-    const std::string record_name = "history: rotation vectors";
+    const std::string rotation_vectors_record = "history: rotation vectors";
 
     /** Further away (rad) a rotation vector would be a leap in the output. */
     constexpr double nearest_leap = 1;
@@ -56,7 +56,7 @@ namespace auxfem
       vectors.insert(vectors.end(),
                      rotation.vector.begin_raw(),
                      rotation.vector.end_raw());
-    records.keep(record_name,
+    records.keep(rotation_vectors_record,
                  rotation_numbers(model.lattice, model.numbering),
                  3,
                  vectors);
@@ -65,7 +65,7 @@ namespace auxfem
   void RotationVectors::resume(const State &state, const Records &records)
   {
     const std::vector<double> vectors =
-      records.values(record_name,
+      records.values(rotation_vectors_record,
                      rotation_numbers(model.lattice, model.numbering),
                      3);
     for (unsigned int i = 0; i < rotations.size(); ++i)

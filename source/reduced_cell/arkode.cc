@@ -183,19 +183,19 @@ namespace auxfem
       unsigned long       step = 0, evaluations = 0, evaluations_of_step = 0;
     };
 
-    const std::string word = "arkode";
+    const std::string arkode_name = "arkode";
 
     std::unique_ptr<TimeScheme> make_arkode(dealii::ParameterHandler & /*prm*/,
                                             const SceneContext & /*context*/)
     {
-      return std::make_unique<CellMethodOf<ArkodeScheme>>(word);
+      return std::make_unique<CellMethodOf<ArkodeScheme>>(arkode_name);
     }
   } // namespace
 
   TimeSchemeEntry arkode_entry()
   {
     return {
-      {word,
+      {arkode_name,
        "explicit Runge-Kutta with error control (SUNDIALS ARKODE), the reference",
        nullptr,
        &make_arkode},

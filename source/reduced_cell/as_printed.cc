@@ -149,20 +149,20 @@ namespace auxfem
       const PrintedConnector connector;
     };
 
-    const std::string word = "as printed";
+    const std::string as_printed_name = "as printed";
 
     std::unique_ptr<TimeScheme>
     make_as_printed(dealii::ParameterHandler & /*prm*/,
                     const SceneContext & /*context*/)
     {
-      return std::make_unique<CellMethodOf<PrintedScheme>>(word);
+      return std::make_unique<CellMethodOf<PrintedScheme>>(as_printed_name);
     }
   } // namespace
 
   TimeSchemeEntry as_printed_entry()
   {
     return {
-      {word,
+      {as_printed_name,
        "the paper's equations (18), (20) and scheme (24), (25) with their slips",
        nullptr,
        &make_as_printed},

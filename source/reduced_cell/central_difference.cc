@@ -46,19 +46,20 @@ namespace auxfem
       }
     };
 
-    const std::string word = "central difference";
+    const std::string central_difference_name = "central difference";
 
     std::unique_ptr<TimeScheme>
     make_central_difference(dealii::ParameterHandler & /*prm*/,
                             const SceneContext & /*context*/)
     {
-      return std::make_unique<CellMethodOf<CentralDifference>>(word);
+      return std::make_unique<CellMethodOf<CentralDifference>>(
+        central_difference_name);
     }
   } // namespace
 
   TimeSchemeEntry central_difference_entry()
   {
-    return {{word,
+    return {{central_difference_name,
              "central differences on two interlaced grids",
              nullptr,
              &make_central_difference},

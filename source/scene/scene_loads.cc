@@ -11,8 +11,7 @@ namespace auxfem
     using Form = SubsectionKind::Form;
     using dealii::ParameterHandler;
 
-    const Text joints = {"Joints", "", "Set of joints.", true};
-    const Text struts = {"Struts", "", "Set of struts.", true};
+    const Text loaded_struts = {"Struts", "", "Set of struts.", true};
 
     // Masses
 
@@ -37,7 +36,7 @@ namespace auxfem
               Form::named_groups,
               "Point masses on joints.",
               [](ParameterHandler &prm) {
-                declare(prm, joints);
+                declare(prm, set_of_joints);
                 declare(prm, mass);
                 declare(prm, mass_rotary_inertia);
               },
@@ -49,7 +48,7 @@ namespace auxfem
                  Scene              &scene) {
                 scene.masses.push_back(
                   {name,
-                   get(prm, joints),
+                   get(prm, set_of_joints),
                    get(prm, mass),
                    read_moments_of_inertia(prm, mass_rotary_inertia, context),
                    context.path});
@@ -81,7 +80,7 @@ namespace auxfem
                          const SceneContext  &context,
                          JointLoadDefinition &load)
     {
-      load.joints        = get(prm, joints);
+      load.joints        = get(prm, set_of_joints);
       load.follows_joint = get(prm, load_direction) != "fixed";
       for (unsigned int c = 0; c < joint_load.size(); ++c)
         {
@@ -95,7 +94,7 @@ namespace auxfem
                         const SceneContext &context,
                         LineLoadDefinition &load)
     {
-      load.struts = get(prm, struts);
+      load.struts = get(prm, loaded_struts);
       require_space(prm, line_load[2], context);
       for (unsigned int c = 0; c < line_load.size(); ++c)
         load.components[c] = read_time_function(prm, line_load[c], context);
@@ -134,7 +133,7 @@ namespace auxfem
               {{"joint",
                 "Force and moment on joints.",
                 [](ParameterHandler &prm) {
-                  declare(prm, joints);
+                  declare(prm, set_of_joints);
                   declare(prm, load_direction);
                   for (const TimeExpression &entry : joint_load)
                     declare(prm, entry);
@@ -142,7 +141,7 @@ namespace auxfem
                {"line",
                 "Dead force per length on struts.",
                 [](ParameterHandler &prm) {
-                  declare(prm, struts);
+                  declare(prm, loaded_struts);
                   for (const TimeExpression &entry : line_load)
                     declare(prm, entry);
                 }}},
@@ -196,7 +195,7 @@ namespace auxfem
       InitialVelocityDefinition definition;
       definition.name   = name;
       definition.path   = context.path;
-      definition.joints = get(prm, joints);
+      definition.joints = get(prm, set_of_joints);
       for (unsigned int c = 0; c < initial_velocity.size(); ++c)
         {
           if (!is_in_plane(c))
@@ -214,7 +213,7 @@ namespace auxfem
         "Joints that move at t = 0, each set as a rigid body; struts move "
         "along if both their ends are in these sets.",
         [](ParameterHandler &prm) {
-          declare(prm, joints);
+          declare(prm, set_of_joints);
           for (const Quantity &entry : initial_velocity)
             declare(prm, entry);
         },

@@ -6,24 +6,25 @@ namespace auxfem
 {
   namespace
   {
-    const Text         struts         = {"Struts",
-                                         "",
-                                         "Set of struts that are rigid; or give Joints."};
-    const Text         joints         = {"Joints",
-                                         "",
-                                         "Set of joints that move as one rigid part without "
-                                                         "struts of its own; or give Struts."};
-    const Choice       parts          = {"Parts",
-                                         "struts that meet",
-                                         {"struts that meet", "single struts"},
-                                         "What is one part: rigid struts connected with each "
-                                                        "other, or every strut (bars hinged at both ends)."};
-    const Quantity     mass           = {"Mass",
-                                         "0 kg",
-                                         "kg",
-                                         Range::non_negative(),
-                                         "Mass of each part, spread evenly along its struts, "
-                                                       "without struts equally over its joints."};
+    const Text     struts          = {"Struts",
+                                      "",
+                                      "Set of struts that are rigid; or give Joints."};
+    const Text     joints          = {"Joints",
+                                      "",
+                                      "Set of joints that move as one rigid part without "
+                                                   "struts of its own; or give Struts."};
+    const Choice   parts           = {"Parts",
+                                      "struts that meet",
+                                      {"struts that meet", "single struts"},
+                                      "What is one part: rigid struts connected with each "
+                                                  "other, or every strut (bars hinged at both ends)."};
+    const Quantity rigid_part_mass = {
+      "Mass",
+      "0 kg",
+      "kg",
+      Range::non_negative(),
+      "Mass of each part, spread evenly along its struts, "
+      "without struts equally over its joints."};
     const QuantityList rotary_inertia = {
       "Rotary inertia",
       "auto",
@@ -77,7 +78,7 @@ namespace auxfem
       part.struts        = get(prm, struts);
       part.joints        = get(prm, joints);
       part.single_struts = get(prm, parts) == "single struts";
-      part.mass          = get(prm, mass);
+      part.mass          = get(prm, rigid_part_mass);
       part.clamps_struts = get(prm, elastic_struts) == "clamped";
       if (!is_word(prm, rotary_inertia))
         {
@@ -109,7 +110,7 @@ namespace auxfem
               declare(prm, struts);
               declare(prm, joints);
               declare(prm, parts);
-              declare(prm, mass);
+              declare(prm, rigid_part_mass);
               declare(prm, rotary_inertia);
               declare(prm, elastic_struts);
             },

@@ -174,7 +174,6 @@ namespace auxfem
 
     // Joints
 
-    const Text joints = {"Joints", "", "Set of joints.", true};
     const Text released_struts =
       {"Struts", "all", "Set of struts whose ends are released there."};
     const Choice       joint_type = {"Type",
@@ -206,7 +205,7 @@ namespace auxfem
       JointDefinition joint;
       joint.name             = name;
       joint.path             = context.path;
-      joint.joints           = get(prm, joints);
+      joint.joints           = get(prm, set_of_joints);
       joint.struts           = get(prm, released_struts);
       const std::string type = get(prm, joint_type);
       if (type == "revolute")
@@ -232,7 +231,7 @@ namespace auxfem
               Form::named_groups,
               "Joints at which struts are not rigidly connected.",
               [](dealii::ParameterHandler &prm) {
-                declare(prm, joints);
+                declare(prm, set_of_joints);
                 declare(prm, released_struts);
                 declare(prm, joint_type);
               },

@@ -13,11 +13,13 @@ namespace auxfem
   {
     using dealii::numbers::PI;
 
-    const Text   struts = {"Struts", "all", "Set of struts with this section."};
-    const Choice shape  = {"Shape",
-                           "",
-                           {"rectangle", "circle", "tube", "given"},
-                           "Shape of the cross-section."};
+    const Text   section_struts = {"Struts",
+                                   "all",
+                                   "Set of struts with this section."};
+    const Choice shape          = {"Shape",
+                                   "",
+                                   {"rectangle", "circle", "tube", "given"},
+                                   "Shape of the cross-section."};
 
     const Quantity width = {
       "Width",
@@ -155,7 +157,7 @@ namespace auxfem
 
     void declare_common(dealii::ParameterHandler &prm)
     {
-      declare(prm, struts);
+      declare(prm, section_struts);
       declare(prm, shape);
       declare(prm, youngs_modulus);
       declare(prm, poissons_ratio);
@@ -322,7 +324,7 @@ namespace auxfem
       SectionDefinition definition;
       definition.name              = name;
       definition.path              = context.path;
-      definition.struts            = get(prm, struts);
+      definition.struts            = get(prm, section_struts);
       const std::string shape_name = get(prm, shape);
       if (shape_name == "rectangle")
         read_rectangle(prm, definition.section);

@@ -8,7 +8,6 @@ namespace auxfem
   {
     using dealii::ParameterHandler;
 
-    const Text   joints       = {"Joints", "", "Set of joints.", true};
     const Choice support_type = {
       "Type",
       "clamp",
@@ -84,7 +83,7 @@ namespace auxfem
       SupportDefinition support;
       support.name           = name;
       support.path           = context.path;
-      support.joints         = get(prm, joints);
+      support.joints         = get(prm, set_of_joints);
       const std::string type = get(prm, support_type);
       if (type == "roller z")
         require_space(prm, support_type, context, "Choose another Type");
@@ -111,7 +110,7 @@ namespace auxfem
             SubsectionKind::Form::named_groups,
             "Joints that are held or moved.",
             [](ParameterHandler &prm) {
-              declare(prm, joints);
+              declare(prm, set_of_joints);
               declare(prm, support_type);
             },
             "Type",

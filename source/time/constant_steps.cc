@@ -7,7 +7,7 @@ namespace auxfem
 {
   namespace
   {
-    const std::string record_name =
+    const std::string constant_steps_record =
       "step control: begin, length, target, level and position";
 
     class ConstantSteps : public StepControl
@@ -58,23 +58,24 @@ namespace auxfem
       {
         if (target)
           records.keep(
-            record_name,
+            constant_steps_record,
             {begin, length, *target, double(level), double(position)});
         else
-          records.keep(record_name, /*items=*/{}, 5, {});
+          records.keep(constant_steps_record, /*items=*/{}, 5, {});
       }
 
       void resume(const Records &records) override
       {
         target.reset();
-        if (records.items(record_name).empty())
+        if (records.items(constant_steps_record).empty())
           return;
-        const std::vector<double> values = records.values(record_name, 5);
-        begin                            = values[0];
-        length                           = values[1];
-        target                           = values[2];
-        level                            = values[3];
-        position                         = values[4];
+        const std::vector<double> values =
+          records.values(constant_steps_record, 5);
+        begin    = values[0];
+        length   = values[1];
+        target   = values[2];
+        level    = values[3];
+        position = values[4];
       }
 
     private:

@@ -5,7 +5,7 @@ namespace auxfem
 {
   namespace
   {
-    const std::string word = "energy-momentum";
+    const std::string energy_momentum_name = "energy-momentum";
 
     /**
      * The mean velocity of a step is its increment over dt, for rotations
@@ -19,7 +19,7 @@ namespace auxfem
     class EnergyMomentum : public ImplicitScheme
     {
     public:
-      EnergyMomentum() : ImplicitScheme(word)
+      EnergyMomentum() : ImplicitScheme(energy_momentum_name)
       {}
 
       void predict(const State &from, double dt, State &to) const override;
@@ -96,7 +96,7 @@ namespace auxfem
 
   TimeSchemeEntry energy_momentum_entry()
   {
-    return {{word,
+    return {{energy_momentum_name,
              "keeps energy and momenta at large rotations in the plane, of "
              "second order",
              nullptr,

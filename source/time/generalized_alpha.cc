@@ -6,7 +6,7 @@ namespace auxfem
 {
   namespace
   {
-    const std::string word = "generalized-alpha";
+    const std::string generalized_alpha_name = "generalized-alpha";
 
     const Quantity radius_entry = {
       "Spectral radius",
@@ -21,7 +21,8 @@ namespace auxfem
     {
     public:
       explicit GeneralizedAlpha(const double spectral_radius)
-        : AlphaFamily(word, AlphaFamily::generalized_alpha(spectral_radius))
+        : AlphaFamily(generalized_alpha_name,
+                      AlphaFamily::generalized_alpha(spectral_radius))
         , spectral_radius(spectral_radius)
       {}
 
@@ -63,7 +64,7 @@ namespace auxfem
 
   TimeSchemeEntry generalized_alpha_entry()
   {
-    return {{word,
+    return {{generalized_alpha_name,
              "Chung-Hulbert, of second order, damps high frequencies",
              &declare_generalized_alpha,
              &make_generalized_alpha},

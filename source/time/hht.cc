@@ -6,7 +6,7 @@ namespace auxfem
 {
   namespace
   {
-    const std::string word = "hht";
+    const std::string hht_name = "hht";
 
     const Quantity alpha_entry = {
       "HHT alpha",
@@ -23,7 +23,7 @@ namespace auxfem
     std::unique_ptr<TimeScheme> make_hht(dealii::ParameterHandler &prm,
                                          const SceneContext & /*context*/)
     {
-      return std::make_unique<AlphaFamily>(word,
+      return std::make_unique<AlphaFamily>(hht_name,
                                            AlphaFamily::hht(
                                              get(prm, alpha_entry)));
     }
@@ -36,7 +36,7 @@ namespace auxfem
 
   TimeSchemeEntry hht_entry()
   {
-    return {{word,
+    return {{hht_name,
              "Hilber-Hughes-Taylor, of second order, damps high frequencies",
              &declare_hht,
              &make_hht},

@@ -9,7 +9,7 @@ namespace auxfem
 {
   namespace
   {
-    const std::string word = "newmark";
+    const std::string newmark_name = "newmark";
 
     const Quantity beta_entry = {
       "Newmark beta",
@@ -50,7 +50,7 @@ namespace auxfem
     {
       const double beta = get(prm, beta_entry), gamma = get(prm, gamma_entry);
       refuse_unstable(beta, gamma, context.path);
-      return std::make_unique<AlphaFamily>(word,
+      return std::make_unique<AlphaFamily>(newmark_name,
                                            AlphaFamily::newmark(beta, gamma));
     }
   } // namespace
@@ -64,7 +64,7 @@ namespace auxfem
   TimeSchemeEntry newmark_entry()
   {
     return {
-      {word,
+      {newmark_name,
        "Newmark, by default average acceleration, which is of second order",
        &declare_newmark,
        &make_newmark},

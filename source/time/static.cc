@@ -5,7 +5,7 @@ namespace auxfem
 {
   namespace
   {
-    const std::string word = "static";
+    const std::string static_name = "static";
 
     /** Where it is, without motion. */
     void put_at_rest(const State &from, State &to)
@@ -36,7 +36,7 @@ namespace auxfem
     before = part / dt_before;
   }
 
-  QuasiStatic::QuasiStatic() : ImplicitScheme(word)
+  QuasiStatic::QuasiStatic() : ImplicitScheme(static_name)
   {}
 
   void QuasiStatic::predict(const State &from, const double dt, State &to) const
@@ -107,7 +107,7 @@ namespace auxfem
 
   TimeSchemeEntry static_entry()
   {
-    return {{word,
+    return {{static_name,
              "equilibrium at every step, time is a load parameter",
              nullptr,
              &make_static},

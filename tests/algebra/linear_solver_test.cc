@@ -14,7 +14,7 @@ using namespace auxfem::testing_support;
 namespace
 {
   // Blocks are about one, and well conditioned.
-  constexpr double round_off = 1e-11;
+  constexpr double solver_round_off = 1e-11;
 
   SolverParameters of_type(const std::string &type)
   {
@@ -33,7 +33,7 @@ namespace
     ASSERT_TRUE(solver.solve(x)) << solver.why();
     const dealii::Vector<double> expected = network.solution(symmetry);
     for (unsigned int i = 0; i < x.size(); ++i)
-      EXPECT_NEAR(x[i], expected(network.layout->global(i)), round_off);
+      EXPECT_NEAR(x[i], expected(network.layout->global(i)), solver_round_off);
     EXPECT_LT(backward_error(*network.matrix, x, b, symmetry), 1e-13);
   }
 

@@ -13,7 +13,7 @@ using namespace auxfem::testing_support;
 namespace
 {
   // Blocks are about one, and well conditioned.
-  constexpr double round_off = 1e-11;
+  constexpr double condensation_round_off = 1e-11;
 
   bool is_condensed(const StrutNetwork          &network,
                     const StrutNetwork::Unknown &unknown)
@@ -85,7 +85,7 @@ namespace
     const DenseMatrix expected = reference(network, symmetry);
     ASSERT_EQ(found.m(), expected.m());
     found.add(-1., expected);
-    EXPECT_LT(found.linfty_norm(), round_off);
+    EXPECT_LT(found.linfty_norm(), condensation_round_off);
 
     const std::vector<unsigned int> kept   = kept_unknowns(network);
     const Unknowns                 &joints = condensation.joints();
@@ -121,7 +121,9 @@ namespace
 
     const dealii::Vector<double> expected = network.solution(symmetry);
     for (unsigned int i = 0; i < network.layout->n_local(); ++i)
-      EXPECT_NEAR(values[i], expected(network.layout->global(i)), round_off);
+      EXPECT_NEAR(values[i],
+                  expected(network.layout->global(i)),
+                  condensation_round_off);
   }
 
   void expect_condensed(const NetworkShape &shape, const Symmetry symmetry)

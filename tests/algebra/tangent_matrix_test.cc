@@ -10,7 +10,7 @@ using namespace auxfem::testing_support;
 namespace
 {
   // Sums of some twenty products of numbers of about ten.
-  constexpr double round_off = 1e-12;
+  constexpr double tangent_round_off = 1e-12;
 
   NetworkShape unsymmetric_shape()
   {
@@ -30,7 +30,9 @@ namespace
     network.layout->update_ghosts(local.data());
     network.matrix->multiply(local.data(), image.data(), symmetry);
     for (unsigned int i = 0; i < image.size(); ++i)
-      EXPECT_NEAR(image[i], expected(network.layout->global(i)), round_off);
+      EXPECT_NEAR(image[i],
+                  expected(network.layout->global(i)),
+                  tangent_round_off);
   }
 
   /** @p expected gives the entry for a global number and whether it is free. */
@@ -44,7 +46,7 @@ namespace
                   expected(network.layout->global(i),
                            network.unknowns->kinds[i] !=
                              UnknownKind::prescribed),
-                  round_off);
+                  tangent_round_off);
   }
 } // namespace
 
@@ -106,7 +108,9 @@ TEST(TangentMatrix, AnUnknownMayStandTwiceInABlock)
   if (is_here)
     {
       network.matrix->add(network.pattern->n_blocks() - 1, values);
-      EXPECT_NEAR(network.matrix->diagonal()[4] - before[4], 10., round_off);
+      EXPECT_NEAR(network.matrix->diagonal()[4] - before[4],
+                  10.,
+                  tangent_round_off);
     }
 }
 
@@ -157,7 +161,9 @@ TEST(TangentMatrix, FreeBlockIsAssembledWithoutSupports)
             network.unknown(column).kind != UnknownKind::prescribed;
           const double expected =
             dense(global, column) + (column == global ? 2. : 0.);
-          EXPECT_NEAR(of_row[column], is_free ? expected : 0., round_off);
+          EXPECT_NEAR(of_row[column],
+                      is_free ? expected : 0.,
+                      tangent_round_off);
         }
     }
   // Four motions are prescribed.

@@ -1,6 +1,7 @@
 #include <auxfem/analysis/analysis.h>
 
 #include <gtest/gtest.h>
+#include <support/text_file.h>
 
 #include <filesystem>
 #include <fstream>
@@ -8,15 +9,14 @@
 #include <sstream>
 
 using namespace auxfem;
+using namespace auxfem::testing_support;
 
 namespace
 {
   Scene shipped_scene(const std::filesystem::path    &file,
                       const std::vector<std::string> &overrides = {})
   {
-    std::ostringstream text;
-    text << std::ifstream(file).rdbuf();
-    return read_scene_from_text(text.str(), file, overrides);
+    return read_scene_from_text(read_text(file), file, overrides);
   }
 
   /** Names of the analyses that serve a scene. */

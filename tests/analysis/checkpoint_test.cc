@@ -12,6 +12,8 @@
 #include <cmath>
 #include <map>
 
+#include <support/pi.h>
+
 using namespace auxfem;
 using namespace auxfem::testing_support;
 
@@ -20,8 +22,6 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  constexpr double pi = 3.14159265358979323846;
-
   Scene scene_of(const std::string              &text,
                  const std::vector<std::string> &overrides)
   {

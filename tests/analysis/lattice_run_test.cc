@@ -1,6 +1,7 @@
 #include <auxfem/analysis/lattice_run.h>
 #include <auxfem/parameters/errors.h>
 
+#include <analysis/expect_same.h>
 #include <equations/equations_on_ranks.h>
 #include <gtest/gtest.h>
 #include <support/run_program.h>
@@ -77,13 +78,6 @@ namespace
         return error.what();
       }
     return "";
-  }
-
-  void expect_same(const Vector &a, const Vector &b)
-  {
-    ASSERT_EQ(a.size(), b.size());
-    for (unsigned int i = 0; i < a.size(); ++i)
-      EXPECT_EQ(a[i], b[i]);
   }
 
   const std::string ten_steps = "set Scheme = newmark\n"

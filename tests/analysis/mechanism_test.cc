@@ -28,9 +28,10 @@ namespace
    * What refuse_mechanism() has against a scene; empty if nothing. An iterative
    * solver must come to the same verdict, be it by another of several modes.
    */
-  std::string refusal_of(const std::string              &text,
-                         const std::vector<std::string> &overrides = {},
-                         const std::optional<double> first_step = std::nullopt)
+  std::string
+  mechanism_of(const std::string              &text,
+               const std::vector<std::string> &overrides  = {},
+               const std::optional<double>     first_step = std::nullopt)
   {
     const std::string refusal =
       refusal_with("auto", text, overrides, first_step);
@@ -74,7 +75,7 @@ namespace
 
 TEST(Mechanism, AHingedSquareIsRefusedNamingAMovingJoint)
 {
-  const std::string message = refusal_of(square(hinges + two_pins));
+  const std::string message = mechanism_of(square(hinges + two_pins));
   EXPECT_TRUE(contains(message, "horizontal displacement of joint 2") ||
               contains(message, "horizontal displacement of joint 3"))
     << message;
@@ -83,13 +84,13 @@ TEST(Mechanism, AHingedSquareIsRefusedNamingAMovingJoint)
 
 TEST(Mechanism, ABracedHingedSquareStands)
 {
-  EXPECT_EQ(refusal_of(square(hinges + two_pins + brace("1"))), "");
+  EXPECT_EQ(mechanism_of(square(hinges + two_pins + brace("1"))), "");
 }
 
 TEST(Mechanism, ASoftBraceHoldsASquareToo)
 {
   // A million times softer than the struts, still far above round-off.
-  EXPECT_EQ(refusal_of(square(hinges + two_pins + brace("1e-6"))), "");
+  EXPECT_EQ(mechanism_of(square(hinges + two_pins + brace("1e-6"))), "");
 }
 
 TEST(Mechanism, ADashpotHoldsASquareForAStepButNotForEver)
@@ -102,56 +103,56 @@ TEST(Mechanism, ADashpotHoldsASquareForAStepButNotForEver)
                                   "    set Between = 0 2\n"
                                   "  end\n"
                                   "end\n");
-  EXPECT_EQ(refusal_of(text, {}, 0.1), "");
-  EXPECT_NE(refusal_of(text), "");
+  EXPECT_EQ(mechanism_of(text, {}, 0.1), "");
+  EXPECT_NE(mechanism_of(text), "");
 }
 
 TEST(Mechanism, ARigidSquareOnTwoPinsStands)
 {
-  EXPECT_EQ(refusal_of(square(two_pins)), "");
+  EXPECT_EQ(mechanism_of(square(two_pins)), "");
 }
 
 TEST(Mechanism, AHingedSquareWithRotationalSpringsStands)
 {
-  EXPECT_EQ(refusal_of(square("subsection Joints\n"
-                              "  subsection corners\n"
-                              "    set Joints = all\n"
-                              "    set Type = rotational spring\n"
-                              "    set Stiffness = 0.01\n"
-                              "  end\n"
-                              "end\n" +
-                              two_pins)),
+  EXPECT_EQ(mechanism_of(square("subsection Joints\n"
+                                "  subsection corners\n"
+                                "    set Joints = all\n"
+                                "    set Type = rotational spring\n"
+                                "    set Stiffness = 0.01\n"
+                                "  end\n"
+                                "end\n" +
+                                two_pins)),
             "");
 }
 
 TEST(Mechanism, AStructureWithoutSupportsIsRefused)
 {
-  EXPECT_TRUE(contains(refusal_of(square("")), "not supported"));
+  EXPECT_TRUE(contains(mechanism_of(square("")), "not supported"));
 }
 
 TEST(Mechanism, OnePinLeavesARotation)
 {
-  EXPECT_NE(refusal_of(square("subsection Supports\n"
-                              "  subsection ground\n"
-                              "    set Joints = 0\n"
-                              "    set Type = pin\n"
-                              "  end\n"
-                              "end\n")),
+  EXPECT_NE(mechanism_of(square("subsection Supports\n"
+                                "  subsection ground\n"
+                                "    set Joints = 0\n"
+                                "    set Type = pin\n"
+                                "  end\n"
+                                "end\n")),
             "");
 }
 
 TEST(Mechanism, APieceOfItsOwnIsFound)
 {
   // The second strut touches nothing.
-  const std::string message = refusal_of(frame_scene("0 0; 1 0; 3 0; 4 0",
-                                                     "0 1; 2 3",
-                                                     "subsection Supports\n"
-                                                     "  subsection wall\n"
-                                                     "    set Joints = 0\n"
-                                                     "    set Type = clamp\n"
-                                                     "  end\n"
-                                                     "end\n"),
-                                         {"Time/Scheme=static"});
+  const std::string message = mechanism_of(frame_scene("0 0; 1 0; 3 0; 4 0",
+                                                       "0 1; 2 3",
+                                                       "subsection Supports\n"
+                                                       "  subsection wall\n"
+                                                       "    set Joints = 0\n"
+                                                       "    set Type = clamp\n"
+                                                       "  end\n"
+                                                       "end\n"),
+                                           {"Time/Scheme=static"});
   EXPECT_TRUE(contains(message, "joint 2") || contains(message, "joint 3") ||
               contains(message, "strut 1"))
     << message;
@@ -160,23 +161,24 @@ TEST(Mechanism, APieceOfItsOwnIsFound)
 TEST(Mechanism, ASlenderCantileverOfManyElementsStands)
 {
   // Bending a million times softer than stretching, in 64 elements.
-  EXPECT_EQ(refusal_of(frame_scene("0 0; 1 0",
-                                   "0 1",
-                                   "subsection Supports\n"
-                                   "  subsection wall\n"
-                                   "    set Joints = 0\n"
-                                   "    set Type = clamp\n"
-                                   "  end\n"
-                                   "end\n"),
-                       {"Time/Scheme=static",
-                        "Discretization/Global refinements=6",
-                        "Sections/band/Second moment of area=3e-6"}),
+  EXPECT_EQ(mechanism_of(frame_scene("0 0; 1 0",
+                                     "0 1",
+                                     "subsection Supports\n"
+                                     "  subsection wall\n"
+                                     "    set Joints = 0\n"
+                                     "    set Type = clamp\n"
+                                     "  end\n"
+                                     "end\n"),
+                         {"Time/Scheme=static",
+                          "Discretization/Global refinements=6",
+                          "Sections/band/Second moment of area=3e-6"}),
             "");
 }
 
 TEST(Mechanism, ALargeStarArrayOnItsFoundationStands)
 {
-  EXPECT_EQ(refusal_of(star_with_everything(6, 6), {"Time/Scheme=static"}), "");
+  EXPECT_EQ(mechanism_of(star_with_everything(6, 6), {"Time/Scheme=static"}),
+            "");
 }
 
 TEST(Mechanism, UnitsDoNotMatter)
@@ -188,8 +190,8 @@ TEST(Mechanism, UnitsDoNotMatter)
     "Sections/band/Area=1e-8",
     "Sections/band/Shear area=1e-8",
     "Sections/band/Second moment of area=1e-17"};
-  EXPECT_EQ(refusal_of(square(two_pins), steel), "");
-  EXPECT_NE(refusal_of(square(hinges + two_pins), steel), "");
+  EXPECT_EQ(mechanism_of(square(two_pins), steel), "");
+  EXPECT_NE(mechanism_of(square(hinges + two_pins), steel), "");
 }
 
 TEST(Mechanism, ABodyInSpaceThatTurnsAboutItsHingeIsRefused)

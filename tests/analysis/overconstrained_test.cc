@@ -10,9 +10,9 @@ using namespace auxfem::testing_support;
 namespace
 {
   /** What refuse_overconstrained() has against a scene; empty if nothing. */
-  std::string refusal_of(const std::string              &text,
-                         const std::vector<std::string> &overrides = {},
-                         const MPI_Comm communicator = MPI_COMM_WORLD)
+  std::string overconstraint_of(const std::string              &text,
+                                const std::vector<std::string> &overrides = {},
+                                const MPI_Comm communicator = MPI_COMM_WORLD)
   {
     EquationsOnRanks of_scene(text, overrides, communicator);
     Work             work;
@@ -69,7 +69,7 @@ namespace
 
 TEST(Overconstrained, ABarBetweenFixedJointsIsRefused)
 {
-  const std::string message = refusal_of(
+  const std::string message = overconstraint_of(
     frame_scene("0 0; 1 0; 3 1", "0 1; 1 2", rigid("all") + pins("0, 1")));
   for (const char *words :
        {"Rigid parts", "condition of the rigid part of joints 0 1", "supports"})
@@ -80,7 +80,7 @@ TEST(Overconstrained, ASecondDiagonalIsRefused)
 {
   for (const char *supports : {"", "0"})
     {
-      const std::string message = refusal_of(braced_square(
+      const std::string message = overconstraint_of(braced_square(
         rigid("all") + (*supports ? pins(supports) : std::string())));
       EXPECT_TRUE(contains(message, "condition of the rigid part of joints"))
         << message;
@@ -89,29 +89,32 @@ TEST(Overconstrained, ASecondDiagonalIsRefused)
 
 TEST(Overconstrained, ADeterminateSquarePasses)
 {
-  EXPECT_EQ(refusal_of(frame_scene("0 0; 2 0; 2 2; 0 2",
-                                   "0 1; 1 2; 2 3; 3 0; 0 2",
-                                   rigid("all") + pins("0"))),
+  EXPECT_EQ(overconstraint_of(frame_scene("0 0; 2 0; 2 2; 0 2",
+                                          "0 1; 1 2; 2 3; 3 0; 0 2",
+                                          rigid("all") + pins("0"))),
             "");
 }
 
 TEST(Overconstrained, AnElasticDiagonalPasses)
 {
-  EXPECT_EQ(refusal_of(braced_square(rigid("0, 1, 2, 3, 4") + pins("0"))), "");
+  EXPECT_EQ(overconstraint_of(
+              braced_square(rigid("0, 1, 2, 3, 4") + pins("0"))),
+            "");
 }
 
 TEST(Overconstrained, TheSecondPinOfADeterminateSquareIsRefused)
 {
-  EXPECT_NE(refusal_of(braced_square(rigid("0, 1, 2, 3, 4") + pins("0, 2"))),
+  EXPECT_NE(overconstraint_of(
+              braced_square(rigid("0, 1, 2, 3, 4") + pins("0, 2"))),
             "");
   // A roller across the diagonal's direction leaves it free.
-  EXPECT_EQ(refusal_of(braced_square(rigid("0, 1, 2, 3, 4") + pins("0") +
-                                     "subsection Supports\n"
-                                     "  subsection slide\n"
-                                     "    set Joints = 1\n"
-                                     "    set Type = roller x\n"
-                                     "  end\n"
-                                     "end\n")),
+  EXPECT_EQ(overconstraint_of(braced_square(rigid("0, 1, 2, 3, 4") + pins("0") +
+                                            "subsection Supports\n"
+                                            "  subsection slide\n"
+                                            "    set Joints = 1\n"
+                                            "    set Type = roller x\n"
+                                            "  end\n"
+                                            "end\n")),
             "");
 }
 
@@ -125,23 +128,24 @@ TEST(Overconstrained, PrescribedMotionCountsAsSupport)
                              "  end\n"
                              "end\n";
   const std::string bar = "0 0; 1 0; 3 1", struts = "0 1; 1 2";
-  EXPECT_NE(refusal_of(
+  EXPECT_NE(overconstraint_of(
               frame_scene(bar, struts, rigid("0") + pins("0") + driven)),
             "");
 }
 
 TEST(Overconstrained, TwoPartsThatShareTwoJointsAreRefused)
 {
-  const std::string message = refusal_of(frame_scene("0 0; 1 0; 2 1",
-                                                     "0 1; 1 2",
-                                                     "subsection Rigid parts\n"
-                                                     "  subsection L\n"
-                                                     "    set Struts = all\n"
-                                                     "  end\n"
-                                                     "  subsection twin\n"
-                                                     "    set Joints = 0, 2\n"
-                                                     "  end\n"
-                                                     "end\n"));
+  const std::string message =
+    overconstraint_of(frame_scene("0 0; 1 0; 2 1",
+                                  "0 1; 1 2",
+                                  "subsection Rigid parts\n"
+                                  "  subsection L\n"
+                                  "    set Struts = all\n"
+                                  "  end\n"
+                                  "  subsection twin\n"
+                                  "    set Joints = 0, 2\n"
+                                  "  end\n"
+                                  "end\n"));
   EXPECT_TRUE(contains(message, "condition of the rigid part of joints"))
     << message;
 }
@@ -150,7 +154,7 @@ TEST(Overconstrained, SmallCellsAreJudgedAsLargeOnes)
 {
   const auto square = [](const std::string &struts, const std::string &size) {
     const std::string &a = size;
-    return refusal_of(
+    return overconstraint_of(
       frame_scene("0 0; " + a + " 0; " + a + " " + a + "; 0 " + a,
                   struts,
                   rigid("all") + pins("0")));
@@ -164,12 +168,13 @@ TEST(Overconstrained, SmallCellsAreJudgedAsLargeOnes)
 
 TEST(Overconstrained, ALongChainPasses)
 {
-  EXPECT_EQ(refusal_of(chain(200)), "");
+  EXPECT_EQ(overconstraint_of(chain(200)), "");
 }
 
 TEST(Overconstrained, ScenesWithoutRigidPartsPass)
 {
-  EXPECT_EQ(refusal_of(frame_scene("0 0; 1 0", "0 1", pins("0, 1"))), "");
+  EXPECT_EQ(overconstraint_of(frame_scene("0 0; 1 0", "0 1", pins("0, 1"))),
+            "");
 }
 
 namespace
@@ -193,15 +198,16 @@ namespace
 
 TEST(Overconstrained, ABodyInSpaceOnOneHingePasses)
 {
-  EXPECT_EQ(refusal_of(rigid_l(pins("0"))), "");
-  EXPECT_EQ(refusal_of(rigid_l(pins("0") + revolute)), "");
+  EXPECT_EQ(overconstraint_of(rigid_l(pins("0"))), "");
+  EXPECT_EQ(overconstraint_of(rigid_l(pins("0") + revolute)), "");
 }
 
 TEST(Overconstrained, ASecondPinOnTheAxisIsRefused)
 {
   for (const std::string &hinge : {std::string(), revolute})
     {
-      const std::string message = refusal_of(rigid_l(pins("0, 1") + hinge));
+      const std::string message =
+        overconstraint_of(rigid_l(pins("0, 1") + hinge));
       EXPECT_TRUE(contains(message, "Rigid parts and revolute hinges"))
         << message;
       EXPECT_TRUE(contains(message, "slide along the axis")) << message;
@@ -211,7 +217,7 @@ TEST(Overconstrained, ASecondPinOnTheAxisIsRefused)
 TEST(Overconstrained, ARevoluteHingeInAHeldBodyIsRefused)
 {
   // Three joints held against all that is left.
-  EXPECT_NE(refusal_of(rigid_l(
+  EXPECT_NE(overconstraint_of(rigid_l(
               pins("0") + revolute +
               "subsection Supports\n  subsection slide\n    set Joints = 2\n"
               "    set Type = prescribed\n    set Displacement z = 0\n"

@@ -1,5 +1,6 @@
 #include <auxfem/parameters/errors.h>
 
+#include <analysis/expect_same.h>
 #include <equations/equations_on_ranks.h>
 #include <gtest/gtest.h>
 #include <support/scene_run.h>
@@ -47,13 +48,6 @@ namespace
         return error.what();
       }
     return "";
-  }
-
-  void expect_same(const Vector &a, const Vector &b)
-  {
-    ASSERT_EQ(a.size(), b.size());
-    for (unsigned int i = 0; i < a.size(); ++i)
-      EXPECT_EQ(a[i], b[i]);
   }
 } // namespace
 

@@ -10,7 +10,7 @@ namespace
   constexpr double dt = 0.7;
 
   // Sums of some hundred products of numbers around one.
-  constexpr double round_off = 1e-13;
+  constexpr double between_round_off = 1e-13;
 
   template <class Beam>
   Beam2D::EnergyRate mean_force(const Beam                  &beam,
@@ -87,10 +87,10 @@ TEST(Beam2DBetween, WorkOnAStepIsTheChangeOfEnergyAndWhatIsLost)
     EXPECT_GT(energy.dissipation, 0);
     EXPECT_NEAR(energy.strain,
                 strain_energy(beam, u1),
-                round_off * (1 + energy.strain));
+                between_round_off * (1 + energy.strain));
     EXPECT_NEAR(product(force, travel(u0, u1)),
                 energy.strain - strain_energy(beam, u0) + energy.dissipation,
-                round_off * (1 + energy.strain + energy.dissipation));
+                between_round_off * (1 + energy.strain + energy.dissipation));
   });
 }
 
@@ -105,9 +105,9 @@ TEST(Beam2DBetween, WhatIsLostIsThatOfTheMeanRateOfStrain)
       u1[3 * a] = 0.3 * beam.nodes[a][0];
     }
   const auto energy = mean_force(beam, u0, u1, force);
-  EXPECT_NEAR(energy.dissipation, 0.4 * 3 * 0.04 * 1.6 / dt, round_off);
+  EXPECT_NEAR(energy.dissipation, 0.4 * 3 * 0.04 * 1.6 / dt, between_round_off);
   // The mean stretch 0.2 and its rate.
-  EXPECT_NEAR(force[3], 3 * 0.2 + 0.4 * 3 * 0.2 / dt, round_off);
+  EXPECT_NEAR(force[3], 3 * 0.2 + 0.4 * 3 * 0.2 / dt, between_round_off);
 }
 
 TEST(Beam2DBetween, NoWorkOnRigidMotionsAboutTheMeanPlaces)
@@ -125,7 +125,7 @@ TEST(Beam2DBetween, NoWorkOnRigidMotionsAboutTheMeanPlaces)
           (beam.nodes[a][1] + (u0[3 * a + 1] + u1[3 * a + 1]) / 2) *
             force[3 * a];
       }
-    const double allowed = round_off * (1 + largest(force));
+    const double allowed = between_round_off * (1 + largest(force));
     EXPECT_NEAR(x, 0, allowed);
     EXPECT_NEAR(y, 0, allowed);
     EXPECT_NEAR(moment, 0, allowed);
@@ -142,8 +142,8 @@ TEST(Beam2DBetween, AStepThatTurnsAsAWholeLoadsNothing)
                                    beam.moved(rest, 0.4, {{0.3, -0.2}}),
                                    beam.moved(rest, 1.9, {{0.1, 0.5}}),
                                    force);
-    EXPECT_NEAR(largest(force), 0, round_off);
-    EXPECT_NEAR(energy.dissipation, 0, round_off);
+    EXPECT_NEAR(largest(force), 0, between_round_off);
+    EXPECT_NEAR(energy.dissipation, 0, between_round_off);
   });
 }
 
@@ -156,7 +156,7 @@ TEST(Beam2DBetween, OfNoStepItIsTheForceAtRest)
     beam.template force<true, false>(u, v, force);
     mean_force(beam, u, u, mean);
     for (int i = 0; i < beam.n; ++i)
-      EXPECT_NEAR(mean[i], force[i], round_off * (1 + largest(force)));
+      EXPECT_NEAR(mean[i], force[i], between_round_off * (1 + largest(force)));
   });
 }
 

@@ -9,7 +9,7 @@ namespace
 {
   // Forces are sums of some 50 products of numbers of about 1 to 30
   // (stiffness 3, derivatives up to 10.5), each rounded once.
-  constexpr double round_off = 1e-12;
+  constexpr double beam_2d_round_off = 1e-12;
 
   template <bool large_rotation, bool damped, class Beam>
   void check_tangent(const Beam &beam)
@@ -64,7 +64,7 @@ TEST(Beam2D, UndampedTangentIsSymmetric)
       for (int j = 0; j < i; ++j)
         EXPECT_NEAR(matrix[i * Beam::n + j],
                     matrix[j * Beam::n + i],
-                    round_off * largest(matrix));
+                    beam_2d_round_off * largest(matrix));
   });
 }
 
@@ -111,7 +111,7 @@ TEST(Beam2D, DampingTakesThePowerOfItsForceAndNeverGivesAny)
             size += std::abs(damped[i] * v[i]);
           }
         EXPECT_GT(energy.dissipation, 0);
-        EXPECT_NEAR(energy.dissipation, power, round_off * size);
+        EXPECT_NEAR(energy.dissipation, power, beam_2d_round_off * size);
       }
   });
 }
@@ -134,9 +134,10 @@ TEST(Beam2D, RigidMotionGivesNoForceAlsoAfterSeveralTurns)
             rate[3 * a + 2] = omega;
           }
         const auto energy = beam.template force<true, true>(u, rate, force);
-        EXPECT_LT(largest(force), 10 * round_off) << "angle " << angle;
-        EXPECT_LT(energy.strain, round_off * round_off);
-        EXPECT_LT(energy.dissipation, 100 * round_off * round_off);
+        EXPECT_LT(largest(force), 10 * beam_2d_round_off) << "angle " << angle;
+        EXPECT_LT(energy.strain, beam_2d_round_off * beam_2d_round_off);
+        EXPECT_LT(energy.dissipation,
+                  100 * beam_2d_round_off * beam_2d_round_off);
       }
   });
 }
@@ -154,8 +155,8 @@ TEST(Beam2D, ForcesTurnWithASuperposedRotation)
       beam.template force<true, false>(beam.moved(u, angle, {{2, 1}}),
                                        u,
                                        turned);
-    EXPECT_NEAR(energy.strain, same.strain, round_off * energy.strain);
-    const double tolerance = round_off * largest(force);
+    EXPECT_NEAR(energy.strain, same.strain, beam_2d_round_off * energy.strain);
+    const double tolerance = beam_2d_round_off * largest(force);
     for (int a = 0; a <= Beam::order; ++a)
       {
         const double fx = force[3 * a], fy = force[3 * a + 1];
@@ -184,7 +185,7 @@ TEST(Beam2D, ForcesAreInEquilibriumInAnyState)
           (beam.nodes[a][1] + u[3 * a + 1]) * force[3 * a];
       }
     EXPECT_LT(largest(std::array<double, 3>{{sum[0], sum[1], sum[2]}}),
-              round_off * largest(force));
+              beam_2d_round_off * largest(force));
   });
 }
 
@@ -199,7 +200,7 @@ TEST(Beam2D, SmallDisplacementFormIsTheDerivativeAtRest)
     const auto exact  = beam.template tangent<true, true>(rest, rest, 1., 2.);
     const auto linear = beam.template tangent<false, true>(u, v, 1., 2.);
     for (unsigned int i = 0; i < exact.size(); ++i)
-      EXPECT_NEAR(exact[i], linear[i], round_off * largest(linear));
+      EXPECT_NEAR(exact[i], linear[i], beam_2d_round_off * largest(linear));
 
     const auto stiffness = beam.template tangent<false, true>(u, v, 1., 0.);
     const auto damping   = beam.template tangent<false, true>(u, v, 0., 1.);
@@ -211,7 +212,7 @@ TEST(Beam2D, SmallDisplacementFormIsTheDerivativeAtRest)
         for (int j = 0; j < Beam::n; ++j)
           sum +=
             stiffness[i * Beam::n + j] * u[j] + damping[i * Beam::n + j] * v[j];
-        EXPECT_NEAR(force[i], sum, round_off * largest(force));
+        EXPECT_NEAR(force[i], sum, beam_2d_round_off * largest(force));
       }
   });
 }
@@ -258,7 +259,7 @@ TEST(Beam2D, UniformStretchGivesTheNormalForceAtTheEndsOnly)
                   i == 0     ? -beam.section.axial * 0.2
                     : i == 3 ? beam.section.axial * 0.2
                              : 0.,
-                  round_off);
+                  beam_2d_round_off);
   });
 }
 
@@ -271,17 +272,17 @@ TEST(Beam2D, UniformShearGivesTheShearForceAndItsMoment)
     });
     for (int a = 0; a <= beam.order; ++a)
       {
-        EXPECT_NEAR(force[3 * a], 0., round_off);
+        EXPECT_NEAR(force[3 * a], 0., beam_2d_round_off);
         EXPECT_NEAR(force[3 * a + 1],
                     a == 0     ? -shear
                       : a == 1 ? shear
                                : 0.,
-                    round_off);
+                    beam_2d_round_off);
         // Virtual work -Q dphi along the axis. The Gauss rule integrates the
         // shape functions exactly (degree p <= 2 p - 1).
         EXPECT_NEAR(force[3 * a + 2],
                     -shear * beam.jacobian * beam.shape.integral[a],
-                    round_off);
+                    beam_2d_round_off);
       }
   });
 }

@@ -1,5 +1,6 @@
 #include <auxfem/elements/beam_3d_damping.h>
 
+#include <elements/some_rotation.h>
 #include <gtest/gtest.h>
 
 #include "beam_3d_on_trial.h"
@@ -13,9 +14,7 @@ namespace
 
   // Forces are sums of some 100 products of numbers of about 1 to 10, each
   // rounded once.
-  constexpr double round_off = 1e-12;
-
-  const Quaternion some_rotation = exponential(SpaceVector({2.1, -0.8, 1.3}));
+  constexpr double damping_round_off = 1e-12;
 
   /** A beam on trial with the velocities of its nodes. */
   template <class Beam>
@@ -121,12 +120,12 @@ TEST(DampingOfBeam3D, UniformRatesOfStretchAndTwistGiveForcesAtTheEndsOnly)
         const double part = i % 6 == 0 ? 0.3 * beam.section.axial
           : i % 6 == 3                 ? 0.7 * beam.section.torsion
                                        : 0;
-        EXPECT_NEAR(force[i], sign * damping_time * part, round_off);
+        EXPECT_NEAR(force[i], sign * damping_time * part, damping_round_off);
       }
     EXPECT_NEAR(power,
                 1.6 * damping_time *
                   (0.09 * beam.section.axial + 0.49 * beam.section.torsion),
-                round_off);
+                damping_round_off);
   });
 }
 
@@ -148,7 +147,7 @@ TEST(DampingOfBeam3D, TakesThePowerOfItsForceAndNeverGivesAny)
             size += std::abs(share);
           }
         EXPECT_GT(dissipation, 0);
-        EXPECT_NEAR(dissipation, power, round_off * size);
+        EXPECT_NEAR(dissipation, power, damping_round_off * size);
       }
   });
 }
@@ -168,8 +167,8 @@ TEST(DampingOfBeam3D, RigidMotionOfADeformedElementIsNotDamped)
         omega};
     typename Beam::Vector force;
     const double          power = moving.force(force);
-    EXPECT_LT(largest(force), 10 * round_off);
-    EXPECT_LT(power, 100 * round_off * round_off);
+    EXPECT_LT(largest(force), 10 * damping_round_off);
+    EXPECT_LT(power, 100 * damping_round_off * damping_round_off);
   });
 }
 

@@ -9,7 +9,7 @@ namespace
 {
   // Forces are sums of some 100 products of numbers of about 1 to 10, each
   // rounded once.
-  constexpr double round_off = 1e-12;
+  constexpr double planar_round_off = 1e-12;
 } // namespace
 
 namespace
@@ -111,8 +111,8 @@ TEST(PlanarMotionOfBeam3D, IsThatOfThePlanarBeam)
     for (unsigned int i = 2; i < u.size(); i += 3)
       u[i] = 2.2 + 3 * u[i];
     const auto worst = beams.differences(u);
-    EXPECT_LT(worst.energy, round_off);
-    EXPECT_LT(worst.force, round_off);
-    EXPECT_LT(worst.tangent, 10 * round_off);
+    EXPECT_LT(worst.energy, planar_round_off);
+    EXPECT_LT(worst.force, planar_round_off);
+    EXPECT_LT(worst.tangent, 10 * planar_round_off);
   });
 }

@@ -1,4 +1,7 @@
+#include <elements/some_rotation.h>
 #include <gtest/gtest.h>
+
+#include <support/pi.h>
 
 #include "beam_3d_on_trial.h"
 
@@ -7,16 +10,11 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  constexpr double pi = 3.14159265358979323846;
-
   // Forces are sums of some 100 products of numbers of about 1 to 10, each
   // rounded once.
-  constexpr double round_off = 1e-12;
+  constexpr double beam_3d_round_off = 1e-12;
 
   const SpaceVector some_shift({1, -2, 0.7});
-
-  /** Any large rotation. */
-  const Quaternion some_rotation = exponential(SpaceVector({2.1, -0.8, 1.3}));
 
   /**
    * Strains of about one, neighbouring nodes up to about 70 degrees apart, all
@@ -35,11 +33,6 @@ namespace
   SpaceVector space_vector(const double *numbers)
   {
     return SpaceVector({numbers[0], numbers[1], numbers[2]});
-  }
-
-  double distance(const SpaceVector &a, const SpaceVector &b)
-  {
-    return (a - b).norm();
   }
 } // namespace
 
@@ -113,7 +106,7 @@ TEST(Beam3D, AntisymmetricPartOfTheTangentIsHalfTheMomentsOnTheNodes)
             }
           EXPECT_NEAR((matrix[i * Beam::n + j] - matrix[j * Beam::n + i]) / 2,
                       expected,
-                      round_off * largest(matrix));
+                      beam_3d_round_off * largest(matrix));
         }
   });
 }
@@ -139,8 +132,8 @@ TEST(Beam3D, RigidMotionGivesNoForceAlsoAfterSeveralTurns)
           exponential(angle * SpaceVector({2. / 7, -3. / 7, 6. / 7}));
         const double energy =
           beam.force(beam.moved({}, rotation, some_shift), force);
-        EXPECT_LT(largest(force), 10 * round_off) << "angle " << angle;
-        EXPECT_LT(energy, round_off * round_off);
+        EXPECT_LT(largest(force), 10 * beam_3d_round_off) << "angle " << angle;
+        EXPECT_LT(energy, beam_3d_round_off * beam_3d_round_off);
       }
   });
 }
@@ -154,20 +147,20 @@ TEST(Beam3D, StrainsAreObjectiveAndForcesTurnWithASuperposedRotation)
     const auto       same  = beam.moved(nodes, turn, SpaceVector({0.3, 2, -1}));
     typename Beam::Vector force, turned;
     const double          energy = beam.force(nodes, force);
-    EXPECT_NEAR(beam.force(same, turned), energy, round_off * energy);
+    EXPECT_NEAR(beam.force(same, turned), energy, beam_3d_round_off * energy);
     for (int g = 0; g < Beam::order; ++g)
       {
-        EXPECT_LT(distance(beam.strains(nodes, g).gamma,
-                           beam.strains(same, g).gamma),
-                  round_off);
-        EXPECT_LT(distance(beam.strains(nodes, g).kappa,
-                           beam.strains(same, g).kappa),
-                  round_off);
+        EXPECT_LT(distance_between(beam.strains(nodes, g).gamma,
+                                   beam.strains(same, g).gamma),
+                  beam_3d_round_off);
+        EXPECT_LT(distance_between(beam.strains(nodes, g).kappa,
+                                   beam.strains(same, g).kappa),
+                  beam_3d_round_off);
       }
     for (int i = 0; i < Beam::n; i += 3)
-      EXPECT_LT(distance(space_vector(turned.data() + i),
-                         rotated(turn, space_vector(force.data() + i))),
-                round_off * largest(force));
+      EXPECT_LT(distance_between(space_vector(turned.data() + i),
+                                 rotated(turn, space_vector(force.data() + i))),
+                beam_3d_round_off * largest(force));
   });
 }
 
@@ -183,7 +176,7 @@ TEST(Beam3D, StrainsDoNotDependOnSignsOfTheQuaternions)
     beam.force(nodes, force);
     beam.force(flipped, same);
     for (int i = 0; i < Beam::n; ++i)
-      EXPECT_NEAR(force[i], same[i], round_off * largest(force));
+      EXPECT_NEAR(force[i], same[i], beam_3d_round_off * largest(force));
   });
 }
 
@@ -207,7 +200,7 @@ TEST(Beam3D, ClosedPathsOfRotationsBeyondATurnReturn)
     beam.force(start, force);
     beam.force(nodes, again);
     for (int i = 0; i < Beam::n; ++i)
-      EXPECT_NEAR(force[i], again[i], 10 * round_off * largest(force));
+      EXPECT_NEAR(force[i], again[i], 10 * beam_3d_round_off * largest(force));
   });
 }
 
@@ -228,8 +221,8 @@ TEST(Beam3D, ForcesAreInEquilibriumInAnyState)
           dealii::cross_product_3d(beam.places[a] + nodes[a].displacement,
                                    at_node);
       }
-    EXPECT_LT(sum.norm(), round_off * largest(force));
-    EXPECT_LT(moment.norm(), round_off * largest(force));
+    EXPECT_LT(sum.norm(), beam_3d_round_off * largest(force));
+    EXPECT_LT(moment.norm(), beam_3d_round_off * largest(force));
   });
 }
 
@@ -263,12 +256,12 @@ TEST(Beam3D, SmallDisplacementFormIsTheDerivativeAtRest)
         double sum = 0;
         for (int j = 0; j < Beam::n; ++j)
           sum += tangent[i * Beam::n + j] * u[j];
-        EXPECT_NEAR(force[i], sum, round_off * largest(force));
+        EXPECT_NEAR(force[i], sum, beam_3d_round_off * largest(force));
         // Of the neglected squares
         EXPECT_NEAR(force[i], exact[i] / size, 100 * size * largest(force));
         work += force[i] * u[i] / 2;
       }
-    EXPECT_NEAR(energy, work, round_off * work);
+    EXPECT_NEAR(energy, work, beam_3d_round_off * work);
   });
 }
 
@@ -308,9 +301,9 @@ namespace
         SpaceVector expected;
         if (i < 12)
           expected = (i < 6 ? -1. : 1.) * space_vector(at_end.data() + i % 6);
-        EXPECT_LT(distance(rotated(conjugate(some_rotation),
-                                   space_vector(force.data() + i)),
-                           expected),
+        EXPECT_LT(distance_between(rotated(conjugate(some_rotation),
+                                           space_vector(force.data() + i)),
+                                   expected),
                   tolerance)
           << "node " << i / 6;
       }
@@ -326,7 +319,7 @@ TEST(Beam3D, UniformStretchGivesTheNormalForceAtTheEndsOnly)
         return std::array<double, 6>{{0.2 * s, 0, 0, 0, 0, 0}};
       },
       {{beam.section.axial * 0.2, 0, 0, 0, 0, 0}},
-      round_off);
+      beam_3d_round_off);
   });
 }
 
@@ -348,16 +341,17 @@ TEST(Beam3D, UniformShearGivesTheShearForceAndItsMoment)
     for (int a = 0; a <= beam.order; ++a)
       {
         const double *at_node = force.data() + Beam3D::n_components * a;
-        EXPECT_LT(distance(space_vector(at_node),
-                           (a == 0     ? -1.
-                              : a == 1 ? 1.
-                                       : 0.) *
-                             shear),
-                  round_off);
+        EXPECT_LT(distance_between(space_vector(at_node),
+                                   (a == 0     ? -1.
+                                      : a == 1 ? 1.
+                                               : 0.) *
+                                     shear),
+                  beam_3d_round_off);
         // The Gauss rule integrates the shape functions exactly.
-        EXPECT_LT(distance(space_vector(at_node + 3),
-                           beam.jacobian * beam.shape.integral[a] * lever),
-                  round_off);
+        EXPECT_LT(distance_between(space_vector(at_node + 3),
+                                   beam.jacobian * beam.shape.integral[a] *
+                                     lever),
+                  beam_3d_round_off);
       }
   });
 }
@@ -400,7 +394,7 @@ TEST(Beam3D, UniformTorsionAndBendingGiveEndMomentsOnly)
           [i, rate](const double s) { return uniformly_turned(rate, s, i); },
           at_end,
           // Rotated by a large angle: an absolute rounding of one.
-          round_off);
+          beam_3d_round_off);
       }
   });
 }
@@ -414,10 +408,10 @@ TEST(Beam3D, LargeTwistOfALinearElement)
       const auto   nodes = nodes_under(beam, [twist](const double s) {
         return std::array<double, 6>{{0, 0, 0, twist * s / 1.6, 0, 0}};
       });
-      EXPECT_LT(distance(beam.strains(nodes, 0).kappa,
-                         SpaceVector({rate, 0, 0})),
-                round_off);
-      EXPECT_LT(beam.strains(nodes, 0).gamma.norm(), round_off);
+      EXPECT_LT(distance_between(beam.strains(nodes, 0).kappa,
+                                 SpaceVector({rate, 0, 0})),
+                beam_3d_round_off);
+      EXPECT_LT(beam.strains(nodes, 0).gamma.norm(), beam_3d_round_off);
     }
 }
 

@@ -14,7 +14,7 @@ namespace
 {
   // Shape functions are at most 1 and products of at most 6 factors; sums of 7
   // of them keep an error of some 50 roundings.
-  constexpr double round_off = 2e-14;
+  constexpr double shape_round_off = 2e-14;
 
   /** Calls @p check with the shape functions of every order. */
   template <class Check>
@@ -44,15 +44,15 @@ TEST(BeamShape, EndsComeFirstThenInnerNodesFromLeftToRight)
 TEST(BeamShape, InnerNodesAreThoseOfGaussLobatto)
 {
   // Zeros of the derivative of the Legendre polynomial of degree p.
-  EXPECT_NEAR(BeamShape<2>().node[2], 0., round_off);
-  EXPECT_NEAR(BeamShape<3>().node[2], -std::sqrt(1. / 5.), round_off);
-  EXPECT_NEAR(BeamShape<4>().node[2], -std::sqrt(3. / 7.), round_off);
+  EXPECT_NEAR(BeamShape<2>().node[2], 0., shape_round_off);
+  EXPECT_NEAR(BeamShape<3>().node[2], -std::sqrt(1. / 5.), shape_round_off);
+  EXPECT_NEAR(BeamShape<4>().node[2], -std::sqrt(3. / 7.), shape_round_off);
   EXPECT_NEAR(BeamShape<5>().node[2],
               -std::sqrt(1. / 3. + 2. * std::sqrt(7.) / 21.),
-              round_off);
+              shape_round_off);
   EXPECT_NEAR(BeamShape<6>().node[2],
               -std::sqrt(5. / 11. + 2. / 11. * std::sqrt(5. / 3.)),
-              round_off);
+              shape_round_off);
 }
 
 TEST(BeamShape, FunctionsAreOneAtTheirOwnNodeAndZeroAtTheOthers)
@@ -79,9 +79,9 @@ TEST(BeamShape, FunctionsSumToOneAndDerivativesToZero)
             sum += shape.value[g][a];
             slope += shape.derivative[g][a];
           }
-        EXPECT_NEAR(sum, 1., round_off);
+        EXPECT_NEAR(sum, 1., shape_round_off);
         // Derivatives are up to p (p + 1) / 4 = 10.5.
-        EXPECT_NEAR(slope, 0., 10 * round_off);
+        EXPECT_NEAR(slope, 0., 10 * shape_round_off);
       }
   });
 }
@@ -98,7 +98,7 @@ TEST(BeamShape, TablesAtGaussPointsAgreeWithValuesAtAnyPoint)
         shape.values_at(shape.point[g] - step, left);
         for (int a = 0; a < shape.n_nodes; ++a)
           {
-            EXPECT_NEAR(shape.value[g][a], at[a], round_off);
+            EXPECT_NEAR(shape.value[g][a], at[a], shape_round_off);
             // Error of the difference: step^2 / 6 times third derivatives of
             // some 500 at order 6.
             EXPECT_NEAR(shape.derivative[g][a],
@@ -118,7 +118,9 @@ TEST(BeamShape, GaussPointsIntegrateTheInternalForcesExactly)
         double sum = 0;
         for (int g = 0; g < shape.n_gauss_points; ++g)
           sum += shape.weight[g] * std::pow(shape.point[g], degree);
-        EXPECT_NEAR(sum, degree % 2 == 0 ? 2. / (degree + 1) : 0., round_off);
+        EXPECT_NEAR(sum,
+                    degree % 2 == 0 ? 2. / (degree + 1) : 0.,
+                    shape_round_off);
       }
   });
 }
@@ -126,14 +128,14 @@ TEST(BeamShape, GaussPointsIntegrateTheInternalForcesExactly)
 TEST(BeamShape, MassOfLinearAndQuadraticElementsIsTheClosedForm)
 {
   const BeamShape<1> linear;
-  EXPECT_NEAR(linear.mass[0][0], 2. / 3, round_off);
-  EXPECT_NEAR(linear.mass[0][1], 1. / 3, round_off);
+  EXPECT_NEAR(linear.mass[0][0], 2. / 3, shape_round_off);
+  EXPECT_NEAR(linear.mass[0][1], 1. / 3, shape_round_off);
 
   const BeamShape<2> quadratic;
   const double       reference[3][3] = {{4, -1, 2}, {-1, 4, 2}, {2, 2, 16}};
   for (int a = 0; a < 3; ++a)
     for (int b = 0; b < 3; ++b)
-      EXPECT_NEAR(quadratic.mass[a][b], reference[a][b] / 15, round_off);
+      EXPECT_NEAR(quadratic.mass[a][b], reference[a][b] / 15, shape_round_off);
 }
 
 TEST(BeamShape, MassAndIntegralsAreExact)
@@ -155,9 +157,9 @@ TEST(BeamShape, MassAndIntegralsAreExact)
       }
     for (int a = 0; a < shape.n_nodes; ++a)
       {
-        EXPECT_NEAR(shape.integral[a], integral[a], round_off);
+        EXPECT_NEAR(shape.integral[a], integral[a], shape_round_off);
         for (int b = 0; b < shape.n_nodes; ++b)
-          EXPECT_NEAR(shape.mass[a][b], mass[a][b], round_off);
+          EXPECT_NEAR(shape.mass[a][b], mass[a][b], shape_round_off);
       }
   });
 }
@@ -176,7 +178,7 @@ TEST(BeamShape, GaussInterpolationReproducesPolynomialsOfDegreeBelowTheOrder)
           sum += weights[g] * polynomial(shape.point[g]);
         // At the ends the weights extrapolate: they are up to about 2, and the
         // polynomial is up to 1.3^5 + 2.
-        EXPECT_NEAR(sum, polynomial(xi), 20 * round_off);
+        EXPECT_NEAR(sum, polynomial(xi), 20 * shape_round_off);
       }
   });
 }

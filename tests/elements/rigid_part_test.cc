@@ -6,14 +6,15 @@
 
 #include <cmath>
 
+#include <support/pi.h>
+
 using namespace auxfem;
+using namespace auxfem::testing_support;
 
 namespace
 {
-  constexpr double pi = dealii::numbers::PI;
-
   /** Round-off of some ten operations on numbers of size ten. */
-  constexpr double round_off = 1e-13;
+  constexpr double rigid_part_round_off = 1e-13;
 
   const dealii::Point<3> r0(0.3, -0.2, 0), r1(1.5, 0.7, 0); // 1.5 m apart
   constexpr double       length = 1.5;
@@ -66,10 +67,10 @@ TEST(RigidPartElement, BasePointsHaveThePlacesOfABase)
 {
   const NaturalPlace first  = natural_place<2>(r0, r1, r0),
                      second = natural_place<2>(r0, r1, r1);
-  EXPECT_NEAR(first.a, 0, round_off);
-  EXPECT_NEAR(first.b, 0, round_off);
-  EXPECT_NEAR(second.a, 1, round_off);
-  EXPECT_NEAR(second.b, 0, round_off);
+  EXPECT_NEAR(first.a, 0, rigid_part_round_off);
+  EXPECT_NEAR(first.b, 0, rigid_part_round_off);
+  EXPECT_NEAR(second.a, 1, rigid_part_round_off);
+  EXPECT_NEAR(second.b, 0, rigid_part_round_off);
 }
 
 TEST(RigidPartElement, PlacesCountToTheLeftOfTheBase)
@@ -77,8 +78,8 @@ TEST(RigidPartElement, PlacesCountToTheLeftOfTheBase)
   // From (0, 0) to (2, 0): half a base on, a quarter to the left.
   const NaturalPlace place =
     natural_place<2>({0, 0, 0}, {2, 0, 0}, {1, 0.5, 0});
-  EXPECT_NEAR(place.a, 0.5, round_off);
-  EXPECT_NEAR(place.b, 0.25, round_off);
+  EXPECT_NEAR(place.a, 0.5, rigid_part_round_off);
+  EXPECT_NEAR(place.b, 0.25, rigid_part_round_off);
 }
 
 TEST(RigidPartElement, ShapeFollowsARigidMotion)
@@ -96,7 +97,7 @@ TEST(RigidPartElement, ShapeFollowsARigidMotion)
             EXPECT_NEAR(shares[0] * at0[0] + shares[1] * at0[1] +
                           shares[2] * at1[0] + shares[3] * at1[1],
                         expected[c],
-                        round_off);
+                        rigid_part_round_off);
           }
       }
 }
@@ -109,9 +110,9 @@ TEST(RigidPartElement, ShapeGivesAForceItsResultantAndMoment)
       const auto   f = shape<2>(natural_place<2>(r0, r1, point), c);
       const double moment =
         r0[0] * f[1] - r0[1] * f[0] + r1[0] * f[3] - r1[1] * f[2];
-      EXPECT_NEAR(f[0] + f[2], c == 0 ? 1 : 0, round_off);
-      EXPECT_NEAR(f[1] + f[3], c == 0 ? 0 : 1, round_off);
-      EXPECT_NEAR(moment, c == 0 ? -point[1] : point[0], round_off);
+      EXPECT_NEAR(f[0] + f[2], c == 0 ? 1 : 0, rigid_part_round_off);
+      EXPECT_NEAR(f[1] + f[3], c == 0 ? 0 : 1, rigid_part_round_off);
+      EXPECT_NEAR(moment, c == 0 ? -point[1] : point[0], rigid_part_round_off);
     }
 }
 
@@ -126,7 +127,7 @@ TEST(RigidPartElement, MassOfAnEvenBarIsAThirdAndASixth)
                   i == j             ? 2.
                     : i % 2 == j % 2 ? 1.
                                      : 0.,
-                  round_off);
+                  rigid_part_round_off);
 }
 
 TEST(RigidPartElement, EnergyIsThatOfTranslationAndOfRotationAboutAnyPoint)
@@ -144,7 +145,7 @@ TEST(RigidPartElement, EnergyIsThatOfTranslationAndOfRotationAboutAnyPoint)
       const PlaneVector v = vector(0.8, -1.7);
       EXPECT_NEAR(kinetic_energy(M, v, v),
                   mass * v.norm_square() / 2,
-                  10 * round_off);
+                  10 * rigid_part_round_off);
       for (const dealii::Point<3> &pole :
            {centre, r0, dealii::Point<3>(-1, 5, 0)})
         {
@@ -165,12 +166,14 @@ TEST(RigidPartElement, DistanceIsMetByEveryRotation)
 {
   const DistanceCondition<2> distance = {rest, length};
   for (const double angle : {0.7, 2.5, pi, -3., 2 * pi + 0.7})
-    EXPECT_NEAR(distance.value(turned_by(rest, angle) - rest), 0, round_off);
+    EXPECT_NEAR(distance.value(turned_by(rest, angle) - rest),
+                0,
+                rigid_part_round_off);
   // A base longer by s: (L + s)^2 - L^2 over 2 L.
   const double s = 1e-3;
   EXPECT_NEAR(distance.value(s / length * rest),
               s + s * s / (2 * length),
-              round_off);
+              rigid_part_round_off);
 }
 
 TEST(RigidPartElement, DistanceIsExactForTinyMotions)
@@ -207,15 +210,17 @@ TEST(RigidPartElement, ClampIsMetWhenTheSectionTurnsWithTheBody)
 {
   const ClampCondition clamp = {rest, length};
   for (const double angle : {0., 0.7, 2 * pi + 0.7, -2.5})
-    EXPECT_NEAR(clamp.normal(angle) * turned_by(rest, angle), 0, round_off);
+    EXPECT_NEAR(clamp.normal(angle) * turned_by(rest, angle),
+                0,
+                rigid_part_round_off);
   // L sin(angle of the base - angle of the section).
   EXPECT_NEAR(clamp.normal(0.2) * turned_by(rest, 0.9),
               length * std::sin(0.7),
-              round_off);
+              rigid_part_round_off);
   // Also after a turn of the section alone.
   EXPECT_NEAR(clamp.normal(2 * pi + 0.2) * turned_by(rest, 0.9),
               length * std::sin(0.7),
-              round_off);
+              rigid_part_round_off);
 }
 
 TEST(RigidPartElement, DerivativesOfTheClampAreItsDifferences)

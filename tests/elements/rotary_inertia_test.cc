@@ -1,11 +1,13 @@
 #include <auxfem/elements/rotary_inertia.h>
 #include <auxfem/elements/section.h>
 
+#include <elements/some_rotation.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 using namespace auxfem;
+using namespace auxfem::testing_support;
 using dealii::cross_product_3d;
 
 namespace
@@ -15,8 +17,6 @@ namespace
 
   const SpaceTensor some_inertia =
     with_principal_values(some_axes, SpaceVector({1.7, 0.9, 1.1}));
-
-  const Quaternion some_rotation = exponential(SpaceVector({2.1, -0.8, 1.3}));
 
   const RotaryInertia::Motion some_motion = {SpaceVector({2., -1., 3.}),
                                              SpaceVector({-4., 0.6, 1.5})};

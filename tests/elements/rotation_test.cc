@@ -1,25 +1,22 @@
 #include <auxfem/elements/rotation.h>
 
+#include <elements/some_rotation.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include <support/pi.h>
+
 using namespace auxfem;
+using namespace auxfem::testing_support;
 
 namespace
 {
-  constexpr double pi = 3.14159265358979323846;
-
   // A handful of roundings of numbers of about one.
-  constexpr double round_off = 2e-15;
+  constexpr double rotation_round_off = 2e-15;
 
   const SpaceVector some_axis({2. / 7, -3. / 7, 6. / 7});
   const SpaceVector some_vector({0.3, 1.1, -0.7});
-
-  double distance(const SpaceVector &a, const SpaceVector &b)
-  {
-    return (a - b).norm();
-  }
 
   SpaceVector column(const SpaceTensor &matrix, const int j)
   {
@@ -40,9 +37,10 @@ namespace
 TEST(Rotation, ExponentialTurnsByAngleAboutAxis)
 {
   for (const double angle : {0., 1e-9, 0.4, 3.1, pi, 5., -2.})
-    EXPECT_LT(distance(rotated(exponential(angle * some_axis), some_vector),
+    EXPECT_LT(
+      distance_between(rotated(exponential(angle * some_axis), some_vector),
                        turned_by_formula(some_axis, angle, some_vector)),
-              round_off)
+      rotation_round_off)
       << "angle " << angle;
 }
 
@@ -50,8 +48,8 @@ TEST(Rotation, ExponentialIsTwoValuedBeyondOneTurn)
 {
   const Quaternion q    = exponential(0.7 * some_axis),
                    next = exponential((0.7 + 2 * pi) * some_axis);
-  EXPECT_NEAR(next.scalar, -q.scalar, round_off);
-  EXPECT_LT(distance(next.vector, -q.vector), round_off);
+  EXPECT_NEAR(next.scalar, -q.scalar, rotation_round_off);
+  EXPECT_LT(distance_between(next.vector, -q.vector), rotation_round_off);
 }
 
 TEST(Rotation, RotationVectorInvertsTheExponential)
@@ -61,10 +59,11 @@ TEST(Rotation, RotationVectorInvertsTheExponential)
     {
       const SpaceVector v = angle * some_axis;
       // The tolerance of the smallest angle is denormal and counts as zero.
-      EXPECT_LE(distance(rotation_vector(exponential(v)), v), round_off * angle)
+      EXPECT_LE(distance_between(rotation_vector(exponential(v)), v),
+                rotation_round_off * angle)
         << "angle " << angle;
-      EXPECT_LE(distance(rotation_vector(-1 * exponential(v)), v),
-                round_off * angle)
+      EXPECT_LE(distance_between(rotation_vector(-1 * exponential(v)), v),
+                rotation_round_off * angle)
         << "angle " << angle;
     }
   EXPECT_EQ(rotation_vector(Quaternion()).norm(), 0);
@@ -74,24 +73,26 @@ TEST(Rotation, RotationVectorInvertsTheExponential)
 TEST(Rotation, RotationVectorTakesTheShortWayPastAHalfTurn)
 {
   const double excess = 1e-7;
-  EXPECT_LT(distance(rotation_vector(exponential((pi + excess) * some_axis)),
-                     (excess - pi) * some_axis),
-            round_off);
+  EXPECT_LT(distance_between(rotation_vector(
+                               exponential((pi + excess) * some_axis)),
+                             (excess - pi) * some_axis),
+            rotation_round_off);
   EXPECT_NEAR(rotation_vector(exponential(pi * some_axis)).norm(),
               pi,
-              round_off);
+              rotation_round_off);
 }
 
 TEST(Rotation, ProductComposes)
 {
   const Quaternion first  = exponential(1.2 * some_axis),
                    second = exponential(SpaceVector({0.2, 2., -0.9}));
-  EXPECT_LT(distance(rotated(second * first, some_vector),
-                     rotated(second, rotated(first, some_vector))),
-            round_off);
-  EXPECT_LT(distance(rotated(conjugate(first), rotated(first, some_vector)),
-                     some_vector),
-            round_off);
+  EXPECT_LT(distance_between(rotated(second * first, some_vector),
+                             rotated(second, rotated(first, some_vector))),
+            rotation_round_off);
+  EXPECT_LT(distance_between(rotated(conjugate(first),
+                                     rotated(first, some_vector)),
+                             some_vector),
+            rotation_round_off);
 }
 
 TEST(Rotation, ProductOfManyKeepsUnitNormWhenNormalized)
@@ -100,21 +101,21 @@ TEST(Rotation, ProductOfManyKeepsUnitNormWhenNormalized)
   Quaternion       q;
   for (int i = 0; i < 1000; ++i)
     q = normalized(step * q);
-  EXPECT_NEAR(dot(q, q), 1, round_off);
+  EXPECT_NEAR(dot(q, q), 1, rotation_round_off);
   // A rounding a step
-  EXPECT_LT(distance(rotated(q, some_vector),
-                     turned_by_formula(some_axis, 10, some_vector)),
-            1000 * round_off);
+  EXPECT_LT(distance_between(rotated(q, some_vector),
+                             turned_by_formula(some_axis, 10, some_vector)),
+            1000 * rotation_round_off);
 }
 
 TEST(Rotation, ChangeOfAVectorIsAccurateForTinyAngles)
 {
   const double angle = 1e-20;
-  EXPECT_LT(distance(rotation_change(exponential(angle * some_axis),
-                                     some_vector) /
-                       angle,
-                     dealii::cross_product_3d(some_axis, some_vector)),
-            round_off);
+  EXPECT_LT(distance_between(rotation_change(exponential(angle * some_axis),
+                                             some_vector) /
+                               angle,
+                             dealii::cross_product_3d(some_axis, some_vector)),
+            rotation_round_off);
 }
 
 TEST(Rotation, FrameIsRotatedColumnByColumn)
@@ -123,16 +124,16 @@ TEST(Rotation, FrameIsRotatedColumnByColumn)
   const SpaceTensor frame =
     section_frame(some_vector, default_reference(some_vector));
   for (int j = 0; j < 3; ++j)
-    EXPECT_LT(distance(column(rotated(q, frame), j),
-                       rotated(q, column(frame, j))),
-              round_off);
+    EXPECT_LT(distance_between(column(rotated(q, frame), j),
+                               rotated(q, column(frame, j))),
+              rotation_round_off);
 }
 
 TEST(Rotation, CrossProductTensorMultiplies)
 {
-  EXPECT_LT(distance(cross_product_tensor(some_axis) * some_vector,
-                     dealii::cross_product_3d(some_axis, some_vector)),
-            round_off);
+  EXPECT_LT(distance_between(cross_product_tensor(some_axis) * some_vector,
+                             dealii::cross_product_3d(some_axis, some_vector)),
+            rotation_round_off);
 }
 
 TEST(Rotation, TensorTakesItsPrincipalValuesAlongTheAxes)
@@ -142,8 +143,9 @@ TEST(Rotation, TensorTakesItsPrincipalValuesAlongTheAxes)
   const SpaceVector values({3., -1., 0.5});
   const SpaceTensor tensor = with_principal_values(frame, values);
   for (int j = 0; j < 3; ++j)
-    EXPECT_LT(distance(tensor * column(frame, j), values[j] * column(frame, j)),
-              3 * round_off);
+    EXPECT_LT(distance_between(tensor * column(frame, j),
+                               values[j] * column(frame, j)),
+              3 * rotation_round_off);
 }
 
 TEST(Rotation, SectionFrameIsRightHandedWithAxisThreeTowardsTheReference)
@@ -152,15 +154,17 @@ TEST(Rotation, SectionFrameIsRightHandedWithAxisThreeTowardsTheReference)
   const SpaceTensor frame = section_frame(some_vector, reference);
   for (int j = 0; j < 3; ++j)
     {
-      EXPECT_NEAR(column(frame, j).norm(), 1, round_off);
-      EXPECT_LT(distance(dealii::cross_product_3d(column(frame, j),
-                                                  column(frame, (j + 1) % 3)),
-                         column(frame, (j + 2) % 3)),
-                round_off);
+      EXPECT_NEAR(column(frame, j).norm(), 1, rotation_round_off);
+      EXPECT_LT(distance_between(dealii::cross_product_3d(column(frame, j),
+                                                          column(frame,
+                                                                 (j + 1) % 3)),
+                                 column(frame, (j + 2) % 3)),
+                rotation_round_off);
     }
-  EXPECT_LT(distance(column(frame, 0), some_vector / some_vector.norm()),
-            round_off);
-  EXPECT_NEAR(column(frame, 1) * reference, 0, round_off);
+  EXPECT_LT(distance_between(column(frame, 0),
+                             some_vector / some_vector.norm()),
+            rotation_round_off);
+  EXPECT_NEAR(column(frame, 1) * reference, 0, rotation_round_off);
   EXPECT_GT(column(frame, 2) * reference, 0);
 }
 
@@ -168,8 +172,10 @@ TEST(Rotation, DefaultFrameOfAPlanarStrutIsThatOfThePlane)
 {
   const SpaceVector along({0.6, 0.8, 0});
   const SpaceTensor frame = section_frame(along, default_reference(along));
-  EXPECT_LT(distance(column(frame, 1), SpaceVector({-0.8, 0.6, 0})), round_off);
-  EXPECT_LT(distance(column(frame, 2), SpaceVector({0, 0, 1})), round_off);
+  EXPECT_LT(distance_between(column(frame, 1), SpaceVector({-0.8, 0.6, 0})),
+            rotation_round_off);
+  EXPECT_LT(distance_between(column(frame, 2), SpaceVector({0, 0, 1})),
+            rotation_round_off);
 }
 
 TEST(Rotation, DefaultReferenceOfAVerticalStrutIsX)

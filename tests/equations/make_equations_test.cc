@@ -8,15 +8,15 @@ using namespace auxfem::testing_support;
 namespace
 {
   /** Two struts in line, joints 0, 1, 2 at x = 0, 1, 2, with @p further text. */
-  std::string two_struts(const std::string &further)
+  std::string two_struts_with(const std::string &further)
   {
     return frame_scene("0 0; 1 0; 2 0", "0 1; 1 2", further);
   }
 
-  std::string refusal_of(const std::string &further)
+  std::string equations_refusal(const std::string &further)
   {
     return input_error_of(
-      [&] { EquationsOnRanks(two_struts(further), {}, MPI_COMM_SELF); });
+      [&] { EquationsOnRanks(two_struts_with(further), {}, MPI_COMM_SELF); });
   }
 
   const std::string hinge_in_the_middle = "subsection Joints\n"
@@ -28,16 +28,16 @@ namespace
 
 TEST(MakeEquations, TwoSupportsMayHoldTheSameJointAtRest)
 {
-  const EquationsOnRanks of_scene(two_struts("subsection Supports\n"
-                                             "  subsection wall\n"
-                                             "    set Joints = 0\n"
-                                             "    set Type = clamp\n"
-                                             "  end\n"
-                                             "  subsection floor\n"
-                                             "    set Joints = 0, 2\n"
-                                             "    set Type = roller x\n"
-                                             "  end\n"
-                                             "end\n"),
+  const EquationsOnRanks of_scene(two_struts_with("subsection Supports\n"
+                                                  "  subsection wall\n"
+                                                  "    set Joints = 0\n"
+                                                  "    set Type = clamp\n"
+                                                  "  end\n"
+                                                  "  subsection floor\n"
+                                                  "    set Joints = 0, 2\n"
+                                                  "    set Type = roller x\n"
+                                                  "  end\n"
+                                                  "end\n"),
                                   {},
                                   MPI_COMM_SELF);
   ASSERT_EQ(of_scene.model.supports.size(), 2u);
@@ -54,17 +54,18 @@ TEST(MakeEquations, TwoSupportsMayHoldTheSameJointAtRest)
 
 TEST(MakeEquations, ContradictingSupportsAreRefusedByName)
 {
-  const std::string message = refusal_of("subsection Supports\n"
-                                         "  subsection wall\n"
-                                         "    set Joints = 0\n"
-                                         "    set Type = clamp\n"
-                                         "  end\n"
-                                         "  subsection shaker\n"
-                                         "    set Joints = 0\n"
-                                         "    set Type = prescribed\n"
-                                         "    set Displacement y = 0.1 * t\n"
-                                         "  end\n"
-                                         "end\n");
+  const std::string message =
+    equations_refusal("subsection Supports\n"
+                      "  subsection wall\n"
+                      "    set Joints = 0\n"
+                      "    set Type = clamp\n"
+                      "  end\n"
+                      "  subsection shaker\n"
+                      "    set Joints = 0\n"
+                      "    set Type = prescribed\n"
+                      "    set Displacement y = 0.1 * t\n"
+                      "  end\n"
+                      "end\n");
   EXPECT_TRUE(contains(message, "Supports/shaker")) << message;
   EXPECT_TRUE(contains(message, "Supports/wall")) << message;
   EXPECT_TRUE(contains(message, "vertical displacement of joint 0")) << message;
@@ -72,42 +73,42 @@ TEST(MakeEquations, ContradictingSupportsAreRefusedByName)
 
 TEST(MakeEquations, TwoMotionsOfOneJointAreRefused)
 {
-  const std::string message = refusal_of("subsection Supports\n"
-                                         "  subsection first\n"
-                                         "    set Joints = 2\n"
-                                         "    set Type = prescribed\n"
-                                         "    set Rotation z = 0.1 * t\n"
-                                         "  end\n"
-                                         "  subsection second\n"
-                                         "    set Joints = 2\n"
-                                         "    set Type = prescribed\n"
-                                         "    set Rotation z = 0.1 * t\n"
-                                         "  end\n"
-                                         "end\n");
+  const std::string message = equations_refusal("subsection Supports\n"
+                                                "  subsection first\n"
+                                                "    set Joints = 2\n"
+                                                "    set Type = prescribed\n"
+                                                "    set Rotation z = 0.1 * t\n"
+                                                "  end\n"
+                                                "  subsection second\n"
+                                                "    set Joints = 2\n"
+                                                "    set Type = prescribed\n"
+                                                "    set Rotation z = 0.1 * t\n"
+                                                "  end\n"
+                                                "end\n");
   EXPECT_TRUE(contains(message, "rotation of joint 2")) << message;
 }
 
 TEST(MakeEquations, AMomentOnAHingeIsRefused)
 {
-  const std::string message = refusal_of(hinge_in_the_middle +
-                                         "subsection Loads\n"
-                                         "  subsection twist\n"
-                                         "    set Joints = 1\n"
-                                         "    set Moment z = 2\n"
-                                         "  end\n"
-                                         "end\n");
+  const std::string message = equations_refusal(hinge_in_the_middle +
+                                                "subsection Loads\n"
+                                                "  subsection twist\n"
+                                                "    set Joints = 1\n"
+                                                "    set Moment z = 2\n"
+                                                "  end\n"
+                                                "end\n");
   EXPECT_TRUE(contains(message, "Loads/twist/Moment z: joint 1")) << message;
 }
 
 TEST(MakeEquations, AForceOnAHingeIsNot)
 {
-  EXPECT_EQ(refusal_of(hinge_in_the_middle +
-                       "subsection Loads\n"
-                       "  subsection push\n"
-                       "    set Joints = 1\n"
-                       "    set Force y = 2\n"
-                       "  end\n"
-                       "end\n"),
+  EXPECT_EQ(equations_refusal(hinge_in_the_middle +
+                              "subsection Loads\n"
+                              "  subsection push\n"
+                              "    set Joints = 1\n"
+                              "    set Force y = 2\n"
+                              "  end\n"
+                              "end\n"),
             "");
 }
 
@@ -122,29 +123,31 @@ TEST(MakeEquations, ARotationPrescribedAtAHingeIsRefusedUnlessItIsZero)
       "    set Rotation z = " +
       angle + "\n  end\nend\n";
   };
-  const std::string message = refusal_of(turned_by("0.1 * t"));
+  const std::string message = equations_refusal(turned_by("0.1 * t"));
   EXPECT_TRUE(contains(message, "Supports/drive/Rotation z: joint 1"))
     << message;
-  EXPECT_EQ(refusal_of(turned_by("0")), "");
+  EXPECT_EQ(equations_refusal(turned_by("0")), "");
 }
 
 TEST(MakeEquations, AHingeAtWhichNoneOfTheStrutsEndsIsRefused)
 {
-  const std::string message = refusal_of("subsection Joints\n"
-                                         "  subsection middle\n"
-                                         "    set Joints = 0, 1\n"
-                                         "    set Struts = 1\n"
-                                         "  end\n"
-                                         "end\n");
+  const std::string message = equations_refusal("subsection Joints\n"
+                                                "  subsection middle\n"
+                                                "    set Joints = 0, 1\n"
+                                                "    set Struts = 1\n"
+                                                "  end\n"
+                                                "end\n");
   EXPECT_TRUE(contains(message, "Joints/middle")) << message;
   EXPECT_TRUE(contains(message, "joint 0")) << message;
 }
 
 TEST(MakeEquations, HingesAddRotationsAndCanBeSwitchedOff)
 {
-  const EquationsOnRanks rigid(two_struts(""), {}, MPI_COMM_SELF),
-    hinged(two_struts(hinge_in_the_middle), {}, MPI_COMM_SELF),
-    off(two_struts(hinge_in_the_middle), {"Effects/Hinges=off"}, MPI_COMM_SELF);
+  const EquationsOnRanks rigid(two_struts_with(""), {}, MPI_COMM_SELF),
+    hinged(two_struts_with(hinge_in_the_middle), {}, MPI_COMM_SELF),
+    off(two_struts_with(hinge_in_the_middle),
+        {"Effects/Hinges=off"},
+        MPI_COMM_SELF);
   EXPECT_EQ(hinged.dofs().layout().n_global(),
             rigid.dofs().layout().n_global() + 1);
   EXPECT_FALSE(hinged.dofs().joint_has(1, rotation_z));
@@ -156,7 +159,7 @@ TEST(MakeEquations, ASpringActsBetweenTheReleasedStrutAndTheJoint)
   // Strut 1 released against strut 0, or both: the same relative rotation.
   for (const std::string struts : {"1", "all"})
     {
-      EquationsOnRanks of_scene(two_struts(
+      EquationsOnRanks of_scene(two_struts_with(
                                   "subsection Joints\n  subsection middle\n"
                                   "    set Joints = 1\n    set Struts = " +
                                   struts +
@@ -230,5 +233,6 @@ TEST(MakeEquations, WithoutMeanForcesASchemeThatBalancesThemIsRefusedByName)
   EXPECT_NO_THROW(EquationsOnRanks(frame,
                                    {balanced[0], "Effects/Large rotation=off"},
                                    MPI_COMM_SELF));
-  EXPECT_NO_THROW(EquationsOnRanks(two_struts(""), balanced, MPI_COMM_SELF));
+  EXPECT_NO_THROW(
+    EquationsOnRanks(two_struts_with(""), balanced, MPI_COMM_SELF));
 }

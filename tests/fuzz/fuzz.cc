@@ -5,13 +5,14 @@
 #include <auxfem/parameters/short_lines.h>
 #include <auxfem/scene/scene.h>
 
+#include <support/text_file.h>
+
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <map>
-#include <sstream>
 #include <vector>
 
 #include <sys/resource.h>
@@ -21,21 +22,12 @@
 namespace
 {
   using namespace auxfem;
+  using testing_support::read_text;
   namespace fs = std::filesystem;
   using Clock  = std::chrono::steady_clock;
 
   /** Seconds of computing after which reading a scene is taken to hang. */
   constexpr unsigned int longest = 20;
-
-  std::string text_of(const fs::path &file)
-  {
-    std::ifstream      stream(file);
-    std::ostringstream text;
-    text << stream.rdbuf();
-    if (!stream)
-      throw std::runtime_error("cannot read " + file.string());
-    return text.str();
-  }
 
   /** A file to be damaged, and the scene that reads it. */
   struct Seed
@@ -63,18 +55,18 @@ namespace
     std::sort(files.begin(), files.end());
     std::vector<Seed> seeds;
     for (const fs::path &file : files)
-      seeds.push_back({Seed::Kind::scene, file.string(), text_of(file), ""});
+      seeds.push_back({Seed::Kind::scene, file.string(), read_text(file), ""});
     for (unsigned int i = 0; i < 3; ++i)
       {
         seeds.push_back({Seed::Kind::table,
                          AUXFEM_TEST_DATA_DIRECTORY "/star.prm",
-                         text_of(AUXFEM_TEST_DATA_DIRECTORY "/force.csv"),
+                         read_text(AUXFEM_TEST_DATA_DIRECTORY "/force.csv"),
                          ".csv"});
         for (const char *ending : {".msh", ".geo"})
           seeds.push_back(
             {Seed::Kind::mesh,
              AUXFEM_PRM_DIRECTORY "/portal.prm",
-             text_of(AUXFEM_MESH_DIRECTORY "/portal" + std::string(ending)),
+             read_text(AUXFEM_MESH_DIRECTORY "/portal" + std::string(ending)),
              ending});
       }
     return seeds;
@@ -181,7 +173,7 @@ namespace
         return outcome_of(text, seed.name, {});
       const std::string file = fs::absolute(prefix + seed.ending).string();
       std::ofstream(file, std::ios::binary) << text;
-      return outcome_of(text_of(seed.name),
+      return outcome_of(read_text(seed.name),
                         seed.name,
                         {seed.kind == Seed::Kind::table
                            ? "Loads/hit/Force y=table: " + file

@@ -7,15 +7,16 @@
 #include <string>
 #include <vector>
 
+#include <support/pi.h>
+
 using namespace auxfem;
+using namespace auxfem::testing_support;
 
 namespace
 {
-  constexpr auto   kink = TimeEvent::Kind::kink;
-  constexpr auto   jump = TimeEvent::Kind::jump;
-  constexpr double pi   = 3.14159265358979323846;
-
-  TimeFunction parse(const std::string &text)
+  constexpr auto kink = TimeEvent::Kind::kink;
+  constexpr auto jump = TimeEvent::Kind::jump;
+  TimeFunction   function_of(const std::string &text)
   {
     SceneContext context;
     context.path      = "Loads/top";
@@ -29,7 +30,7 @@ namespace
                      const double                  end   = 1)
   {
     SCOPED_TRACE(text);
-    const std::vector<TimeEvent> events = parse(text).events(begin, end);
+    const std::vector<TimeEvent> events = function_of(text).events(begin, end);
     ASSERT_EQ(events.size(), expected.size());
     for (std::size_t i = 0; i < events.size(); ++i)
       {
@@ -129,8 +130,8 @@ TEST(TimeEvents, Periodic)
 TEST(TimeEvents, Thousands)
 {
   expect_events("floor(1e4*t + 0.5)", periodic(0.5e-4, 1e-4, jump));
-  EXPECT_EQ(parse("abs(sin(1e4*t))").events(0, 1).size(), 3183u);
-  EXPECT_EQ(parse("sin(1000*t) > 0.999999").events(0, 1).size(), 318u);
+  EXPECT_EQ(function_of("abs(sin(1e4*t))").events(0, 1).size(), 3183u);
+  EXPECT_EQ(function_of("sin(1000*t) > 0.999999").events(0, 1).size(), 318u);
 }
 
 TEST(TimeEvents, Nested)
@@ -193,8 +194,8 @@ TEST(TimeEvents, EndsAreExcluded)
 
 TEST(TimeEvents, RestartAtAnEventDoesNotRepeatIt)
 {
-  const TimeFunction           function = parse("abs(sin(37*t)) + floor(3*t)");
-  const std::vector<TimeEvent> all      = function.events(0, 2);
+  const TimeFunction function      = function_of("abs(sin(37*t)) + floor(3*t)");
+  const std::vector<TimeEvent> all = function.events(0, 2);
   ASSERT_EQ(all.size(), 23u + 5u);
   double begin = 0;
   for (const TimeEvent &event : all)
@@ -216,26 +217,28 @@ TEST(TimeEvents, SmallNextToLarge)
 
 TEST(TimeLimits, AtJumpsAndKinks)
 {
-  const TimeFunction step = parse("if(t<T, sin(pi*t/T)+1, 0)");
+  const TimeFunction step = function_of("if(t<T, sin(pi*t/T)+1, 0)");
   EXPECT_DOUBLE_EQ(step.value_before(0.003), 1);
   EXPECT_EQ(step.value(0.003), 0);
   EXPECT_EQ(step.value_after(0.003), 0);
 
-  const TimeFunction included = parse("t<=0.01 ? 3 : 4");
+  const TimeFunction included = function_of("t<=0.01 ? 3 : 4");
   EXPECT_EQ(included.value(0.01), 3);
   EXPECT_EQ(included.value_before(0.01), 3);
   EXPECT_EQ(included.value_after(0.01), 4);
 
-  const TimeFunction point = parse("(t == 0.5) + sign(t-0.5)");
+  const TimeFunction point = function_of("(t == 0.5) + sign(t-0.5)");
   EXPECT_EQ(point.value(0.5), 1);
   EXPECT_EQ(point.value_before(0.5), -1);
   EXPECT_EQ(point.value_after(0.5), 1);
 
-  EXPECT_EQ(parse("t>0").value_after(0), 1);
-  EXPECT_EQ(parse("t>0").value_before(0), 0);
-  EXPECT_DOUBLE_EQ(parse("atan(1/(t-0.5))").value_before(0.5), -pi / 2);
-  EXPECT_DOUBLE_EQ(parse("atan(1/(t-0.5))").value_after(0.5), pi / 2);
-  EXPECT_NEAR(parse("if(t<1/3, sqrt(1/3-t), 5)").value_before(1. / 3), 0, 1e-7);
+  EXPECT_EQ(function_of("t>0").value_after(0), 1);
+  EXPECT_EQ(function_of("t>0").value_before(0), 0);
+  EXPECT_DOUBLE_EQ(function_of("atan(1/(t-0.5))").value_before(0.5), -pi / 2);
+  EXPECT_DOUBLE_EQ(function_of("atan(1/(t-0.5))").value_after(0.5), pi / 2);
+  EXPECT_NEAR(function_of("if(t<1/3, sqrt(1/3-t), 5)").value_before(1. / 3),
+              0,
+              1e-7);
 }
 
 TEST(TimeLimits, AreTheLimitsAtAllEvents)
@@ -246,7 +249,7 @@ TEST(TimeLimits, AreTheLimitsAtAllEvents)
                                  "atan(tan(10*t))",
                                  "if(t>1/3 && t<2/3, exp(t), t)"})
     {
-      const TimeFunction           function = parse(text);
+      const TimeFunction           function = function_of(text);
       const std::vector<TimeEvent> events   = function.events(0, 1);
       EXPECT_GE(events.size(), 2u) << text;
       for (const TimeEvent &event : events)
@@ -263,7 +266,7 @@ TEST(TimeLimits, AreTheValueWhereNothingJumps)
   for (const std::string text :
        {"sin(3*t)", "min(t/t0, 1)", "abs(sin(100*t))", "log10(1+t^2)", "F0"})
     {
-      const TimeFunction function = parse(text);
+      const TimeFunction function = function_of(text);
       for (const double t : {0., 0.004, 0.01, pi / 100, 0.7})
         {
           EXPECT_EQ(function.value_before(t), function.value(t)) << text;
@@ -276,9 +279,9 @@ TEST(TimeLimits, AreTheValueWhereNothingJumps)
 
 TEST(TimeLimits, InfiniteOnesEndTheRun)
 {
-  EXPECT_THROW(parse("1/(t-0.5)").value_before(0.5), ComputationError);
-  EXPECT_THROW(parse("if(t>0, 1/t, 0)").value_after(0), ComputationError);
-  EXPECT_EQ(parse("if(t>0, 1/t, 0)").value_before(0), 0);
+  EXPECT_THROW(function_of("1/(t-0.5)").value_before(0.5), ComputationError);
+  EXPECT_THROW(function_of("if(t>0, 1/t, 0)").value_after(0), ComputationError);
+  EXPECT_EQ(function_of("if(t>0, 1/t, 0)").value_before(0), 0);
 }
 
 TEST(TimeEvents, BendsIfTheyAreAskedFor)
@@ -288,13 +291,13 @@ TEST(TimeEvents, BendsIfTheyAreAskedFor)
     {
       SCOPED_TRACE(text);
       expect_none(text);
-      const std::vector<TimeEvent> events = parse(text).events(0, 1, 2);
+      const std::vector<TimeEvent> events = function_of(text).events(0, 1, 2);
       ASSERT_EQ(events.size(), 1u);
       EXPECT_NEAR(events[0].time, 0.2, 1e-12);
       EXPECT_EQ(events[0].kind, TimeEvent::Kind::bend);
     }
   // Kinks remain what they are; a third derivative may jump.
-  EXPECT_EQ(parse("max(0, t - 0.2)").events(0, 1, 2).at(0).kind, kink);
-  EXPECT_TRUE(parse("max(0, t - 0.2)^3").events(0, 1, 2).empty());
-  EXPECT_TRUE(parse("sin(7*t)").events(0, 1, 2).empty());
+  EXPECT_EQ(function_of("max(0, t - 0.2)").events(0, 1, 2).at(0).kind, kink);
+  EXPECT_TRUE(function_of("max(0, t - 0.2)^3").events(0, 1, 2).empty());
+  EXPECT_TRUE(function_of("sin(7*t)").events(0, 1, 2).empty());
 }

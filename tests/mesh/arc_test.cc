@@ -15,7 +15,7 @@ using dealii::Tensor;
 namespace
 {
   /** Round-off of a handful of operations on numbers of size one. */
-  constexpr double round_off = 1e-14;
+  constexpr double arc_round_off = 1e-14;
 
   /** Turns by 1.1 rad about an axis along no coordinate. */
   Tensor<2, 3> rotation()
@@ -68,15 +68,17 @@ TEST(Arc, InOtherPlanesItIsThePlanarArcRotated)
                                   turn * z);
       EXPECT_NEAR(planar.length(planar.struts[0]),
                   turned.length(turned.struts[0]),
-                  round_off);
+                  arc_round_off);
       for (const double s : {0., 0.25, 0.5, 0.8, 1.})
         {
           Point<3>     place, turned_place;
           Tensor<1, 3> tangent, turned_tangent;
           planar.axis(planar.struts[0], s, place, tangent);
           turned.axis(turned.struts[0], s, turned_place, turned_tangent);
-          EXPECT_NEAR((turn * place - turned_place).norm(), 0, round_off);
-          EXPECT_NEAR((turn * tangent - turned_tangent).norm(), 0, round_off);
+          EXPECT_NEAR((turn * place - turned_place).norm(), 0, arc_round_off);
+          EXPECT_NEAR((turn * tangent - turned_tangent).norm(),
+                      0,
+                      arc_round_off);
         }
     }
 }
@@ -88,8 +90,8 @@ TEST(Arc, AlongZItRisesToTheLeftSeenAgainstItsNormal)
   Point<3>     place;
   Tensor<1, 3> tangent;
   lattice.axis(lattice.struts[0], 0.5, place, tangent);
-  EXPECT_NEAR(place.distance({1, 0, 0}), 0, round_off);
-  EXPECT_NEAR((tangent - z).norm(), 0, round_off);
+  EXPECT_NEAR(place.distance({1, 0, 0}), 0, arc_round_off);
+  EXPECT_NEAR((tangent - z).norm(), 0, arc_round_off);
 }
 
 TEST(Arc, ThePartOfTheNormalAlongTheChordDoesNotCount)
@@ -97,8 +99,8 @@ TEST(Arc, ThePartOfTheNormalAlongTheChordDoesNotCount)
   const Point<3>     chord(0.6, 0, 0.8);
   const Tensor<1, 3> perpendicular = Point<3>(-0.8, 0, 0.6);
   const auto         rise          = rise_of_arc(chord, 0.3, perpendicular);
-  EXPECT_NEAR((rise_of_arc(chord, 0.3, z) - rise).norm(), 0, round_off);
-  EXPECT_NEAR((rise - 0.3 * Point<3>(0, 1, 0)).norm(), 0, round_off);
+  EXPECT_NEAR((rise_of_arc(chord, 0.3, z) - rise).norm(), 0, arc_round_off);
+  EXPECT_NEAR((rise - 0.3 * Point<3>(0, 1, 0)).norm(), 0, arc_round_off);
 }
 
 TEST(Arc, TheRiseIsTheSameFromBothEnds)
@@ -119,9 +121,11 @@ TEST(Arc, ThroughAPointInAnyPlane)
   const auto     planar  = arc_through(end - start, on - start);
   ASSERT_TRUE(planar);
   // To the right of the way there and to the left of the way back.
-  EXPECT_NEAR(planar->sagitta, -sagitta, round_off);
+  EXPECT_NEAR(planar->sagitta, -sagitta, arc_round_off);
   EXPECT_EQ(planar->normal, z);
-  EXPECT_NEAR(arc_through(start - end, on - end)->sagitta, sagitta, round_off);
+  EXPECT_NEAR(arc_through(start - end, on - end)->sagitta,
+              sagitta,
+              arc_round_off);
 
   const auto turned = arc_through(turn * (end - start), turn * (on - start));
   ASSERT_TRUE(turned);
@@ -131,8 +135,8 @@ TEST(Arc, ThroughAPointInAnyPlane)
      turn * rise)
       .norm(),
     0,
-    round_off);
-  EXPECT_NEAR(turned->normal.norm(), 1, round_off);
+    arc_round_off);
+  EXPECT_NEAR(turned->normal.norm(), 1, arc_round_off);
 }
 
 TEST(Arc, ThroughPointsOfTheChordsLine)

@@ -10,13 +10,14 @@ namespace
 {
   using Indices = std::vector<unsigned int>;
 
-  constexpr double distance = 0.02;
+  constexpr double layer_distance = 0.02;
 
   Lattice layers(const UnitCell                    &cell,
                  const std::array<unsigned int, 3> &n_cells,
                  const std::string                 &columns = "all")
   {
-    return make_array(extrude(cell, distance, columns, "Lattice"), n_cells);
+    return make_array(extrude(cell, layer_distance, columns, "Lattice"),
+                      n_cells);
   }
 
   UnitCell planar(const std::string &name, const std::string &text = "")
@@ -37,7 +38,7 @@ namespace
           lattice.joints[strut.joints[1]] - lattice.joints[strut.joints[0]];
         EXPECT_EQ(chord[0], 0.);
         EXPECT_EQ(chord[1], 0.);
-        EXPECT_NEAR(chord[2], distance, 1e-17);
+        EXPECT_NEAR(chord[2], layer_distance, 1e-17);
       }
   }
 } // namespace
@@ -58,7 +59,7 @@ TEST(Extrude, EqualJointsOfNeighbouringLayersAreLinked)
   for (unsigned int i = 0; i < solid.joints.size(); ++i)
     // Layers are numbered one after the other.
     EXPECT_NEAR(solid.joints[i][2],
-                distance * (i / layer.joints.size()),
+                layer_distance * (i / layer.joints.size()),
                 1e-17);
 }
 
@@ -80,8 +81,8 @@ TEST(Extrude, FacesAreSets)
   for (const auto side : {"left", "right", "bottom", "top"})
     EXPECT_EQ(solid.joint_sets.at(side).size(),
               4 * layer.joint_sets.at(side).size());
-  for (const auto &[side, z] :
-       {std::make_pair("back", 0.), std::make_pair("front", 3 * distance)})
+  for (const auto &[side, z] : {std::make_pair("back", 0.),
+                                std::make_pair("front", 3 * layer_distance)})
     {
       const auto &face = solid.joint_sets.at(side);
       EXPECT_EQ(face.size(), layer.joints.size());

@@ -22,9 +22,9 @@ namespace
     return make_array(cell->build(), {{1, 1, 1}});
   }
 
-  std::string refusal(const std::string &joints,
-                      const std::string &struts,
-                      const unsigned int dimension = 2)
+  std::string frame_refusal(const std::string &joints,
+                            const std::string &struts,
+                            const unsigned int dimension = 2)
   {
     return input_error_of([&]() { frame(joints, struts, dimension); });
   }
@@ -61,7 +61,7 @@ TEST(FrameCell, RingOfTwoHalfCircles)
 
 TEST(FrameCell, RefusesJointsThatDoNotExist)
 {
-  const auto message = refusal("0 0; 1 0", "0 1; 1 2");
+  const auto message = frame_refusal("0 0; 1 0", "0 1; 1 2");
   EXPECT_TRUE(contains(message, "Lattice/Struts: strut 1 (\"1 2\")"))
     << message;
   EXPECT_TRUE(contains(message, "joint 2, which does not exist")) << message;
@@ -70,27 +70,29 @@ TEST(FrameCell, RefusesJointsThatDoNotExist)
 
 TEST(FrameCell, RefusesStrutsWithoutLength)
 {
-  EXPECT_TRUE(contains(refusal("0 0; 1 0", "0 0"), "zero length"));
-  EXPECT_TRUE(contains(refusal("0 0; 1 0; 1 0", "0 1; 1 2"), "zero length"));
+  EXPECT_TRUE(contains(frame_refusal("0 0; 1 0", "0 0"), "zero length"));
+  EXPECT_TRUE(
+    contains(frame_refusal("0 0; 1 0; 1 0", "0 1; 1 2"), "zero length"));
 }
 
 TEST(FrameCell, RefusesRepeatedStruts)
 {
+  EXPECT_TRUE(contains(frame_refusal("0 0; 1 0", "0 1; 0 1"),
+                       "strut 1 (\"0 1\") repeats"));
   EXPECT_TRUE(
-    contains(refusal("0 0; 1 0", "0 1; 0 1"), "strut 1 (\"0 1\") repeats"));
-  EXPECT_TRUE(
-    contains(refusal("0 0; 1 0", "0 1 1; 1 0 -1"), "repeats strut 0"));
+    contains(frame_refusal("0 0; 1 0", "0 1 1; 1 0 -1"), "repeats strut 0"));
 }
 
 TEST(FrameCell, RefusesWhatItCannotRead)
 {
-  EXPECT_TRUE(contains(refusal("0 0; 1 zero", "0 1"), "\"zero\""));
-  EXPECT_TRUE(contains(refusal("0 0; 1", "0 1"), "has 1 numbers"));
-  EXPECT_TRUE(contains(refusal("0 0; 1 2mm", "0 1"), "without unit word"));
-  EXPECT_TRUE(contains(refusal("0 0; 1 0", "0 1.5"), "\"1.5\""));
-  EXPECT_TRUE(contains(refusal("0 0; 1 0", "0 -1"), "\"-1\""));
-  EXPECT_TRUE(contains(refusal("0 0; 1 0", "0"), "has 1 numbers"));
-  EXPECT_TRUE(contains(refusal("0 0", "0 0"), "at least two joints"));
+  EXPECT_TRUE(contains(frame_refusal("0 0; 1 zero", "0 1"), "\"zero\""));
+  EXPECT_TRUE(contains(frame_refusal("0 0; 1", "0 1"), "has 1 numbers"));
+  EXPECT_TRUE(
+    contains(frame_refusal("0 0; 1 2mm", "0 1"), "without unit word"));
+  EXPECT_TRUE(contains(frame_refusal("0 0; 1 0", "0 1.5"), "\"1.5\""));
+  EXPECT_TRUE(contains(frame_refusal("0 0; 1 0", "0 -1"), "\"-1\""));
+  EXPECT_TRUE(contains(frame_refusal("0 0; 1 0", "0"), "has 1 numbers"));
+  EXPECT_TRUE(contains(frame_refusal("0 0", "0 0"), "at least two joints"));
 }
 
 TEST(FrameCell, InSpace)
@@ -124,36 +126,42 @@ TEST(FrameCell, RefusesArcsInSpaceWithoutAPlane)
 {
   const std::string joints = "0 0 0; 0 0 1; 1 0 0";
   EXPECT_TRUE(
-    contains(refusal(joints, "0 1 0.2", 3), "chord is parallel to z"));
-  EXPECT_TRUE(contains(refusal(joints, "0 2 0.2 1 0 0", 3),
+    contains(frame_refusal(joints, "0 1 0.2", 3), "chord is parallel to z"));
+  EXPECT_TRUE(contains(frame_refusal(joints, "0 2 0.2 1 0 0", 3),
                        "parallel to the normal of its plane"));
-  EXPECT_TRUE(contains(refusal(joints, "0 2 0.2 0 0 0", 3), "normal 0 0 0"));
-  EXPECT_TRUE(contains(refusal(joints, "0 2 0.2 0 1", 3), "the three numbers"));
-  EXPECT_TRUE(contains(refusal(joints, "0 2 0.2 0 one 0", 3), "component"));
+  EXPECT_TRUE(
+    contains(frame_refusal(joints, "0 2 0.2 0 0 0", 3), "normal 0 0 0"));
+  EXPECT_TRUE(
+    contains(frame_refusal(joints, "0 2 0.2 0 1", 3), "the three numbers"));
+  EXPECT_TRUE(
+    contains(frame_refusal(joints, "0 2 0.2 0 one 0", 3), "component"));
   // A straight strut needs none.
-  EXPECT_EQ(refusal(joints, "0 1", 3), "");
+  EXPECT_EQ(frame_refusal(joints, "0 1", 3), "");
 }
 
 TEST(FrameCell, RefusesArcsThatRepeatOthersFromAnotherSide)
 {
   const std::string joints = "0 0 0; 0 0 1";
-  EXPECT_TRUE(contains(refusal(joints, "0 1 0.2 1 3 0; 1 0 -0.2 2 6 0", 3),
-                       "repeats strut 0"));
-  EXPECT_TRUE(contains(refusal(joints, "0 1 0.2 1 3 0; 1 0 0.2 -2 -6 1", 3),
-                       "repeats strut 0"));
-  EXPECT_EQ(refusal(joints, "0 1 0.2 1 3 0; 1 0 0.2 2 6 0", 3), "");
+  EXPECT_TRUE(
+    contains(frame_refusal(joints, "0 1 0.2 1 3 0; 1 0 -0.2 2 6 0", 3),
+             "repeats strut 0"));
+  EXPECT_TRUE(
+    contains(frame_refusal(joints, "0 1 0.2 1 3 0; 1 0 0.2 -2 -6 1", 3),
+             "repeats strut 0"));
+  EXPECT_EQ(frame_refusal(joints, "0 1 0.2 1 3 0; 1 0 0.2 2 6 0", 3), "");
 }
 
 TEST(FrameCell, InThePlaneTheThirdCoordinateIsZero)
 {
-  EXPECT_EQ(refusal("0 0 0; 1 0 0", "0 1"), "");
-  const auto message = refusal("0 0; 1 0 0.5", "0 1");
+  EXPECT_EQ(frame_refusal("0 0 0; 1 0 0", "0 1"), "");
+  const auto message = frame_refusal("0 0; 1 0 0.5", "0 1");
   expect_parts(message,
                {"Lattice/Joints: joint 1 (\"1 0 0.5\")",
                 "third coordinate 0.5",
                 "plane z = 0",
                 "Dimension = 3"});
-  EXPECT_TRUE(contains(refusal("0 0; 1 0", "0 1 1 0 0 1"), "has 6 numbers"));
+  EXPECT_TRUE(
+    contains(frame_refusal("0 0; 1 0", "0 1 1 0 0 1"), "has 6 numbers"));
 }
 
 TEST(FrameCell, CannotBeRepeated)

@@ -17,7 +17,7 @@ namespace
     return make_array(cell_from_text("hinged star", text)->build(), n_cells);
   }
 
-  std::string refusal(const std::string &text)
+  std::string hinged_star_refusal(const std::string &text)
   {
     return input_error_of([&]() { hinged_star(text); });
   }
@@ -58,7 +58,7 @@ namespace
     EXPECT_NEAR(lattice.length(lattice.struts[set[0]]), 0.5, 1e-15);
   }
 
-  const double cos_30 = std::sqrt(0.75);
+  const double cosine_of_30 = std::sqrt(0.75);
 } // namespace
 
 TEST(HingedStarCell, PlacesOfTheJoints)
@@ -69,7 +69,7 @@ TEST(HingedStarCell, PlacesOfTheJoints)
                                    "set Rod clearance = 0.05\n");
   EXPECT_EQ(lattice.joints.size(), 12u);
   // L1 = 0.5 m and theta0 = 30 deg: rise 0.25 m, run 0.433 m.
-  const double side = 0.6 - 0.5 * cos_30;
+  const double side = 0.6 - 0.5 * cosine_of_30;
   expect_place(lattice, "F", -0.6, -0.25);
   expect_place(lattice, "A", -side, 0);
   expect_place(lattice, "B", -0.6, 0.25);
@@ -205,46 +205,49 @@ TEST(HingedStarCell, SidesFaceThoseOfTheNextColumn)
       const auto span =
         lattice.joints[pair.second] - lattice.joints[pair.first];
       // The column gap and the two side notches, each L1 cos(30 deg) deep.
-      EXPECT_NEAR(span[0], 0.1 + 2 * 0.5 * cos_30, 1e-15);
+      EXPECT_NEAR(span[0], 0.1 + 2 * 0.5 * cosine_of_30, 1e-15);
       EXPECT_NEAR(span[1], 0, 1e-15);
     }
 }
 
 TEST(HingedStarCell, RefusesSideNotchesThatCross)
 {
-  const auto message = refusal("set Half width = 0.4");
+  const auto message = hinged_star_refusal("set Half width = 0.4");
   for (const auto part : {"Lattice/Half width: 0.4 m",
                           "L1 cos(theta0) = 0.433013 m",
                           "the side notches cross",
                           "Increase 'Half width'"})
     EXPECT_TRUE(contains(message, part)) << part << " in: " << message;
   // They meet.
-  EXPECT_TRUE(contains(refusal("set Bar length = 1\nset Angle = 60\n"
-                               "set Half width = 0.5"),
-                       "cross or the joints A and D meet"));
-  EXPECT_EQ(refusal("set Half width = 0.434"), "");
+  EXPECT_TRUE(
+    contains(hinged_star_refusal("set Bar length = 1\nset Angle = 60\n"
+                                 "set Half width = 0.5"),
+             "cross or the joints A and D meet"));
+  EXPECT_EQ(hinged_star_refusal("set Half width = 0.434"), "");
 }
 
 TEST(HingedStarCell, RefusesNotchesThatMeet)
 {
   // At the rise L1 sin(30 deg) = 0.25 m both notches reach the middle.
-  const auto message = refusal("set Notch depth = 0.25");
+  const auto message = hinged_star_refusal("set Notch depth = 0.25");
   for (const auto part : {"Lattice/Notch depth: 0.25 m",
                           "L1 sin(theta0) = 0.25 m",
                           "the upper and lower notch cross or meet",
                           "Reduce 'Notch depth'"})
     EXPECT_TRUE(contains(message, part)) << part << " in: " << message;
-  EXPECT_EQ(refusal("set Notch depth = 0.249"), "");
+  EXPECT_EQ(hinged_star_refusal("set Notch depth = 0.249"), "");
 }
 
 TEST(HingedStarCell, RefusesARodThatEndsInTheLowerStub)
 {
-  const auto message = refusal("set Cell gap = 0.1\nset Rod clearance = 0.11");
+  const auto message =
+    hinged_star_refusal("set Cell gap = 0.1\nset Rod clearance = 0.11");
   for (const auto part : {"Lattice/Rod clearance: 0.11 m",
                           "cell gap g = 0.1 m",
                           "Reduce 'Rod clearance'"})
     EXPECT_TRUE(contains(message, part)) << part << " in: " << message;
-  EXPECT_EQ(refusal("set Cell gap = 0.1\nset Rod clearance = 0.1"), "");
+  EXPECT_EQ(hinged_star_refusal("set Cell gap = 0.1\nset Rod clearance = 0.1"),
+            "");
 }
 
 TEST(HingedStarCell, RefusesFlatAndUprightBars)

@@ -42,9 +42,9 @@ namespace
     return file;
   }
 
-  Lattice read_text(const std::string &text,
-                    const std::string &ending,
-                    const unsigned int dimension = 2)
+  Lattice lattice_of(const std::string &text,
+                     const std::string &ending,
+                     const unsigned int dimension = 2)
   {
     return read(write(text, ending),
                 AUXFEM_TEST_OUTPUT_DIRECTORY,
@@ -52,9 +52,10 @@ namespace
                 dimension);
   }
 
-  std::string refusal(const std::string &text, const std::string &ending)
+  std::string mesh_file_refusal(const std::string &text,
+                                const std::string &ending)
   {
-    return input_error_of([&]() { read_text(text, ending); });
+    return input_error_of([&]() { lattice_of(text, ending); });
   }
 
   /** A mesh in version 2.2 of gmsh's format from its nodes and elements. */
@@ -128,11 +129,11 @@ TEST(MeshFileCell, MeshesAGeometry)
 TEST(MeshFileCell, OptionsOfOneGeometryDoNotReachTheNext)
 {
   read("portal.geo", portal_directory);
-  const auto lattice = read_text("Point(1) = {0, 0, 0}; Point(2) = {2, 0, 0};"
-                                 "Point(3) = {1, 0, 0};"
-                                 "Circle(1) = {1, 3, 2};"
-                                 "Transfinite Curve {1} = 3;",
-                                 "geo");
+  const auto lattice = lattice_of("Point(1) = {0, 0, 0}; Point(2) = {2, 0, 0};"
+                                  "Point(3) = {1, 0, 0};"
+                                  "Circle(1) = {1, 3, 2};"
+                                  "Transfinite Curve {1} = 3;",
+                                  "geo");
   ASSERT_EQ(lattice.struts.size(), 2u);
   for (const auto &strut : lattice.struts)
     EXPECT_EQ(strut.sagitta, 0);
@@ -141,9 +142,9 @@ TEST(MeshFileCell, OptionsOfOneGeometryDoNotReachTheNext)
 TEST(MeshFileCell, NumbersJointsByNodeAndStrutsByElement)
 {
   const auto lattice =
-    read_text(mesh({"9 0 0 0", "4 1 0 0", "7 1 1 0", "2 5 5 0"},
-                   {"8 1 2 0 1 7 9", "3 1 2 0 2 4 7"}),
-              "msh");
+    lattice_of(mesh({"9 0 0 0", "4 1 0 0", "7 1 1 0", "2 5 5 0"},
+                    {"8 1 2 0 1 7 9", "3 1 2 0 2 4 7"}),
+               "msh");
   ASSERT_EQ(lattice.joints.size(), 3u);
   EXPECT_EQ(lattice.joints[0], dealii::Point<3>(1, 0, 0));
   EXPECT_EQ(lattice.joints[1], dealii::Point<3>(1, 1, 0));
@@ -155,7 +156,7 @@ TEST(MeshFileCell, NumbersJointsByNodeAndStrutsByElement)
 
 TEST(MeshFileCell, LinesRepeatedForTheirGroupsAreOneStrut)
 {
-  const auto lattice = read_text(
+  const auto lattice = lattice_of(
     mesh({"1 0 0 0", "2 1 0 0", "3 2 0 0"},
          {"1 1 2 5 1 1 2", "2 1 2 6 1 2 1", "3 1 2 6 2 2 3", "4 15 2 3 3 3"},
          {"1 5 \"web\""}),
@@ -169,10 +170,10 @@ TEST(MeshFileCell, LinesRepeatedForTheirGroupsAreOneStrut)
 TEST(MeshFileCell, AGroupTakesTheNameOfASide)
 {
   const auto lattice =
-    read_text(mesh({"1 0 0 0", "2 1 0 0", "3 1 1 0"},
-                   {"1 1 2 0 1 1 2", "2 1 2 0 2 2 3", "3 15 2 8 3 2"},
-                   {"0 8 \"right\""}),
-              "msh");
+    lattice_of(mesh({"1 0 0 0", "2 1 0 0", "3 1 1 0"},
+                    {"1 1 2 0 1 1 2", "2 1 2 0 2 2 3", "3 15 2 8 3 2"},
+                    {"0 8 \"right\""}),
+               "msh");
   EXPECT_EQ(lattice.joint_sets.at("right"), (Indices{1}));
   EXPECT_EQ(lattice.joint_sets.at("left"), (Indices{0}));
 }
@@ -183,22 +184,22 @@ TEST(MeshFileCell, ArcsLeadThroughTheirMiddleNode)
   // middle, a half to the right, three quarters; then a straight line. A node
   // at 16 digits is off the circle by round-off, which the sagitta shows up to
   // ten times as large.
-  const auto lattice = read_text(mesh({"1 1 0 0",
-                                       "2 0 1 0",
-                                       "3 0 -1 0",
-                                       "4 0.8 0.6 0",
-                                       "5 -1 0 0",
-                                       "6 -0.6 0.8 0",
-                                       "7 0.6 -0.8 0",
-                                       "8 3 2 0",
-                                       "9 2.1 1.4 0",
-                                       "10 0 0 0"},
-                                      {"1 8 2 0 1 2 1 4",
-                                       "2 8 2 0 2 3 2 7",
-                                       "3 8 2 0 3 1 3 6",
-                                       "4 8 2 0 4 10 8 9",
-                                       "5 8 2 0 5 3 2 5"}),
-                                 "msh");
+  const auto lattice = lattice_of(mesh({"1 1 0 0",
+                                        "2 0 1 0",
+                                        "3 0 -1 0",
+                                        "4 0.8 0.6 0",
+                                        "5 -1 0 0",
+                                        "6 -0.6 0.8 0",
+                                        "7 0.6 -0.8 0",
+                                        "8 3 2 0",
+                                        "9 2.1 1.4 0",
+                                        "10 0 0 0"},
+                                       {"1 8 2 0 1 2 1 4",
+                                        "2 8 2 0 2 3 2 7",
+                                        "3 8 2 0 3 1 3 6",
+                                        "4 8 2 0 4 10 8 9",
+                                        "5 8 2 0 5 3 2 5"}),
+                                  "msh");
   ASSERT_EQ(lattice.struts.size(), 5u);
   const double root = std::sqrt(0.5);
   EXPECT_NEAR(lattice.struts[0].sagitta, 1 - root, 1e-15);
@@ -223,20 +224,20 @@ TEST(MeshFileCell, InSpaceArcsKeepTheirPlane)
     return text.str();
   };
   const auto lattice =
-    read_text(mesh({"1 1 0 0",
-                    "2 0 0 1",
-                    "3 " + number(h) + " 0 " + number(h),
-                    "4 " + number(h) + ' ' + number(h) + " 0",
-                    "5 0.5 0.5 " + number(h),
-                    "6 0 0 2",
-                    "7 2 0 2",
-                    "8 1 1 2"},
-                   {"1 1 2 0 1 2 6",
-                    "2 8 2 0 2 1 2 3",
-                    "3 8 2 0 3 4 2 5",
-                    "4 8 2 0 4 6 7 8"}),
-              "msh",
-              3);
+    lattice_of(mesh({"1 1 0 0",
+                     "2 0 0 1",
+                     "3 " + number(h) + " 0 " + number(h),
+                     "4 " + number(h) + ' ' + number(h) + " 0",
+                     "5 0.5 0.5 " + number(h),
+                     "6 0 0 2",
+                     "7 2 0 2",
+                     "8 1 1 2"},
+                    {"1 1 2 0 1 2 6",
+                     "2 8 2 0 2 1 2 3",
+                     "3 8 2 0 3 4 2 5",
+                     "4 8 2 0 4 6 7 8"}),
+               "msh",
+               3);
   ASSERT_EQ(lattice.struts.size(), 4u);
   EXPECT_EQ(lattice.struts[0].sagitta, 0);
   EXPECT_NEAR(lattice.struts[3].sagitta, 1, 1e-15);
@@ -289,12 +290,13 @@ TEST(MeshFileCell, PassesOnWhatGmshSays)
 {
   testing::internal::CaptureStdout();
   testing::internal::CaptureStderr();
-  const auto syntax = refusal("Point(1) = {0, 0, 0};\nPoint(2) = {0, 1;\n"
-                              "\x01\x02",
-                              "geo");
+  const auto syntax =
+    mesh_file_refusal("Point(1) = {0, 0, 0};\nPoint(2) = {0, 1;\n"
+                      "\x01\x02",
+                      "geo");
   const auto node =
-    refusal(mesh({"1 0 0 0", "2 1 0 0"}, {"1 1 2 0 1 1 5"}), "msh");
-  const auto text = refusal("some other file", "txt");
+    mesh_file_refusal(mesh({"1 0 0 0", "2 1 0 0"}, {"1 1 2 0 1 1 5"}), "msh");
+  const auto text = mesh_file_refusal("some other file", "txt");
   EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 
@@ -311,20 +313,21 @@ TEST(MeshFileCell, PassesOnWhatGmshSays)
 TEST(MeshFileCell, RefusesMeshesWithoutLines)
 {
   const auto triangle =
-    refusal(mesh({"1 0 0 0", "2 1 0 0", "3 0 1 0"}, {"1 2 2 0 1 1 2 3"}),
-            "msh");
+    mesh_file_refusal(mesh({"1 0 0 0", "2 1 0 0", "3 0 1 0"},
+                           {"1 2 2 0 1 1 2 3"}),
+                      "msh");
   EXPECT_TRUE(contains(triangle, "no line elements")) << triangle;
-  EXPECT_TRUE(
-    contains(refusal("Point(1) = {0, 0, 0};", "geo"), "no line elements"));
-  EXPECT_TRUE(contains(refusal("", "msh"), "no line elements"));
+  EXPECT_TRUE(contains(mesh_file_refusal("Point(1) = {0, 0, 0};", "geo"),
+                       "no line elements"));
+  EXPECT_TRUE(contains(mesh_file_refusal("", "msh"), "no line elements"));
 }
 
 TEST(MeshFileCell, RefusesLinesOfHigherOrder)
 {
   const auto message =
-    refusal(mesh({"1 0 0 0", "2 3 0 0", "3 1 0 0", "4 2 0 0"},
-                 {"6 26 2 0 1 1 2 3 4"}),
-            "msh");
+    mesh_file_refusal(mesh({"1 0 0 0", "2 3 0 0", "3 1 0 0", "4 2 0 0"},
+                           {"6 26 2 0 1 1 2 3 4"}),
+                      "msh");
   EXPECT_TRUE(contains(message, "line elements of 4 nodes")) << message;
   EXPECT_TRUE(contains(message, "element 6")) << message;
   EXPECT_TRUE(contains(message, "Mesh.ElementOrder")) << message;
@@ -333,48 +336,54 @@ TEST(MeshFileCell, RefusesLinesOfHigherOrder)
 TEST(MeshFileCell, RefusesNodesOutsideThePlane)
 {
   const auto message =
-    refusal(mesh({"1 0 0 0", "2 1 0 0.25"}, {"1 1 2 0 1 1 2"}), "msh");
+    mesh_file_refusal(mesh({"1 0 0 0", "2 1 0 0.25"}, {"1 1 2 0 1 1 2"}),
+                      "msh");
   EXPECT_TRUE(contains(message, "node 2 lies at (1, 0, 0.25) m")) << message;
   EXPECT_TRUE(contains(message, "Dimension = 3")) << message;
-  EXPECT_TRUE(contains(refusal(mesh({"1 0 0 0", "2 1 0 0", "3 0.5 0 1"},
+  EXPECT_TRUE(
+    contains(mesh_file_refusal(mesh({"1 0 0 0", "2 1 0 0", "3 0.5 0 1"},
                                     {"1 8 2 0 1 1 2 3"}),
                                "msh"),
-                       "node 3 lies at"));
+             "node 3 lies at"));
 }
 
 TEST(MeshFileCell, RefusesStrutsWithoutLength)
 {
-  const auto message = refusal(mesh({"1 0 0 0", "2 1 0 0", "3 1 0 0"},
-                                    {"1 1 2 0 1 1 2", "2 1 2 0 1 2 3"}),
-                               "msh");
+  const auto message =
+    mesh_file_refusal(mesh({"1 0 0 0", "2 1 0 0", "3 1 0 0"},
+                           {"1 1 2 0 1 1 2", "2 1 2 0 1 2 3"}),
+                      "msh");
   EXPECT_TRUE(contains(message, "line element 2 (from node 2 to node 3)"))
     << message;
   EXPECT_TRUE(contains(message, "zero length")) << message;
-  EXPECT_TRUE(contains(refusal(mesh({"1 0 0 0"}, {"1 1 2 0 1 1 1"}), "msh"),
-                       "zero length"));
+  EXPECT_TRUE(
+    contains(mesh_file_refusal(mesh({"1 0 0 0"}, {"1 1 2 0 1 1 1"}), "msh"),
+             "zero length"));
 }
 
 TEST(MeshFileCell, RefusesArcsThatCannotBe)
 {
-  const auto behind =
-    refusal(mesh({"1 0 0 0", "2 1 0 0", "3 2 0 0"}, {"1 8 2 0 1 1 2 3"}),
-            "msh");
+  const auto behind = mesh_file_refusal(mesh({"1 0 0 0", "2 1 0 0", "3 2 0 0"},
+                                             {"1 8 2 0 1 1 2 3"}),
+                                        "msh");
   EXPECT_TRUE(contains(behind, "turns back: its middle node 3")) << behind;
-  const auto joined = refusal(mesh({"1 0 0 0", "2 2 0 0", "3 1 1 0", "4 1 2 0"},
-                                   {"1 8 2 0 1 1 2 3", "2 1 2 0 2 3 4"}),
-                              "msh");
+  const auto joined =
+    mesh_file_refusal(mesh({"1 0 0 0", "2 2 0 0", "3 1 1 0", "4 1 2 0"},
+                           {"1 8 2 0 1 1 2 3", "2 1 2 0 2 3 4"}),
+                      "msh");
   EXPECT_TRUE(contains(joined, "node 3 in its middle")) << joined;
 }
 
 TEST(MeshFileCell, RefusesGroupsThatCannotBe)
 {
   const std::vector<std::string> nodes = {"1 0 0 0", "2 1 0 0", "3 0 1 0"};
-  const auto                     loose =
-    refusal(mesh(nodes, {"1 1 2 0 1 1 2", "2 15 2 4 2 3"}, {"0 4 \"load\""}),
-            "msh");
+  const auto                     loose = mesh_file_refusal(mesh(nodes,
+                                            {"1 1 2 0 1 1 2", "2 15 2 4 2 3"},
+                                            {"0 4 \"load\""}),
+                                       "msh");
   EXPECT_TRUE(contains(loose, "group \"load\" has node 3")) << loose;
   const auto all =
-    refusal(mesh(nodes, {"1 1 2 4 1 1 2"}, {"1 4 \"all\""}), "msh");
+    mesh_file_refusal(mesh(nodes, {"1 1 2 4 1 1 2"}, {"1 4 \"all\""}), "msh");
   EXPECT_TRUE(contains(all, "named \"all\"")) << all;
 }
 

@@ -1,6 +1,7 @@
 #include <auxfem/mesh/cells/msh_format.h>
 
 #include <gtest/gtest.h>
+#include <support/text_file.h>
 
 #include <fstream>
 #include <sstream>
@@ -10,6 +11,7 @@
 #include "cell_from_text.h"
 
 using namespace auxfem;
+using namespace auxfem::testing_support;
 
 namespace
 {
@@ -17,10 +19,7 @@ namespace
 
   std::string portal()
   {
-    std::ifstream      stream(AUXFEM_PRM_DIRECTORY "/../meshes/portal.msh");
-    std::ostringstream text;
-    text << stream.rdbuf();
-    return text.str();
+    return read_text(AUXFEM_PRM_DIRECTORY "/../meshes/portal.msh");
   }
 
   const std::string planar_square = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n"
@@ -53,7 +52,7 @@ namespace
   }
 
   /** What a user is told of a scene with the mesh @p text. */
-  std::string refusal(const std::string &text)
+  std::string msh_refusal(const std::string &text)
   {
     const std::string file = write(text);
     return input_error_of(
@@ -105,7 +104,7 @@ TEST(MshFormat, DamagesOfFormat4AreFoundWithTheirLine)
       const std::string text    = changed(portal(), damage.from, damage.to);
       const std::string mistake = mistake_in(text);
       expect_parts(mistake, damage.parts);
-      expect_parts(refusal(text),
+      expect_parts(msh_refusal(text),
                    {"Lattice/File: the mesh file",
                     "msh_format.msh is damaged",
                     mistake,
@@ -134,6 +133,6 @@ TEST(MshFormat, TruncatedFilesAreRefused)
   const std::string text      = portal();
   unsigned int      n_refused = 0;
   for (std::size_t size = 1; size < text.size(); size += 7)
-    n_refused += !refusal(text.substr(0, size)).empty();
+    n_refused += !msh_refusal(text.substr(0, size)).empty();
   EXPECT_GT(n_refused, text.size() / 7 - 2);
 }

@@ -13,13 +13,15 @@ using namespace auxfem;
 namespace
 {
   // Places are compared to a few units of round-off of a cell of some 10 mm.
-  constexpr double round_off = 1e-15;
+  constexpr double space_star_round_off = 1e-15;
 
-  const double length = 0.010;
-  const double angle  = dealii::numbers::PI * 70 / 180;
-  const double a      = length * std::sin(angle) / std::sqrt(2.);
-  const double b      = a - length * std::cos(angle);
-  const double e      = b + length;
+  const double strut_length  = 0.010;
+  const double opening_angle = dealii::numbers::PI * 70 / 180;
+  const double tip_distance =
+    strut_length * std::sin(opening_angle) / std::sqrt(2.);
+  const double vertex_distance =
+    tip_distance - strut_length * std::cos(opening_angle);
+  const double stub_distance = vertex_distance + strut_length;
 
   std::unique_ptr<Cell> space_star(const std::string &opening_angle = "70 deg")
   {
@@ -40,7 +42,7 @@ namespace
   unsigned int joint_at(const Lattice &lattice, const dealii::Point<3> &place)
   {
     for (unsigned int i = 0; i < lattice.joints.size(); ++i)
-      if (lattice.joints[i].distance(place) < 10 * round_off)
+      if (lattice.joints[i].distance(place) < 10 * space_star_round_off)
         return i;
     return invalid_index;
   }
@@ -62,7 +64,7 @@ namespace
     return place;
   }
 
-  std::string refusal(const std::string &opening_angle)
+  std::string space_star_refusal(const std::string &opening_angle)
   {
     return input_error_of([&]() { space_star(opening_angle); });
   }
@@ -74,9 +76,9 @@ TEST(SpaceStarCell, JointsLieWhereTheFormulasSay)
   EXPECT_EQ(lattice.joints.size(), 20u);
   EXPECT_EQ(lattice.joint_sets.at("tips").size(), 8u);
   EXPECT_EQ(lattice.joint_sets.at("notches").size(), 6u);
-  for (const double x : {-a, a})
-    for (const double y : {-a, a})
-      for (const double z : {-a, a})
+  for (const double x : {-tip_distance, tip_distance})
+    for (const double y : {-tip_distance, tip_distance})
+      for (const double z : {-tip_distance, tip_distance})
         EXPECT_TRUE(is_in(lattice, "tips", {x, y, z}));
   const char *sides[3][2] = {{"left", "right"},
                              {"bottom", "top"},
@@ -84,10 +86,11 @@ TEST(SpaceStarCell, JointsLieWhereTheFormulasSay)
   for (unsigned int axis = 0; axis < 3; ++axis)
     for (const int sign : {-1, 1})
       {
-        EXPECT_TRUE(is_in(lattice, "notches", on_axis(axis, sign * b)));
+        EXPECT_TRUE(
+          is_in(lattice, "notches", on_axis(axis, sign * vertex_distance)));
         const char *side = sides[axis][sign > 0 ? 1 : 0];
         EXPECT_EQ(lattice.joint_sets.at(side).size(), 1u);
-        EXPECT_TRUE(is_in(lattice, side, on_axis(axis, sign * e)));
+        EXPECT_TRUE(is_in(lattice, side, on_axis(axis, sign * stub_distance)));
       }
 }
 
@@ -98,7 +101,7 @@ TEST(SpaceStarCell, ThirtyStrutsOfEqualLength)
   EXPECT_EQ(lattice.strut_sets.at("edges").size(), 24u);
   EXPECT_EQ(lattice.strut_sets.at("stubs").size(), 6u);
   for (const auto &strut : lattice.struts)
-    EXPECT_NEAR(lattice.length(strut), length, 5 * round_off);
+    EXPECT_NEAR(lattice.length(strut), strut_length, 5 * space_star_round_off);
 }
 
 TEST(SpaceStarCell, EveryTipHasThreeEdgesAndEveryVertexFourAndAStub)
@@ -131,7 +134,7 @@ TEST(SpaceStarCell, EdgesMakeTheOpeningAngleWithTheAxisOfTheirVertex)
       const auto  edge   = tip - vertex;
       // Tips lie outwards of their vertices.
       const double cosine = edge * vertex / edge.norm() / vertex.norm();
-      EXPECT_NEAR(std::acos(cosine), angle, 1e-14);
+      EXPECT_NEAR(std::acos(cosine), opening_angle, 1e-14);
     }
 }
 
@@ -183,7 +186,10 @@ TEST(SpaceStarCell, ArraysShareStubEnds)
         EXPECT_EQ(lattice.joint_sets.at(side).size(), n[0] * n[2]);
       for (const auto side : {"back", "front"})
         EXPECT_EQ(lattice.joint_sets.at(side).size(), n[0] * n[1]);
-      EXPECT_TRUE(is_in(lattice, "front", {0, 0, 2 * e * (n[2] - 1) + e}));
+      EXPECT_TRUE(
+        is_in(lattice,
+              "front",
+              {0, 0, 2 * stub_distance * (n[2] - 1) + stub_distance}));
     }
 }
 
@@ -198,8 +204,9 @@ TEST(SpaceStarCell, PairsSpanTheCellAlongTheAxes)
       ASSERT_EQ(pairs.size(), 2u);
       for (unsigned int cell = 0; cell < 2; ++cell)
         {
-          const dealii::Tensor<1, 3> centre = on_axis(1, 2 * e * cell);
-          const auto                 vertex = on_axis(axis, sign * b);
+          const dealii::Tensor<1, 3> centre =
+            on_axis(1, 2 * stub_distance * cell);
+          const auto vertex = on_axis(axis, sign * vertex_distance);
           EXPECT_EQ(pairs[cell].cell, cell);
           EXPECT_EQ(pairs[cell].first, joint_at(lattice, vertex + centre));
           EXPECT_EQ(pairs[cell].second,
@@ -216,24 +223,27 @@ TEST(SpaceStarCell, TipsOfNeighboursStayApart)
       const auto   cell = space_star(std::to_string(degrees))->build();
       const double tip  = std::abs(cell.joints[0][0]);
       const double gap =
-        2 * length * (1 - std::cos(degrees / 180 * dealii::numbers::PI));
+        2 * strut_length * (1 - std::cos(degrees / 180 * dealii::numbers::PI));
       for (unsigned int axis = 0; axis < 3; ++axis)
-        EXPECT_NEAR(cell.period[axis] - 2 * tip, gap, 10 * round_off);
+        EXPECT_NEAR(cell.period[axis] - 2 * tip,
+                    gap,
+                    10 * space_star_round_off);
     }
 }
 
 TEST(SpaceStarCell, RefusesCrossingNotches)
 {
-  expect_parts(refusal("54 deg"),
+  expect_parts(space_star_refusal("54 deg"),
                {"Lattice: the cell 'space star'",
                 "theta0 = 54 deg",
                 "L (sin(theta0) / sqrt(2) - cos(theta0)) > 0 fails",
                 "54.74 deg (tan(theta0) > sqrt(2))"});
   // tan(theta0) = sqrt(2): the vertices meet in the centre.
-  EXPECT_NE(refusal("54.735610317245346 deg"), "");
-  EXPECT_EQ(refusal("54.7357 deg"), "");
-  EXPECT_EQ(refusal("90 deg"), "");
-  EXPECT_TRUE(contains(refusal("90.001 deg"), "theta0 <= 90 deg fails"));
+  EXPECT_NE(space_star_refusal("54.735610317245346 deg"), "");
+  EXPECT_EQ(space_star_refusal("54.7357 deg"), "");
+  EXPECT_EQ(space_star_refusal("90 deg"), "");
+  EXPECT_TRUE(
+    contains(space_star_refusal("90.001 deg"), "theta0 <= 90 deg fails"));
 }
 
 TEST(SpaceStarCell, NeedsSpace)

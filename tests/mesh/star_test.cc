@@ -13,7 +13,7 @@ namespace
 {
   // Coordinates are compared to 1e-15 m: a few units of round-off of the
   // cell's size of some 10 mm.
-  constexpr double round_off = 1e-15;
+  constexpr double star_round_off = 1e-15;
 
   const double length = 0.010;
   const double angle  = dealii::numbers::PI / 3;
@@ -33,7 +33,7 @@ namespace
   unsigned int joint_at(const Lattice &lattice, const double x, const double y)
   {
     for (unsigned int i = 0; i < lattice.joints.size(); ++i)
-      if (lattice.joints[i].distance({x, y, 0}) < round_off)
+      if (lattice.joints[i].distance({x, y, 0}) < star_round_off)
         return i;
     return invalid_index;
   }
@@ -72,7 +72,7 @@ TEST(StarCell, TwelveStrutsOfEqualLength)
   const auto lattice = star_array(1, 1);
   EXPECT_EQ(lattice.struts.size(), 12u);
   for (const auto &strut : lattice.struts)
-    EXPECT_NEAR(lattice.length(strut), length, 5 * round_off);
+    EXPECT_NEAR(lattice.length(strut), length, 5 * star_round_off);
   EXPECT_EQ(lattice.strut_sets.at("edges").size(), 8u);
   EXPECT_EQ(lattice.strut_sets.at("stubs").size(), 4u);
 }
@@ -85,9 +85,9 @@ TEST(StarCell, EdgesLeadFromTipsToTheTwoVerticesNextToThem)
       const auto &joints = lattice.struts[number].joints;
       const auto &tip    = lattice.joints[joints[0]];
       const auto &notch  = lattice.joints[joints[1]];
-      EXPECT_NEAR(std::abs(tip[0]), a, round_off);
-      EXPECT_NEAR(std::abs(tip[1]), a, round_off);
-      EXPECT_NEAR(notch.norm(), b, round_off);
+      EXPECT_NEAR(std::abs(tip[0]), a, star_round_off);
+      EXPECT_NEAR(std::abs(tip[1]), a, star_round_off);
+      EXPECT_NEAR(notch.norm(), b, star_round_off);
       // Same quadrant, axes included.
       EXPECT_GE(tip[0] * notch[0], 0.);
       EXPECT_GE(tip[1] * notch[1], 0.);
@@ -191,5 +191,7 @@ TEST(StarCell, SquareAt90DegKeepsTheTipsOfNeighboursApart)
   const auto lattice = make_array(cell, {{2, 1, 1}});
   EXPECT_EQ(lattice.joints.size(), 2u * 12u - 1u);
   // Gap between the tips: 2 L (1 - cos theta0) = 2 L.
-  EXPECT_NEAR(cell.period[0] - 2 * cell.joints[0][0], 0.02, round_off * 10);
+  EXPECT_NEAR(cell.period[0] - 2 * cell.joints[0][0],
+              0.02,
+              star_round_off * 10);
 }

@@ -10,7 +10,7 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  constexpr double round_off = 1e-13;
+  constexpr double velocity_round_off = 1e-13;
 
   std::string number(const double value)
   {
@@ -72,7 +72,7 @@ namespace
       EXPECT_NEAR((*state.velocity)[i],
                   rigid_in_plane(names[i].position[0], names[i].position[1])
                     .at(std::get<3>(names[i].name)),
-                  10 * round_off);
+                  10 * velocity_round_off);
   }
 
   std::string refusal(const std::string              &scene,
@@ -123,7 +123,7 @@ TEST(InitialVelocities, AStrutBetweenTwoSetsIsBentAsABeam)
         {rotation_z, 3 * s * (1 - s) + 0.5 * s * (3 * s - 2)}};
       EXPECT_NEAR((*state.velocity)[i],
                   expected.at(std::get<3>(names[i].name)),
-                  round_off);
+                  velocity_round_off);
     }
 }
 

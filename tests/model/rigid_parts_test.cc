@@ -8,14 +8,15 @@
 
 #include <algorithm>
 
+#include <support/pi.h>
+
 using namespace auxfem;
+using namespace auxfem::testing_support;
 
 namespace
 {
-  constexpr double pi = dealii::numbers::PI;
-
   /** Round-off of some ten operations on numbers of size ten. */
-  constexpr double round_off = 1e-13;
+  constexpr double rigid_parts_round_off = 1e-13;
 
   using Indices = std::vector<unsigned int>;
 
@@ -92,10 +93,10 @@ TEST(RigidParts, SingleStrutsAreBars)
     }
   EXPECT_NEAR(lattice.rigid_parts[0].rotary_inertia[2][2],
               2 * 3. * 3 / 12,
-              round_off);
+              rigid_parts_round_off);
   EXPECT_NEAR(lattice.rigid_parts[2].centre_of_mass.distance({4, 1, 0}),
               0,
-              round_off);
+              rigid_parts_round_off);
 }
 
 TEST(RigidParts, JointsWithoutStrutsShareTheMass)
@@ -109,9 +110,11 @@ TEST(RigidParts, JointsWithoutStrutsShareTheMass)
   const RigidPart &plate = lattice.rigid_parts[0];
   EXPECT_TRUE(plate.struts.empty());
   EXPECT_EQ(plate.joints, (Indices{0, 2, 1}));
-  EXPECT_NEAR(plate.centre_of_mass.distance({1. / 3, 2. / 3, 0}), 0, round_off);
+  EXPECT_NEAR(plate.centre_of_mass.distance({1. / 3, 2. / 3, 0}),
+              0,
+              rigid_parts_round_off);
   // Three masses of 2 kg: 2 (1 + 4) about joint 0, less 6 (1 + 4) / 9.
-  EXPECT_NEAR(plate.rotary_inertia[2][2], 10 - 30. / 9, round_off);
+  EXPECT_NEAR(plate.rotary_inertia[2][2], 10 - 30. / 9, rigid_parts_round_off);
   EXPECT_FALSE(lattice.struts[0].is_rigid());
 }
 
@@ -126,11 +129,11 @@ TEST(RigidParts, AnLHasItsClosedFormMassProperties)
   const RigidPart &L = lattice.rigid_parts.at(0);
   const double     x = 7.5 / 4, y = 0.5 / 4;
   EXPECT_EQ(L.mass, 4);
-  EXPECT_NEAR(L.centre_of_mass.distance({x, y, 0}), 0, round_off);
+  EXPECT_NEAR(L.centre_of_mass.distance({x, y, 0}), 0, rigid_parts_round_off);
   EXPECT_NEAR(L.rotary_inertia[2][2],
               27. / 12 + 3 * ((x - 1.5) * (x - 1.5) + y * y) + 1. / 12 +
                 (3 - x) * (3 - x) + (0.5 - y) * (0.5 - y),
-              round_off);
+              rigid_parts_round_off);
 }
 
 TEST(RigidParts, AHalfCircleHasItsClosedFormMassProperties)
@@ -142,10 +145,12 @@ TEST(RigidParts, AHalfCircleHasItsClosedFormMassProperties)
                "0 1 2",
                part("bow", "set Struts = 0\nset Mass = 3"));
   const RigidPart &bow = lattice.rigid_parts.at(0);
-  EXPECT_NEAR(bow.centre_of_mass.distance({2, 4 / pi, 0}), 0, round_off);
+  EXPECT_NEAR(bow.centre_of_mass.distance({2, 4 / pi, 0}),
+              0,
+              rigid_parts_round_off);
   EXPECT_NEAR(bow.rotary_inertia[2][2],
               12 * (1 - 4 / (pi * pi)),
-              10 * round_off);
+              10 * rigid_parts_round_off);
 }
 
 TEST(RigidParts, AGivenRotaryInertiaCounts)

@@ -2,6 +2,7 @@
 #include <auxfem/parameters/errors.h>
 
 #include <gtest/gtest.h>
+#include <support/text_file.h>
 
 #include <cmath>
 #include <fstream>
@@ -9,6 +10,7 @@
 #include <sstream>
 
 using namespace auxfem;
+using namespace auxfem::testing_support;
 
 namespace
 {
@@ -17,25 +19,18 @@ namespace
     return std::string(AUXFEM_TEST_OUTPUT_DIRECTORY) + "/csv_table_" + name;
   }
 
-  std::string contents(const std::string &file)
-  {
-    std::ifstream      stream(file);
-    std::ostringstream text;
-    text << stream.rdbuf();
-    return text.str();
-  }
 } // namespace
 
 TEST(CsvTable, RowsAreInTheFileAtOnce)
 {
   const std::string file = path("rows.csv");
   CsvTable          table(file, {{"time", "s", "time"}, {"top.ux", "m", ""}});
-  EXPECT_EQ(contents(file), "time,top.ux\n");
+  EXPECT_EQ(read_text(file), "time,top.ux\n");
 
   table.append({0, -0.25});
-  EXPECT_EQ(contents(file), "time,top.ux\n0,-0.25\n");
+  EXPECT_EQ(read_text(file), "time,top.ux\n0,-0.25\n");
   table.append({1e-5, 3});
-  EXPECT_EQ(contents(file), "time,top.ux\n0,-0.25\n1e-05,3\n");
+  EXPECT_EQ(read_text(file), "time,top.ux\n0,-0.25\n1e-05,3\n");
 }
 
 TEST(CsvTable, NumbersHave15Digits)
@@ -66,7 +61,7 @@ TEST(CsvTable, NumbersThatAreNotFiniteAreVisible)
   CsvTable(file, std::vector<Column>(2))
     .append({std::numeric_limits<double>::quiet_NaN(),
              -std::numeric_limits<double>::infinity()});
-  EXPECT_EQ(contents(file), ",\nnan,-inf\n");
+  EXPECT_EQ(read_text(file), ",\nnan,-inf\n");
 }
 
 TEST(CsvTable, NamesWithCommasAreQuoted)
@@ -74,10 +69,10 @@ TEST(CsvTable, NamesWithCommasAreQuoted)
   const std::string         file    = path("quoted.csv");
   const std::vector<Column> columns = {{"a, \"b\".ux", "m", "mean, of two"}};
   CsvTable(file, columns).append({1});
-  EXPECT_EQ(contents(file), "\"a, \"\"b\"\".ux\"\n1\n");
+  EXPECT_EQ(read_text(file), "\"a, \"\"b\"\".ux\"\n1\n");
 
   write_column_reference(file, columns);
-  EXPECT_EQ(contents(file),
+  EXPECT_EQ(read_text(file),
             "column,unit,meaning\n\"a, \"\"b\"\".ux\",m,\"mean, of two\"\n");
 }
 

@@ -3,6 +3,7 @@
 
 #include <boost/property_tree/xml_parser.hpp>
 #include <gtest/gtest.h>
+#include <support/text_file.h>
 
 #include <csignal>
 #include <cstdlib>
@@ -14,6 +15,7 @@
 #include <sys/resource.h>
 
 using namespace auxfem;
+using namespace auxfem::testing_support;
 
 namespace
 {
@@ -26,7 +28,7 @@ namespace
   }
 
   /** An empty folder, on all ranks. */
-  std::string fresh_folder(const std::string &name)
+  std::string fresh_shared_folder(const std::string &name)
   {
     const std::string folder = root + name + "_on_" +
       std::to_string(dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD));
@@ -39,13 +41,6 @@ namespace
     return folder;
   }
 
-  std::string contents(const std::string &file)
-  {
-    std::ifstream      stream(file);
-    std::ostringstream text;
-    text << stream.rdbuf();
-    return text.str();
-  }
 
   const std::vector<GraphicsField> fields = {{"displacement", 3, "m"},
                                              {"force", 1, "N"}};
@@ -88,7 +83,7 @@ namespace
 
 TEST(LineGraphics, VtkReadsBackWhatWasWritten)
 {
-  const std::string folder = fresh_folder("read_back");
+  const std::string folder = fresh_shared_folder("read_back");
   GraphicsSeries    series(folder, "solution", MPI_COMM_WORLD);
   for (const double time : {0., 1. / 3})
     {
@@ -141,7 +136,7 @@ TEST(LineGraphics, FilesNameUnits)
 
 TEST(LineGraphics, RecordIsWholeAfterEveryFile)
 {
-  const std::string folder = fresh_folder("record");
+  const std::string folder = fresh_shared_folder("record");
   const std::string record = folder + "/connectors.pvd";
   GraphicsSeries    series(folder, "connectors", MPI_COMM_WORLD);
   for (unsigned int i = 0; i < 3; ++i)
@@ -156,7 +151,7 @@ TEST(LineGraphics, RecordIsWholeAfterEveryFile)
 
 TEST(LineGraphics, RecordGrowsInPlace)
 {
-  const std::string folder = fresh_folder("in_place");
+  const std::string folder = fresh_shared_folder("in_place");
   const std::string record = folder + "/connectors.pvd";
   const std::string link   = folder + "/link.pvd";
   GraphicsSeries    series(folder, "connectors", MPI_COMM_WORLD);
@@ -170,17 +165,17 @@ TEST(LineGraphics, RecordGrowsInPlace)
         std::filesystem::create_hard_link(record, link);
       MPI_Barrier(MPI_COMM_WORLD);
     }
-  EXPECT_EQ(contents(link), contents(record));
+  EXPECT_EQ(read_text(link), read_text(record));
 }
 
 TEST(LineGraphics, OneRankHasOneFileATime)
 {
-  const std::string folder = fresh_folder("files");
+  const std::string folder = fresh_shared_folder("files");
   GraphicsSeries    series(folder, "solution", MPI_COMM_SELF);
   LineGraphics      graphics(fields);
   add_bent_line(graphics, 0);
   series.write(graphics, 0);
-  EXPECT_NE(contents(folder + "/solution.pvd")
+  EXPECT_NE(read_text(folder + "/solution.pvd")
               .find("file=\"solution/solution_00000.vtu\""),
             std::string::npos);
   EXPECT_EQ(n_files(folder + "/solution"), 1);
@@ -188,7 +183,7 @@ TEST(LineGraphics, OneRankHasOneFileATime)
 
 TEST(LineGraphics, FullDiskLeavesAWholeRecord)
 {
-  const std::string folder = fresh_folder("full");
+  const std::string folder = fresh_shared_folder("full");
   GraphicsSeries    series(folder, "solution", MPI_COMM_SELF);
 
   // A limit that the record reaches in the middle of an entry, and the others
@@ -215,7 +210,7 @@ TEST(LineGraphics, FullDiskLeavesAWholeRecord)
 
 TEST(LineGraphics, FolderInTheWayIsRefused)
 {
-  const std::string folder = fresh_folder("in_the_way");
+  const std::string folder = fresh_shared_folder("in_the_way");
   if (rank() == 0)
     std::ofstream(folder + "/solution") << "a file";
   MPI_Barrier(MPI_COMM_WORLD);
@@ -224,7 +219,7 @@ TEST(LineGraphics, FolderInTheWayIsRefused)
 
 TEST(LineGraphics, FolderThatVanishesEndsTheRun)
 {
-  const std::string folder = fresh_folder("vanishes");
+  const std::string folder = fresh_shared_folder("vanishes");
   GraphicsSeries    series(folder, "solution", MPI_COMM_WORLD);
   MPI_Barrier(MPI_COMM_WORLD);
   if (rank() == 0)

@@ -1,6 +1,7 @@
 #include <auxfem/output/output_folder.h>
 
 #include <gtest/gtest.h>
+#include <support/text_file.h>
 
 #include <filesystem>
 #include <fstream>
@@ -9,20 +10,15 @@
 #include <support/messages.h>
 
 using namespace auxfem;
+using namespace auxfem::testing_support;
 
 namespace
 {
   namespace fs = std::filesystem;
 
-  const FolderContents contents = {{"log.txt", "history.csv"}, {"solution"}};
+  const FolderContents folder_contents = {{"log.txt", "history.csv"},
+                                          {"solution"}};
 
-  std::string text_of(const fs::path &file)
-  {
-    std::ifstream      stream(file);
-    std::ostringstream text;
-    text << stream.rdbuf();
-    return text.str();
-  }
 
   /** A fresh folder for the running test. */
   class OutputFolderTest : public testing::Test
@@ -48,7 +44,7 @@ namespace
     /** A run that writes both files and a series of two times. */
     void run() const
     {
-      OutputFolder claim(folder, contents, {});
+      OutputFolder claim(folder, folder_contents, {});
       claim.claim_series("solution");
       for (const char *name : {"log.txt",
                                "history.csv",
@@ -63,7 +59,7 @@ namespace
                         const bool                      force = false) const
     {
       return input_error_of([&]() {
-        OutputFolder(folder, contents, {input_files, force});
+        OutputFolder(folder, folder_contents, {input_files, force});
       });
     }
 
@@ -112,7 +108,7 @@ namespace
                       "auxfem has not written",
                       "--output DIR",
                       "--force"});
-        EXPECT_EQ(text_of(folder / name), "of another");
+        EXPECT_EQ(read_text(folder / name), "of another");
         EXPECT_FALSE(fs::exists(folder / ".auxfem-files"));
 
         EXPECT_EQ(refusal({}, true), "");
@@ -159,7 +155,7 @@ namespace
                        {"The run reads " + (folder / name).string(),
                         "its history.csv",
                         "--output DIR"});
-          EXPECT_EQ(text_of(folder / "history.csv"), "a table");
+          EXPECT_EQ(read_text(folder / "history.csv"), "a table");
         }
     expect_parts(refusal({(folder / "solution/solution_00000.vtu").string()},
                          true),
@@ -169,14 +165,14 @@ namespace
   TEST_F(OutputFolderTest, SecondRunIsRefusedUntilTheFirstHasEnded)
   {
     {
-      const OutputFolder first(folder, contents, {});
+      const OutputFolder first(folder, folder_contents, {});
       write("log.txt", "of the first");
       for (const bool force : {false, true})
         expect_parts(refusal({}, force),
                      {"Another run of auxfem",
                       folder.string(),
                       "--output DIR"});
-      EXPECT_EQ(text_of(folder / "log.txt"), "of the first");
+      EXPECT_EQ(read_text(folder / "log.txt"), "of the first");
     }
     EXPECT_EQ(refusal(), "");
   }
@@ -185,6 +181,6 @@ namespace
   {
     write(".auxfem-files", "my own list\n");
     expect_parts(refusal(), {".auxfem-files", "cannot be used"});
-    EXPECT_EQ(text_of(folder / ".auxfem-files"), "my own list\n");
+    EXPECT_EQ(read_text(folder / ".auxfem-files"), "my own list\n");
   }
 } // namespace

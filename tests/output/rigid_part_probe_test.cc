@@ -10,13 +10,13 @@
 
 #include <cmath>
 
+#include <support/pi.h>
+
 using namespace auxfem;
 using namespace auxfem::testing_support;
 
 namespace
 {
-  constexpr double pi = dealii::numbers::PI;
-
   /** Two rigid bars on a hinge, 2 kg each, then an elastic strut. */
   const std::string bars = frame_scene("0 0; 1 0; 2 0; 3 0",
                                        "0 1; 1 2; 2 3",
@@ -37,7 +37,7 @@ namespace
     return definition;
   }
 
-  std::string refusal_of(const std::string &selection)
+  std::string probe_refusal(const std::string &selection)
   {
     const EquationsOnRanks of_scene(bars, {}, MPI_COMM_SELF);
     return input_error_of([&] {
@@ -142,9 +142,9 @@ TEST(RigidPartProbe, ForcesAreThoseOfTheChosenJoints)
 
 TEST(RigidPartProbe, MistakesAreNamed)
 {
-  EXPECT_EQ(refusal_of("rigid: 1 @ 2"), "");
+  EXPECT_EQ(probe_refusal("rigid: 1 @ 2"), "");
   // Elastic struts beside rigid ones are left out.
-  EXPECT_EQ(refusal_of("rigid: all"), "");
+  EXPECT_EQ(probe_refusal("rigid: all"), "");
   for (const auto &[selection, words] :
        std::vector<std::pair<std::string, std::string>>{
          {"rigid: 2", "is rigid"},
@@ -153,7 +153,7 @@ TEST(RigidPartProbe, MistakesAreNamed)
          {"rigid: 0 @ 9", "9"},
          {"rigid: bras", "bras"}})
     {
-      const std::string message = refusal_of(selection);
+      const std::string message = probe_refusal(selection);
       EXPECT_TRUE(contains(message, "Probes/P")) << message;
       EXPECT_TRUE(contains(message, words)) << message;
     }

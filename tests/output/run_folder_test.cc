@@ -2,6 +2,7 @@
 #include <auxfem/parameters/errors.h>
 
 #include <gtest/gtest.h>
+#include <support/text_file.h>
 
 #include <filesystem>
 #include <fstream>
@@ -10,6 +11,7 @@
 #include <support/messages.h>
 
 using namespace auxfem;
+using namespace auxfem::testing_support;
 
 namespace
 {
@@ -24,13 +26,6 @@ namespace
     return folder;
   }
 
-  std::string contents(const fs::path &file)
-  {
-    std::ifstream      stream(file);
-    std::ostringstream text;
-    text << stream.rdbuf();
-    return text.str();
-  }
 
   /** A scene in @p folder, whose results go to @p output. */
   Scene scene_in(const fs::path &folder, const fs::path &output)
@@ -50,9 +45,9 @@ TEST(RunFolder, IsMadeWithParents)
   const fs::path folder = fresh_folder("made");
   const fs::path output = folder / "a" / "b";
   RunFolder(scene_in(folder, output), {}).log() << "a line\n";
-  EXPECT_EQ(contents(output / "log.txt"), "a line\n");
-  EXPECT_EQ(contents(output / "original.prm"), "set Title = as written\n");
-  EXPECT_EQ(contents(output / "parameters.prm"), "set Title = all\n");
+  EXPECT_EQ(read_text(output / "log.txt"), "a line\n");
+  EXPECT_EQ(read_text(output / "original.prm"), "set Title = as written\n");
+  EXPECT_EQ(read_text(output / "parameters.prm"), "set Title = all\n");
 }
 
 TEST(RunFolder, FilesOfOthersWithNamesOfResultsAreRefused)
@@ -76,10 +71,10 @@ TEST(RunFolder, FilesOfOthersWithNamesOfResultsAreRefused)
       Scene scene = scene_in(folder, output);
       expect_parts(input_error_of([&]() { RunFolder run(scene, {}); }),
                    {name, "auxfem has not written", "--force"});
-      EXPECT_EQ(contents(output / name), "of another");
+      EXPECT_EQ(read_text(output / name), "of another");
 
       RunFolder run(scene, {{}, true});
-      EXPECT_EQ(contents(output / "original.prm"), "set Title = as written\n");
+      EXPECT_EQ(read_text(output / "original.prm"), "set Title = as written\n");
     }
 }
 
@@ -91,7 +86,7 @@ TEST(RunFolder, OriginalOfAFormerRunCanBeRunAgain)
   scene.output.directory = folder / "other";
   scene.file             = folder / "out" / "original.prm";
   RunFolder second(scene, {});
-  EXPECT_EQ(contents(folder / "other" / "original.prm"),
+  EXPECT_EQ(read_text(folder / "other" / "original.prm"),
             "set Title = as written\n");
 }
 
@@ -102,7 +97,7 @@ TEST(RunFolder, OriginalOfAFormerRunCanBeRunIntoItsFolder)
   for (unsigned int i = 0; i < 3; ++i)
     {
       RunFolder run(scene, {});
-      EXPECT_EQ(contents(folder / "out" / "original.prm"),
+      EXPECT_EQ(read_text(folder / "out" / "original.prm"),
                 "set Title = as written\n");
       scene.file = folder / "out" / "original.prm";
     }
@@ -119,7 +114,7 @@ TEST(RunFolder, SceneWithTheNameOfAResultIsKept)
                  RunFolder run(scene, {{}, true});
                }),
                {"The run reads", "log.txt"});
-  EXPECT_EQ(contents(scene.file), "set Title = as written\n");
+  EXPECT_EQ(read_text(scene.file), "set Title = as written\n");
 }
 
 TEST(RunFolder, SceneFromMemoryHasNoOriginal)
@@ -159,7 +154,7 @@ TEST(RunFolder, FileIsReplacedInOneMove)
   const fs::path folder = fresh_folder("replace");
   replace_file(folder / "summary.json", "old");
   replace_file(folder / "summary.json", "new");
-  EXPECT_EQ(contents(folder / "summary.json"), "new");
+  EXPECT_EQ(read_text(folder / "summary.json"), "new");
   EXPECT_FALSE(fs::exists(folder / "summary.json.part"));
   EXPECT_THROW(replace_file(folder / "none" / "summary.json", "x"),
                ComputationError);

@@ -1,3 +1,4 @@
+#include <programs/single_precision.h>
 #include <support/graphics_series.h>
 
 #include <array>
@@ -5,9 +6,6 @@
 namespace
 {
   using namespace auxfem::testing_support;
-
-  /** Graphics hold single precision: 2^-24 = 6e-8 of a number. */
-  constexpr double single_precision = 1e-7;
 
   /** The arch beside a post of tests/data, read back as ParaView does. */
   class GraphicsProgram : public ProgramTest

@@ -1,10 +1,10 @@
 #include <support/graphics_series.h>
 
+#include <support/pi.h>
+
 namespace
 {
   using namespace auxfem::testing_support;
-
-  constexpr double pi = 3.14159265358979323846;
 
   /** The scenes in prm/, as they are. */
   class ShippedScenes : public ProgramTest

@@ -1,14 +1,12 @@
 #include <auxfem/elements/rotation.h>
 
+#include <programs/single_precision.h>
 #include <support/graphics_series.h>
 
 namespace
 {
   using namespace auxfem;
   using namespace auxfem::testing_support;
-
-  /** Graphics hold single precision: 2^-24 = 6e-8 of a number. */
-  constexpr double single_precision = 1e-7;
 
   /** What scenes in space write, read back as ParaView does. */
   class SpaceOutputProgram : public ProgramTest

@@ -24,7 +24,7 @@ namespace
     return subsection(kind, subsection("name", content));
   }
 
-  std::string section(const std::string &shape)
+  std::string section_text(const std::string &shape)
   {
     return group("Sections",
                  shape + "\nset Young's modulus = 1\nset Density = 1");
@@ -45,7 +45,8 @@ namespace
   TEST(SceneMistakes, TheSmallSceneHasNone)
   {
     EXPECT_EQ(message_for(""), "");
-    EXPECT_EQ(message_for(section("set Shape = circle\nset Radius = 1")), "");
+    EXPECT_EQ(message_for(section_text("set Shape = circle\nset Radius = 1")),
+              "");
   }
 
 
@@ -176,11 +177,11 @@ namespace
 
   TEST(SceneMistakes, WrongUnitWords)
   {
-    expect_message(section("set Shape = circle\nset Radius = 2 kg"),
+    expect_message(section_text("set Shape = circle\nset Radius = 2 kg"),
                    {"scene.prm:7: Sections/name/Radius = 2 kg",
                     "unit word \"kg\" does not fit",
                     "unit words allowed: m, mm, cm, um, km, in, ft"});
-    expect_message(section("set Shape = circle\nset Radius = 2 milimeter"),
+    expect_message(section_text("set Shape = circle\nset Radius = 2 milimeter"),
                    {"unit word \"milimeter\" is not known"});
     expect_message(group("Loads", "set Joints = all\nset Force x = 2 mm"),
                    {"Loads/name/Force x", "\"mm\" does not fit", "kN"});
@@ -214,8 +215,8 @@ namespace
 
   TEST(SceneMistakes, EntriesOfAnotherChoice)
   {
-    expect_message(section("set Shape = circle\nset Radius = 1\n"
-                           "set Wall thickness = 0.1"),
+    expect_message(section_text("set Shape = circle\nset Radius = 1\n"
+                                "set Wall thickness = 0.1"),
                    {"scene.prm:8: Sections/name/Wall thickness",
                     "belongs to Shape = tube",
                     "here Shape = circle",
@@ -233,7 +234,7 @@ namespace
                     "here Law = spring"});
     // a misspelt choice is one mistake, its entries are not more of them
     const std::string message =
-      message_for(section("set Shape = cirle\nset Radius = 1"));
+      message_for(section_text("set Shape = cirle\nset Radius = 1"));
     expect_parts(message, {"cirle"});
     EXPECT_EQ(message.find("Radius"), std::string::npos) << message;
   }
@@ -270,8 +271,8 @@ namespace
 
   TEST(SceneMistakes, ContradictionsWithinASubsection)
   {
-    expect_message(section("set Shape = tube\nset Outer radius = 1 mm\n"
-                           "set Wall thickness = 2 mm"),
+    expect_message(section_text("set Shape = tube\nset Outer radius = 1 mm\n"
+                                "set Wall thickness = 2 mm"),
                    {"scene.prm:5: Sections/name", "2 mm", "1 mm"});
     expect_message(group("Supports", "set Joints = all\nset Type = prescribed"),
                    {"Supports/name", "everything is free"});

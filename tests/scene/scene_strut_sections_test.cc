@@ -4,6 +4,7 @@
 #include <deal.II/base/numbers.h>
 
 #include <gtest/gtest.h>
+#include <scene/expect_close.h>
 
 #include <cmath>
 
@@ -12,6 +13,7 @@
 namespace
 {
   using namespace auxfem;
+  using namespace auxfem::testing_support;
   using dealii::numbers::PI;
 
   Section section(const std::string &entries, const std::string &dimension)
@@ -41,12 +43,6 @@ namespace
   const std::string given = "set Shape = given\nset Area = 12\n"
                             "set Shear area = 10\n"
                             "set Second moment of area = 36\n";
-
-  // products of a handful of decimals
-  void expect_close(const double value, const double expected)
-  {
-    EXPECT_NEAR(value, expected, 1e-14 * std::abs(expected));
-  }
 
   TEST(StrutSections, RectangleBendsAboutBothAxes)
   {

@@ -5,12 +5,14 @@
 #include <deal.II/base/numbers.h>
 
 #include <gtest/gtest.h>
+#include <scene/expect_close.h>
 
 #include <cmath>
 
 namespace
 {
   using namespace auxfem;
+  using namespace auxfem::testing_support;
   using dealii::numbers::PI;
 
   /** The coefficients of the scheme of @p scene, one of the alpha family. */
@@ -156,14 +158,6 @@ subsection Probes
   set middle = nearest: 0, 0
 end
 )";
-
-  // products and quotients of a handful of exact decimals
-  constexpr double tolerance = 1e-14;
-
-  void expect_close(const double value, const double expected)
-  {
-    EXPECT_NEAR(value, expected, tolerance * std::abs(expected));
-  }
 
   TEST(Scene, DescribesTheStructure)
   {

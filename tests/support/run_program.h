@@ -2,6 +2,7 @@
 #define auxfem_tests_support_run_program_h
 
 #include <gtest/gtest.h>
+#include <support/text_file.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,25 +23,6 @@ namespace auxfem
   namespace testing_support
   {
     using Words = std::vector<std::string>;
-
-    inline std::string read_text(const std::string &file)
-    {
-      std::ifstream     stream(file);
-      std::stringstream text;
-      text << stream.rdbuf();
-      if (!stream)
-        throw std::runtime_error("Cannot read " + file);
-      return text.str();
-    }
-
-    inline void write_text(const std::string &file, const std::string &text)
-    {
-      std::ofstream stream(file);
-      stream << text;
-      stream.close();
-      if (!stream)
-        throw std::runtime_error("Cannot write " + file);
-    }
 
     /** The file @p name of tests/data, as text. */
     inline std::string data_text(const std::string &name)

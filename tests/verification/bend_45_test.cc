@@ -5,6 +5,7 @@
 #include <iomanip>
 #include <iostream>
 
+#include <support/pi.h>
 #include <verification/label.h>
 
 using namespace auxfem;
@@ -15,8 +16,6 @@ using namespace auxfem::testing_support;
 // dead load P along z at the tip.
 namespace
 {
-  constexpr double pi = 3.14159265358979323846;
-
   constexpr double radius = 100, opening = pi / 4, youngs_modulus = 1e7;
 
   Beam3D::Stiffness square_section(const double torsion_constant,

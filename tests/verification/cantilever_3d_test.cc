@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include <support/pi.h>
 #include <verification/label.h>
 #include <verification/vertex.h>
 
@@ -13,8 +14,6 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  constexpr double pi = 3.14159265358979323846;
-
   /** A strut of @p length along x, clamped at joint 0. */
   SpaceScene clamped(const double length, const Beam3D::Stiffness &section)
   {
@@ -40,23 +39,24 @@ namespace
 
 TEST(Cantilever3D, CoiledIntoAHelix)
 {
-  struct Row
+  struct SkewCantileverRow
   {
     double                factor;
     std::array<double, 3> u;
   };
-  const std::vector<Row> rows = {{0.05, {{-9.288519, 6.285664, 2.750736}}},
-                                 {0.10, {{-9.589797, 0.053771, -1.091729}}},
-                                 {0.15, {{-9.927931, 2.119615, 0.859053}}},
-                                 {0.20, {{-9.884939, 0.008362, -0.598497}}},
-                                 {0.30, {{-9.947604, 0.002594, -0.399593}}},
-                                 {0.50, {{-9.980893, 0.000574, -0.226637}}},
-                                 {1.00, {{-9.995197, 0.000072, -0.076442}}}};
-  ComparisonTable        table("Cantilever coiled into a helix, rod equation "
-                               "by shooting");
-  SpaceRun               run(coiled("t", 5).time(1, 0.01).str());
+  const std::vector<SkewCantileverRow> rows = {
+    {0.05, {{-9.288519, 6.285664, 2.750736}}},
+    {0.10, {{-9.589797, 0.053771, -1.091729}}},
+    {0.15, {{-9.927931, 2.119615, 0.859053}}},
+    {0.20, {{-9.884939, 0.008362, -0.598497}}},
+    {0.30, {{-9.947604, 0.002594, -0.399593}}},
+    {0.50, {{-9.980893, 0.000574, -0.226637}}},
+    {1.00, {{-9.995197, 0.000072, -0.076442}}}};
+  ComparisonTable table("Cantilever coiled into a helix, rod equation "
+                        "by shooting");
+  SpaceRun        run(coiled("t", 5).time(1, 0.01).str());
   run.run([&] {
-    for (const Row &row : rows)
+    for (const SkewCantileverRow &row : rows)
       if (std::abs(run.state.time - row.factor) < 1e-9)
         for (unsigned int c = 0; c < 3; ++c)
           table.row(label("factor", row.factor) + ": u_" + "xyz"[c],

@@ -5,12 +5,12 @@
 #include <array>
 #include <cmath>
 
+#include <support/pi.h>
+
 using namespace auxfem::testing_support;
 
 namespace
 {
-  constexpr double pi = 3.14159265358979323846;
-
   /** A straight cantilever of unit length, turned by @p angle at rest. */
   StaticScene cantilever(const Stiffnesses &stiffnesses, const double angle = 0)
   {
@@ -147,7 +147,7 @@ namespace
 
   // With EA = kGA the rotations are those of the inextensible rod, and the tip
   // moves by P L / EA more along the force: r' = t + n / EA and r' x n = t x n.
-  constexpr double axial_stiffness = 1e4;
+  constexpr double cantilever_axial_stiffness = 1e4;
 
   // The reference has ten digits; what eight quartic elements differ from it is
   // its last digit.
@@ -157,7 +157,8 @@ namespace
   {
     const std::string force = text(std::sin(angle)) + " * t";
     SceneRun          run(
-      cantilever({axial_stiffness, axial_stiffness, 1}, angle)
+      cantilever({cantilever_axial_stiffness, cantilever_axial_stiffness, 1},
+                 angle)
         .load("force", "1", {force, text(-std::cos(angle)) + " * t", "0"})
         .mesh(4, 3)
         .time(10, step)
@@ -177,7 +178,7 @@ namespace
                       elastica_tolerance);
             table.row(at + "w/L",
                       u * std::sin(angle) - v * std::cos(angle) -
-                        row[0] / axial_stiffness,
+                        row[0] / cantilever_axial_stiffness,
                       row[2],
                       elastica_tolerance);
             table.row(at + "theta",

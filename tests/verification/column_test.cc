@@ -5,19 +5,20 @@
 #include <array>
 #include <cmath>
 
+#include <support/pi.h>
+
 using namespace auxfem::testing_support;
 
 namespace
 {
-  constexpr double pi = 3.14159265358979323846;
   constexpr double critical =
     pi * pi / 4; // of a clamped-free column, EI = L = 1
 
   // As for any strut with EA = kGA, rotations are those of the inextensible
   // column, buckling load included, and the tip moves by P L / EA more.
-  constexpr double axial_stiffness = 1e4;
+  constexpr double column_axial_stiffness = 1e4;
 
-  struct Row
+  struct ColumnRow
   {
     double angle; ///< of the tip (degrees)
     double load;  ///< P / critical
@@ -26,7 +27,7 @@ namespace
 
   // P/Pcr = (2K/pi)^2, x/L = 2E/K - 1, y/L = 2k/K, k = sin(alpha/2), with the
   // complete elliptic integrals K, E (Timoshenko & Gere, section 2.7).
-  const std::vector<Row> buckled = {
+  const std::vector<ColumnRow> buckled = {
     {20, 1.015396866, 0.9697309074, 0.2194130424},
     {40, 1.063663266, 0.8812035117, 0.4222403401},
     {60, 1.151719620, 0.7410196061, 0.5932076462},
@@ -45,7 +46,7 @@ namespace
     for (const unsigned int row : rows)
       loads.push_back(buckled[row].load);
     StaticScene scene("0 0; 1 0", "0 1");
-    scene.section({axial_stiffness, axial_stiffness, 1})
+    scene.section({column_axial_stiffness, column_axial_stiffness, 1})
       .support("clamp", "0", "clamp")
       .load("axial", "1", {through(loads, -critical), "0", "0"})
       .load("lateral", "1", {"0", through({0.5, 0}), "0"})
@@ -61,7 +62,7 @@ namespace
     run.run([&] {
       if (run.state.step % 8 != 0 || run.state.step <= 16)
         return;
-      const Row        &row = buckled[rows[run.state.step / 8 - 3]];
+      const ColumnRow  &row = buckled[rows[run.state.step / 8 - 3]];
       const std::string at  = "P/Pcr = " + text(row.load) + ": ";
       // The angle grows by 4 / alpha times a relative change of the load, whose
       // tenth digit is rounded; 1e-9 is left for the displacements.
@@ -71,7 +72,8 @@ namespace
                 row.angle * pi / 180,
                 allowed);
       table.row(at + "x/L",
-                1 + run.motion(1, 0) + row.load * critical / axial_stiffness,
+                1 + run.motion(1, 0) +
+                  row.load * critical / column_axial_stiffness,
                 row.x,
                 allowed);
       table.row(at + "y/L", run.motion(1, 1), row.y, allowed);
@@ -96,7 +98,7 @@ namespace
       {
         StaticScene scene("0 0; 1 0", "0 1");
         SceneRun    run(
-          scene.section({axial_stiffness, axial_stiffness, 1})
+          scene.section({column_axial_stiffness, column_axial_stiffness, 1})
             .support("clamp", "0", "clamp")
             .load("axial", "1", {through({load, load}, -critical), "0", "0"})
             .load("lateral", "1", {"0", through({0.1, 0}), "0"})

@@ -22,7 +22,7 @@ namespace
   };
 
   /** A clamped arc of unit radius and length, bent by loads at its tip. */
-  const ClampedRod arc = {{400, 150, 1}, 1, 1, 2, 2};
+  const ClampedRod clamped_arc = {{400, 150, 1}, 1, 1, 2, 2};
 
   StaticScene arc_scene(const unsigned int order,
                         const unsigned int refinements)
@@ -30,13 +30,13 @@ namespace
     // Turning left, the arc bulges to the right of its chord.
     StaticScene scene("0 0; " + text(std::sin(1)) + " " + text(1 - std::cos(1)),
                       "0 1 " + text(std::cos(0.5) - 1));
-    scene.section(arc.stiffnesses)
+    scene.section(clamped_arc.stiffnesses)
       .support("clamp", "0", "clamp")
       .load("tip",
             "1",
-            {text(arc.force_x) + " * t",
-             text(arc.force_y) + " * t",
-             text(arc.moment) + " * t"})
+            {text(clamped_arc.force_x) + " * t",
+             text(clamped_arc.force_y) + " * t",
+             text(clamped_arc.moment) + " * t"})
       .mesh(order, refinements)
       .time(1, 0.1);
     return scene;
@@ -116,11 +116,13 @@ namespace
   // of its parts is a polynomial.
   TEST(Convergence, DisplacementOfABentArc)
   {
-    const RodEquation exact(arc, n_steps), coarse(arc, n_steps / 2);
+    const RodEquation exact(clamped_arc, n_steps),
+      coarse(clamped_arc, n_steps / 2);
     // The reference's own error, far below all errors compared with it
     EXPECT_NEAR(exact[n_steps][0], coarse[n_steps / 2][0], 1e-13);
     EXPECT_NEAR(exact[n_steps][1], coarse[n_steps / 2][1], 1e-13);
-    EXPECT_GT(exact[n_steps][2] - arc.curvature, 1.5) << "not a large rotation";
+    EXPECT_GT(exact[n_steps][2] - clamped_arc.curvature, 1.5)
+      << "not a large rotation";
 
     std::cout
       << "\n**Displacement error of a bent arc, Reissner's equation**\n\n"

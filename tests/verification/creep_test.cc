@@ -17,7 +17,7 @@ namespace
 {
   constexpr double k = 1000, c = 50, tau = c / k, k0 = 400;
 
-  const std::string kelvin_voigt =
+  const std::string kelvin_voigt_entries =
     "    set Law = kelvin-voigt\n    set Spring stiffness = 1000\n"
     "    set Damping coefficient = 50";
   const std::string maxwell =
@@ -71,7 +71,7 @@ TEST(ConnectorCreep, FollowsTheClosedForms)
   const double                  creep_time = tau * (k0 + k) / k0;
   const std::vector<ClosedForm> forms      = {
          {"kelvin-voigt",
-          kelvin_voigt,
+          kelvin_voigt_entries,
           [](double t) { return (1 - std::exp(-t / tau)) / k; }},
          {"maxwell", maxwell, [](double t) { return 1 / k + t / c; }},
          {"standard-linear-solid", standard_linear_solid, [=](double t) {
@@ -117,7 +117,9 @@ TEST(ConnectorRamp, IsExactForAnyStep)
   // the backward difference. s = 0.1 m/s; dt = tau / 5.
   const double                  s = 0.1, dt = 0.01;
   const std::vector<ClosedForm> forms = {
-    {"kelvin-voigt", kelvin_voigt, [=](double t) { return k * s * t + c * s; }},
+    {"kelvin-voigt",
+     kelvin_voigt_entries,
+     [=](double t) { return k * s * t + c * s; }},
     {"maxwell",
      maxwell,
      [=](double t) { return c * s * -std::expm1(-t / tau); }},
@@ -183,7 +185,7 @@ TEST(ConnectorCycle, HasTheMaterialsModuliAndLoss)
   };
   // K' and K'' of the closed forms at w tau = 1.
   const std::vector<Case> cases = {
-    {"kelvin-voigt", kelvin_voigt, 1000, 1000},
+    {"kelvin-voigt", kelvin_voigt_entries, 1000, 1000},
     {"maxwell", maxwell, 500, 500},
     {"standard-linear-solid", standard_linear_solid, 900, 500}};
   const double       U = 0.01, w = 20, period = 2 * std::acos(-1.) / w;

@@ -13,9 +13,9 @@ namespace
   // vertical diagonal by +-P (Mattiasson 1981; Jenkins et al. 1966). References
   // are those of inextensible members. With EA = kGA each member keeps its
   // rotations and its end moves by (P/2) L / EA more along the load.
-  constexpr double axial_stiffness = 1e4;
+  constexpr double diamond_axial_stiffness = 1e4;
 
-  struct Row
+  struct DiamondRow
   {
     double load;          ///< P L^2 / EI
     double along, across; ///< half the change of the two diagonals / L
@@ -29,7 +29,7 @@ namespace
                       "0 1; 1 2; 2 3; 3 0");
     const std::string sign     = direction > 0 ? "" : "-";
     const std::string opposite = direction > 0 ? "-" : "";
-    scene.section({axial_stiffness, axial_stiffness, 1})
+    scene.section({diamond_axial_stiffness, diamond_axial_stiffness, 1})
       .support("horizontal diagonal", "0, 2", "roller x")
       .support("vertical diagonal", "1, 3", "roller y")
       .load("top", "1", {"0", sign + "t", "0"})
@@ -40,9 +40,9 @@ namespace
     return scene;
   }
 
-  void compare(const bool              is_pinned,
-               const double            direction,
-               const std::vector<Row> &reference)
+  void compare(const bool                     is_pinned,
+               const double                   direction,
+               const std::vector<DiamondRow> &reference)
   {
     SceneRun          run(diamond(is_pinned, direction).time(10, 0.2).str());
     const std::string name =
@@ -51,10 +51,11 @@ namespace
     ComparisonTable table("Diamond frame, " + name +
                           ", inextensible rod equation by shooting");
     run.run([&] {
-      for (const Row &row : reference)
+      for (const DiamondRow &row : reference)
         if (std::abs(row.load - run.state.time) < 1e-6)
           {
-            const double stretch = direction * row.load / 2 / axial_stiffness;
+            const double stretch =
+              direction * row.load / 2 / diamond_axial_stiffness;
             const std::string at = "P L^2/EI = " + text(row.load) + ": ";
             // The reference has eight decimals.
             const double allowed = 1e-8;
@@ -134,7 +135,8 @@ namespace
         SceneRun hinged(diamond(true, direction).time(2, 0.125).str());
         rigid.run();
         hinged.run();
-        const double stretch = (8 - 2) * direction / 2 / axial_stiffness;
+        const double stretch =
+          (8 - 2) * direction / 2 / diamond_axial_stiffness;
         // Discretisation: 16 against 8 elements between inflections
         EXPECT_NEAR(rigid.motion(1, 1) - stretch, hinged.motion(1, 1), 1e-9);
         EXPECT_NEAR(rigid.motion(0, 0), hinged.motion(0, 0), 1e-9);
@@ -150,7 +152,7 @@ namespace
         SceneRun run(diamond(is_pinned, 1).linear().str());
         run.run();
         EXPECT_NEAR(run.motion(1, 1),
-                    1. / (is_pinned ? 12 : 48) + 0.5 / axial_stiffness,
+                    1. / (is_pinned ? 12 : 48) + 0.5 / diamond_axial_stiffness,
                     1e-9); // round-off of stretching against bending
       }
   }

@@ -30,13 +30,13 @@ namespace
     return scene.mesh(4, 2).time(10, dt).str();
   }
 
-  struct Moment
+  struct SpaceMoment
   {
     double      time;
     SpaceVector u[3]; ///< of A, the middle, B
   };
 
-  const std::vector<Moment> reference = {
+  const std::vector<SpaceMoment> reference = {
     {2.5,
      {SpaceVector({-2.3932, -0.4273, 0.0447}),
       SpaceVector({2.7927, 0.2067, -0.0357}),

@@ -81,7 +81,7 @@ subsection Time
       text(dt) + "\nend\n";
   }
 
-  struct Moment
+  struct PlaneMoment
   {
     double time;
     double u[3][2]; ///< displacements of A, the middle, B
@@ -92,7 +92,7 @@ subsection Time
 TEST(FlyingBeam, FollowsTheReferenceAndKeepsItsMomenta)
 {
   // Explicit Runge-Kutta on 20 to 160 two-node elements.
-  const std::vector<Moment> expected = {
+  const std::vector<PlaneMoment> expected = {
     {2.5, {{-1.037, 4.476}, {3.902, -0.773}, {3.583, -1.888}}, 175.7, 203.8},
     {4, {{2.055, 8.051}, {4.432, -0.885}, {11.223, -4.631}}, 278.1, 101.4},
     {5, {{3.784, 8.203}, {8.727, -0.351}, {8.075, -6.242}}, 297.4, 82.1},

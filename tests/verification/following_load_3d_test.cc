@@ -9,7 +9,7 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  const SpaceTexts nothing = {{"0", "0", "0"}};
+  const SpaceTexts no_force = {{"0", "0", "0"}};
 
   // A strut of unit length along x, clamped at x = 0, with EI the same about
   // both axes, but GJ another. A moment at its tip is the same vector m in all
@@ -43,7 +43,7 @@ TEST(FollowingLoad3d, MomentAboutASkewAxisDeadAndFollowing)
     {
       SpaceScene scene("0 0 0; 1 0 0", "0 1");
       scene.section({100, 100, 100, torsion, bending, bending})
-        .load("tip", "1", nothing, times(moment, "t"))
+        .load("tip", "1", no_force, times(moment, "t"))
         .support("clamp", "0", "clamp")
         .mesh(4, 3)
         .time(1, 0.1)
@@ -77,7 +77,7 @@ TEST(FollowingLoad3d, ForceTurnsWithTheTip)
   const SpaceVector force({-1., 4., 3.});
   SpaceScene        scene("0 0 0; 1 0 0", "0 1");
   scene.section({100, 100, 100, torsion, bending, bending})
-    .load("tip", "1", times(force, "t"), nothing)
+    .load("tip", "1", times(force, "t"), no_force)
     .support("clamp", "0", "clamp")
     .mesh(3, 2)
     .time(1, 0.1)
@@ -104,8 +104,8 @@ TEST(FollowingLoad3d, LeesFrameInTheYZPlane)
       .section(
         {axial, 1000 * axial, 1000 * axial, stiff, stiff, bending_stiffness})
       .set("Sections/all/Reference vector", "1 0 0");
-    scene.prescribe("hinges", "0, 3", nothing, {{"free", "0", "0"}})
-      .load("force", "2", times(SpaceVector({0., 0., -load}), "t"), nothing)
+    scene.prescribe("hinges", "0, 3", no_force, {{"free", "0", "0"}})
+      .load("force", "2", times(SpaceVector({0., 0., -load}), "t"), no_force)
       .mesh(4, 3)
       .time(1, 0.05)
       .set("Loads/force/Direction", "follows the joint");

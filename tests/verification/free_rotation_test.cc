@@ -132,7 +132,7 @@ namespace
   }
 
   /** What remains of the fourth order in dt, and strains (m). */
-  constexpr double allowed = 1e-5;
+  constexpr double allowed_error = 1e-5;
 
   /** Places of all joints at the end, extrapolated from two steps. */
   std::vector<SpaceVector> places_at_end(const Body        &body,
@@ -175,7 +175,7 @@ namespace
           table.row(label("joint", joint) + axes[c],
                     places[joint][c],
                     exact[c],
-                    allowed);
+                    allowed_error);
       }
   }
 } // namespace

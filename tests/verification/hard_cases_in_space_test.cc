@@ -29,13 +29,13 @@ namespace
     return scene.mesh(2, 0).time(end, dt).str();
   }
 
-  const std::vector<std::string> generalized_alpha =
+  const std::vector<std::string> damped_scheme =
     {"Time/Scheme=generalized-alpha", "Newton/Tolerance=1e-8"};
 } // namespace
 
 TEST(HardCasesInSpace, StiffnessDampingDoesNotBrakeRigidRotation)
 {
-  std::vector<std::string> damped = generalized_alpha;
+  std::vector<std::string> damped = damped_scheme;
   damped.push_back("Sections/beam/Stiffness-proportional damping=0.01");
   SceneRun     run(spinning_strut(1e6, SpaceVector({3., 4., 5.}), 10, 0.0025),
                damped);
@@ -59,7 +59,7 @@ TEST(HardCasesInSpace, StepsOfMoreThanARadian)
 {
   const double dt = 0.1, rate = 15;
   SceneRun run(spinning_strut(1e8, SpaceVector({rate / 5, 0., rate}), 3, dt),
-               generalized_alpha);
+               damped_scheme);
   const double before = run.state.energies.kinetic();
   unsigned int n_long = 0, n_steps = 0;
   Quaternion   previous = rotation_of_joint(run, 0);

@@ -4,6 +4,7 @@
 #include <verification/node_unknowns.h>
 #include <verification/star_scene.h>
 
+#include <support/pi.h>
 #include <verification/label.h>
 
 using namespace auxfem;
@@ -16,8 +17,6 @@ using namespace auxfem::testing_support;
 namespace
 {
   using Overrides = std::vector<std::string>;
-
-  const double pi = std::acos(-1.);
 
   /** The star lattice, 2 x 2 cells, under @p load (N) on each top joint until @p end (s). */
   Overrides small_star(const double load, const double end = 20e-3)

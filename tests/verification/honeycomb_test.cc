@@ -2,12 +2,12 @@
 
 #include <cmath>
 
+#include <support/pi.h>
+
 using namespace auxfem::testing_support;
 
 namespace
 {
-  constexpr double pi = 3.14159265358979323846;
-
   // Hexagonal honeycomb: slanted walls of length 1 at an angle theta to x,
   // below 0 re-entrant, and vertical walls of length h.
   struct Hexagon
@@ -137,7 +137,7 @@ namespace
 
   // With EA = kGA rotations are those of inextensible walls, and walls stretch
   // by W l/EA and W h/EA along the load more.
-  constexpr double axial_stiffness = 1e4;
+  constexpr double wall_axial_stiffness = 1e4;
 
   StaticScene piece_of(const Hexagon     &cell,
                        const unsigned int direction,
@@ -148,7 +148,7 @@ namespace
     StaticScene       scene("0 " + text(-half) + "; 0 0; " + x + " " + text(s) +
                         "; " + x + " " + text(s + half),
                       "0 1; 1 2; 2 3");
-    scene.section({axial_stiffness, axial_stiffness, 1})
+    scene.section({wall_axial_stiffness, wall_axial_stiffness, 1})
       .support("foot", "0", "clamp")
       .prescribe("left mirror", "1", {"0", "free", "0"})
       .prescribe("right mirror", "2, 3", {"free", "free", "0"})
@@ -177,7 +177,7 @@ namespace
       // vertical walls by W h/EA together.
       double u = run.motion(3, 0), v = run.motion(3, 1);
       (direction == 0 ? u : v) -=
-        W / axial_stiffness * (direction == 0 ? 1 : 1 + cell.h);
+        W / wall_axial_stiffness * (direction == 0 ? 1 : 1 + cell.h);
       for (const FiniteStrain &row : reference)
         if (std::abs(row.force - W) < 1e-6)
           {

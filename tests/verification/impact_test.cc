@@ -2,6 +2,7 @@
 #include <verification/comparison_table.h>
 #include <verification/one_mass_scene.h>
 
+#include <support/pi.h>
 #include <verification/label.h>
 
 using namespace auxfem;
@@ -9,8 +10,6 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  constexpr double pi = 3.14159265358979323846;
-
   /**
    * A mass M = 2 kg hits the free end of a clamped rod, L = 1 m, of wave speed
    * c = 1 m/s and mass m = 1 kg (EA = 1 N), with V = 1e-3 m/s.

@@ -15,20 +15,21 @@ namespace
   // 120). Section 3 x 2 cm, E = 7.2e6 N/cm2, nu = 0.3. References: the exact
   // rod equation, extensible and shear-rigid unless said otherwise, by
   // shooting.
-  constexpr double axial_stiffness   = 7.2e6 * 6;
-  constexpr double bending_stiffness = 7.2e6 * 2;
+  constexpr double lee_axial_stiffness = 7.2e6 * 6;
+  constexpr double bending_stiffness   = 7.2e6 * 2;
 
   // Shear raises the flexibility of the limit load by 12.2 N with k = 5/6, that
   // is kGA/EA = 0.32; this stiffness leaves 4e-3 N, 2e-7 of the load. Elsewhere
   // on the path it is up to 8e-7.
-  constexpr double shear_rigid = 1000;
+  constexpr double shear_rigid_frame = 1000;
 
-  StaticScene frame(const double shear_factor)
+  StaticScene lee_frame(const double shear_factor)
   {
     StaticScene scene("0 0; 0 120; 24 120; 120 120", "0 1; 1 2; 2 3");
     scene
-      .section(
-        {axial_stiffness, shear_factor * axial_stiffness, bending_stiffness})
+      .section({lee_axial_stiffness,
+                shear_factor * lee_axial_stiffness,
+                bending_stiffness})
       .support("hinges", "0, 3", "pin")
       .mesh(4, 3);
     return scene;
@@ -50,7 +51,7 @@ namespace
       {17.557620, 40, 17807.8246, 2.2572709},
       {22.407958, 45, 18393.3051, 2.2542227}};
 
-    SceneRun        run(frame(shear_rigid)
+    SceneRun        run(lee_frame(shear_rigid_frame)
                    .prescribe("load", "2", {"free", "-t", "free"})
                    .time(45, 2.5)
                    .str());
@@ -81,7 +82,7 @@ namespace
     const double      near = 48.735, step = 0.2;
     const std::string v = text(near - step) + " * min(1, t / 16) + " +
       text(step) + " * max(0, t - 16)";
-    SceneRun            run(frame(shear_factor)
+    SceneRun            run(lee_frame(shear_factor)
                    .prescribe("load", "2", {"free", "-(" + v + ")", "free"})
                    .time(18, 1)
                    .str());
@@ -96,7 +97,7 @@ namespace
   TEST(LeeFrame, LimitLoad)
   {
     ComparisonTable table("Lee's frame, limit load, rod equation by shooting");
-    const Vertex    rigid = limit_point(shear_rigid);
+    const Vertex    rigid = limit_point(shear_rigid_frame);
     table.relative("shear-rigid: load", rigid.height, 18556.7275, 5e-7);
     // From the parabola through points 0.2 apart
     table.row("shear-rigid: v", rigid.place, 48.73514, 1e-2);
@@ -128,7 +129,7 @@ namespace
         v.push_back(point.v);
       }
 
-    SceneRun run(frame(shear_rigid)
+    SceneRun run(lee_frame(shear_rigid_frame)
                    .prescribe("load", "2", {through(u), through(v, -1), "free"})
                    .time(reference.size(), 0.05)
                    .str());

@@ -68,8 +68,8 @@ end
 )" + mass_and_velocity(1, 1);
   }
 
-  const std::string spring = "    set Law = spring\n"
-                             "    set Spring stiffness = 100\n";
+  const std::string spring_law = "    set Law = spring\n"
+                                 "    set Spring stiffness = 100\n";
 } // namespace
 
 TEST(Massless, AJointBetweenTwoSpringsIsInEquilibrium)
@@ -77,7 +77,7 @@ TEST(Massless, AJointBetweenTwoSpringsIsInEquilibrium)
   for (const char *scheme : {"newmark", "hht\n  set HHT alpha = 0"})
     {
       // In series 75 N/m; the same scheme for both.
-      SceneRun both(series(spring, scheme)),
+      SceneRun both(series(spring_law, scheme)),
         one(one_mass_scene("    set Law = spring\n"
                            "    set Spring stiffness = 75\n",
                            std::string("  set Scheme = ") + scheme +

@@ -13,7 +13,7 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  constexpr double end = 0.32, spring = 400, start_velocity = 1;
+  constexpr double end = 0.32, long_time_stiffness = 400, start_velocity = 1;
 
   /** Error of displacement at the end, in units of v / omega. */
   double error(const double      stiffness,
@@ -23,15 +23,16 @@ namespace
   {
     SceneRun run(one_mass_scene(
       "    set Law = standard-linear-solid\n    set Long-time stiffness = " +
-        text(spring) + "\n    set Spring stiffness = " + text(stiffness) +
+        text(long_time_stiffness) +
+        "\n    set Spring stiffness = " + text(stiffness) +
         "\n    set Damping coefficient = " + text(stiffness * tau),
       "  set Scheme = " + scheme + "\n  set Time step = " + text(dt) +
         "\n  set End time = " + text(end) + "\n",
       mass_and_velocity(1, start_velocity)));
     run.run();
-    const OneMass exact{1, spring, 0, {{stiffness, tau}}};
+    const OneMass exact{1, long_time_stiffness, 0, {{stiffness, tau}}};
     return std::abs(run.motion(0, 0) - exact.at(end, 0, start_velocity)(0)) *
-      std::sqrt(spring) / start_velocity;
+      std::sqrt(long_time_stiffness) / start_velocity;
   }
 } // namespace
 

@@ -99,8 +99,8 @@ subsection Discretization
                 allowed[i]);
   }
 
-  const std::string free_free  = "";
-  const std::string cantilever = support("wall", "0", "clamp");
+  const std::string free_free   = "";
+  const std::string clamped_end = support("wall", "0", "clamp");
   const std::string pinned =
     support("left", "0", "pin") + support("right", "1", "pin");
 } // namespace
@@ -135,7 +135,7 @@ TEST(NaturalFrequencies, TimoshenkoBar)
           allowed(free_exact),
           table);
   compare("cantilever",
-          frequencies(cantilever, timoshenko, 3),
+          frequencies(clamped_end, timoshenko, 3),
           cantilever_exact,
           allowed(cantilever_exact),
           table);
@@ -189,7 +189,7 @@ TEST(NaturalFrequencies, EulerBernoulliBar)
           allowed(free_roots),
           table);
   compare("cantilever",
-          frequencies(cantilever, euler_bernoulli, 2),
+          frequencies(clamped_end, euler_bernoulli, 2),
           exact(cantilever_roots),
           allowed(cantilever_roots),
           table);

@@ -125,17 +125,17 @@ TEST(OscillatorOrder, EverySchemeIsOfSecondOrderWithEveryLaw)
 
 namespace
 {
-  struct Moment
+  struct OscillatorMoment
   {
     double time, displacement;
   };
 
   /** Runs @p name with Newmark and compares displacements at @p moments. */
-  void compare(const std::string         &name,
-               const double               u0,
-               const double               v0,
-               const std::vector<Moment> &moments,
-               ComparisonTable           &table)
+  void compare(const std::string                   &name,
+               const double                         u0,
+               const double                         v0,
+               const std::vector<OscillatorMoment> &moments,
+               ComparisonTable                     &table)
   {
     const double dt = 1e-4;
     SceneRun     run(one_mass_scene(law(name).entries,

@@ -1,9 +1,11 @@
 #include <support/scene_run.h>
 #include <verification/comparison_table.h>
 #include <verification/frame_text.h>
+#include <verification/rigid_frame.h>
 
 #include <array>
 
+#include <support/pi.h>
 #include <verification/label.h>
 
 using namespace auxfem;
@@ -15,8 +17,6 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  constexpr double pi = 3.14159265358979323846;
-
   std::string rods(const std::string &joints,
                    const std::string &struts,
                    const std::string &more)
@@ -49,12 +49,6 @@ subsection Discretization
   set Order = 2
 end
 )" + more;
-  }
-
-  std::string time(const double dt, const double end)
-  {
-    return "subsection Time\n set Time step = " + text(dt) +
-      "\n set End time = " + text(end) + "\nend\n";
   }
 
   /** Time (s) until a rod released at @p angle (rad) first hangs down. */

@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include <support/messages.h>
+#include <support/pi.h>
 #include <unistd.h>
 #include <verification/schemes.h>
 
@@ -17,8 +18,6 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  constexpr double pi = 3.14159265358979323846;
-
   /** Schemes that keep what they are given, and one that damps. */
   std::vector<Scheme> schemes()
   {

@@ -17,7 +17,8 @@ namespace
   const Stiffnesses beam = {1e4, 1e4, 10};
 
   /** A cantilever of 1 m along x, clamped at the origin. */
-  StaticScene cantilever(const std::string &joints, const std::string &struts)
+  StaticScene slender_cantilever(const std::string &joints,
+                                 const std::string &struts)
   {
     StaticScene scene(joints, struts);
     scene.section(beam).support("wall", "0", "clamp").mesh(4, 2);
@@ -64,7 +65,7 @@ TEST(RigidAndElastic, ClampedPlateIsAMomentArm)
   // The plate's far joint is 0.2 m beyond the tip and 0.3 m above it.
   for (const bool is_linear : {false, true})
     {
-      StaticScene scene = cantilever("0 0; 1 0; 1.2 0.3", "0 1; 1 2");
+      StaticScene scene = slender_cantilever("0 0; 1 0; 1.2 0.3", "0 1; 1 2");
       plate(scene, "1", "clamped")
         .load("pull", "2", {{"-6 * t", "9 * t", "0"}});
       complete(scene, is_linear);
@@ -82,7 +83,7 @@ TEST(RigidAndElastic, ClampedPlateIsAMomentArm)
                                    : 0.2 * std::cos(turn) - 0.3 * std::sin(turn),
                    y   = is_linear ? 0.3
                                    : 0.2 * std::sin(turn) + 0.3 * std::cos(turn);
-      StaticScene bare = cantilever("0 0; 1 0", "0 1");
+      StaticScene bare = slender_cantilever("0 0; 1 0", "0 1");
       bare.load("pull",
                 "1",
                 {{"-6 * t", "9 * t", text(x * 9 + y * 6) + " * t"}});
@@ -195,7 +196,7 @@ TEST(RigidAndElastic, SupportsCarryTheWeightOfARigidPart)
 
 TEST(RigidAndElastic, AnElasticStrutCarriesTheWeightOfARigidPart)
 {
-  StaticScene scene = cantilever("0 0; 1 0; 1.4 0.2", "0 1; 1 2");
+  StaticScene scene = slender_cantilever("0 0; 1 0; 1.4 0.2", "0 1; 1 2");
   plate(scene, "1", "clamped")
     .set("Rigid parts/plate/Mass", 0.8)
     .set("Gravity/Acceleration y", -10)

@@ -1,5 +1,6 @@
 #include <verification/comparison_table.h>
 #include <verification/space_frame.h>
+#include <verification/space_text.h>
 
 #include <algorithm>
 #include <vector>
@@ -14,13 +15,8 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  const std::vector<std::string> generalized_alpha = {
+  const std::vector<std::string> rigid_scheme = {
     "Time/Scheme=generalized-alpha"};
-
-  SpaceVector vector(const double x, const double y, const double z)
-  {
-    return SpaceVector({x, y, z});
-  }
 
   /** A free strut of 2 kg with @p inertia that spins as @p rates say. */
   std::string free_body(const SpaceVector &inertia,
@@ -99,7 +95,7 @@ TEST(RigidBodies3d, AFreeSymmetricTopPrecesses)
                         "0, 8 rad/s, for 2 s");
   for (const auto &[name, overrides] :
        {std::pair(std::string("newmark"), std::vector<std::string>()),
-        std::pair(std::string("generalized-alpha"), generalized_alpha)})
+        std::pair(std::string("generalized-alpha"), rigid_scheme)})
     {
       const TopErrors coarse = symmetric_top(4e-3, overrides),
                       fine   = symmetric_top(2e-3, overrides);
@@ -149,7 +145,7 @@ namespace
   };
 
   /** Euler's equations by a Runge-Kutta method of order 8, rtol 1e-13. */
-  const std::vector<TopState> reference = {
+  const std::vector<TopState> top_reference = {
     {0.1, vector(0.42129666, 0.89457197, -0.14916470), 4.80894133, 1.02830076},
     {0.2, vector(0.60555056, 0.59895768, -0.52398303), -2.69159091, 4.91726099},
     {0.5,
@@ -179,7 +175,7 @@ namespace
       const SpaceVector W = of_part(run, *run.state.velocity, 3);
       errors.spin         = std::max(errors.spin, std::abs(W[1] - 150));
       errors.energy       = std::max(errors.energy, std::abs(run.balance()));
-      for (const TopState &state : reference)
+      for (const TopState &state : top_reference)
         if (std::abs(run.state.time - state.time) < 1e-9)
           {
             const SpaceVector centre =
@@ -205,7 +201,7 @@ TEST(RigidBodies3d, HeavyTopIsOfSecondOrder)
   ComparisonTable table("Heavy top of Bruels & Cardona 2010 at 0.2 s");
   for (const auto &[name, overrides] :
        {std::pair(std::string("newmark"), std::vector<std::string>()),
-        std::pair(std::string("generalized-alpha"), generalized_alpha)})
+        std::pair(std::string("generalized-alpha"), rigid_scheme)})
     {
       std::vector<HeavyTopErrors> errors;
       for (const double dt : {1e-3, 5e-4, 2.5e-4})
@@ -247,13 +243,13 @@ TEST(RigidBodies3d, HeavyTopFor2Seconds)
   const HeavyTopErrors errors = heavy_top_errors(1e-4, 2, {});
   ComparisonTable table("Heavy top of Bruels & Cardona 2010, newmark, steps "
                         "of 0.1 ms");
-  for (unsigned int i = 0; i < reference.size(); ++i)
+  for (unsigned int i = 0; i < top_reference.size(); ++i)
     {
-      table.row(label("error of the centre (m), t", reference[i].time),
+      table.row(label("error of the centre (m), t", top_reference[i].time),
                 errors.centre[i],
                 0,
                 2e-4);
-      table.row(label("error of the rates (rad/s), t", reference[i].time),
+      table.row(label("error of the rates (rad/s), t", top_reference[i].time),
                 errors.rates[i],
                 0,
                 2e-3);

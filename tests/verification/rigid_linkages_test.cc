@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include <support/pi.h>
 #include <verification/label.h>
 
 using namespace auxfem;
@@ -13,8 +14,6 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  constexpr double pi = 3.14159265358979323846;
-
   /** A course of angles from rest, at rate 1 (rad/s) from @p first (rad) on. */
   struct Drive
   {

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 
+#include <support/pi.h>
 #include <verification/label.h>
 
 using namespace auxfem;
@@ -18,7 +19,6 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  constexpr double pi      = 3.14159265358979323846;
   constexpr double gravity = 9.81;
 
   /** A bar of 1 m and 1 kg, hinged at the origin, released along x. */
@@ -30,7 +30,7 @@ namespace
   }
 
   /** Time (s) until the bar first hangs down. */
-  double quarter_period(const double dt, const double end)
+  double time_to_hang(const double dt, const double end)
   {
     SceneRun run(pendulum(dt, end));
     double   before = pi / 2, crossing = 0;
@@ -103,7 +103,7 @@ TEST(RigidMechanisms, PeriodOfTheCompoundPendulum)
   const double          end = small_period * ratio / 4 + 0.02;
   std::array<double, 3> found;
   for (unsigned int i = 0; i < 3; ++i)
-    found[i] = 4 * quarter_period(4e-3 / (1 << i), end) / small_period;
+    found[i] = 4 * time_to_hang(4e-3 / (1 << i), end) / small_period;
   ComparisonTable table("Period of a rigid bar released horizontally over that "
                         "of small swings");
   // The finest step: (w dt)^2 / 12 of up to 6.5 rad/s.

@@ -4,14 +4,13 @@
 
 #include <cmath>
 
+#include <support/pi.h>
 #include <verification/vertex.h>
 
 using namespace auxfem::testing_support;
 
 namespace
 {
-  constexpr double pi = 3.14159265358979323846;
-
   struct RingRow
   {
     double load;          ///< P R^2 / EI
@@ -22,13 +21,13 @@ namespace
   // With EA = kGA the quarter ring, whose ends do not turn and of which one is
   // free along the load, keeps the rotations of the inextensible one; the
   // loaded diameter grows by (P/2)(pi R/2) / EA more.
-  constexpr double axial_stiffness = 1e4;
+  constexpr double ring_axial_stiffness = 1e4;
 
   /** The quarter of a ring R = EI = 1 between 0 deg and the load at 90 deg. */
   StaticScene quarter_ring(const double direction)
   {
     StaticScene scene("1 0; 0 1", "0 1 " + text(std::sqrt(0.5) - 1));
-    scene.section({axial_stiffness, axial_stiffness, 1})
+    scene.section({ring_axial_stiffness, ring_axial_stiffness, 1})
       .prescribe("side", "0", {"free", "0", "0"})
       .prescribe("loaded", "1", {"0", "free", "0"})
       .load("half load", "1", {"0", text(direction / 2) + " * t", "0"})
@@ -48,7 +47,7 @@ namespace
         if (std::abs(row.load - run.state.time) < 1e-6)
           {
             const double stretch =
-              direction * row.load * pi / 4 / axial_stiffness;
+              direction * row.load * pi / 4 / ring_axial_stiffness;
             const std::string at = "P R^2/EI = " + text(row.load) + ": ";
             // The reference has eight decimals.
             const double allowed = 1e-8;
@@ -98,7 +97,7 @@ namespace
     SceneRun          run(StaticScene("1 0; 0 1; -1 0; 0 -1",
                              "0 1 " + rise + "; 1 2 " + rise + "; 2 3 " + rise +
                                "; 3 0 " + rise)
-                   .section({axial_stiffness, axial_stiffness, 1})
+                   .section({ring_axial_stiffness, ring_axial_stiffness, 1})
                    .prescribe("bottom", "3", {"0", "0", "free"})
                    .prescribe("top", "1", {"0", "free", "free"})
                    .load("top", "1", {"0", "1", "0"})
@@ -109,7 +108,7 @@ namespace
     // Discretisation: 4 quartic elements a quarter, error of order h^8
     const double allowed = 1e-8;
     EXPECT_NEAR(run.motion(1, 1),
-                2 * (pi / 8 - 1 / pi) + pi / 2 / axial_stiffness,
+                2 * (pi / 8 - 1 / pi) + pi / 2 / ring_axial_stiffness,
                 allowed);
     EXPECT_NEAR(run.motion(0, 0), 1 / 4. - 1 / pi, allowed);
     EXPECT_NEAR(run.motion(2, 0), 1 / pi - 1 / 4., allowed);

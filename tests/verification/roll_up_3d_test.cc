@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include <support/pi.h>
 #include <verification/label.h>
 
 using namespace auxfem;
@@ -12,9 +13,7 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  constexpr double pi = 3.14159265358979323846;
-
-  const SpaceTexts nothing = {{"0", "0", "0"}};
+  const SpaceTexts no_components = {{"0", "0", "0"}};
 
   /** A strut of length 1 along @p axis, clamped at joint 0, EI = 2. */
   SpaceScene clamped_strut(const SpaceVector &axis)
@@ -37,7 +36,8 @@ namespace
                ComparisonTable   &table)
   {
     SpaceScene scene = clamped_strut(axis);
-    scene.load("tip", "1", nothing, times(8 * pi * normal, "t")).time(1, step);
+    scene.load("tip", "1", no_components, times(8 * pi * normal, "t"))
+      .time(1, step);
     SpaceRun        run(scene.str());
     RotationVectors rotations(run.model);
     double          worst_place = 0, worst_rotation = 0, angle = 0;
@@ -98,7 +98,7 @@ TEST(RollUp3d, TwoTurnsOfTwist)
   const SpaceVector axis =
     rotated(exponential(SpaceVector({0.4, -0.9, 0.7})), unit(0));
   SpaceScene scene = clamped_strut(axis);
-  scene.load("tip", "1", nothing, times(6 * pi * axis, "t")).time(1, 0.2);
+  scene.load("tip", "1", no_components, times(6 * pi * axis, "t")).time(1, 0.2);
   SpaceRun        run(scene.str());
   RotationVectors rotations(run.model);
   run.run([&] { rotations.follow(run.state); });

@@ -54,7 +54,7 @@ namespace
             C11 + 2 * C12};
   }
 
-  constexpr bool with_shear = true, without_shear = false;
+  constexpr bool has_shear = true, has_no_shear = false;
 
   void finish(SpaceScene &scene, const double diameter, const bool has_shear)
   {
@@ -123,8 +123,8 @@ TEST(SpaceCell, ThreeOrthogonalStars)
     table.relative(name + "E1", found.E1, reference.E1, allowed(has_shear));
     table.row(name + "nu12", found.nu12, reference.nu12, allowed(has_shear));
   };
-  compare(0.05, without_shear, {1.515974301e-6, -0.4246282401, 0});
-  compare(0.1, with_shear, {2.348356435e-5, -0.4170507714, 0});
+  compare(0.05, has_no_shear, {1.515974301e-6, -0.4246282401, 0});
+  compare(0.1, has_shear, {2.348356435e-5, -0.4170507714, 0});
 }
 
 TEST(SpaceCell, StarInSpace)
@@ -152,9 +152,9 @@ TEST(SpaceCell, StarInSpace)
                    reference.bulk,
                    allowed(has_shear));
   };
-  compare(56, without_shear, {6.986050474e-6, -0.968246286, 2.379045853e-6});
-  compare(60, without_shear, {6.069952978e-6, -0.870835681, 2.213960820e-6});
-  compare(60, with_shear, {6.039596774e-6, -0.871331090, 2.202092850e-6});
-  compare(70, without_shear, {3.376023623e-6, -0.351144782, 1.983225236e-6});
-  compare(80, without_shear, {1.927228913e-6, 0.007868980, 1.958044539e-6});
+  compare(56, has_no_shear, {6.986050474e-6, -0.968246286, 2.379045853e-6});
+  compare(60, has_no_shear, {6.069952978e-6, -0.870835681, 2.213960820e-6});
+  compare(60, has_shear, {6.039596774e-6, -0.871331090, 2.202092850e-6});
+  compare(70, has_no_shear, {3.376023623e-6, -0.351144782, 1.983225236e-6});
+  compare(80, has_no_shear, {1.927228913e-6, 0.007868980, 1.958044539e-6});
 }

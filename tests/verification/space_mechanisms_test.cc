@@ -1,10 +1,12 @@
 #include <support/run_program.h>
 #include <verification/comparison_table.h>
 #include <verification/space_frame.h>
+#include <verification/space_text.h>
 
 #include <algorithm>
 #include <array>
 
+#include <support/pi.h>
 #include <verification/label.h>
 
 using namespace auxfem;
@@ -14,12 +16,7 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  constexpr double pi = 3.14159265358979323846, gravity = 9.81;
-
-  SpaceVector vector(const double x, const double y, const double z)
-  {
-    return SpaceVector({x, y, z});
-  }
+  constexpr double door_gravity = 9.81;
 
   std::string place(const SpaceVector &point)
   {
@@ -33,7 +30,8 @@ namespace
   }
 
   const std::string weight =
-    "subsection Gravity\n set Acceleration z = " + text(-gravity) + "\nend\n";
+    "subsection Gravity\n set Acceleration z = " + text(-door_gravity) +
+    "\nend\n";
 
   /** The hinge's axis, 30 degrees off the vertical. */
   const SpaceVector axis = vector(0.5, 0, std::sqrt(0.75));
@@ -52,7 +50,7 @@ namespace
   }
 
   /** Time (s) until the door first hangs lowest. */
-  double quarter_period(const double dt, const double end)
+  double time_to_swing(const double dt, const double end)
   {
     SceneRun run(door(dt, end));
     double   before = 0, crossing = 0, across = 0;
@@ -77,12 +75,12 @@ TEST(SpaceMechanisms, PeriodOfADoorOnASkewHinge)
   // m. Their centre is at 1/2 m; the axis leaves sin 30 deg of the weight.
   const double inertia = 1 + 2. / 3, arm = 0.5, mass = 4;
   const double small_period =
-                 2 * pi * std::sqrt(inertia / (mass * gravity / 2 * arm)),
+                 2 * pi * std::sqrt(inertia / (mass * door_gravity / 2 * arm)),
                ratio        = 1.1803405990;
   const double          end = small_period * ratio / 4 + 0.03;
   std::array<double, 3> found;
   for (unsigned int i = 0; i < 3; ++i)
-    found[i] = 4 * quarter_period(8e-3 / (1 << i), end) / small_period;
+    found[i] = 4 * time_to_swing(8e-3 / (1 << i), end) / small_period;
   ComparisonTable table("Period of a door on an axis 30 degrees off the "
                         "vertical, released from 90 degrees, over that of "
                         "small swings");
@@ -121,9 +119,10 @@ namespace
     using State       = std::array<double, 3>; // q, q', p
     const auto rate   = [spin](const State &s) -> State {
       const double sine = std::sin(s[0]), turning = spin / (sine * sine);
-      return {{s[1],
-               sine * std::cos(s[0]) * turning * turning - 1.5 * gravity * sine,
-               turning}};
+      return {
+        {s[1],
+         sine * std::cos(s[0]) * turning * turning - 1.5 * door_gravity * sine,
+         turning}};
     };
     const auto moved = [](const State &s, const State &k, const double h) {
       return State{{s[0] + h * k[0], s[1] + h * k[1], s[2] + h * k[2]}};

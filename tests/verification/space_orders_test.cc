@@ -18,7 +18,7 @@ namespace
   constexpr unsigned int n_quantities = 6;
 
   /** What is measured at the free end of the second beam. */
-  using Motion = std::array<SpaceVector, n_quantities>;
+  using EndMotion = std::array<SpaceVector, n_quantities>;
 
   const char *const names[n_quantities] = {"displacement (m)",
                                            "rotation (rad)",
@@ -48,7 +48,7 @@ namespace
   }
 
   /** @param turn largest rotation vector, printed. */
-  Motion
+  EndMotion
   motion_with(std::vector<std::string> scheme, const double dt, double &turn)
   {
     // Inertia forces of the shortest steps have round-off of 1e-11.
@@ -81,12 +81,12 @@ namespace
       std::cout << "---|---|";
     std::cout << '\n';
     double                           turn = 0;
-    Motion                           before{};
+    EndMotion                        before{};
     std::array<double, n_quantities> changes{}, rates{};
     double                           dt = 0.02;
     for (unsigned int halving = 0; halving < 5; ++halving, dt /= 2)
       {
-        const Motion now = motion_with(scheme, dt, turn);
+        const EndMotion now = motion_with(scheme, dt, turn);
         if (halving > 0)
           {
             std::cout << "| " << text(dt) << " | ";

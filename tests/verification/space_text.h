@@ -13,6 +13,11 @@ namespace auxfem
 {
   namespace testing_support
   {
+    inline SpaceVector vector(const double x, const double y, const double z)
+    {
+      return SpaceVector({x, y, z});
+    }
+
     /** Components of @p v as `.prm` texts have them. */
     inline std::string text(const SpaceVector &v)
     {

@@ -1,6 +1,7 @@
 #include <support/scene_run.h>
 #include <verification/comparison_table.h>
 #include <verification/frame_text.h>
+#include <verification/round_beam.h>
 
 #include <verification/label.h>
 
@@ -68,7 +69,7 @@ end
             run.motion(1, rotation_z) - psi};
   }
 
-  struct Moment
+  struct SpinMoment
   {
     double    time;
     TipMotion tip;
@@ -78,7 +79,7 @@ end
    * Explicit Runge-Kutta on 20 to 160 two-node elements, extrapolated; its
    * uncertainty is 1e-6 along and 5e-6 across.
    */
-  const std::vector<Moment> expected = {
+  const std::vector<SpinMoment> expected = {
     {2.5, {-0.001323, -0.151284, -0.020621}},
     {5, {-0.012655, -0.468476, -0.063717}},
     {6.5, {-0.018603, -0.569948, -0.076919}},
@@ -87,17 +88,17 @@ end
     {12.5, {-0.000222, -0.112696, -0.014435}},
     {15, {0.000514, 0.001304, 0.000168}}};
 
-  struct Course
+  struct SpinUpCourse
   {
     std::vector<TipMotion> at_moments;
     double                 steady_extension = 0; ///< mean over 15 s < t < 20 s
   };
 
-  Course run_spin_up(const double dt)
+  SpinUpCourse run_spin_up(const double dt)
   {
-    SceneRun run(spin_up(dt, 20));
-    Course   course;
-    unsigned n_steady_steps = 0;
+    SceneRun     run(spin_up(dt, 20));
+    SpinUpCourse course;
+    unsigned     n_steady_steps = 0;
     run.run([&] {
       const double       t = run.state.time;
       const unsigned int n = course.at_moments.size();
@@ -112,17 +113,11 @@ end
     course.steady_extension /= n_steady_steps;
     return course;
   }
-
-  /** What remains of second-order values with halved steps. */
-  double extrapolated(const double coarse, const double fine)
-  {
-    return fine + (fine - coarse) / 3;
-  }
 } // namespace
 
 TEST(SpinUp, FollowsTheReferenceAndStretchesAsTheClosedForm)
 {
-  const Course    coarse = run_spin_up(2.5e-3), fine = run_spin_up(1.25e-3);
+  const SpinUpCourse coarse = run_spin_up(2.5e-3), fine = run_spin_up(1.25e-3);
   ComparisonTable table("Spin-up of a flexible beam (Simo & Vu-Quoc 1988), tip "
                         "in the turning frame (m, rad), extrapolated from "
                         "steps of 2.5 and 1.25 ms");

@@ -12,15 +12,15 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  struct Moment
+  struct LatticeMoment
   {
     double time_ms, top_uy, foundation_ry;
   };
 
   struct Reference
   {
-    double              load;
-    std::vector<Moment> moments;
+    double                     load;
+    std::vector<LatticeMoment> moments;
   };
 
   /**

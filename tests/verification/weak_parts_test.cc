@@ -4,13 +4,13 @@
 
 #include <cmath>
 
+#include <support/pi.h>
+
 using namespace auxfem;
 using namespace auxfem::testing_support;
 
 namespace
 {
-  const double pi = std::acos(-1.);
-
   /** A strut without shear flexibility to speak of, EI = 2e-6 m^4 E. */
   std::string section(const std::string &name,
                       const std::string &strut,

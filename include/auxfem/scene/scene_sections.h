@@ -14,6 +14,9 @@
 
 namespace auxfem
 {
+  /** The joints of a group that has to name some. */
+  inline const Text set_of_joints = {"Joints", "", "Set of joints.", true};
+
   /** One value of a subsection's choice and the entries that come with it. */
   struct SubsectionVariant
   {

@@ -18,7 +18,7 @@ namespace auxfem
 {
   namespace
   {
-    const std::string record_name = "watch: crossing struts";
+    const std::string crossing_record = "watch: crossing struts";
 
     using Points = std::vector<dealii::Point<3>>;
     using Pair   = std::pair<unsigned int, unsigned int>;
@@ -197,13 +197,13 @@ namespace auxfem
       void save(Records &records) const override
       {
         records.keep(
-          record_name,
+          crossing_record,
           {double(most), double(first.first), double(first.second), time});
       }
 
       void resume(const Records &records) override
       {
-        const std::vector<double> values = records.values(record_name, 4);
+        const std::vector<double> values = records.values(crossing_record, 4);
         most                             = values[0];
         first = {static_cast<unsigned int>(values[1]),
                  static_cast<unsigned int>(values[2])};

@@ -11,7 +11,7 @@ namespace auxfem
 {
   namespace
   {
-    const std::string record_name = "watch: stability";
+    const std::string stability_record = "watch: stability";
 
     /**
      * Tangents that are factorized beside the run: neither its factorization
@@ -133,17 +133,18 @@ namespace auxfem
 
       void save(Records &records) const
       {
-        records.keep(record_name + ": first loss", {is_lost ? 1. : 0., time});
-        records.keep_text(record_name + ": place", place);
+        records.keep(stability_record + ": first loss",
+                     {is_lost ? 1. : 0., time});
+        records.keep_text(stability_record + ": place", place);
       }
 
       void resume(const Records &records)
       {
         const std::vector<double> values =
-          records.values(record_name + ": first loss", 2);
+          records.values(stability_record + ": first loss", 2);
         is_lost = values[0] != 0;
         time    = values[1];
-        place   = records.text(record_name + ": place");
+        place   = records.text(stability_record + ": place");
       }
 
     private:
@@ -198,13 +199,13 @@ namespace auxfem
       void save(Records &records) const override
       {
         first.save(records);
-        records.keep(record_name, {double(most), double(last)});
+        records.keep(stability_record, {double(most), double(last)});
       }
 
       void resume(const Records &records) override
       {
         first.resume(records);
-        const std::vector<double> values = records.values(record_name, 2);
+        const std::vector<double> values = records.values(stability_record, 2);
         most                             = values[0];
         last                             = values[1];
       }
@@ -278,14 +279,14 @@ namespace auxfem
       void save(Records &records) const override
       {
         first.save(records);
-        records.keep(record_name,
+        records.keep(stability_record,
                      {exponent, last_rate, last_look, double(next_look)});
       }
 
       void resume(const Records &records) override
       {
         first.resume(records);
-        const std::vector<double> values = records.values(record_name, 4);
+        const std::vector<double> values = records.values(stability_record, 4);
         exponent                         = values[0];
         last_rate                        = values[1];
         last_look                        = values[2];

@@ -9,7 +9,7 @@ namespace auxfem
 {
   namespace
   {
-    const std::string record_name = "watch: error of steps";
+    const std::string step_record = "watch: error of steps";
 
     /**
      * Error of the displacements in a step over their increments: of a
@@ -74,13 +74,13 @@ namespace auxfem
         const UnknownLayout      &layout = equations.unknowns().layout;
         const std::vector<double> sums   = layout.sum({error, way});
         const LargestInTime       turn   = largest_turn.of_all_ranks(layout);
-        records.keep(record_name,
+        records.keep(step_record,
                      {sums[0], sums[1], time, turn.value, turn.time});
       }
 
       void resume(const Records &records) override
       {
-        const std::vector<double> values = records.values(record_name, 5);
+        const std::vector<double> values = records.values(step_record, 5);
         // Sums go on on one rank.
         const bool is_first = equations.unknowns().layout.rank() == 0;
         error               = is_first ? values[0] : 0;

@@ -7,7 +7,7 @@ namespace auxfem
 {
   namespace
   {
-    const std::string record_name = "watch: strain";
+    const std::string strain_record = "watch: strain";
 
     /**
      * Of outer fibres. At 50 % what is called strain makes as large a
@@ -60,12 +60,13 @@ namespace auxfem
       void save(Records &records) const override
       {
         const LargestInTime all = of_all_ranks();
-        records.keep(record_name, {all.value, all.time, double(strut_of(all))});
+        records.keep(strain_record,
+                     {all.value, all.time, double(strut_of(all))});
       }
 
       void resume(const Records &records) override
       {
-        const std::vector<double> values = records.values(record_name, 3);
+        const std::vector<double> values = records.values(strain_record, 3);
         largest                          = {values[0], values[1]};
         strut                            = values[2];
       }

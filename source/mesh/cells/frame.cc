@@ -142,7 +142,7 @@ namespace auxfem
     }
 
     /** Far above round-off, far below what anybody means. */
-    constexpr double relative_tolerance = 1e-8;
+    constexpr double relative_chord_tolerance = 1e-8;
 
     dealii::Tensor<1, 3> chord_of(const UnitStrut &strut, const UnitCell &cell)
     {
@@ -155,7 +155,7 @@ namespace auxfem
     {
       const bool is_parallel =
         dealii::cross_product_3d(strut.normal, chord).norm() <=
-        relative_tolerance * chord.norm();
+        relative_chord_tolerance * chord.norm();
       if (strut.sagitta != 0. && is_parallel)
         throw InputError(
           item.where +
@@ -179,7 +179,7 @@ namespace auxfem
       const dealii::Tensor<1, 3> difference =
         rise_of_arc(chord, strut.sagitta, strut.normal) -
         rise_of_arc(chord_of(other, cell), other.sagitta, other.normal);
-      return difference.norm() <= relative_tolerance * chord.norm();
+      return difference.norm() <= relative_chord_tolerance * chord.norm();
     }
 
     void

@@ -22,7 +22,7 @@ namespace auxfem
       Range::open(0, 90),
       "Angle theta0 of the bars to the horizontal, at rest."};
 
-    const Quantity half_width{
+    const Quantity hinged_star_half_width{
       "Half width",
       "auto",
       "m",
@@ -72,7 +72,7 @@ namespace auxfem
     {
       for (const Quantity *quantity : {&bar_length,
                                        &bar_angle,
-                                       &half_width,
+                                       &hinged_star_half_width,
                                        &notch_depth,
                                        &cell_gap,
                                        &rod_clearance,
@@ -149,7 +149,7 @@ namespace auxfem
       cell.joint_sets["axis"] = {m, n, p, q, rod_top, rod_foot};
     }
 
-    void add_struts(UnitCell &cell)
+    void add_bars_and_rod(UnitCell &cell)
     {
       cell.struts = {{a, f, 0., {"bars", "bar AF"}},
                      {a, b, 0., {"bars", "bar AB"}},
@@ -179,7 +179,7 @@ namespace auxfem
       {
         UnitCell cell;
         add_joints(shape, cell);
-        add_struts(cell);
+        add_bars_and_rod(cell);
         cell.pairs["in-cell"]                = {{m, rod_top}};
         cell.pairs["sides"]                  = {{a, d}};
         cell.pairs_across["side neighbours"] = {{d, 0, a}};
@@ -236,7 +236,7 @@ namespace auxfem
     void check_shape(const HingedStarShape &shape, const SceneContext &context)
     {
       check_against(context,
-                    half_width,
+                    hinged_star_half_width,
                     shape.half_width,
                     1,
                     shape.side_depth,
@@ -271,7 +271,7 @@ namespace auxfem
       const double angle  = get(prm, bar_angle);
 
       HingedStarShape shape;
-      shape.half_width    = get_or(prm, half_width, 1.1 * length);
+      shape.half_width    = get_or(prm, hinged_star_half_width, 1.1 * length);
       shape.half_height   = length * std::sin(angle);
       shape.side_depth    = length * std::cos(angle);
       shape.notch_depth   = get_or(prm, notch_depth, shape.half_height / 2.);

@@ -41,7 +41,7 @@ namespace auxfem
      * Lengths below this part of the mesh's size are round-off, as they are for
      * gmsh's own geometry.
      */
-    constexpr double relative_tolerance = 1e-8;
+    constexpr double relative_length_tolerance = 1e-8;
 
     /** Makes a unit cell of a mesh. */
     class MeshToCell
@@ -53,7 +53,7 @@ namespace auxfem
         : mesh(mesh)
         , is_planar(context.dimension == 2)
         , where(context.path + "/" + file_entry.name + ": in " + file + ", ")
-        , tolerance(relative_tolerance * size())
+        , tolerance(relative_length_tolerance * size())
       {}
 
       UnitCell build()

@@ -9,13 +9,14 @@ namespace auxfem
 {
   namespace
   {
-    const Quantity strut_length{"Strut length",
-                                "10 mm",
-                                "m",
-                                Range::positive(),
-                                "Length L of all 30 struts of the cell."};
+    const Quantity space_star_strut_length{
+      "Strut length",
+      "10 mm",
+      "m",
+      Range::positive(),
+      "Length L of all 30 struts of the cell."};
 
-    const Quantity opening_angle{
+    const Quantity space_star_opening_angle{
       "Opening angle",
       "70 deg",
       "deg",
@@ -25,20 +26,21 @@ namespace auxfem
 
     void declare_space_star(dealii::ParameterHandler &prm)
     {
-      declare(prm, strut_length);
-      declare(prm, opening_angle);
+      declare(prm, space_star_strut_length);
+      declare(prm, space_star_opening_angle);
     }
 
     /**
      * Sides in the order of the vertices and stub ends: side i lies on axis
      * i / 2, at negative coordinates for even i.
      */
-    constexpr std::array<const char *, 6> sides = {
+    constexpr std::array<const char *, 6> space_star_sides = {
       {"left", "right", "bottom", "top", "back", "front"}};
 
-    constexpr unsigned int n_tips       = 8;
-    constexpr unsigned int first_vertex = n_tips;
-    constexpr unsigned int first_stub   = first_vertex + sides.size();
+    constexpr unsigned int n_tips            = 8;
+    constexpr unsigned int space_star_vertex = n_tips;
+    constexpr unsigned int space_star_stub =
+      space_star_vertex + space_star_sides.size();
 
     /** Whether the tip or side of a number lies at positive coordinates. */
     bool tip_is_positive(const unsigned int tip, const unsigned int axis)
@@ -66,7 +68,7 @@ namespace auxfem
     /** A joint on each half axis, at @p distance from the centre. */
     void add_joints_on_axes(const double distance, UnitCell &cell)
     {
-      for (unsigned int side = 0; side < sides.size(); ++side)
+      for (unsigned int side = 0; side < space_star_sides.size(); ++side)
         {
           dealii::Point<3> place;
           place[side / 2] = side_is_positive(side) ? distance : -distance;
@@ -74,30 +76,31 @@ namespace auxfem
         }
     }
 
-    void add_struts(UnitCell &cell)
+    void add_edges_and_stubs(UnitCell &cell)
     {
       for (unsigned int tip = 0; tip < n_tips; ++tip)
-        for (unsigned int side = 0; side < sides.size(); ++side)
+        for (unsigned int side = 0; side < space_star_sides.size(); ++side)
           if (tip_is_positive(tip, side / 2) == side_is_positive(side))
-            cell.struts.push_back({tip, first_vertex + side, 0., {"edges"}});
-      for (unsigned int side = 0; side < sides.size(); ++side)
+            cell.struts.push_back(
+              {tip, space_star_vertex + side, 0., {"edges"}});
+      for (unsigned int side = 0; side < space_star_sides.size(); ++side)
         cell.struts.push_back(
-          {first_vertex + side, first_stub + side, 0., {"stubs"}});
+          {space_star_vertex + side, space_star_stub + side, 0., {"stubs"}});
     }
 
     void name_sides(UnitCell &cell)
     {
-      for (unsigned int side = 0; side < sides.size(); ++side)
+      for (unsigned int side = 0; side < space_star_sides.size(); ++side)
         {
-          cell.joint_sets["notches"].push_back(first_vertex + side);
-          cell.ports[sides[side]] = {first_stub + side};
+          cell.joint_sets["notches"].push_back(space_star_vertex + side);
+          cell.ports[space_star_sides[side]] = {space_star_stub + side};
         }
     }
 
     /** Left to right as in the planar star, top to bottom, back to front. */
     void add_pairs(UnitCell &cell)
     {
-      const unsigned int left = first_vertex, right = left + 1,
+      const unsigned int left = space_star_vertex, right = left + 1,
                          bottom = left + 2, top = left + 3, back = left + 4,
                          front  = left + 5;
       cell.pairs["in-cell"]     = {{top, bottom}};
@@ -121,7 +124,7 @@ namespace auxfem
       add_tips(tip, cell);
       add_joints_on_axes(vertex, cell);
       add_joints_on_axes(vertex + length, cell);
-      add_struts(cell);
+      add_edges_and_stubs(cell);
       name_sides(cell);
       add_pairs(cell);
       for (unsigned int axis = 0; axis < 3; ++axis)
@@ -137,8 +140,8 @@ namespace auxfem
                          ": the cell 'space star' does not lie in a plane. Set "
                          "Dimension = 3 at the top of the file, or choose the "
                          "cell 'star'.");
-      const double length = get(prm, strut_length);
-      const double angle  = get(prm, opening_angle);
+      const double length = get(prm, space_star_strut_length);
+      const double angle  = get(prm, space_star_opening_angle);
       check_opening_angle(
         {"space star",
          angle,

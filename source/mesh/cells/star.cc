@@ -9,13 +9,13 @@ namespace auxfem
 {
   namespace
   {
-    const Quantity strut_length{"Strut length",
-                                "10 mm",
-                                "m",
-                                Range::positive(),
-                                "Length L of all 12 struts of the cell."};
+    const Quantity star_strut_length{"Strut length",
+                                     "10 mm",
+                                     "m",
+                                     Range::positive(),
+                                     "Length L of all 12 struts of the cell."};
 
-    const Quantity opening_angle{
+    const Quantity star_opening_angle{
       "Opening angle",
       "60 deg",
       "deg",
@@ -25,15 +25,15 @@ namespace auxfem
 
     void declare_star(dealii::ParameterHandler &prm)
     {
-      declare(prm, strut_length);
-      declare(prm, opening_angle);
+      declare(prm, star_strut_length);
+      declare(prm, star_opening_angle);
     }
 
     std::unique_ptr<Cell> make_star(dealii::ParameterHandler &prm,
                                     const SceneContext       &context)
     {
-      const double length = get(prm, strut_length);
-      const double angle  = get(prm, opening_angle);
+      const double length = get(prm, star_strut_length);
+      const double angle  = get(prm, star_opening_angle);
       check_opening_angle({"star",
                            angle,
                            length,

@@ -126,7 +126,7 @@ namespace
   };
 
   // A few roundings of lengths of about 10.
-  constexpr double round_off = 1e-14;
+  constexpr double connector_round_off = 1e-14;
 } // namespace
 
 TEST(ConnectorForces, ForceActsAlongTheCurrentLine)
@@ -134,13 +134,13 @@ TEST(ConnectorForces, ForceActsAlongTheCurrentLine)
   ConnectorAlone connector(spring, from_0_to_1);
   // Turned upright and stretched from 5 to 7.
   connector.move(1, -3, 3);
-  EXPECT_NEAR(connector.report().extension, 2., round_off);
-  EXPECT_NEAR(connector.report().force, 4., round_off);
+  EXPECT_NEAR(connector.report().extension, 2., connector_round_off);
+  EXPECT_NEAR(connector.report().force, 4., connector_round_off);
   // The residual is the internal force: along the motion at the second end.
-  EXPECT_NEAR(connector.force_on(1, 0), 0., round_off);
-  EXPECT_NEAR(connector.force_on(1, 1), 4., round_off);
-  EXPECT_NEAR(connector.force_on(0, 0), 0., round_off);
-  EXPECT_NEAR(connector.force_on(0, 1), -4., round_off);
+  EXPECT_NEAR(connector.force_on(1, 0), 0., connector_round_off);
+  EXPECT_NEAR(connector.force_on(1, 1), 4., connector_round_off);
+  EXPECT_NEAR(connector.force_on(0, 0), 0., connector_round_off);
+  EXPECT_NEAR(connector.force_on(0, 1), -4., connector_round_off);
   for (const int c : {0, 1})
     EXPECT_EQ(connector.force_on(2, c), 0.);
 }
@@ -150,11 +150,11 @@ TEST(ConnectorForces, FixedDirectionStaysWhereItIs)
   ConnectorAlone connector(spring, along_1_1);
   connector.move(1, 0.5, 1.5);
   const double component = 1 / std::sqrt(2.);
-  EXPECT_NEAR(connector.report().extension, 2 * component, round_off);
+  EXPECT_NEAR(connector.report().extension, 2 * component, connector_round_off);
   for (const unsigned int c : {0u, 1u})
     {
-      EXPECT_NEAR(connector.force_on(1, c), 2., round_off);
-      EXPECT_NEAR(connector.force_on(0, c), -2., round_off);
+      EXPECT_NEAR(connector.force_on(1, c), 2., connector_round_off);
+      EXPECT_NEAR(connector.force_on(0, c), -2., connector_round_off);
     }
 }
 
@@ -164,9 +164,9 @@ TEST(ConnectorForces, SmallDisplacementsKeepTheLineAtRest)
   EXPECT_TRUE(connector.forces.is_linear());
   // The line at rest is (3, 4) / 5.
   connector.move(1, 1, -2);
-  EXPECT_NEAR(connector.report().extension, -1., round_off);
-  EXPECT_NEAR(connector.force_on(1, 0), -2 * 0.6, round_off);
-  EXPECT_NEAR(connector.force_on(1, 1), -2 * 0.8, round_off);
+  EXPECT_NEAR(connector.report().extension, -1., connector_round_off);
+  EXPECT_NEAR(connector.force_on(1, 0), -2 * 0.6, connector_round_off);
+  EXPECT_NEAR(connector.force_on(1, 1), -2 * 0.8, connector_round_off);
 }
 
 TEST(ConnectorForces, GroundPointLiesAtItsOffset)
@@ -174,15 +174,15 @@ TEST(ConnectorForces, GroundPointLiesAtItsOffset)
   ConnectorAlone connector(spring, to_the_ground);
   // The joint rises by 1: the line to the ground 2 below it grows to 3.
   connector.move(1, 0, 1);
-  EXPECT_NEAR(connector.report().extension, 1., round_off);
-  EXPECT_NEAR(connector.force_on(1, 1), 2., round_off);
-  EXPECT_NEAR(connector.force_on(1, 0), 0., round_off);
+  EXPECT_NEAR(connector.report().extension, 1., connector_round_off);
+  EXPECT_NEAR(connector.force_on(1, 1), 2., connector_round_off);
+  EXPECT_NEAR(connector.force_on(1, 0), 0., connector_round_off);
   EXPECT_EQ(connector.force_on(0, 1), 0.);
 
   const ConnectorReport report = connector.report();
-  EXPECT_NEAR(report.ends[0].distance({3, 4, 0}), 0., round_off);
-  EXPECT_NEAR(report.ends[1].distance({3, 2, 0}), 0., round_off);
-  EXPECT_NEAR(report.displacements[0][1], 1., round_off);
+  EXPECT_NEAR(report.ends[0].distance({3, 4, 0}), 0., connector_round_off);
+  EXPECT_NEAR(report.ends[1].distance({3, 2, 0}), 0., connector_round_off);
+  EXPECT_NEAR(report.displacements[0][1], 1., connector_round_off);
   EXPECT_EQ(report.displacements[1].norm(), 0.);
 }
 
@@ -192,8 +192,8 @@ TEST(ConnectorForces, GroundAlongADirectionResistsMotionThere)
   connector.move(1, 0.5, 7);
   connector.push(1, -1, 9);
   // From joint to ground: moving along +x shortens it.
-  EXPECT_NEAR(connector.report().extension, -0.5, round_off);
-  EXPECT_NEAR(connector.force_on(1, 0), 2 * 0.5 + 3 * -1, round_off);
+  EXPECT_NEAR(connector.report().extension, -0.5, connector_round_off);
+  EXPECT_NEAR(connector.force_on(1, 0), 2 * 0.5 + 3 * -1, connector_round_off);
   EXPECT_EQ(connector.force_on(1, 1), 0.);
 }
 
@@ -204,7 +204,7 @@ TEST(ConnectorForces, ExtensionHasAllDigitsHoweverSmall)
     {
       // Along the line (3, 4) / 5: the displacement itself.
       connector.move(1, 0.6 * size, 0.8 * size);
-      EXPECT_NEAR(connector.report().extension / size, 1., round_off);
+      EXPECT_NEAR(connector.report().extension / size, 1., connector_round_off);
       // Across it: s^2 / (sqrt(25 + s^2) + 5).
       connector.move(1, -0.8 * size, 0.6 * size);
       const double across = size * size / (std::sqrt(25 + size * size) + 5);
@@ -223,7 +223,9 @@ TEST(ConnectorForces, RigidRotationGivesNoForceAndNoRate)
         for (const unsigned int joint : {0u, 1u})
           for (const unsigned int c : {0u, 1u})
             // Extension and rate are products of numbers of about 50.
-            EXPECT_NEAR(connector.force_on(joint, c), 0., 20 * round_off);
+            EXPECT_NEAR(connector.force_on(joint, c),
+                        0.,
+                        20 * connector_round_off);
       }
 }
 
@@ -322,12 +324,14 @@ TEST(ConnectorForces, InStaticsATurnOfTheLineIsNoRate)
     (*connector.to.velocity)[connector.of_scene.dofs().joint_unknown(1, i)] =
       connector.to.displacement[connector.of_scene.dofs().joint_unknown(1, i)] /
       connector.dt;
-  EXPECT_NEAR(connector.report().force, 0., 20 * round_off);
+  EXPECT_NEAR(connector.report().force, 0., 20 * connector_round_off);
 
   // Stretched from 5 to 7 in half a second.
   connector.move(0, 0, 0);
   connector.move(1, -3, 3);
-  EXPECT_NEAR(connector.report().force, 2 * 2. + 3 * 2. / 0.5, 20 * round_off);
+  EXPECT_NEAR(connector.report().force,
+              2 * 2. + 3 * 2. / 0.5,
+              20 * connector_round_off);
 }
 
 namespace
@@ -364,9 +368,13 @@ TEST(ConnectorForces, AcceptedStepsKnowStoredAndLostEnergy)
   connector.move(1, 0.6, 0.6);
   connector.push(1, 0.6 / connector.dt, 0.6 / connector.dt);
   const Energies energies = connector.evaluated().accept();
-  EXPECT_NEAR(energies.stored(), 2. / 2 * extension * extension, round_off);
-  EXPECT_NEAR(energies.dissipated(), 3 * rate * extension, round_off);
-  EXPECT_NEAR(connector.report().dissipated, 3 * rate * extension, round_off);
+  EXPECT_NEAR(energies.stored(),
+              2. / 2 * extension * extension,
+              connector_round_off);
+  EXPECT_NEAR(energies.dissipated(), 3 * rate * extension, connector_round_off);
+  EXPECT_NEAR(connector.report().dissipated,
+              3 * rate * extension,
+              connector_round_off);
   EXPECT_EQ(energies.strain(), 0.);
 }
 
@@ -479,7 +487,7 @@ TEST(ConnectorForces, ANonlinearLawMakesAllEquationsNonlinear)
   };
   EXPECT_NEAR(stiffness(0.6) - stiffness(0.),
               3 * 5. * 0.6 * 0.6 / 2,
-              10 * round_off);
+              10 * connector_round_off);
 }
 
 TEST(ConnectorForces, ALineOfLengthZeroIsRefused)

@@ -13,7 +13,7 @@ using namespace auxfem::testing_support;
 namespace
 {
   // Sums of some hundred products of numbers around one.
-  constexpr double round_off = 1e-12;
+  constexpr double mean_forces_round_off = 1e-12;
 
   const std::string triangle = frame_scene("0 0; 3 1; 1 2", "0 1; 1 2", "");
 
@@ -90,7 +90,7 @@ TEST(MeanForces, WorkOfConnectorsIsStoredOrLost)
           const Energies       after = evaluated.accept();
           EXPECT_NEAR(step.work(evaluated.residual.data()),
                       after.stored() - before.stored() + after.dissipated(),
-                      round_off);
+                      mean_forces_round_off);
           EXPECT_GE(after.dissipated(), 0);
           const bool to_the_ground =
             connector.place.find("ground") != std::string::npos;
@@ -100,11 +100,11 @@ TEST(MeanForces, WorkOfConnectorsIsStoredOrLost)
           const auto sums = step.resultants(evaluated.residual.data());
           if (!to_the_ground)
             {
-              EXPECT_NEAR(sums[0], 0, round_off);
-              EXPECT_NEAR(sums[1], 0, round_off);
+              EXPECT_NEAR(sums[0], 0, mean_forces_round_off);
+              EXPECT_NEAR(sums[1], 0, mean_forces_round_off);
               if (turns_no_direction)
                 {
-                  EXPECT_NEAR(sums[2], 0, round_off);
+                  EXPECT_NEAR(sums[2], 0, mean_forces_round_off);
                 }
             }
           // The error of the differences.
@@ -128,7 +128,7 @@ TEST(MeanForces, WorkOfRotationalSpringsIsStored)
         const EvaluatedAlone evaluated(springs, step.evaluation());
         EXPECT_NEAR(step.work(evaluated.residual.data()),
                     evaluated.accept().strain() - before.strain(),
-                    round_off);
+                    mean_forces_round_off);
         if (!to_the_ground)
           step.expect_no_resultants(evaluated.residual.data());
       }
@@ -159,7 +159,9 @@ TEST(MeanForces, LoadsDoTheWorkTheyTakeDown)
       const EvaluatedAlone evaluated(*loads[0], step.evaluation());
       const double         work = evaluated.accept().external();
       EXPECT_GT(std::abs(work), 0.05);
-      EXPECT_NEAR(-step.work(evaluated.residual.data()), work, round_off);
+      EXPECT_NEAR(-step.work(evaluated.residual.data()),
+                  work,
+                  mean_forces_round_off);
     }
 }
 
@@ -180,7 +182,7 @@ TEST(MeanForces, MeanOfADeadMomentDoesItsWorkOnTheAngle)
   step.make_room_for(*loads[0]);
   EXPECT_NEAR(EvaluatedAlone(*loads[0], step.evaluation()).accept().external(),
               1.5 * (step.to.displacement[i] - step.from.displacement[i]),
-              round_off);
+              mean_forces_round_off);
 }
 
 TEST(MeanForces, MultipliersWorkOnTheChangeOfTheirConditions)
@@ -213,7 +215,7 @@ TEST(MeanForces, MultipliersWorkOnTheChangeOfTheirConditions)
         work += step.to.displacement[multiplier] *
           (end.residual[multiplier] - start.residual[multiplier]);
       EXPECT_GT(std::abs(work), 0.1);
-      EXPECT_NEAR(step.work(end.residual.data()), work, round_off);
+      EXPECT_NEAR(step.work(end.residual.data()), work, mean_forces_round_off);
       if (!large_rotation)
         continue;
       // Two multipliers of each joint off the base hold a place; what is
@@ -229,9 +231,9 @@ TEST(MeanForces, MultipliersWorkOnTheChangeOfTheirConditions)
             gap_x * step.to.displacement[y] - gap_y * step.to.displacement[x];
         }
       const auto sums = step.resultants(end.residual.data());
-      EXPECT_NEAR(sums[0], 0, round_off);
-      EXPECT_NEAR(sums[1], 0, round_off);
-      EXPECT_NEAR(sums[2], moment, round_off);
+      EXPECT_NEAR(sums[0], 0, mean_forces_round_off);
+      EXPECT_NEAR(sums[1], 0, mean_forces_round_off);
+      EXPECT_NEAR(sums[2], moment, mean_forces_round_off);
     }
 }
 
@@ -259,6 +261,6 @@ TEST(MeanForces, ALatticeWithEverythingBalances)
           end.external() - amount(end, "shaker.support_work");
         EXPECT_NEAR(work,
                     end.total() - start.total() + end.dissipated() - loads,
-                    round_off * end.total());
+                    mean_forces_round_off * end.total());
       }
 }

@@ -6,6 +6,8 @@
 #include <mesh/cell_from_text.h>
 #include <support/scene_run.h>
 
+#include <support/pi.h>
+
 using namespace auxfem;
 using namespace auxfem::testing_support;
 
@@ -112,8 +114,7 @@ TEST(RevoluteHinges, AStrutTurnsAboutTheAxisAlone)
   run.run();
   const auto &dofs = run.model.numbering;
   // The strut without hinge: F L^3 / (3 EI) + F L / (kGA).
-  const double pi = std::acos(-1.), EI = 1000 * pi * 1e-4 / 4,
-               kGA = 0.9 * pi * 1e-2 * 1000 / 2.6;
+  const double EI = 1000 * pi * 1e-4 / 4, kGA = 0.9 * pi * 1e-2 * 1000 / 2.6;
   EXPECT_NEAR(run.state.displacement[dofs.joint_unknown(2, 2)],
               1e-6 * 8 / (3 * EI) + 1e-6 * 2 / kGA,
               // The deflection of 3e-5 m, squared, of itself.

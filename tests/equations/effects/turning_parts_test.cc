@@ -49,9 +49,9 @@ namespace
     RigidPartConditions conditions;
   };
 
-  const std::string gravity = "subsection Gravity\n"
-                              "  set Acceleration z = -9.81\n"
-                              "end\n";
+  const std::string gravity_down = "subsection Gravity\n"
+                                   "  set Acceleration z = -9.81\n"
+                                   "end\n";
 } // namespace
 
 TEST(TurningParts, ConditionsAreThreeAJointAndThoseOfABar)
@@ -144,7 +144,7 @@ TEST(TurningParts, AHangingBodyIsHeldByItsWeight)
     "    set Displacement z = 0\n    set Displacement x = 0\n  end\n"
     "  subsection rest\n    set Joints = 3\n    set Type = prescribed\n"
     "    set Displacement z = 0\n  end\nend\n" +
-    gravity +
+    gravity_down +
     "subsection Time\n  set Scheme = static\n  set End time = 1\n"
     "  set Time step = 1\nend\n");
   run.run();
