@@ -301,7 +301,7 @@ namespace
 
   TEST_F(BadInput, MissingFile)
   {
-    expect_refusal(run_auxfem({"lost.prm"}),
+    expect_refusal(start_auxfem({"lost.prm"}),
                    {"\"lost.prm\" cannot be opened", "check its name"});
     expect_refusal(run_auxfem({"--check", "."}), {"\".\" cannot be opened"});
   }
@@ -388,7 +388,7 @@ end
   TEST_F(BadInput, CommandLine)
   {
     write("scene.prm", data_text("star.prm"));
-    expect_refusal(run_auxfem({"--frobnicate", "scene.prm"}),
+    expect_refusal(start_auxfem({"--frobnicate", "scene.prm"}),
                    {"Unknown option '--frobnicate'",
                     "Usage: auxfem",
                     "--check"});

@@ -28,7 +28,7 @@ namespace
 
   TEST_F(CommandLineProgram, Help)
   {
-    const ProgramRun run = run_auxfem({"--help"});
+    const ProgramRun run = start_auxfem({"--help"});
     EXPECT_EQ(run.exit_code, 0);
     EXPECT_EQ(run.errors, "");
     expect_contains(run.output,
@@ -48,7 +48,7 @@ namespace
 
   TEST_F(CommandLineProgram, Version)
   {
-    const ProgramRun run = run_auxfem({"--version"});
+    const ProgramRun run = start_auxfem({"--version"});
     EXPECT_EQ(run.exit_code, 0);
     EXPECT_EQ(run.errors, "");
     EXPECT_EQ(run.output, std::string("auxfem ") + version + "\n");

@@ -66,7 +66,7 @@ namespace
           replaced(data_text("star.prm"),
                    "= -4e3 * t",
                    "= -80 * sqrt(0.51e-3 - t)"));
-    expect_failure(run_auxfem({"scene.prm", "--output", "out"}),
+    expect_failure(start_auxfem({"scene.prm", "--output", "out"}),
                    {"Loads/hit/Force y",
                     "'-80 * sqrt(0.51e-3 - t)'",
                     "not a finite number at t = 0.0005",
@@ -130,7 +130,7 @@ namespace
     // Whatever a former run has left stays until there is something new.
     write("scene.prm", data_text("star.prm"));
     const Words into_folder = {"scene.prm", "--output", "out"};
-    ASSERT_EQ(run_auxfem(into_folder).exit_code, 0);
+    ASSERT_EQ(start_auxfem(into_folder).exit_code, 0);
     const Table former = history();
 
     // Libraries and Open MPI take half of this, the lattice more than the rest.

@@ -114,12 +114,12 @@ namespace
     const Variable pml("OMPI_MCA_pml", "none_of_this_name");
     for (const char *option : {"--version", "--help", "--print-parameters"})
       {
-        const ProgramRun run = run_auxfem({option});
+        const ProgramRun run = start_auxfem({option});
         EXPECT_EQ(run.exit_code, 0) << option;
         EXPECT_NE(run.output, "") << option;
         EXPECT_EQ(run.errors, "") << option;
       }
-    const ProgramRun mistyped = run_auxfem({"--versoin"});
+    const ProgramRun mistyped = start_auxfem({"--versoin"});
     EXPECT_EQ(mistyped.exit_code, 1);
     expect_contains(mistyped.errors, {"Unknown option '--versoin'"});
   }
@@ -130,7 +130,7 @@ namespace
     write("a-file", "");
     const Variable   temporary("TMPDIR", path("a-file").c_str());
     const ProgramRun run =
-      run_auxfem({"--check", AUXFEM_PRM_DIRECTORY "/cantilever.prm"});
+      start_auxfem({"--check", AUXFEM_PRM_DIRECTORY "/cantilever.prm"});
     EXPECT_EQ(run.exit_code, 0) << run.errors;
     EXPECT_EQ(run.errors, "");
   }
@@ -154,7 +154,7 @@ namespace
       words.push_back(folder);
       return words;
     };
-    ASSERT_EQ(run_auxfem(run_into("one")).exit_code, 0);
+    ASSERT_EQ(start_auxfem(run_into("one")).exit_code, 0);
     ASSERT_EQ(run_auxfem_on(2, run_into("two")).exit_code, 0);
     EXPECT_EQ(summary("ranks", "two"), "2");
     for (const char *folder : {"one", "two"})

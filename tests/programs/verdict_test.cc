@@ -41,11 +41,11 @@ namespace
 
   TEST_F(VerdictProgram, WatchesLeaveTheLinearSolverOfTheRun)
   {
-    const ProgramRun run = run_auxfem({AUXFEM_PRM_DIRECTORY "/lattice.prm",
-                                       "--output",
-                                       "out",
-                                       "--set",
-                                       "Output/Graphics=false"});
+    const ProgramRun run = start_auxfem({AUXFEM_PRM_DIRECTORY "/lattice.prm",
+                                         "--output",
+                                         "out",
+                                         "--set",
+                                         "Output/Graphics=false"});
     EXPECT_EQ(run.exit_code, 0) << run.errors;
     // Its dashpots turn; a lattice at rest, which the watch looks at, is
     // symmetric.

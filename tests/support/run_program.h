@@ -1,14 +1,18 @@
 #ifndef auxfem_tests_support_run_program_h
 #define auxfem_tests_support_run_program_h
 
+#include <auxfem/program.h>
+
 #include <gtest/gtest.h>
 #include <support/text_file.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
 #include <map>
 #include <regex>
 #include <sstream>
@@ -16,7 +20,9 @@
 #include <string>
 #include <vector>
 
+#include <fcntl.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 namespace auxfem
 {
@@ -126,6 +132,43 @@ namespace auxfem
       return match[1].matched ? match[1] : match[2];
     }
 
+    /** What is written to a file descriptor goes to a file meanwhile. */
+    class Redirection
+    {
+    public:
+      Redirection(const int descriptor, const std::string &file)
+        : descriptor(descriptor)
+      {
+        flush();
+        former           = dup(descriptor);
+        const int target = creat(file.c_str(), 0666);
+        if (former < 0 || target < 0 || dup2(target, descriptor) < 0)
+          throw std::runtime_error("Cannot write " + file);
+        close(target);
+      }
+
+      Redirection(const Redirection &)            = delete;
+      Redirection &operator=(const Redirection &) = delete;
+
+      ~Redirection()
+      {
+        flush();
+        dup2(former, descriptor);
+        close(former);
+      }
+
+    private:
+      static void flush()
+      {
+        std::cout.flush();
+        std::cerr.flush();
+        std::fflush(nullptr);
+      }
+
+      const int descriptor;
+      int       former;
+    };
+
     /**
      * For tests that start programs: a fresh folder for each test, below
      * AUXFEM_TEST_OUTPUT_DIRECTORY.
@@ -163,7 +206,26 @@ namespace auxfem
         return run_in_shell("timeout 300" + quoted(words));
       }
 
+      /** Lets the program run inside the test, in its folder: starting it takes
+       * longer than most scenes. */
       ProgramRun run_auxfem(const Words &arguments) const
+      {
+        const auto        before = std::filesystem::current_path();
+        const std::string output = path("stdout.txt");
+        const std::string errors = path("stderr.txt");
+        int               exit_code;
+        {
+          const Redirection of_output(STDOUT_FILENO, output);
+          const Redirection of_errors(STDERR_FILENO, errors);
+          std::filesystem::current_path(folder);
+          exit_code = auxfem::run_program(arguments, {});
+          std::filesystem::current_path(before);
+        }
+        return {exit_code, read_text(output), read_text(errors)};
+      }
+
+      /** The same as a process of its own, as users start it. */
+      ProgramRun start_auxfem(const Words &arguments) const
       {
         Words words = {AUXFEM_EXECUTABLE};
         words.insert(words.end(), arguments.begin(), arguments.end());
