@@ -43,6 +43,8 @@ namespace auxfem
           choose(CommandLine::Action::print_parameters);
         else if (argument == "--print-parameters=markdown")
           choose(CommandLine::Action::print_parameters_markdown);
+        else if (argument == "--print-parameters=json")
+          choose(CommandLine::Action::print_parameters_json);
         else if (name == "--check")
           {
             choose(CommandLine::Action::check);
@@ -103,8 +105,8 @@ and leaves the results in a folder: history.csv, *.pvd for ParaView, log.txt, su
   --output DIR             folder for the results, short for --set "Output/Directory=DIR"
   --force                  replace files in DIR that auxfem has not written there
   --print-parameters       print all parameters with defaults, units and ranges
-  --print-parameters=markdown
-                           the same as the page doc/parameters.md
+  --print-parameters=markdown, --print-parameters=json
+                           the same as the page doc/parameters.md, for other programs
   --help                   print this
   --version                print the version
 

@@ -29,6 +29,8 @@ namespace auxfem
             return describe_all_parameters();
           case CommandLine::Action::print_parameters_markdown:
             return describe_all_parameters_markdown();
+          case CommandLine::Action::print_parameters_json:
+            return describe_all_parameters_json();
           case CommandLine::Action::check:
           case CommandLine::Action::compare:
           case CommandLine::Action::run:

@@ -16,6 +16,7 @@ namespace auxfem
       compare,
       print_parameters,
       print_parameters_markdown,
+      print_parameters_json,
       help,
       version
     };

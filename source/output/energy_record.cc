@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include <nlohmann/json.hpp>
+
 namespace auxfem
 {
   namespace
@@ -128,16 +130,15 @@ namespace auxfem
     return values;
   }
 
-  JsonObject json_of_energies(const EnergyRecord &record)
+  Json json_of_energies(const EnergyRecord &record)
   {
-    JsonObject                object;
+    Json                      json;
     const std::vector<Column> columns = energy_columns(record.latest.ledger());
     const std::vector<double> values  = energy_values(record);
     for (unsigned int i = 0; i < columns.size(); ++i)
-      object.add(columns[i].name, values[i]);
-    object.add("largest", record.largest_energy);
-    object.add("largest_relative_balance",
-               record.relative(record.largest_balance));
-    return object;
+      json[columns[i].name] = values[i];
+    json["largest"]                  = record.largest_energy;
+    json["largest_relative_balance"] = record.relative(record.largest_balance);
+    return json;
   }
 } // namespace auxfem

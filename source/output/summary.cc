@@ -1,5 +1,4 @@
 #include <auxfem/output/console.h>
-#include <auxfem/output/json.h>
 #include <auxfem/output/summary.h>
 #include <auxfem/version.h>
 
@@ -13,6 +12,7 @@
 #include <ctime>
 #include <sstream>
 
+#include <nlohmann/json.hpp>
 #include <sys/resource.h>
 
 namespace auxfem
@@ -32,47 +32,41 @@ namespace auxfem
       return text;
     }
 
-    JsonObject json(const Counts &counts)
+    Json json_of(const Counts &counts)
     {
-      JsonObject object;
-      object.add("joints", counts.joints);
-      object.add("struts", counts.struts);
-      object.add("elements", counts.elements);
-      object.add("connectors", counts.connectors);
-      object.add("rigid_parts", counts.rigid_parts);
-      object.add("unknowns", counts.unknowns);
-      object.add("free_unknowns", counts.free_unknowns);
-      object.add("conditions", counts.conditions);
-      object.add("ranks", counts.ranks);
-      return object;
+      return {{"joints", counts.joints},
+              {"struts", counts.struts},
+              {"elements", counts.elements},
+              {"connectors", counts.connectors},
+              {"rigid_parts", counts.rigid_parts},
+              {"unknowns", counts.unknowns},
+              {"free_unknowns", counts.free_unknowns},
+              {"conditions", counts.conditions},
+              {"ranks", counts.ranks}};
     }
 
-    JsonObject json(const Work &totals)
+    Json json_of(const Work &totals)
     {
-      JsonObject object;
-      object.add("steps", totals.steps);
-      object.add("newton_iterations", totals.iterations);
-      object.add("factorizations", totals.factorizations);
-      object.add("linear_solutions", totals.linear_solutions);
-      object.add("linear_iterations", totals.linear_iterations);
-      object.add("retries", totals.retries);
-      object.add("linear_solver", totals.linear_solver);
-      return object;
+      return {{"steps", totals.steps},
+              {"newton_iterations", totals.iterations},
+              {"factorizations", totals.factorizations},
+              {"linear_solutions", totals.linear_solutions},
+              {"linear_iterations", totals.linear_iterations},
+              {"retries", totals.retries},
+              {"linear_solver", totals.linear_solver}};
     }
 
-    JsonObject wall_json(const Resources &resources)
+    Json wall_seconds(const Resources &resources)
     {
-      JsonObject object;
-      object.add("program_start", resources.start.program);
-      object.add("mpi_start", resources.start.mpi);
-      object.add("setup", resources.wall.setup);
-      object.add("residual", resources.wall.residual);
-      object.add("tangent", resources.wall.tangent);
-      object.add("factorize", resources.wall.factorize);
-      object.add("solve", resources.wall.solve);
-      object.add("output", resources.wall.output);
-      object.add("total", resources.wall_seconds);
-      return object;
+      return {{"program_start", resources.start.program},
+              {"mpi_start", resources.start.mpi},
+              {"setup", resources.wall.setup},
+              {"residual", resources.wall.residual},
+              {"tangent", resources.wall.tangent},
+              {"factorize", resources.wall.factorize},
+              {"solve", resources.wall.solve},
+              {"output", resources.wall.output},
+              {"total", resources.wall_seconds}};
     }
 
     std::string seconds(const double value)
@@ -186,37 +180,34 @@ namespace auxfem
       (revision.empty() ? "" : revision + ", ") + build_type + ")";
   }
 
-  JsonObject json_of_run(const Scene       &scene,
-                         const std::string &exit_state,
-                         const double       time)
+  Json json_of_run(const Scene       &scene,
+                   const std::string &exit_state,
+                   const double       time)
   {
-    JsonObject object;
-    object.add("program", "auxfem");
-    object.add("version", version);
-    object.add("git_revision", git_revision);
-    object.add("build_type", build_type);
-    object.add("date", now());
-    object.add("file", scene.file);
-    object.add("title", scene.title);
-    object.add("exit_state", exit_state);
-    object.add("time_reached", time);
-    object.add("end_time", scene.time.end_time);
-    return object;
+    return {{"program", "auxfem"},
+            {"version", version},
+            {"git_revision", git_revision},
+            {"build_type", build_type},
+            {"date", now()},
+            {"file", scene.file},
+            {"title", scene.title},
+            {"exit_state", exit_state},
+            {"time_reached", time},
+            {"end_time", scene.time.end_time}};
   }
 
   namespace
   {
-    JsonObject json(const LargestStrain &strain)
+    Json json_of(const LargestStrain &strain)
     {
-      JsonObject object;
-      object.add("time", strain.time());
+      Json json = {{"time", strain.time()}};
       for (unsigned int axis = 0; axis < 3; ++axis)
         if (const std::optional<double> value = strain.along(axis))
-          object.add(axis_name(axis), *value);
+          json[axis_name(axis)] = *value;
       for (const unsigned int axis : lateral_axes)
         if (const std::optional<double> ratio = strain.poissons_ratio(axis))
-          object.add("poissons_ratio_" + axis_name(axis), *ratio);
-      return object;
+          json["poissons_ratio_" + axis_name(axis)] = *ratio;
+      return json;
     }
 
     /** A line with effective Poisson's ratios; empty without any. */
@@ -261,27 +252,25 @@ namespace auxfem
 
   std::string summary_json(const Scene &scene, const Summary &summary)
   {
-    JsonObject memory;
-    memory.add("largest_rank", summary.resources.largest_memory);
-    memory.add("all_ranks", summary.resources.memory);
-
-    JsonObject object = json_of_run(scene, summary.exit_state, summary.time);
-    add_verdict(object, summary.findings);
-    object.add("counts", json(summary.counts));
-    object.add("sections", names_of_groups(scene.sections));
-    object.add("connector_groups", names_of_groups(scene.connectors));
-    object.add("work", json(summary.totals));
-    object.add("wall_seconds", wall_json(summary.resources));
-    object.add("cpu_seconds", summary.resources.cpu_seconds);
-    object.add("cpu_seconds_of_start", summary.resources.start.cpu);
-    object.add("peak_memory_bytes", memory);
-    object.add("energies_joule", json_of_energies(summary.energies));
-    object.add("largest_rotation_radian", summary.largest_rotation);
+    Json json = json_of_run(scene, summary.exit_state, summary.time);
+    add_verdict(json, summary.findings);
+    json["counts"]                  = json_of(summary.counts);
+    json["sections"]                = names_of_groups(scene.sections);
+    json["connector_groups"]        = names_of_groups(scene.connectors);
+    json["work"]                    = json_of(summary.totals);
+    json["wall_seconds"]            = wall_seconds(summary.resources);
+    json["cpu_seconds"]             = summary.resources.cpu_seconds;
+    json["cpu_seconds_of_start"]    = summary.resources.start.cpu;
+    json["peak_memory_bytes"]       = {{"largest_rank",
+                                        summary.resources.largest_memory},
+                                       {"all_ranks", summary.resources.memory}};
+    json["energies_joule"]          = json_of_energies(summary.energies);
+    json["largest_rotation_radian"] = summary.largest_rotation;
     if (!summary.notes.empty())
-      object.add("notes", summary.notes);
+      json["notes"] = summary.notes;
     if (summary.strain.along(1))
-      object.add("largest_effective_strain", json(summary.strain));
-    return object.text() + '\n';
+      json["largest_effective_strain"] = json_of(summary.strain);
+    return json_text(json) + '\n';
   }
 
   std::string overview_text(const Scene                       &scene,

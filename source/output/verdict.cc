@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include <nlohmann/json.hpp>
+
 namespace auxfem
 {
   Verdict verdict_of(const std::vector<Finding> &findings)
@@ -21,21 +23,20 @@ namespace auxfem
     return names[static_cast<unsigned int>(verdict)];
   }
 
-  void add_verdict(JsonObject &summary, const std::vector<Finding> &findings)
+  void add_verdict(Json &summary, const std::vector<Finding> &findings)
   {
-    std::vector<JsonObject> warnings;
+    Json warnings = Json::array();
     for (const Finding &finding : findings)
       {
-        JsonObject warning;
-        warning.add("verdict", name_of(finding.verdict));
-        warning.add("text", finding.text);
-        warning.add("time", finding.time);
+        Json warning = {{"verdict", name_of(finding.verdict)},
+                        {"text", finding.text},
+                        {"time", finding.time}};
         if (!finding.place.empty())
-          warning.add("place", finding.place);
+          warning["place"] = finding.place;
         warnings.push_back(warning);
       }
-    summary.add("verdict", name_of(verdict_of(findings)));
-    summary.add("warnings", warnings);
+    summary["verdict"]  = name_of(verdict_of(findings));
+    summary["warnings"] = warnings;
   }
 
   std::string verdict_text(const std::vector<Finding> &findings)

@@ -6,6 +6,8 @@
 #include <iostream>
 #include <sstream>
 
+#include <nlohmann/json.hpp>
+
 namespace auxfem
 {
   namespace
@@ -95,31 +97,27 @@ namespace auxfem
 
   std::string CellOutput::summary(const RunResult &result) const
   {
-    JsonObject object = json_of_run(scene, result.exit_state, result.time);
-    add_verdict(object, result.findings);
-    object.add("model", "reduced cell");
-    object.add("scheme", scene.time.scheme->name());
-    object.add("connector_groups", names_of_groups(scene.connectors));
-    JsonObject counts;
-    counts.add("steps", result.work.steps);
-    counts.add("iterations_or_evaluations", result.work.iterations);
-    object.add("work", counts);
-    JsonObject wall;
-    wall.add("program_start", start_times.program);
-    wall.add("mpi_start", start_times.mpi);
-    wall.add("total",
-             std::chrono::duration<double>(Clock::now() - start).count());
-    object.add("wall_seconds", wall);
-    object.add("energies_joule", json_of_energies(energies));
+    Json json = json_of_run(scene, result.exit_state, result.time);
+    add_verdict(json, result.findings);
+    json["model"]            = "reduced cell";
+    json["scheme"]           = scene.time.scheme->name();
+    json["connector_groups"] = names_of_groups(scene.connectors);
+    json["work"]             = {{"steps", result.work.steps},
+                                {"iterations_or_evaluations", result.work.iterations}};
+    json["wall_seconds"]     = {
+          {"program_start", start_times.program},
+          {"mpi_start", start_times.mpi},
+          {"total", std::chrono::duration<double>(Clock::now() - start).count()}};
+    json["energies_joule"] = json_of_energies(energies);
     if (latest)
       {
-        object.add("theta_radian", latest->angle);
-        object.add("Y1_metre", latest->upper_rise);
-        object.add("Y2_metre", latest->lower_rise);
-        object.add("f2_newton", latest->transmitted);
+        json["theta_radian"] = latest->angle;
+        json["Y1_metre"]     = latest->upper_rise;
+        json["Y2_metre"]     = latest->lower_rise;
+        json["f2_newton"]    = latest->transmitted;
       }
-    object.add("largest_f2_newton", largest_transmitted);
-    return object.text() + '\n';
+    json["largest_f2_newton"] = largest_transmitted;
+    return json_text(json) + '\n';
   }
 
   void CellOutput::finish_cell(const RunResult &result)

@@ -1,8 +1,11 @@
+#include <auxfem/parameters/json.h>
 #include <auxfem/scene/scene_sections.h>
 
 #include <deal.II/base/utilities.h>
 
 #include <sstream>
+
+#include <nlohmann/json.hpp>
 
 namespace auxfem
 {
@@ -166,6 +169,33 @@ namespace auxfem
         out << "Any number of `set NAME = TEXT` inside `subsection "
             << kind.name << "`, the names are yours.\n\n";
     }
+
+    Json json_of(const std::vector<DeclaredEntry> &entries)
+    {
+      Json list = Json::array();
+      for (const DeclaredEntry &entry : entries)
+        list.push_back({{"name", entry.name},
+                        {"required", entry.required()},
+                        {"default", entry.default_value},
+                        {"unit", unit(entry)},
+                        {"allowed", allowed(entry)},
+                        {"meaning", entry.sentence}});
+      return list;
+    }
+
+    std::string name_of(const Form form)
+    {
+      switch (form)
+        {
+          case Form::fixed:
+            return "fixed";
+          case Form::named_groups:
+            return "named groups";
+          case Form::free_entries:
+            return "free entries";
+        }
+      return "";
+    }
   } // namespace
 
 
@@ -200,5 +230,29 @@ namespace auxfem
           }
       }
     return out.str();
+  }
+
+
+
+  std::string describe_all_parameters_json()
+  {
+    Json subsections = Json::array();
+    for (const SubsectionKind &kind : subsection_kinds())
+      {
+        Json subsection = {{"name", kind.name},
+                           {"form", name_of(kind.form)},
+                           {"meaning", kind.sentence},
+                           {"parameters",
+                            json_of(declared_entries(kind.declare))}};
+        if (!kind.variants.empty())
+          subsection["choice"] = kind.choice;
+        for (const SubsectionVariant &variant : kind.variants)
+          subsection["variants"].push_back(
+            {{"value", variant.name},
+             {"meaning", variant.sentence},
+             {"parameters", json_of(declared_entries(variant.declare))}});
+        subsections.push_back(subsection);
+      }
+    return json_text({{"subsections", subsections}}) + '\n';
   }
 } // namespace auxfem

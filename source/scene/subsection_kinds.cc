@@ -1,13 +1,15 @@
+#include <auxfem/parameters/json.h>
 #include <auxfem/scene/scene_sections.h>
 
 #include <deal.II/base/patterns.h>
 
 // Boost asks for this before its JSON reader is included
 #define BOOST_BIND_GLOBAL_PLACEHOLDERS
-#include <boost/property_tree/json_parser.hpp>
 
 #include <algorithm>
 #include <sstream>
+
+#include <nlohmann/json.hpp>
 
 namespace auxfem
 {
@@ -77,18 +79,17 @@ namespace auxfem
     prm.print_parameters(json,
                          dealii::ParameterHandler::JSON |
                            dealii::ParameterHandler::KeepDeclarationOrder);
-    boost::property_tree::ptree tree;
-    boost::property_tree::read_json(json, tree);
+    const Json tree = Json::parse(json);
 
     std::vector<DeclaredEntry> entries;
-    for (const auto &[name, node] : tree)
+    for (const auto &[name, node] : tree.items())
       {
         DeclaredEntry entry;
         entry.name          = name;
-        entry.default_value = node.get<std::string>("default_value");
-        entry.pattern       = node.get<std::string>("pattern_description");
+        entry.default_value = node.at("default_value");
+        entry.pattern       = node.at("pattern_description");
         entry.rule          = rule_from_description(entry.pattern);
-        entry.sentence      = node.get<std::string>("documentation");
+        entry.sentence      = node.at("documentation");
         // the allowed values after it are known from the rule
         entry.sentence = entry.sentence.substr(0, entry.sentence.find('\n'));
         entries.push_back(entry);

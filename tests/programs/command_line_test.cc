@@ -1,10 +1,14 @@
+#include <auxfem/parameters/json.h>
 #include <auxfem/version.h>
 
 #include <support/run_program.h>
 
+#include <nlohmann/json.hpp>
+
 namespace
 {
   using namespace auxfem;
+  using auxfem::Json;
   using namespace auxfem::testing_support;
   namespace fs = std::filesystem;
 
@@ -64,6 +68,46 @@ namespace
               read_text(std::string(AUXFEM_PRM_DIRECTORY) +
                         "/../doc/parameters.md"))
       << "run: auxfem --print-parameters=markdown > doc/parameters.md";
+  }
+
+
+
+  TEST_F(CommandLineProgram, OtherProgramsCanReadTheReference)
+  {
+    const ProgramRun run = run_auxfem({"--print-parameters=json"});
+    EXPECT_EQ(run.exit_code, 0);
+
+    std::vector<Json> parameters;
+    const auto        add_parameters = [&](const Json &owner) {
+      for (const Json &parameter : owner.at("parameters"))
+        parameters.push_back(parameter);
+    };
+    const Json reference = Json::parse(run.output);
+    for (const Json &subsection : reference.at("subsections"))
+      {
+        add_parameters(subsection);
+        if (subsection.contains("variants"))
+          for (const Json &variant : subsection.at("variants"))
+            add_parameters(variant);
+      }
+    // As many as the tables of the page have rows.
+    const std::string page = run_auxfem({"--print-parameters=markdown"}).output;
+    std::size_t       n_rows = 0;
+    for (auto at = page.find("\n| `"); at != std::string::npos;
+         at      = page.find("\n| `", at + 1))
+      ++n_rows;
+    EXPECT_EQ(parameters.size(), n_rows);
+
+    const auto step = std::find_if(parameters.begin(),
+                                   parameters.end(),
+                                   [](const Json &parameter) {
+                                     return parameter.at("name") == "Time step";
+                                   });
+    ASSERT_NE(step, parameters.end());
+    EXPECT_EQ(step->at("unit"), "s");
+    EXPECT_EQ(step->at("required"), false);
+    EXPECT_EQ(step->at("default"), "10 ms");
+    EXPECT_EQ(step->at("allowed"), "a number > 0 in s");
   }
 
 

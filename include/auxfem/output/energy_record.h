@@ -2,7 +2,7 @@
 #define auxfem_output_energy_record_h
 
 #include <auxfem/output/csv_table.h>
-#include <auxfem/output/json.h>
+#include <auxfem/parameters/json.h>
 #include <auxfem/time/energies.h>
 #include <auxfem/time/records.h>
 
@@ -46,7 +46,7 @@ namespace auxfem
   std::vector<double> energy_values(const EnergyRecord &record);
 
   /** The energies in summary.json: what the columns hold at the end. */
-  JsonObject json_of_energies(const EnergyRecord &record);
+  Json json_of_energies(const EnergyRecord &record);
 } // namespace auxfem
 
 #endif

@@ -3,9 +3,9 @@
 
 #include <auxfem/equations/equations.h>
 #include <auxfem/output/history.h>
-#include <auxfem/output/json.h>
 #include <auxfem/output/start_times.h>
 #include <auxfem/output/verdict.h>
+#include <auxfem/parameters/json.h>
 #include <auxfem/scene/scene.h>
 #include <auxfem/time/step_report.h>
 
@@ -85,7 +85,7 @@ namespace auxfem
    * The first members of every summary.json: program, date, scene, @p exit_state
    * and the @p time reached (s).
    */
-  JsonObject
+  Json
   json_of_run(const Scene &scene, const std::string &exit_state, double time);
 
   /** Names of the groups in @p definitions. */

@@ -1,7 +1,7 @@
 #ifndef auxfem_output_verdict_h
 #define auxfem_output_verdict_h
 
-#include <auxfem/output/json.h>
+#include <auxfem/parameters/json.h>
 
 #include <string>
 #include <vector>
@@ -32,7 +32,7 @@ namespace auxfem
   const std::string &name_of(Verdict verdict);
 
   /** Adds `verdict` and `warnings`, with time and place, to @p summary. */
-  void add_verdict(JsonObject &summary, const std::vector<Finding> &findings);
+  void add_verdict(Json &summary, const std::vector<Finding> &findings);
 
   /** The verdict and its reasons, lines without the last line break. */
   std::string verdict_text(const std::vector<Finding> &findings);

@@ -356,6 +356,12 @@ namespace auxfem
 
   /** The same as the Markdown page doc/parameters.md. */
   std::string describe_all_parameters_markdown();
+
+  /**
+   * The same as JSON for other tools: a list of subsections, each with name,
+   * form, meaning and parameters, and the variants of its choice with theirs.
+   */
+  std::string describe_all_parameters_json();
 } // namespace auxfem
 
 #endif
