@@ -46,8 +46,8 @@ namespace auxfem
       return a == 0 ? 1 : -std::expm1(-a) / a;
     }
 
-    /** The course of k times the extension in a step (N), and dt / tau. */
-    struct Course
+    /** k times the extension over a step (N), and a = dt / tau. */
+    struct Extension
     {
       double a;
       double increment; ///< of the step
@@ -55,30 +55,32 @@ namespace auxfem
     };
 
     /** The force at the part @p s in [0, 1] of a step that starts with @p force. */
-    double force_at(const double s, const double force, const Course &course)
+    double
+    force_at(const double s, const double force, const Extension &extension)
     {
-      return std::exp(-course.a * s) * force +
-        (course.increment - course.lead) * s * mean_decay(course.a * s) +
-        2 * course.lead * s * s * mean_coefficient(course.a * s);
+      return std::exp(-extension.a * s) * force +
+        (extension.increment - extension.lead) * s *
+        mean_decay(extension.a * s) +
+        2 * extension.lead * s * s * mean_coefficient(extension.a * s);
     }
 
     /** Integral of the squared force over s from 0 to 1. */
-    double mean_square(const double force, const Course &course)
+    double mean_square(const double force, const Extension &extension)
     {
-      const double a = course.a;
+      const double a = extension.a;
       // The closed form would lose eps / a^4 to cancellation; the integrand is
       // a polynomial to round-off.
       if (a < 0.5)
         return boost::math::quadrature::gauss<double, 7>::integrate(
           [&](const double s) {
-            const double now = force_at(s, force, course);
+            const double now = force_at(s, force, extension);
             return now * now;
           },
           0.,
           1.);
       // The force is flow + slope s + rest e^(-as).
-      const double slope = 2 * course.lead / a,
-                   flow  = (course.increment - course.lead - slope) / a,
+      const double slope = 2 * extension.lead / a,
+                   flow  = (extension.increment - extension.lead - slope) / a,
                    rest  = force - flow;
       return flow * flow + flow * slope + slope * slope / 3 +
         2 * rest *

@@ -1,5 +1,5 @@
 #include <auxfem/equations/effects/applied_loads.h>
-#include <auxfem/equations/effects/following_loads.h>
+#include <auxfem/equations/effects/follower_loads.h>
 #include <auxfem/equations/make_loads.h>
 #include <auxfem/mesh/sets.h>
 #include <auxfem/model/line_rule.h>
@@ -58,11 +58,11 @@ namespace auxfem
         }
     }
 
-    void add_following_load(const JointLoadDefinition &definition,
-                            const Lattice             &lattice,
-                            const DofNumbering        &numbering,
-                            const SceneContext        &context,
-                            FollowingLoads            &loads)
+    void add_follower_load(const JointLoadDefinition &definition,
+                           const Lattice             &lattice,
+                           const DofNumbering        &numbering,
+                           const SceneContext        &context,
+                           FollowerLoads             &loads)
     {
       const unsigned int load =
         loads.add_load(definition.components, work_of(definition.name));
@@ -251,12 +251,16 @@ namespace auxfem
     const bool raised_from_zero =
       !scene.time.scheme->is_dynamic() && !scene.time.static_start;
     auto dead = std::make_unique<AppliedLoads>(numbering, raised_from_zero);
-    auto following =
-      std::make_unique<FollowingLoads>(lattice, numbering, raised_from_zero);
+    auto follower_loads =
+      std::make_unique<FollowerLoads>(lattice, numbering, raised_from_zero);
     for (const JointLoadDefinition &load : scene.joint_loads)
       // Without large rotations nothing turns.
       if (load.follows_joint && simulated.large_rotation)
-        add_following_load(load, lattice, numbering, scene.context, *following);
+        add_follower_load(load,
+                          lattice,
+                          numbering,
+                          scene.context,
+                          *follower_loads);
       else
         add_dead_load(load, lattice, numbering, scene.context, *dead);
     add_line_loads(scene, lattice, numbering, bodies, *dead);
@@ -265,8 +269,8 @@ namespace auxfem
     std::vector<std::unique_ptr<Effect>> effects;
     if (!dead->empty())
       effects.push_back(std::move(dead));
-    if (!following->empty())
-      effects.push_back(std::move(following));
+    if (!follower_loads->empty())
+      effects.push_back(std::move(follower_loads));
     return effects;
   }
 } // namespace auxfem

@@ -11,10 +11,10 @@ namespace auxfem
 {
   namespace
   {
-    /** Value and first two derivatives of the courses of a support. */
-    struct Course
+    /** Value and first two derivatives of the time histories of a support. */
+    struct SupportMotion
     {
-      Course(const Support &support, const Evaluation &evaluation)
+      SupportMotion(const Support &support, const Evaluation &evaluation)
       {
         const TimeLimit at = evaluation.event_at_to.value_or(
           TimeLimit{evaluation.to.time, TimeSide::after});
@@ -61,25 +61,25 @@ namespace auxfem
       return rotated(conjugate(rotation), spatial);
     }
 
-    /** Moves a rotation as a whole along @p course. */
+    /** Moves a rotation as a whole as @p support does. */
     void prescribe(const NodeRotations &rotations,
                    const unsigned int   i,
-                   const Course        &course,
+                   const SupportMotion &support,
                    const Evaluation    &evaluation)
     {
-      const Quaternion  rotation = exponential(course.rotation(0));
+      const Quaternion  rotation = exponential(support.rotation(0));
       const SpaceVector turned =
         rotated(conjugate(evaluation.from.rotations[i]),
-                course.rotation(0) -
+                support.rotation(0) -
                   rotations.values(evaluation.from.displacement, i));
       rotations.set_material_turn(
         evaluation,
         i,
         rotation_vector_near(conjugate(evaluation.from.rotations[i]) * rotation,
                              turned));
-      const AngularMotion motion = angular_motion(course.rotation(0),
-                                                  course.rotation(1),
-                                                  course.rotation(2));
+      const AngularMotion motion = angular_motion(support.rotation(0),
+                                                  support.rotation(1),
+                                                  support.rotation(2));
       if (evaluation.to.velocity)
         rotations.set_values(motion.velocity, i, *evaluation.to.velocity);
       if (evaluation.to.acceleration)
@@ -131,12 +131,12 @@ namespace auxfem
     State              &state = evaluation.to;
     for (const Support &support : model.supports)
       {
-        const Course course(support, evaluation);
+        const SupportMotion moved(support, evaluation);
         for (const Support::PrescribedUnknown &prescribed : support.unknowns)
           {
             if (support.moves_as_rotation(prescribed))
               continue;
-            const auto &jet = course.jets[prescribed.component];
+            const auto &jet = moved.jets[prescribed.component];
             state.displacement[prescribed.unknown] = jet[0];
             if (state.velocity)
               (*state.velocity)[prescribed.unknown] = jet[1];
@@ -145,7 +145,7 @@ namespace auxfem
           }
         for (const Support::PrescribedRotation &prescribed : support.rotations)
           if (prescribed.is_whole())
-            prescribe(rotations, prescribed.rotation, course, evaluation);
+            prescribe(rotations, prescribed.rotation, moved, evaluation);
           else
             hold(rotations, prescribed.rotation, prescribed.fixed, evaluation);
       }

@@ -1,5 +1,5 @@
-#include <auxfem/loads/expression_course.h>
-#include <auxfem/loads/table_course.h>
+#include <auxfem/loads/expression_history.h>
+#include <auxfem/loads/table_history.h>
 #include <auxfem/loads/time_function.h>
 #include <auxfem/parameters/errors.h>
 
@@ -39,39 +39,39 @@ namespace auxfem
 
     const std::string path =
       (context.path.empty() ? "" : context.path + "/") + parameter;
-    std::shared_ptr<TimeCourse> function;
+    std::shared_ptr<TimeHistory> function;
     if (const auto table = table_text(trimmed))
-      function = std::make_shared<TableCourse>(table->file,
-                                               path,
-                                               context,
-                                               table->word == linear_table_word
-                                                 ? TableKind::linear
-                                                 : tables);
+      function = std::make_shared<TableHistory>(table->file,
+                                                path,
+                                                context,
+                                                table->word == linear_table_word
+                                                  ? TableKind::linear
+                                                  : tables);
     else
       {
         const auto expression =
-          std::make_shared<ExpressionCourse>(trimmed, path, context);
+          std::make_shared<ExpressionHistory>(trimmed, path, context);
         if (expression->is_constant() && expression->value(0) == 0)
           return;
         function = expression;
       }
     function->origin = path + ": '" + trimmed + "'";
-    course           = function;
+    history          = function;
   }
 
   double TimeFunction::value(const double t) const
   {
-    return course ? checked(course->value(t), t) : 0;
+    return history ? checked(history->value(t), t) : 0;
   }
 
   double TimeFunction::value_before(const double t) const
   {
-    return course ? checked(course->limit(t, TimeSide::before), t) : 0;
+    return history ? checked(history->limit(t, TimeSide::before), t) : 0;
   }
 
   double TimeFunction::value_after(const double t) const
   {
-    return course ? checked(course->limit(t, TimeSide::after), t) : 0;
+    return history ? checked(history->limit(t, TimeSide::after), t) : 0;
   }
 
   std::vector<TimeEvent>
@@ -81,19 +81,19 @@ namespace auxfem
   {
     Assert(std::isfinite(begin) && std::isfinite(end),
            dealii::ExcMessage("Events are sought between finite times."));
-    return course && begin < end ? course->events(begin, end, derivatives)
-                                 : std::vector<TimeEvent>();
+    return history && begin < end ? history->events(begin, end, derivatives)
+                                  : std::vector<TimeEvent>();
   }
 
   std::optional<double> TimeFunction::last_time() const
   {
-    return course ? course->last_time() : std::nullopt;
+    return history ? history->last_time() : std::nullopt;
   }
 
   const std::string &TimeFunction::origin() const
   {
     static const std::string none;
-    return course ? course->origin : none;
+    return history ? history->origin : none;
   }
 
   double TimeFunction::checked(const double       result,
@@ -104,7 +104,7 @@ namespace auxfem
       {
         std::ostringstream message;
         message.precision(17);
-        message << course->origin << (what.empty() ? "" : ": " + what)
+        message << history->origin << (what.empty() ? "" : ": " + what)
                 << " is not a finite number at t = " << t << " s (" << result
                 << ").\nLook for a division by zero, or a root or logarithm "
                    "of "
@@ -118,9 +118,9 @@ namespace auxfem
   std::array<double, 3> TimeFunction::jet(const double   t,
                                           const TimeSide side) const
   {
-    if (!course)
+    if (!history)
       return {{0, 0, 0}};
-    const Jet<double> jet = course->jet(t, side);
+    const Jet<double> jet = history->jet(t, side);
     return {{checked(jet.value, t),
              checked(jet.first, t, "the first derivative"),
              checked(jet.second, t, "the second derivative")}};
@@ -128,6 +128,6 @@ namespace auxfem
 
   bool TimeFunction::is_zero() const
   {
-    return !course;
+    return !history;
   }
 } // namespace auxfem

@@ -57,11 +57,10 @@ namespace auxfem
     auto                 &list = effects.decisions;
     if (scene.dimension == 3 && is_elastic)
       list.push_back({"struts in space", true, "Dimension = 3"});
-    effects.large_rotation =
-      decide("large rotation",
-             set.large_rotation,
-             {true, "size of the displacements not known beforehand", ""},
-             list);
+    effects.large_rotation    = decide("large rotation",
+                                    set.large_rotation,
+                                    {true, "on by default", ""},
+                                    list);
     effects.shear_flexibility = decide("shear flexibility",
                                        set.shear_flexibility,
                                        {is_elastic,

@@ -60,14 +60,14 @@ namespace auxfem
                               progress.dt,
                               progress.iterations);
     if (progress.retries > 0)
-      line += format(" (%u undone)", progress.retries);
+      line += format(" (%u rejected)", progress.retries);
     line += format("  res %.1e", progress.relative_residual);
     if (progress.relative_balance)
       line += format("  energy %+.1e", *progress.relative_balance);
 
     const double fraction = progress.fraction();
     if (fraction >= 1)
-      line += "  in " + format_duration(progress.seconds);
+      line += "  took " + format_duration(progress.seconds);
     else if (progress.time > progress.begin_time)
       line += "  left " +
         format_duration(progress.seconds * (progress.end_time - progress.time) /

@@ -328,7 +328,7 @@ namespace auxfem
                                                  : "Stopped early")
            << " at t = " << summary.time << " s: " << totals.steps << " steps, "
            << totals.iterations << " iterations, " << totals.factorizations
-           << " factorizations, " << totals.retries << " attempts undone\n"
+           << " factorizations, " << totals.retries << " rejected steps\n"
            << "Wall time " << seconds(summary.resources.wall_seconds)
            << ": set-up " << seconds(wall.setup) << ", residuals "
            << seconds(wall.residual) << ", tangents " << seconds(wall.tangent)

@@ -115,18 +115,18 @@ namespace auxfem
       for (const TimeEvent &event : motion.events(0, scene.time.end_time))
         if (event.kind == TimeEvent::Kind::jump)
           {
-            mistakes.add(
-              message(scene,
-                      path,
-                      " jumps at t = ",
-                      event.time,
-                      " s from ",
-                      motion.value_before(event.time),
-                      " to ",
-                      motion.value_after(event.time),
-                      ": with inertia a support cannot jump. Give it a "
-                      "continuous course, e.g. a ramp, or use Time/Scheme = "
-                      "static"));
+            mistakes.add(message(
+              scene,
+              path,
+              " jumps at t = ",
+              event.time,
+              " s from ",
+              motion.value_before(event.time),
+              " to ",
+              motion.value_after(event.time),
+              ": with inertia a support cannot jump. Give it a "
+              "continuous time history, e.g. a ramp, or use Time/Scheme = "
+              "static"));
             return;
           }
     }

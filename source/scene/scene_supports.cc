@@ -15,8 +15,12 @@ namespace auxfem
       "What is held or moved."};
 
     const auto motion = for_components<TimeExpression>(
-      {"Displacement", "free", "m", "Course of the displacement", {"free"}},
-      {"Rotation", "free", "rad", "Course of the rotation", {"free"}});
+      {"Displacement",
+       "free",
+       "m",
+       "Time history of the displacement",
+       {"free"}},
+      {"Rotation", "free", "rad", "Time history of the rotation", {"free"}});
 
     /** Holds the first @p n components, as far as there are such. */
     void hold(const SceneContext &context,
@@ -122,7 +126,7 @@ namespace auxfem
               "Free to move along z only and to rotate; with Dimension = 3.",
               {}},
              {"prescribed",
-              "Each component free or with a given course in time; in space "
+              "Each component free or with a given time history; in space "
               "rotations that are not zero only all three together. Through "
               "the rows of a table goes a smooth curve (a cubic spline); "
               "`linear table: FILE` has lines between them, and every row "

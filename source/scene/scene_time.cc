@@ -92,7 +92,7 @@ namespace auxfem
     {
       return {"Effects",
               Form::fixed,
-              "What is simulated; auto: whatever the scene gives cause for.",
+              "What is simulated; auto: on if the scene needs it.",
               [](ParameterHandler &prm) {
                 for (const Effect &effect : effects)
                   declare(prm, effect.entry);

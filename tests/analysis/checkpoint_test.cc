@@ -45,7 +45,7 @@ namespace
       recorder.start(run.solution);
     }
 
-    /** Returns how many attempts were undone. */
+    /** Returns how many steps were rejected. */
     unsigned int steps(const unsigned int n)
     {
       unsigned int retries = 0;

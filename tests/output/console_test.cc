@@ -41,8 +41,8 @@ TEST(Console, ProgressLine)
   progress         = step(1000, 1000);
   progress.retries = 2;
   EXPECT_EQ(format_progress(progress),
-            "1000/1000  t 0.02 s  dt 2e-05  it  3 (2 undone)  res 2.0e-11"
-            "  in 0:01");
+            "1000/1000  t 0.02 s  dt 2e-05  it  3 (2 rejected)  res 2.0e-11"
+            "  took 0:01");
 }
 
 TEST(Console, AResumedRunExpectsTheRestAtItsOwnPace)

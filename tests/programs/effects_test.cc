@@ -72,8 +72,7 @@ namespace
     const Lists lists = check({});
     EXPECT_EQ(lists.simulated,
               (std::map<std::string, std::string>{
-                {"large rotation",
-                 "size of the displacements not known beforehand"},
+                {"large rotation", "on by default"},
                 {"shear flexibility", "the sections have a shear area"},
                 {"inertia", "time scheme newmark"},
                 {"rotary inertia", "inertia is simulated"},

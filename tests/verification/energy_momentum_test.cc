@@ -76,7 +76,7 @@ end
   {
     double        energy, momentum, moment; ///< of their sizes at the start
     double        turn;                     ///< rad, of a joint against another
-    unsigned long retries;                  ///< attempts undone
+    unsigned long retries;                  ///< rejected steps
   };
 
   Drift drift_of(const std::string &scheme)

@@ -47,17 +47,17 @@ namespace
     {15, {{0.1598, -2.2067, -7.2868, -9.2044}}},
     {20, {{-2.6019, 4.0930, -0.9568, 0.4960}}}};
 
-  struct RightAngleCourse
+  struct RightAngleHistory
   {
     std::vector<Motion> at_moments;
     double              energy_at_2 = 0;
     Range               energy; ///< after t = 2
   };
 
-  RightAngleCourse run_right_angle(const std::string &scheme, const double dt)
+  RightAngleHistory run_right_angle(const std::string &scheme, const double dt)
   {
-    SceneRun         run(right_angle(dt), {"Time/Scheme=" + scheme});
-    RightAngleCourse course;
+    SceneRun          run(right_angle(dt), {"Time/Scheme=" + scheme});
+    RightAngleHistory course;
     run.run([&] {
       const double       t = run.state.time;
       const unsigned int n = course.at_moments.size();
@@ -78,8 +78,8 @@ namespace
 
   void compare_right_angle(const std::string &scheme)
   {
-    const RightAngleCourse coarse = run_right_angle(scheme, 0.01),
-                           fine   = run_right_angle(scheme, 0.005);
+    const RightAngleHistory coarse = run_right_angle(scheme, 0.01),
+                            fine   = run_right_angle(scheme, 0.005);
     ComparisonTable table("Right-angle cantilever, " + scheme);
     const char     *names[] = {"elbow u_z", "tip u_x", "tip u_y", "tip u_z"};
     ASSERT_EQ(fine.at_moments.size(), right_angle_reference.size());

@@ -88,17 +88,17 @@ end
     {12.5, {-0.000222, -0.112696, -0.014435}},
     {15, {0.000514, 0.001304, 0.000168}}};
 
-  struct SpinUpCourse
+  struct SpinUpHistory
   {
     std::vector<TipMotion> at_moments;
     double                 steady_extension = 0; ///< mean over 15 s < t < 20 s
   };
 
-  SpinUpCourse run_spin_up(const double dt)
+  SpinUpHistory run_spin_up(const double dt)
   {
-    SceneRun     run(spin_up(dt, 20));
-    SpinUpCourse course;
-    unsigned     n_steady_steps = 0;
+    SceneRun      run(spin_up(dt, 20));
+    SpinUpHistory course;
+    unsigned      n_steady_steps = 0;
     run.run([&] {
       const double       t = run.state.time;
       const unsigned int n = course.at_moments.size();
@@ -117,7 +117,7 @@ end
 
 TEST(SpinUp, FollowsTheReferenceAndStretchesAsTheClosedForm)
 {
-  const SpinUpCourse coarse = run_spin_up(2.5e-3), fine = run_spin_up(1.25e-3);
+  const SpinUpHistory coarse = run_spin_up(2.5e-3), fine = run_spin_up(1.25e-3);
   ComparisonTable table("Spin-up of a flexible beam (Simo & Vu-Quoc 1988), tip "
                         "in the turning frame (m, rad), extrapolated from "
                         "steps of 2.5 and 1.25 ms");

@@ -12,7 +12,7 @@
 
 namespace auxfem
 {
-  class TimeCourse;
+  class TimeHistory;
 
   /** What a table is between its rows. */
   enum class TableKind
@@ -121,7 +121,7 @@ namespace auxfem
     /** @p result, which is @p what of the function at @p t. */
     double checked(double result, double t, const std::string &what = "") const;
 
-    std::shared_ptr<const TimeCourse> course;
+    std::shared_ptr<const TimeHistory> history;
   };
 } // namespace auxfem
 

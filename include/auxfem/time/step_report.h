@@ -11,7 +11,7 @@ namespace auxfem
     unsigned int iterations = 0; ///< Newton iterations, retries included
     /** Accepted parts the step was divided into. */
     unsigned int substeps = 0;
-    unsigned int retries  = 0; ///< attempts that were undone
+    unsigned int retries  = 0; ///< rejected steps
     /** Of the last iteration, in units of the force scale. */
     double relative_residual = 0;
     double dt                = 0; ///< length of the smallest accepted part (s)

@@ -1,4 +1,4 @@
-#include <auxfem/equations/effects/following_loads.h>
+#include <auxfem/equations/effects/follower_loads.h>
 
 #include <equations/effects/space_effect.h>
 
@@ -32,11 +32,11 @@ namespace
       make_room_for(loads);
     }
 
-    FollowingLoads loads;
+    FollowerLoads loads;
   };
 } // namespace
 
-TEST(FollowingLoads, TurnWithTheJointInSpace)
+TEST(FollowerLoads, TurnWithTheJointInSpace)
 {
   LoadInSpace               one;
   const auto               &dofs = one.of_scene.dofs();
@@ -56,13 +56,13 @@ TEST(FollowingLoads, TurnWithTheJointInSpace)
   EXPECT_NEAR(others, force.norm_square() + moment.norm_square(), 1e-12);
 }
 
-TEST(FollowingLoads, TurnWithTheJointInThePlane)
+TEST(FollowerLoads, TurnWithTheJointInThePlane)
 {
   const EquationsOnRanks of_scene(frame_scene("0 0; 1 0", "0 1", ""),
                                   {},
                                   MPI_COMM_SELF);
   const auto            &dofs = of_scene.dofs();
-  FollowingLoads         loads(of_scene.lattice, dofs, false);
+  FollowerLoads          loads(of_scene.lattice, dofs, false);
   loads.add_joint(loads.add_load(components(of_scene.scene.context), work), 1);
   State        from = of_scene.equations.initial_state(), to = from;
   const double angle                                 = 0.7;
@@ -78,13 +78,13 @@ TEST(FollowingLoads, TurnWithTheJointInThePlane)
   EXPECT_NEAR(-rows[dofs.joint_unknown(1, rotation_z)], -4, 1e-14);
 }
 
-TEST(FollowingLoads, TangentIsThatOfDifferences)
+TEST(FollowerLoads, TangentIsThatOfDifferences)
 {
   LoadInSpace one;
   one.expect_tangent(one.loads, {1., 3., 5.});
 }
 
-TEST(FollowingLoads, LoadsAndTheirTangentAreMultipliedByTheLoadFactor)
+TEST(FollowerLoads, LoadsAndTheirTangentAreMultipliedByTheLoadFactor)
 {
   LoadInSpace               one;
   Evaluation                evaluation = Evaluation::step(one.from, one.to, 1.);
@@ -109,7 +109,7 @@ TEST(FollowingLoads, LoadsAndTheirTangentAreMultipliedByTheLoadFactor)
     }
 }
 
-TEST(FollowingLoads, WorkOfASmallStepIsThatOfTheLoadAlongIt)
+TEST(FollowerLoads, WorkOfASmallStepIsThatOfTheLoadAlongIt)
 {
   LoadInSpace one;
   const auto &dofs = one.of_scene.dofs();

@@ -1,9 +1,9 @@
-#ifndef auxfem_loads_table_course_h
-#define auxfem_loads_table_course_h
+#ifndef auxfem_loads_table_history_h
+#define auxfem_loads_table_history_h
 
 #include <auxfem/loads/cubic_spline.h>
-#include <auxfem/loads/time_course.h>
 #include <auxfem/loads/time_function.h>
+#include <auxfem/loads/time_history.h>
 #include <auxfem/parameters/registry.h>
 
 #include <optional>
@@ -16,7 +16,7 @@ namespace auxfem
    * Two columns of a file, linear between rows or a cubic spline through them,
    * constant outside. Two rows at one time are a jump of a linear table.
    */
-  class TableCourse : public TimeCourse
+  class TableHistory : public TimeHistory
   {
   public:
     /**
@@ -24,10 +24,10 @@ namespace auxfem
      * @p path that of the parameter. Throws InputError if there is no such
      * table, and for a jump of a smooth one.
      */
-    TableCourse(const std::string  &reference,
-                const std::string  &path,
-                const SceneContext &context,
-                TableKind           kind);
+    TableHistory(const std::string  &reference,
+                 const std::string  &path,
+                 const SceneContext &context,
+                 TableKind           kind);
 
     double value(double t) const override;
 

@@ -32,7 +32,7 @@ namespace
   }
 } // namespace
 
-TEST(FollowingLoad3d, MomentAboutASkewAxisDeadAndFollowing)
+TEST(FollowerLoad3d, MomentAboutASkewAxisDeadAndFollower)
 {
   const SpaceVector moment({1.5, 2., -1.});
   const double      rate       = moment[0] * (1 / torsion - 1 / bending);
@@ -71,7 +71,7 @@ TEST(FollowingLoad3d, MomentAboutASkewAxisDeadAndFollowing)
     }
 }
 
-TEST(FollowingLoad3d, ForceTurnsWithTheTip)
+TEST(FollowerLoad3d, ForceTurnsWithTheTip)
 {
   // The clamp's force and moment balance the force where the tip has taken it.
   const SpaceVector force({-1., 4., 3.});
@@ -92,7 +92,7 @@ TEST(FollowingLoad3d, ForceTurnsWithTheTip)
     1e-9);
 }
 
-TEST(FollowingLoad3d, LeesFrameInTheYZPlane)
+TEST(FollowerLoad3d, LeesFrameInTheYZPlane)
 {
   // Lee's frame with the load turning with its section: the limit load by
   // shooting, shear-rigid. Out of its plane the frame is made stiff.

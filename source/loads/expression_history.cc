@@ -1,5 +1,5 @@
 #include <auxfem/loads/event_search.h>
-#include <auxfem/loads/expression_course.h>
+#include <auxfem/loads/expression_history.h>
 #include <auxfem/parameters/errors.h>
 
 #include <deal.II/base/numbers.h>
@@ -73,9 +73,9 @@ namespace auxfem
     }
   } // namespace
 
-  ExpressionCourse::ExpressionCourse(const std::string  &text,
-                                     const std::string  &path,
-                                     const SceneContext &context)
+  ExpressionHistory::ExpressionHistory(const std::string  &text,
+                                       const std::string  &path,
+                                       const SceneContext &context)
   {
     parser.DefineVar("t", &time);
     define_functions();
@@ -83,7 +83,7 @@ namespace auxfem
     parse(text, path);
   }
 
-  void ExpressionCourse::define_functions()
+  void ExpressionHistory::define_functions()
   {
     parser.DefineFun("if", &if_function);
     parser.DefineFun("pow", &power_function);
@@ -93,8 +93,8 @@ namespace auxfem
     parser.DefineFun("log", &natural_logarithm);
   }
 
-  void ExpressionCourse::define_constants(const std::string  &path,
-                                          const SceneContext &context)
+  void ExpressionHistory::define_constants(const std::string  &path,
+                                           const SceneContext &context)
   {
     parser.DefineConst("pi", dealii::numbers::PI);
     for (const auto &[name, value] : context.constants)
@@ -115,7 +115,8 @@ namespace auxfem
         }
   }
 
-  void ExpressionCourse::parse(const std::string &text, const std::string &path)
+  void ExpressionHistory::parse(const std::string &text,
+                                const std::string &path)
   {
     const std::string found = path + ": cannot understand '" + text + "': ";
     if (has_assignment(text))
@@ -140,12 +141,12 @@ namespace auxfem
       }
   }
 
-  bool ExpressionCourse::is_constant() const
+  bool ExpressionHistory::is_constant() const
   {
     return constant;
   }
 
-  const ExpressionTree &ExpressionCourse::tree() const
+  const ExpressionTree &ExpressionHistory::tree() const
   {
     if (!known_tree)
       {
@@ -157,7 +158,7 @@ namespace auxfem
     return *known_tree;
   }
 
-  double ExpressionCourse::limit(const double t, const TimeSide side) const
+  double ExpressionHistory::limit(const double t, const TimeSide side) const
   {
     const Jet<double> here   = tree().result(tree().evaluate(t));
     const Jet<double> result = auxfem::limit(tree(), t, side);
@@ -171,7 +172,7 @@ namespace auxfem
                                                         : result.value;
   }
 
-  Jet<double> ExpressionCourse::jet(const double t, const TimeSide side) const
+  Jet<double> ExpressionHistory::jet(const double t, const TimeSide side) const
   {
     Jet<double> result = auxfem::limit(tree(), t, side);
     result.value       = limit(t, side);
@@ -179,9 +180,9 @@ namespace auxfem
   }
 
   std::vector<TimeEvent>
-  ExpressionCourse::events(const double       begin,
-                           const double       end,
-                           const unsigned int derivatives) const
+  ExpressionHistory::events(const double       begin,
+                            const double       end,
+                            const unsigned int derivatives) const
   {
     return find_events(tree(), begin, end, derivatives);
   }

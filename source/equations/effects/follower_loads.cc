@@ -1,19 +1,19 @@
-#include <auxfem/equations/effects/following_loads.h>
+#include <auxfem/equations/effects/follower_loads.h>
 #include <auxfem/equations/load_values.h>
 #include <auxfem/equations/step_travel.h>
 
 namespace auxfem
 {
-  FollowingLoads::FollowingLoads(const Lattice      &lattice,
-                                 const DofNumbering &numbering,
-                                 const bool          raised_from_zero)
+  FollowerLoads::FollowerLoads(const Lattice      &lattice,
+                               const DofNumbering &numbering,
+                               const bool          raised_from_zero)
     : is_planar(lattice.dimension == 2)
     , numbering(numbering)
     , rotations(numbering)
     , raised_from_zero(raised_from_zero)
   {}
 
-  unsigned int FollowingLoads::add_load(
+  unsigned int FollowerLoads::add_load(
     const std::array<TimeFunction, n_motion_components> &components,
     const EnergyEntry                                   &work)
   {
@@ -21,8 +21,8 @@ namespace auxfem
     return loads.size() - 1;
   }
 
-  void FollowingLoads::add_joint(const unsigned int load,
-                                 const unsigned int joint)
+  void FollowerLoads::add_joint(const unsigned int load,
+                                const unsigned int joint)
   {
     Joint unknowns;
     for (unsigned int c = 0; c < n_motion_components; ++c)
@@ -30,22 +30,22 @@ namespace auxfem
     loads[load].joints.push_back(unknowns);
   }
 
-  bool FollowingLoads::empty() const
+  bool FollowerLoads::empty() const
   {
     return loads.empty();
   }
 
-  bool FollowingLoads::is_linear() const
+  bool FollowerLoads::is_linear() const
   {
     return false;
   }
 
-  std::string FollowingLoads::without_mean_forces() const
+  std::string FollowerLoads::without_mean_forces() const
   {
     return is_planar ? "" : "loads that follow a joint in space";
   }
 
-  void FollowingLoads::register_blocks(TangentPattern &pattern)
+  void FollowerLoads::register_blocks(TangentPattern &pattern)
   {
     bool is_first = true;
     for (const Load &load : loads)
@@ -60,8 +60,8 @@ namespace auxfem
   }
 
   template <class Value>
-  FollowingLoads::Values FollowingLoads::values(const Load  &load,
-                                                const Value &value)
+  FollowerLoads::Values FollowerLoads::values(const Load  &load,
+                                              const Value &value)
   {
     Values values;
     for (unsigned int c = 0; c < n_motion_components; ++c)
@@ -71,16 +71,16 @@ namespace auxfem
     return values;
   }
 
-  FollowingLoads::Values
-  FollowingLoads::values_now(const Load &load, const Evaluation &evaluation)
+  FollowerLoads::Values FollowerLoads::values_now(const Load       &load,
+                                                  const Evaluation &evaluation)
   {
     return values(load, [&](const TimeFunction &component) {
       return value_at_end(component, evaluation);
     });
   }
 
-  FollowingLoads::Values
-  FollowingLoads::values_before(const Load &load, const Evaluation &step) const
+  FollowerLoads::Values
+  FollowerLoads::values_before(const Load &load, const Evaluation &step) const
   {
     return raised_from_zero && step.from.time == 0
       ? Values()
@@ -89,14 +89,14 @@ namespace auxfem
         });
   }
 
-  void FollowingLoads::register_in(StateLayout &layout)
+  void FollowerLoads::register_in(StateLayout &layout)
   {
     for (Load &load : loads)
       load.work_entry = layout.energies.enter(load.work);
   }
 
-  Quaternion FollowingLoads::rotation(const Joint &joint,
-                                      const State &state) const
+  Quaternion FollowerLoads::rotation(const Joint &joint,
+                                     const State &state) const
   {
     const int turn_about_z = joint[rotation_z];
     return is_planar
@@ -104,9 +104,9 @@ namespace auxfem
       : state.rotations[numbering.rotations().with(turn_about_z)];
   }
 
-  void FollowingLoads::subtract(const double      factor,
-                                const Evaluation &evaluation,
-                                double           *forces) const
+  void FollowerLoads::subtract(const double      factor,
+                               const Evaluation &evaluation,
+                               double           *forces) const
   {
     for (const Load &load : loads)
       {
@@ -123,9 +123,9 @@ namespace auxfem
       }
   }
 
-  void FollowingLoads::add_residual(const Evaluation &evaluation,
-                                    double           *residual,
-                                    EffectResults * /*results*/) const
+  void FollowerLoads::add_residual(const Evaluation &evaluation,
+                                   double           *residual,
+                                   EffectResults * /*results*/) const
   {
     if (evaluation.kind == Evaluation::Kind::between)
       add_mean_loads(evaluation, residual);
@@ -133,8 +133,8 @@ namespace auxfem
       subtract(evaluation.to.load_factor, evaluation, residual);
   }
 
-  void FollowingLoads::add_mean_loads(const Evaluation &step,
-                                      double           *residual) const
+  void FollowerLoads::add_mean_loads(const Evaluation &step,
+                                     double           *residual) const
   {
     const StepTravel travel(step, numbering);
     for (const Load &load : loads)
@@ -148,10 +148,9 @@ namespace auxfem
         }
   }
 
-  FollowingLoads::Values
-  FollowingLoads::mean_values(const Load       &load,
-                              const Joint      &joint,
-                              const Evaluation &step) const
+  FollowerLoads::Values FollowerLoads::mean_values(const Load       &load,
+                                                   const Joint      &joint,
+                                                   const Evaluation &step) const
   {
     // The moment is constant in axes that turn with the joint, as is the turn
     // itself.
@@ -165,16 +164,16 @@ namespace auxfem
             (factor_before * before.moment + factor_now * now.moment) / 2};
   }
 
-  void FollowingLoads::add_load_derivative(const Evaluation &evaluation,
-                                           double           *derivative) const
+  void FollowerLoads::add_load_derivative(const Evaluation &evaluation,
+                                          double           *derivative) const
   {
     subtract(1., evaluation, derivative);
   }
 
-  void FollowingLoads::add_tangent(const Evaluation &evaluation,
-                                   const EffectResults * /*results*/,
-                                   const TangentFactors &factors,
-                                   TangentMatrix        &matrix) const
+  void FollowerLoads::add_tangent(const Evaluation &evaluation,
+                                  const EffectResults * /*results*/,
+                                  const TangentFactors &factors,
+                                  TangentMatrix        &matrix) const
   {
     const double factor = factors.stiffness * evaluation.to.load_factor;
     std::size_t  number = first_block;
@@ -197,9 +196,9 @@ namespace auxfem
       }
   }
 
-  void FollowingLoads::account(const Evaluation &step,
-                               const EffectResults * /*results*/,
-                               EnergyAccount &account) const
+  void FollowerLoads::account(const Evaluation &step,
+                              const EffectResults * /*results*/,
+                              EnergyAccount &account) const
   {
     // As for dead loads, by the mean of the forces over the step.
     for (const Load &load : loads)

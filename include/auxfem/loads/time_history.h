@@ -1,5 +1,5 @@
-#ifndef auxfem_loads_time_course_h
-#define auxfem_loads_time_course_h
+#ifndef auxfem_loads_time_history_h
+#define auxfem_loads_time_history_h
 
 #include <auxfem/loads/jet.h>
 #include <auxfem/loads/time_event.h>
@@ -11,10 +11,10 @@
 namespace auxfem
 {
   /** What a TimeFunction consists of: an expression or a table. */
-  class TimeCourse
+  class TimeHistory
   {
   public:
-    virtual ~TimeCourse() = default;
+    virtual ~TimeHistory() = default;
 
     /** Value at time @p t (s), finite or not. */
     virtual double value(double t) const = 0;

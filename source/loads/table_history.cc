@@ -1,5 +1,5 @@
 #include <auxfem/loads/event_search.h>
-#include <auxfem/loads/table_course.h>
+#include <auxfem/loads/table_history.h>
 #include <auxfem/parameters/errors.h>
 
 #include <deal.II/base/utilities.h>
@@ -58,10 +58,10 @@ namespace auxfem
     }
   } // namespace
 
-  TableCourse::TableCourse(const std::string  &reference,
-                           const std::string  &path,
-                           const SceneContext &context,
-                           const TableKind     kind)
+  TableHistory::TableHistory(const std::string  &reference,
+                             const std::string  &path,
+                             const SceneContext &context,
+                             const TableKind     kind)
     : path(path)
   {
     read_reference(reference, context);
@@ -87,7 +87,7 @@ namespace auxfem
       make_spline();
   }
 
-  void TableCourse::make_spline()
+  void TableHistory::make_spline()
   {
     const auto jump = std::adjacent_find(times.begin(), times.end());
     if (jump != times.end())
@@ -103,8 +103,8 @@ namespace auxfem
     spline.emplace(times, values);
   }
 
-  void TableCourse::read_reference(const std::string  &reference,
-                                   const SceneContext &context)
+  void TableHistory::read_reference(const std::string  &reference,
+                                    const SceneContext &context)
   {
     std::string       name  = trim(reference);
     const std::size_t comma = name.rfind(',');
@@ -128,7 +128,7 @@ namespace auxfem
     file = (std::filesystem::path(context.directory) / name).string();
   }
 
-  void TableCourse::read_row(const std::string &row)
+  void TableHistory::read_row(const std::string &row)
   {
     const std::vector<std::string> cells = split_row(row);
     if (cells.empty())
@@ -149,8 +149,8 @@ namespace auxfem
     values.push_back(number(cells[column - 1], column));
   }
 
-  double TableCourse::number(const std::string &cell,
-                             const unsigned int cell_column) const
+  double TableHistory::number(const std::string &cell,
+                              const unsigned int cell_column) const
   {
     double result;
     if (!read_number(cell, result))
@@ -160,13 +160,13 @@ namespace auxfem
     return result;
   }
 
-  void TableCourse::fail(const std::string &problem) const
+  void TableHistory::fail(const std::string &problem) const
   {
     throw InputError(path + ": line " + std::to_string(line) +
                      " of the table " + file + " " + problem);
   }
 
-  void TableCourse::check_time(const double t, const std::string &cell) const
+  void TableHistory::check_time(const double t, const std::string &cell) const
   {
     const std::size_t n = times.size();
     if (n > 0 && t < times[n - 1])
@@ -179,7 +179,8 @@ namespace auxfem
            "just after it.");
   }
 
-  Jet<double> TableCourse::between(const std::size_t next, const double t) const
+  Jet<double> TableHistory::between(const std::size_t next,
+                                    const double      t) const
   {
     if (next == 0)
       return {values.front()};
@@ -193,17 +194,17 @@ namespace auxfem
             (values[next] - values[next - 1]) / width};
   }
 
-  double TableCourse::value(const double t) const
+  double TableHistory::value(const double t) const
   {
     return limit(t, TimeSide::after);
   }
 
-  double TableCourse::limit(const double t, const TimeSide side) const
+  double TableHistory::limit(const double t, const TimeSide side) const
   {
     return jet(t, side).value;
   }
 
-  Jet<double> TableCourse::jet(const double t, const TimeSide side) const
+  Jet<double> TableHistory::jet(const double t, const TimeSide side) const
   {
     const auto next = side == TimeSide::after
       ? std::upper_bound(times.begin(), times.end(), t)
@@ -211,15 +212,15 @@ namespace auxfem
     return between(next - times.begin(), t);
   }
 
-  std::optional<double> TableCourse::last_time() const
+  std::optional<double> TableHistory::last_time() const
   {
     return times.back();
   }
 
   std::vector<TimeEvent>
-  TableCourse::events(const double       begin,
-                      const double       end,
-                      const unsigned int derivatives) const
+  TableHistory::events(const double       begin,
+                       const double       end,
+                       const unsigned int derivatives) const
   {
     std::vector<TimeEvent> result;
     for (std::size_t first = 0, after; first < times.size(); first = after)

@@ -1,5 +1,5 @@
-#ifndef auxfem_equations_effects_following_loads_h
-#define auxfem_equations_effects_following_loads_h
+#ifndef auxfem_equations_effects_follower_loads_h
+#define auxfem_equations_effects_follower_loads_h
 
 #include <auxfem/equations/node_rotations.h>
 #include <auxfem/loads/time_function.h>
@@ -11,13 +11,13 @@ namespace auxfem
    * Forces and moments that turn with the rotation P of their joint: P f(t),
    * P m(t). They have no potential, and their tangent is not symmetric.
    */
-  class FollowingLoads : public Effect
+  class FollowerLoads : public Effect
   {
   public:
     /** @param raised_from_zero as for AppliedLoads. */
-    FollowingLoads(const Lattice      &lattice,
-                   const DofNumbering &numbering,
-                   bool                raised_from_zero);
+    FollowerLoads(const Lattice      &lattice,
+                  const DofNumbering &numbering,
+                  bool                raised_from_zero);
 
     /**
      * Starts a new load: force and moment of @p components (N, N m), whose work

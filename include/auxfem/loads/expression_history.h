@@ -1,8 +1,8 @@
-#ifndef auxfem_loads_expression_course_h
-#define auxfem_loads_expression_course_h
+#ifndef auxfem_loads_expression_history_h
+#define auxfem_loads_expression_history_h
 
 #include <auxfem/loads/expression_tree.h>
-#include <auxfem/loads/time_course.h>
+#include <auxfem/loads/time_history.h>
 #include <auxfem/parameters/registry.h>
 
 #include <memory>
@@ -13,16 +13,16 @@
 namespace auxfem
 {
   /** An expression in t. */
-  class ExpressionCourse : public TimeCourse
+  class ExpressionHistory : public TimeHistory
   {
   public:
     /**
      * @param text what the user wrote, @param path of the parameter. Throws
      * InputError if it is no expression.
      */
-    ExpressionCourse(const std::string  &text,
-                     const std::string  &path,
-                     const SceneContext &context);
+    ExpressionHistory(const std::string  &text,
+                      const std::string  &path,
+                      const SceneContext &context);
 
     double value(const double t) const override
     {
