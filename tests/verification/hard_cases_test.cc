@@ -83,28 +83,16 @@ namespace
 TEST(HardCases, CollapseStaysFinite)
 {
   // Ten times the load that struts can bear: they fold through each other
-  // (there is no contact), with retries all along. The motion is chaotic, so
-  // whether it gets to the end may depend on the compiler; either way all
-  // states are sound.
+  // (there is no contact), with rejected steps all along, and come to the end.
   SceneRun     run(star_scene(), small_star(10));
-  unsigned int n_retries = 0;
-  try
+  unsigned int n_rejected = 0;
+  while (run.state.step < run.scene.time.n_steps())
     {
-      while (run.state.step < run.scene.time.n_steps())
-        {
-          n_retries += run.advance().retries;
-          ASSERT_NO_FATAL_FAILURE(expect_finite(run));
-        }
-      EXPECT_DOUBLE_EQ(run.state.time, 20e-3);
-      EXPECT_GT(n_retries, 0u);
+      n_rejected += run.advance().retries;
+      ASSERT_NO_FATAL_FAILURE(expect_finite(run));
     }
-  catch (const ComputationError &error)
-    {
-      EXPECT_NE(std::string(error.what()).find("Smallest time step"),
-                std::string::npos)
-        << error.what();
-      expect_finite(run);
-    }
+  EXPECT_DOUBLE_EQ(run.state.time, 20e-3);
+  EXPECT_GT(n_rejected, 0u);
   // It did collapse: lower by more than a quarter of its height of 82 mm.
   EXPECT_GT(shortening(run), 0.02);
   // The scheme does not conserve energy in so violent a motion (2 % lost
@@ -169,8 +157,13 @@ TEST(HardCases, ConnectorsMillionTimesAsStiff)
                  4 * 0.01 / EA + 2 * 0.015 / C,
                  5e-3);
 
-  // At the load at which struts buckle the dashpots turn with their joints.
-  outcome(small_star(2.1) + connector("Damping coefficient", C));
+  // Struts buckle at a little more than twice the load, and the dashpots turn
+  // with their joints: the lattice, of 82 mm, folds by millimetres instead of
+  // micrometres, and its energies still add up.
+  const Outcome buckled =
+    outcome(small_star(2.1) + connector("Damping coefficient", C));
+  EXPECT_GT(buckled.shortening, 5e-3);
+  EXPECT_LT(std::abs(buckled.balance), 0.01 * buckled.work);
 }
 
 TEST(HardCases, ConnectorsWithoutDashpotOrWithoutAnything)
