@@ -1,33 +1,12 @@
 #include <auxfem/mesh/condition.h>
 #include <auxfem/parameters/errors.h>
-
-#include <deal.II/base/numbers.h>
+#include <auxfem/parameters/expression.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include <muParser.h>
-
 namespace auxfem
 {
-  namespace
-  {
-    /** An `=` that assigns. muParser would set x and select nothing. */
-    bool has_assignment(const std::string &text)
-    {
-      for (std::size_t i = 0; i < text.size(); ++i)
-        if (text[i] == '=')
-          {
-            if (i + 1 < text.size() && text[i + 1] == '=')
-              ++i;
-            else if (i == 0 ||
-                     std::string("<>!").find(text[i - 1]) == std::string::npos)
-              return true;
-          }
-      return false;
-    }
-  } // namespace
-
   std::array<dealii::Point<3>, 2> bounding_box(const Lattice &lattice)
   {
     dealii::Point<3> low = lattice.joints.front(), high = low;
@@ -54,84 +33,55 @@ namespace auxfem
                    const std::string  &path)
       : text(text)
       , path(path)
-    {
-      if (has_assignment(text))
-        fail("a single \"=\" does not compare; write \"==\", better "
-             "\"abs(y - ymax) < 1e-6\" for places");
-      try
-        {
-          define_names(bounding_box(lattice), context);
-          parser.SetExpr(text);
-          parser.Eval();
-        }
-      catch (const mu::ParserError &error)
-        {
-          std::string problem = error.GetMsg();
-          if (!problem.empty() && problem.back() == '.')
-            problem.pop_back();
-          fail(problem);
-        }
-    }
+      , expression(read(bounding_box(lattice), context))
+    {}
 
     bool holds_at(const dealii::Point<3> &at)
     {
       place              = at;
-      const double value = parser.Eval();
+      const double value = expression.value();
       if (std::isnan(value))
         fail("its value at (" + std::to_string(at[0]) + ", " +
              std::to_string(at[1]) + ", " + std::to_string(at[2]) +
-             ") m is not a number");
+             ") m is not a number.");
       return value != 0.;
     }
 
   private:
-    void define_names(const std::array<dealii::Point<3>, 2> &box,
-                      const SceneContext                    &context)
+    Expression read(const std::array<dealii::Point<3>, 2> &box,
+                    const SceneContext                    &context)
     {
-      parser.DefineConst("pi", dealii::numbers::PI);
-      for (const auto &[name, value] : context.constants)
-        parser.DefineConst(name, value);
+      std::vector<Expression::Variable> coordinates;
+      std::vector<Expression::Constant> bounds;
       for (unsigned int d = 0; d < 3; ++d)
         {
           const std::string axis(1, "xyz"[d]);
-          define_own(axis + "min", box[0][d], context);
-          define_own(axis + "max", box[1][d], context);
-          refuse_constant(axis, context);
-          parser.DefineVar(axis, &place[d]);
+          coordinates.emplace_back(axis, &place[d]);
+          bounds.emplace_back(axis + "min", box[0][d]);
+          bounds.emplace_back(axis + "max", box[1][d]);
         }
-    }
-
-    void define_own(const std::string  &name,
-                    const double        value,
-                    const SceneContext &context)
-    {
-      refuse_constant(name, context);
-      parser.DefineConst(name, value);
-    }
-
-    void refuse_constant(const std::string  &name,
-                         const SceneContext &context) const
-    {
-      for (const auto &constant : context.constants)
-        if (constant.first == name)
-          fail("the scene's constant \"" + name +
-               "\" hides the place of that name; rename the constant");
+      try
+        {
+          return Expression(text, coordinates, bounds, context.constants);
+        }
+      catch (const ExpressionError &error)
+        {
+          fail(error.what() + ("\n" + error.allowed));
+        }
     }
 
     [[noreturn]] void fail(const std::string &problem) const
     {
       throw InputError(path + ": the condition \"" + text +
                        "\" cannot be used: " + problem +
-                       ".\nKnown in conditions are x, y, z (m), xmin, xmax, "
-                       "ymin, ymax, zmin, zmax, pi and the scene's constants; "
-                       "they are compared by <, <=, >, >=, ==, != and joined "
-                       "by && and ||.");
+                       "\nKnown in conditions are also x, y, z (m). Places are "
+                       "best compared by \"abs(y - ymax) < 1e-6\".");
     }
 
     const std::string text;
     const std::string path;
     dealii::Point<3>  place;
-    mu::Parser        parser;
+    Expression        expression;
   };
 
   Condition::Condition(const std::string  &text,

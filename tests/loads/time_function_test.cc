@@ -148,7 +148,7 @@ TEST(TimeExpression, MistakesAreNamed)
   expect_mentions(error_of("foo(t)"), {"foo", "functions: ", "if", "sin"});
   expect_mentions(error_of("2*G"), {"G", "constants: ", "F0", "pi", "t0"});
   expect_mentions(error_of("0,5*t"), {"decimal point"});
-  expect_mentions(error_of("if(t = 1, 2, 3)"), {"write =="});
+  expect_mentions(error_of("if(t = 1, 2, 3)"), {"write \"==\""});
   expect_mentions(error_of("\"abc\""), {"Loads/top/Force y"});
   expect_mentions(error_of("force.csv"), {"table: force.csv"});
 }

@@ -3,12 +3,10 @@
 
 #include <auxfem/loads/expression_tree.h>
 #include <auxfem/loads/time_history.h>
-#include <auxfem/parameters/registry.h>
+#include <auxfem/parameters/expression.h>
 
 #include <memory>
 #include <string>
-
-#include <muParser.h>
 
 namespace auxfem
 {
@@ -27,7 +25,7 @@ namespace auxfem
     double value(const double t) const override
     {
       time = t;
-      return parser.Eval();
+      return expression.value();
     }
 
     double limit(double t, TimeSide side) const override;
@@ -38,17 +36,16 @@ namespace auxfem
     events(double begin, double end, unsigned int derivatives) const override;
 
     /** Whether `t` does not occur in it. */
-    bool is_constant() const;
+    bool is_constant() const
+    {
+      return expression.is_constant();
+    }
 
   private:
-    void define_functions();
-    void define_constants(const std::string &path, const SceneContext &context);
-    void parse(const std::string &text, const std::string &path);
     const ExpressionTree &tree() const;
 
-    mutable double time = 0; ///< where the parser finds `t`
-    mu::Parser     parser;
-    bool           constant = false;
+    mutable double time = 0; ///< where the expression finds `t`
+    Expression     expression;
 
     /** Made when it is needed first: most functions are only evaluated. */
     mutable std::unique_ptr<const ExpressionTree> known_tree;

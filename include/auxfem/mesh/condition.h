@@ -18,9 +18,8 @@ namespace auxfem
   bool is_condition(const std::string &text);
 
   /**
-   * A condition on a place, in muParser's syntax: `x`, `y`, `z` (m), the
-   * bounding box of the joints as `xmin`, `xmax`, ..., the scene's constants
-   * and `pi`. True where its value is not zero.
+   * A condition on a place: an Expression of `x`, `y`, `z` (m) and the bounding
+   * box of the joints as `xmin`, `xmax`, .... True where its value is not zero.
    */
   class Condition
   {

@@ -1,0 +1,81 @@
+#ifndef auxfem_parameters_expression_h
+#define auxfem_parameters_expression_h
+
+#include <auxfem/parameters/registry.h>
+
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <muParser.h>
+
+namespace auxfem
+{
+  /** Why a text is no Expression: what() says it. */
+  class ExpressionError : public std::runtime_error
+  {
+  public:
+    ExpressionError(const std::string &problem, const std::string &allowed)
+      : std::runtime_error(problem)
+      , allowed(allowed)
+    {}
+
+    /** Lines with the names and operators that the expression knows. */
+    const std::string allowed;
+  };
+
+  /**
+   * A formula that the user wrote, in muParser's syntax. Besides muParser's own
+   * functions it knows `if(condition, then, else)`, `pow`, `floor` and `ceil`;
+   * `log` is the natural one. `pi` and the scene's constants are known, too.
+   */
+  class Expression
+  {
+  public:
+    /** A name for the number at an address, which has to outlive the formula.
+     */
+    using Variable = std::pair<std::string, double *>;
+    using Constant = std::pair<std::string, double>;
+
+    /**
+     * Throws ExpressionError if @p text cannot be understood, or if one of
+     * @p scene_constants has the name of a variable or of one of
+     * @p own_constants.
+     */
+    Expression(const std::string           &text,
+               const std::vector<Variable> &variables,
+               const std::vector<Constant> &own_constants,
+               const std::vector<Constant> &scene_constants);
+
+    /** With the variables as they are now. */
+    double value() const
+    {
+      return parser.Eval();
+    }
+
+    /** Whether no variable occurs in it. */
+    bool is_constant() const
+    {
+      return constant;
+    }
+
+    /** After one value(): muParser's form of the formula. */
+    const mu::Parser &compiled() const
+    {
+      return parser;
+    }
+
+  private:
+    void define_functions();
+    void define_constants(const std::vector<Variable> &variables,
+                          const std::vector<Constant> &own_constants,
+                          const std::vector<Constant> &scene_constants);
+    void parse(const std::string &text);
+
+    mu::Parser parser;
+    bool       constant = false;
+  };
+} // namespace auxfem
+
+#endif
