@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Draws the results of a run as pictures: the lattice at given times, or curves
 of history.csv.
 
@@ -7,12 +7,14 @@ of history.csv.
 
 RUN is the output folder of a run. Struts are drawn as tubes at their current
 place, rigid parts grey, connectors as thin lines, one panel for each TIME (s,
-the nearest frame is taken). FIELD is a field of solution.pvd; of vectors the
+the nearest frame is taken); all frames of the run fit into a panel, so that
+pictures of single times make a film. FIELD is a field of solution.pvd; of vectors the
 magnitude is shown. Curves of several runs come into one picture with --compare
 RUN; --dashed RUN draws one dashed, in the colours from the first on again.
 A COLUMN may be computed: --define "angle = degrees([bar.phi]) + 30".
 
-Needs python3-vtk9 and a display; without one (`xvfb` and `xauth` installed):
+`cmake --install` installs it as auxfem-render. Needs python3-vtk9 of Debian's own
+Python, which the first line names, and a display; without one (`xvfb` and `xauth` installed):
 
     xvfb-run -a scripts/render.py ...
 """
@@ -118,7 +120,8 @@ def usual_field(lines):
 
 
 def value_range(lines, field):
-    """Range of a scalar, symmetric about zero; of a vector's magnitude."""
+    """Range of a scalar, from zero or symmetric about it if it has both signs;
+    of a vector's magnitude."""
     array = lines.GetPointData().GetArray(field)
     if array is None:
         names = [lines.GetPointData().GetArrayName(i)
@@ -127,7 +130,10 @@ def value_range(lines, field):
                  + ", ".join(names))
     if array.GetNumberOfComponents() > 1:
         return 0.0, array.GetRange(-1)[1]
-    largest = max(abs(value) for value in array.GetRange(0))
+    low, high = array.GetRange(0)
+    if low >= 0:
+        return 0.0, high
+    largest = max(-low, high)
     return -largest, largest
 
 
@@ -184,24 +190,22 @@ def label(text, x, y, size):
     return actor
 
 
-def color_bar(colors, field):
+def color_bar(colors):
     bar = vtk.vtkScalarBarActor()
     bar.SetLookupTable(colors)
-    bar.SetTitle(TITLES.get(field, field))
     bar.SetOrientationToHorizontal()
     bar.SetNumberOfLabels(5)
-    bar.SetVerticalTitleSeparation(5 * SAMPLES)
     bar.SetLabelFormat("%.3g")
-    bar.SetPosition(0.3, 0.02)
+    bar.SetPosition(0.3, 0.12)
     bar.SetWidth(0.4)
-    bar.SetHeight(0.8)
+    bar.SetHeight(0.5)
     bar.UnconstrainedFontSizeOn()
-    for text in (bar.GetTitleTextProperty(), bar.GetLabelTextProperty()):
-        text.SetColor(*DARK)
-        text.SetFontSize(14 * SAMPLES)
-        text.ItalicOff()
-        text.BoldOff()
-        text.ShadowOff()
+    text = bar.GetLabelTextProperty()
+    text.SetColor(*DARK)
+    text.SetFontSize(14 * SAMPLES)
+    text.ItalicOff()
+    text.BoldOff()
+    text.ShadowOff()
     return bar
 
 
@@ -273,10 +277,16 @@ def box_around(lines):
 
 def color_bounds(lines, arguments):
     ranges = [value_range(data, arguments.color) for data in lines]
-    low, high = (min(low for low, _ in ranges), max(high for _, high in ranges))
-    if arguments.largest is None:
-        return low, high
-    return (-arguments.largest if low < 0 else 0.0), arguments.largest
+    largest = arguments.largest or max(high for _, high in ranges)
+    return (-largest if min(low for low, _ in ranges) < 0 else 0.0), largest
+
+
+def box_of_all_frames(run):
+    """Around the struts and rigid parts of the run at all times."""
+    return box_around([moved_lines(file)
+                       for name in ("solution.pvd", "rigid_parts.pvd")
+                       if (run / name).exists()
+                       for _, file in frames_of(run / name)])
 
 
 def lines_at(run, name, times):
@@ -304,14 +314,15 @@ def draw_lattice(arguments):
         arguments.color = arguments.color or usual_field(struts[0])
         bounds = color_bounds(struts, arguments)
         colors = color_map(*bounds)
-    box = box_around([data for lines in [struts, thin_lines[0][0]] if lines
-                      for data in lines])
+    box = box_of_all_frames(run)
 
     n_panels = len(times)
     width, height = size_in(arguments.view, box)
     panel_height = round(arguments.width * height / (n_panels * width))
     bar_height = BAR_STRIP if struts else 0
     total = panel_height + TIME_STRIP + bar_height
+    # Films need even heights.
+    total += total % 2
     bar_top, strip_top = bar_height / total, (bar_height + TIME_STRIP) / total
     window = vtk.vtkRenderWindow()
     window.SetOffScreenRendering(1)
@@ -330,7 +341,10 @@ def draw_lattice(arguments):
         strip.AddActor2D(label(f"t = {time:g} s", 0.5, 0.2, 14))
     if struts:
         bar = renderer(window, 0, 0, 1, bar_top)
-        bar.AddActor2D(color_bar(colors, arguments.color))
+        # A bar's own title would overlap its numbers.
+        bar.AddActor2D(label(TITLES.get(arguments.color, arguments.color),
+                             0.5, 0.72, 14))
+        bar.AddActor2D(color_bar(colors))
     write_picture(window, arguments.picture, SAMPLES)
 
 
@@ -444,7 +458,7 @@ def draw_curves(arguments):
               else [arguments.values])
     matrix = vtk.vtkChartMatrix()
     matrix.SetSize(vtk.vtkVector2i(len(panels), 1))
-    matrix.SetGutterX(70)
+    matrix.SetGutterX(85)
     matrix.SetBorders(70, 55, 20, 15)
     for i, columns in enumerate(panels):
         chart = matrix.GetChart(vtk.vtkVector2i(i, 0))
