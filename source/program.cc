@@ -1,8 +1,10 @@
 #include <auxfem/command_line.h>
+#include <auxfem/parameters/describe.h>
 #include <auxfem/parameters/errors.h>
 #include <auxfem/parameters/out_of_memory.h>
 #include <auxfem/parameters/short_lines.h>
 #include <auxfem/program.h>
+#include <auxfem/scene/scene_subsections.h>
 #include <auxfem/simulation.h>
 #include <auxfem/time/interruption.h>
 #include <auxfem/version.h>
@@ -26,11 +28,11 @@ namespace auxfem
           case CommandLine::Action::version:
             return "auxfem " + std::string(version) + '\n';
           case CommandLine::Action::print_parameters:
-            return describe_all_parameters();
+            return describe_parameters(scene_schemas());
           case CommandLine::Action::print_parameters_markdown:
-            return describe_all_parameters_markdown();
+            return describe_parameters_markdown(scene_schemas());
           case CommandLine::Action::print_parameters_json:
-            return describe_all_parameters_json();
+            return describe_parameters_json(scene_schemas());
           case CommandLine::Action::check:
           case CommandLine::Action::compare:
           case CommandLine::Action::run:

@@ -18,7 +18,7 @@ namespace auxfem
     if (equations.reporting().struts != nullptr && !equations.is_linear())
       {
         watches.push_back(make_strain_watch(equations));
-        if (!scene.struts_may_cross)
+        if (!scene.lattice.struts_may_cross)
           watches.push_back(make_crossing_watch(scene, equations));
       }
   }

@@ -1,5 +1,4 @@
 #include <auxfem/connectors/laws.h>
-#include <auxfem/parameters/declare.h>
 
 namespace auxfem
 {
@@ -12,16 +11,10 @@ namespace auxfem
                                    "Force of the dashpot per rate of "
                                    "extension."};
 
-    void declare_dashpot(dealii::ParameterHandler &prm)
-    {
-      declare(prm, dashpot_damping);
-    }
-
     /** Linear dashpot: F = C du/dt. */
-    std::unique_ptr<ConnectorLaw> make_dashpot(dealii::ParameterHandler &prm,
-                                               const SceneContext & /*context*/)
+    std::unique_ptr<ConnectorLaw> make_dashpot(ParameterValues &values)
     {
-      return make_kelvin_voigt_law(0, get(prm, dashpot_damping));
+      return make_kelvin_voigt_law(0, values[dashpot_damping]);
     }
   } // namespace
 
@@ -30,7 +23,7 @@ namespace auxfem
     return {"dashpot",
             "Linear dashpot: force = damping coefficient times rate of "
             "extension.",
-            &declare_dashpot,
-            &make_dashpot};
+            {dashpot_damping},
+            make_dashpot};
   }
 } // namespace auxfem

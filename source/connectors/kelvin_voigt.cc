@@ -1,5 +1,4 @@
 #include <auxfem/connectors/laws.h>
-#include <auxfem/parameters/declare.h>
 
 
 namespace auxfem
@@ -109,18 +108,10 @@ namespace auxfem
       "Force of the dashpot per rate of extension; below 0 it would "
       "create energy."};
 
-    void declare_kelvin_voigt(dealii::ParameterHandler &prm)
+    std::unique_ptr<ConnectorLaw> make_kelvin_voigt(ParameterValues &values)
     {
-      declare(prm, kelvin_voigt_stiffness);
-      declare(prm, kelvin_voigt_damping);
-    }
-
-    std::unique_ptr<ConnectorLaw>
-    make_kelvin_voigt(dealii::ParameterHandler &prm,
-                      const SceneContext & /*context*/)
-    {
-      return make_kelvin_voigt_law(get(prm, kelvin_voigt_stiffness),
-                                   get(prm, kelvin_voigt_damping));
+      return make_kelvin_voigt_law(values[kelvin_voigt_stiffness],
+                                   values[kelvin_voigt_damping]);
     }
   } // namespace
 
@@ -134,7 +125,7 @@ namespace auxfem
   {
     return {"kelvin-voigt",
             "Spring and dashpot side by side.",
-            &declare_kelvin_voigt,
-            &make_kelvin_voigt};
+            {kelvin_voigt_stiffness, kelvin_voigt_damping},
+            make_kelvin_voigt};
   }
 } // namespace auxfem

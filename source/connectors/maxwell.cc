@@ -1,6 +1,5 @@
 #include <auxfem/connectors/laws.h>
 #include <auxfem/connectors/maxwell_element.h>
-#include <auxfem/parameters/declare.h>
 
 namespace auxfem
 {
@@ -22,18 +21,11 @@ namespace auxfem
       "Force of the dashpot per rate of its own extension; "
       "below 0 it would create energy."};
 
-    void declare_maxwell(dealii::ParameterHandler &prm)
-    {
-      declare(prm, maxwell_stiffness);
-      declare(prm, maxwell_damping);
-    }
-
     /** Spring and dashpot in series: dF/dt + (K/C) F = K du/dt. */
-    std::unique_ptr<ConnectorLaw> make_maxwell(dealii::ParameterHandler &prm,
-                                               const SceneContext & /*context*/)
+    std::unique_ptr<ConnectorLaw> make_maxwell(ParameterValues &values)
     {
-      const double stiffness = get(prm, maxwell_stiffness);
-      const double damping   = get(prm, maxwell_damping);
+      const double stiffness = values[maxwell_stiffness];
+      const double damping   = values[maxwell_damping];
       return make_generalized_maxwell_law(0,
                                           {{stiffness, damping / stiffness}});
     }
@@ -43,7 +35,7 @@ namespace auxfem
   {
     return {"maxwell",
             "Spring and dashpot in series.",
-            &declare_maxwell,
-            &make_maxwell};
+            {maxwell_stiffness, maxwell_damping},
+            make_maxwell};
   }
 } // namespace auxfem

@@ -1,6 +1,5 @@
 #include <auxfem/connectors/laws.h>
 #include <auxfem/connectors/maxwell_element.h>
-#include <auxfem/parameters/declare.h>
 #include <auxfem/parameters/errors.h>
 
 #include <boost/math/quadrature/gauss.hpp>
@@ -260,22 +259,14 @@ namespace auxfem
       "Damping coefficient over stiffness in "
       "each Maxwell element."};
 
-    void declare_generalized_maxwell(dealii::ParameterHandler &prm)
-    {
-      declare(prm, long_time_stiffness);
-      declare(prm, stiffnesses);
-      declare(prm, relaxation_times);
-    }
-
     std::unique_ptr<ConnectorLaw>
-    make_generalized_maxwell(dealii::ParameterHandler &prm,
-                             const SceneContext       &context)
+    make_generalized_maxwell(ParameterValues &values)
     {
-      const std::vector<double> k   = get(prm, stiffnesses);
-      const std::vector<double> tau = get(prm, relaxation_times);
+      const std::vector<double> k   = values[stiffnesses];
+      const std::vector<double> tau = values[relaxation_times];
       if (k.size() != tau.size())
         throw InputError(
-          context.path + ": '" + stiffnesses.name + "' has " +
+          values.context.path + ": '" + stiffnesses.name + "' has " +
           std::to_string(k.size()) + " values, '" + relaxation_times.name +
           "' has " + std::to_string(tau.size()) +
           ".\nEach Maxwell element needs one stiffness and one relaxation "
@@ -284,7 +275,7 @@ namespace auxfem
       std::vector<MaxwellElement> elements;
       for (unsigned int i = 0; i < k.size(); ++i)
         elements.push_back({k[i], tau[i]});
-      return make_generalized_maxwell_law(get(prm, long_time_stiffness),
+      return make_generalized_maxwell_law(values[long_time_stiffness],
                                           std::move(elements));
     }
   } // namespace
@@ -360,7 +351,7 @@ namespace auxfem
     return {"generalized-maxwell",
             "Spring side by side with any number of Maxwell elements (Prony "
             "series).",
-            &declare_generalized_maxwell,
-            &make_generalized_maxwell};
+            {long_time_stiffness, stiffnesses, relaxation_times},
+            make_generalized_maxwell};
   }
 } // namespace auxfem

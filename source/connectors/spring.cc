@@ -1,5 +1,4 @@
 #include <auxfem/connectors/laws.h>
-#include <auxfem/parameters/declare.h>
 
 namespace auxfem
 {
@@ -79,15 +78,9 @@ namespace auxfem
                                     Range::non_negative(),
                                     "Stiffness of the spring."};
 
-    void declare_spring(dealii::ParameterHandler &prm)
+    std::unique_ptr<ConnectorLaw> make_spring(ParameterValues &values)
     {
-      declare(prm, spring_stiffness);
-    }
-
-    std::unique_ptr<ConnectorLaw> make_spring(dealii::ParameterHandler &prm,
-                                              const SceneContext & /*context*/)
-    {
-      return make_spring_law(get(prm, spring_stiffness));
+      return make_spring_law(values[spring_stiffness]);
     }
   } // namespace
 
@@ -100,7 +93,7 @@ namespace auxfem
   {
     return {"spring",
             "Linear spring: force = stiffness times extension.",
-            &declare_spring,
-            &make_spring};
+            {spring_stiffness},
+            make_spring};
   }
 } // namespace auxfem

@@ -1,6 +1,5 @@
 #include <auxfem/connectors/laws.h>
 #include <auxfem/connectors/maxwell_element.h>
-#include <auxfem/parameters/declare.h>
 
 namespace auxfem
 {
@@ -27,24 +26,16 @@ namespace auxfem
                                   "Force of the dashpot per rate of its "
                                   "own extension."};
 
-    void declare_standard_linear_solid(dealii::ParameterHandler &prm)
-    {
-      declare(prm, parallel_stiffness);
-      declare(prm, series_stiffness);
-      declare(prm, series_damping);
-    }
-
     /**
      * A spring side by side with a Maxwell element:
      * F = Kinf u + F1, dF1/dt + (K/C) F1 = K du/dt.
      */
     std::unique_ptr<ConnectorLaw>
-    make_standard_linear_solid(dealii::ParameterHandler &prm,
-                               const SceneContext & /*context*/)
+    make_standard_linear_solid(ParameterValues &values)
     {
-      const double stiffness = get(prm, series_stiffness);
-      const double damping   = get(prm, series_damping);
-      return make_generalized_maxwell_law(get(prm, parallel_stiffness),
+      const double stiffness = values[series_stiffness];
+      const double damping   = values[series_damping];
+      return make_generalized_maxwell_law(values[parallel_stiffness],
                                           {{stiffness, damping / stiffness}});
     }
   } // namespace
@@ -53,7 +44,7 @@ namespace auxfem
   {
     return {"standard-linear-solid",
             "Spring side by side with a Maxwell element.",
-            &declare_standard_linear_solid,
-            &make_standard_linear_solid};
+            {parallel_stiffness, series_stiffness, series_damping},
+            make_standard_linear_solid};
   }
 } // namespace auxfem

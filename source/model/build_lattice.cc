@@ -122,7 +122,8 @@ namespace auxfem
 
   Lattice build_lattice(const Scene &scene)
   {
-    Lattice lattice   = make_array(scene.cell->build(), scene.n_cells);
+    Lattice lattice =
+      make_array(scene.lattice.cell->build(), scene.lattice.n_cells);
     lattice.dimension = scene.dimension;
     for (const auto &definition : scene.sets)
       add_set(definition, scene.context, lattice);

@@ -1,10 +1,10 @@
 #include <auxfem/parameters/errors.h>
 #include <auxfem/parameters/mistakes.h>
+#include <auxfem/parameters/named.h>
 #include <auxfem/parameters/parameter_file.h>
 
 #include <deal.II/base/utilities.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -14,16 +14,6 @@ namespace auxfem
   namespace
   {
     using dealii::Utilities::trim;
-
-    template <class Named>
-    auto find_by_name(Named &list, const std::string &name)
-    {
-      const auto found =
-        std::find_if(list.begin(), list.end(), [&name](const auto &item) {
-          return item.name == name;
-        });
-      return found == list.end() ? nullptr : &*found;
-    }
 
     std::string directory_of(const std::string &file)
     {

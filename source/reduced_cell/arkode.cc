@@ -185,8 +185,7 @@ namespace auxfem
 
     const std::string arkode_name = "arkode";
 
-    std::unique_ptr<TimeScheme> make_arkode(dealii::ParameterHandler & /*prm*/,
-                                            const SceneContext & /*context*/)
+    std::unique_ptr<TimeScheme> make_arkode(ParameterValues & /*values*/)
     {
       return std::make_unique<CellMethodOf<ArkodeScheme>>(arkode_name);
     }
@@ -197,8 +196,8 @@ namespace auxfem
     return {
       {arkode_name,
        "explicit Runge-Kutta with error control (SUNDIALS ARKODE), the reference",
-       nullptr,
-       &make_arkode},
+       {},
+       make_arkode},
       {Model::reduced_cell}};
   }
 } // namespace auxfem

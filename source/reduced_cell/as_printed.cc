@@ -151,9 +151,7 @@ namespace auxfem
 
     const std::string as_printed_name = "as printed";
 
-    std::unique_ptr<TimeScheme>
-    make_as_printed(dealii::ParameterHandler & /*prm*/,
-                    const SceneContext & /*context*/)
+    std::unique_ptr<TimeScheme> make_as_printed(ParameterValues & /*values*/)
     {
       return std::make_unique<CellMethodOf<PrintedScheme>>(as_printed_name);
     }
@@ -164,8 +162,8 @@ namespace auxfem
     return {
       {as_printed_name,
        "the paper's equations (18), (20) and scheme (24), (25) with their slips",
-       nullptr,
-       &make_as_printed},
+       {},
+       make_as_printed},
       {Model::reduced_cell}};
   }
 } // namespace auxfem

@@ -49,8 +49,7 @@ namespace auxfem
     const std::string central_difference_name = "central difference";
 
     std::unique_ptr<TimeScheme>
-    make_central_difference(dealii::ParameterHandler & /*prm*/,
-                            const SceneContext & /*context*/)
+    make_central_difference(ParameterValues & /*values*/)
     {
       return std::make_unique<CellMethodOf<CentralDifference>>(
         central_difference_name);
@@ -61,8 +60,8 @@ namespace auxfem
   {
     return {{central_difference_name,
              "central differences on two interlaced grids",
-             nullptr,
-             &make_central_difference},
+             {},
+             make_central_difference},
             {Model::reduced_cell}};
   }
 } // namespace auxfem

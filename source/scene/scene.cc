@@ -1,64 +1,14 @@
+#include <auxfem/parameters/describe.h>
 #include <auxfem/parameters/errors.h>
-#include <auxfem/scene/input_files.h>
-#include <auxfem/scene/scene.h>
-#include <auxfem/scene/scene_sections.h>
+#include <auxfem/scene/general_parameters.h>
+#include <auxfem/scene/scene_subsections.h>
 
-#include <sstream>
+#include <set>
 
 namespace auxfem
 {
   namespace
   {
-    using Form = SubsectionKind::Form;
-
-    /** Runs @p action with @p prm inside the subsection of @p kind and @p name. */
-    template <class Action>
-    void inside(dealii::ParameterHandler &prm,
-                const SubsectionKind     &kind,
-                const std::string        &name,
-                const Action             &action)
-    {
-      std::vector<std::string> path;
-      if (!kind.name.empty())
-        path.push_back(kind.name);
-      if (kind.form == Form::named_groups)
-        path.push_back(name);
-      for (const std::string &step : path)
-        prm.enter_subsection(step);
-      action();
-      for (unsigned int i = 0; i < path.size(); ++i)
-        prm.leave_subsection();
-    }
-
-    void read_subsection(dealii::ParameterHandler &prm,
-                         const SubsectionKind     &kind,
-                         const CheckedSubsection  &checked,
-                         Scene                    &scene,
-                         Mistakes                 &mistakes)
-    {
-      SceneContext context = scene.context;
-      context.path         = checked.path;
-      inside(prm, kind, checked.name, [&]() {
-        try
-          {
-            kind.read(prm, checked.name, context, scene);
-          }
-        catch (const InputError &error)
-          {
-            mistakes.add(checked.place.text() + ": " + error.what());
-          }
-      });
-    }
-
-    std::string listing(const dealii::ParameterHandler &prm)
-    {
-      std::ostringstream text;
-      prm.print_parameters(text,
-                           dealii::ParameterHandler::PRM |
-                             dealii::ParameterHandler::KeepDeclarationOrder);
-      return text.str();
-    }
-
     std::string directory_of(const std::string &file)
     {
       const std::size_t slash = file.rfind('/');
@@ -67,37 +17,77 @@ namespace auxfem
                                         : file.substr(0, slash);
     }
 
+    /** Adds the files that @p subsection and those inside it are written in. */
+    void add_files(const ParameterSubsection &subsection,
+                   std::set<std::string>     &files)
+    {
+      for (const ParameterEntry &entry : subsection.entries)
+        files.insert(entry.place.file);
+      for (const ParameterSubsection &inner : subsection.subsections)
+        {
+          files.insert(inner.place.file);
+          add_files(inner, files);
+        }
+    }
+
+    void read_subsection(const SceneSubsection &subsection,
+                         ParameterValues       &values,
+                         Scene                 &scene,
+                         Mistakes              &mistakes)
+    {
+      try
+        {
+          subsection.read(values, scene);
+        }
+      catch (const InputError &error)
+        {
+          mistakes.add(values.place.text() + ": " + error.what());
+        }
+    }
+
+    /** Without them nothing can be said about what the rest may be. */
+    void read_model_and_dimension(const ParameterSubsection &root, Scene &scene)
+    {
+      const std::optional<Model>        model     = model_of(root);
+      const std::optional<unsigned int> dimension = dimension_of(root);
+      if (!model || !dimension)
+        {
+          Mistakes mistakes;
+          check_subsection(root, general_schema(), {}, mistakes);
+          mistakes.throw_if_any(scene.file);
+        }
+      scene.model = scene.context.model = *model;
+      scene.dimension = scene.context.dimension = *dimension;
+    }
+
     Scene make_scene(const ParameterSubsection &root, const std::string &file)
     {
-      Scene                    scene;
-      Mistakes                 mistakes;
-      dealii::ParameterHandler prm;
+      Scene                 scene;
+      Mistakes              mistakes;
+      std::set<std::string> files = {file};
+      add_files(root, files);
       scene.file              = file;
-      scene.input_files       = input_files(root, file);
       scene.context.directory = directory_of(file);
-
-      // Without model and dimension nothing can be said about what the rest may
-      // be.
-      const std::optional<Model> model = model_of(root);
-      if (model && dimension_of(root))
-        {
-          scene.model = *model;
-          check_subsection_names(root, *model, mistakes);
-        }
-      else
-        {
-          check_and_declare(root, general_kinds().front(), prm, mistakes);
-          mistakes.throw_if_any(file);
-        }
-      for (const SubsectionKind &kind : subsection_kinds())
-        if (kind.serves(scene.model))
-          for (const CheckedSubsection &checked :
-               check_and_declare(root, kind, prm, mistakes))
-            read_subsection(prm, kind, checked, scene, mistakes);
+      read_model_and_dimension(root, scene);
+      check_subsection_names(root, scene.model, mistakes);
+      for (const SceneSubsection &subsection : scene_subsections())
+        if (subsection.schema.serves(scene.model))
+          {
+            std::vector<ParameterValues> found =
+              check_subsection(root,
+                               subsection.schema,
+                               scene.context,
+                               mistakes);
+            for (ParameterValues &values : found)
+              {
+                read_subsection(subsection, values, scene, mistakes);
+                files.insert(values.files.begin(), values.files.end());
+              }
+            scene.all_parameters += listing_of(subsection.schema, found);
+          }
       check_consistency(scene, mistakes);
       mistakes.throw_if_any(file);
-
-      scene.all_parameters = listing(prm);
+      scene.input_files.assign(files.begin(), files.end());
       return scene;
     }
 

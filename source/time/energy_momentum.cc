@@ -87,8 +87,7 @@ namespace auxfem
     }
 
     std::unique_ptr<TimeScheme>
-    make_energy_momentum(dealii::ParameterHandler & /*prm*/,
-                         const SceneContext & /*context*/)
+    make_energy_momentum(ParameterValues & /*values*/)
     {
       return std::make_unique<EnergyMomentum>();
     }
@@ -99,8 +98,8 @@ namespace auxfem
     return {{energy_momentum_name,
              "keeps energy and momenta at large rotations in the plane, of "
              "second order",
-             nullptr,
-             &make_energy_momentum},
+             {},
+             make_energy_momentum},
             {Model::lattice}};
   }
 } // namespace auxfem

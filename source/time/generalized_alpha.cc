@@ -1,4 +1,3 @@
-#include <auxfem/parameters/declare.h>
 #include <auxfem/time/alpha_family.h>
 #include <auxfem/time/schemes.h>
 
@@ -40,16 +39,9 @@ namespace auxfem
       const double spectral_radius;
     };
 
-    void declare_generalized_alpha(dealii::ParameterHandler &prm)
+    std::unique_ptr<TimeScheme> make_generalized_alpha(ParameterValues &values)
     {
-      declare(prm, radius_entry);
-    }
-
-    std::unique_ptr<TimeScheme>
-    make_generalized_alpha(dealii::ParameterHandler &prm,
-                           const SceneContext & /*context*/)
-    {
-      return std::make_unique<GeneralizedAlpha>(get(prm, radius_entry));
+      return std::make_unique<GeneralizedAlpha>(values[radius_entry]);
     }
   } // namespace
 
@@ -66,8 +58,8 @@ namespace auxfem
   {
     return {{generalized_alpha_name,
              "Chung-Hulbert, of second order, damps high frequencies",
-             &declare_generalized_alpha,
-             &make_generalized_alpha},
+             {radius_entry},
+             make_generalized_alpha},
             {Model::lattice, Model::reduced_cell}};
   }
 } // namespace auxfem

@@ -1,4 +1,3 @@
-#include <auxfem/parameters/declare.h>
 #include <auxfem/time/alpha_family.h>
 #include <auxfem/time/schemes.h>
 
@@ -15,17 +14,11 @@ namespace auxfem
       Range::closed(-1. / 3., 0),
       "Parameter alpha of Scheme = hht; 0 is undamped."};
 
-    void declare_hht(dealii::ParameterHandler &prm)
-    {
-      declare(prm, alpha_entry);
-    }
-
-    std::unique_ptr<TimeScheme> make_hht(dealii::ParameterHandler &prm,
-                                         const SceneContext & /*context*/)
+    std::unique_ptr<TimeScheme> make_hht(ParameterValues &values)
     {
       return std::make_unique<AlphaFamily>(hht_name,
                                            AlphaFamily::hht(
-                                             get(prm, alpha_entry)));
+                                             values[alpha_entry]));
     }
   } // namespace
 
@@ -38,8 +31,8 @@ namespace auxfem
   {
     return {{hht_name,
              "Hilber-Hughes-Taylor, of second order, damps high frequencies",
-             &declare_hht,
-             &make_hht},
+             {alpha_entry},
+             make_hht},
             {Model::lattice, Model::reduced_cell}};
   }
 } // namespace auxfem

@@ -1,4 +1,3 @@
-#include <auxfem/parameters/declare.h>
 #include <auxfem/parameters/errors.h>
 #include <auxfem/time/alpha_family.h>
 #include <auxfem/time/schemes.h>
@@ -24,12 +23,6 @@ namespace auxfem
       Range::closed(0, 1),
       "Parameter gamma of Scheme = newmark; 1/2 or more, more damps."};
 
-    void declare_newmark(dealii::ParameterHandler &prm)
-    {
-      declare(prm, beta_entry);
-      declare(prm, gamma_entry);
-    }
-
     void refuse_unstable(const double       beta,
                          const double       gamma,
                          const std::string &path)
@@ -45,11 +38,10 @@ namespace auxfem
       throw InputError(text.str());
     }
 
-    std::unique_ptr<TimeScheme> make_newmark(dealii::ParameterHandler &prm,
-                                             const SceneContext       &context)
+    std::unique_ptr<TimeScheme> make_newmark(ParameterValues &values)
     {
-      const double beta = get(prm, beta_entry), gamma = get(prm, gamma_entry);
-      refuse_unstable(beta, gamma, context.path);
+      const double beta = values[beta_entry], gamma = values[gamma_entry];
+      refuse_unstable(beta, gamma, values.context.path);
       return std::make_unique<AlphaFamily>(newmark_name,
                                            AlphaFamily::newmark(beta, gamma));
     }
@@ -66,8 +58,8 @@ namespace auxfem
     return {
       {newmark_name,
        "Newmark, by default average acceleration, which is of second order",
-       &declare_newmark,
-       &make_newmark},
+       {beta_entry, gamma_entry},
+       make_newmark},
       {Model::lattice, Model::reduced_cell}};
   }
 } // namespace auxfem

@@ -25,19 +25,13 @@ namespace auxfem
 
   const TimeSchemeEntry &time_scheme_entry(const std::string &name)
   {
-    const std::vector<TimeSchemeEntry> &registry = time_scheme_registry();
-    return *std::find_if(registry.begin(),
-                         registry.end(),
-                         [&name](const TimeSchemeEntry &entry) {
-                           return entry.name == name;
-                         });
+    return find_entry(time_scheme_registry(), name);
   }
 
   std::shared_ptr<const TimeScheme> default_time_scheme()
   {
-    const TimeSchemeEntry   &entry = time_scheme_registry().front();
-    dealii::ParameterHandler prm;
-    entry.declare(prm);
-    return entry.make(prm, {});
+    const TimeSchemeEntry &entry = time_scheme_registry().front();
+    ParameterValues        values(entry.parameters);
+    return entry.make(values);
   }
 } // namespace auxfem

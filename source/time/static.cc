@@ -17,8 +17,7 @@ namespace auxfem
         to.acceleration->assign(to.acceleration->size(), 0.);
     }
 
-    std::unique_ptr<TimeScheme> make_static(dealii::ParameterHandler & /*prm*/,
-                                            const SceneContext & /*context*/)
+    std::unique_ptr<TimeScheme> make_static(ParameterValues & /*values*/)
     {
       return std::make_unique<QuasiStatic>();
     }
@@ -109,8 +108,8 @@ namespace auxfem
   {
     return {{static_name,
              "equilibrium at every step, time is a load parameter",
-             nullptr,
-             &make_static},
+             {},
+             make_static},
             {Model::lattice}};
   }
 } // namespace auxfem

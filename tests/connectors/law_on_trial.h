@@ -3,7 +3,7 @@
 
 #include <auxfem/connectors/connector_law.h>
 
-#include <deal.II/base/parameter_handler.h>
+#include <support/parameter_values.h>
 
 #include <limits>
 #include <map>
@@ -25,13 +25,14 @@ namespace auxfem
     for (const RegistryEntry<ConnectorLaw> &entry : connector_law_registry())
       if (entry.name == name)
         {
-          dealii::ParameterHandler prm;
-          entry.declare(prm);
-          for (const auto &[key, value] : values)
-            prm.set(key, value);
           SceneContext context;
           context.path = "Connectors/damper";
-          return entry.make(prm, context);
+          std::string text;
+          for (const auto &[key, value] : values)
+            text += "set " + key + " = " + value + "\n";
+          ParameterValues given =
+            values_from_text(entry.parameters, text, context);
+          return entry.make(given);
         }
     throw std::logic_error("no law " + name);
   }

@@ -80,7 +80,7 @@ namespace
     const Scene      scene   = read_scene_from_text(text, name, overrides);
     constexpr double many    = 1000;
     double           n_cells = 1;
-    for (const unsigned int n : scene.n_cells)
+    for (const unsigned int n : scene.lattice.n_cells)
       n_cells *= n;
     if (scene.model == Model::lattice && n_cells <= many)
       refuse_columns_of_nothing(scene, build_lattice(scene));

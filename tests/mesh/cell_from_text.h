@@ -3,6 +3,8 @@
 
 #include <auxfem/mesh/cell.h>
 
+#include <support/parameter_values.h>
+
 #include <stdexcept>
 #include <string>
 
@@ -23,14 +25,13 @@ namespace auxfem
     for (const auto &entry : cell_registry())
       if (entry.name == name)
         {
-          dealii::ParameterHandler prm;
-          entry.declare(prm);
-          prm.parse_input_from_string(text);
           SceneContext context;
           context.path      = "Lattice";
           context.directory = directory;
           context.dimension = dimension;
-          return entry.make(prm, context);
+          ParameterValues values =
+            values_from_text(entry.parameters, text, context);
+          return entry.make(values);
         }
     throw std::logic_error("no cell " + name);
   }

@@ -13,7 +13,7 @@ namespace
   Scene ladder_scene()
   {
     Scene scene;
-    scene.cell = ladder();
+    scene.lattice.cell = ladder();
     SectionDefinition section;
     section.name   = "tube";
     section.struts = "all";
@@ -39,11 +39,11 @@ TEST(BuildLattice, InSpaceAStrutWithoutSectionIsShownWithItsZ)
   Scene scene             = ladder_scene();
   scene.dimension         = 3;
   scene.context.dimension = 3;
-  scene.cell              = cell_from_text("frame",
-                              "set Joints = 0 0 0; 0 0 1\n"
+  scene.lattice.cell      = cell_from_text("frame",
+                                      "set Joints = 0 0 0; 0 0 1\n"
                                            "set Struts = 0 1",
-                              ".",
-                              3);
+                                      ".",
+                                      3);
   scene.sections.clear();
   EXPECT_TRUE(contains(input_error_of([&]() { build_lattice(scene); }),
                        "middle at (0, 0, 0.5) m"));

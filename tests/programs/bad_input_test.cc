@@ -397,7 +397,7 @@ end
     expect_refusal(run_auxfem({"scene.prm", "other.prm"}),
                    {"Two parameter files", "scene.prm", "other.prm"});
     expect_refusal(run_auxfem({"scene.prm", "--output"}),
-                   {"--output needs a value"});
+                   {"--output", "required"});
   }
 
 

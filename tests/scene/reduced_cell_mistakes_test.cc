@@ -36,7 +36,7 @@ TEST(ReducedCellScene, IsRead)
   EXPECT_DOUBLE_EQ(scene.reduced_cell->bar_mass, 0.1);
   EXPECT_DOUBLE_EQ(scene.reduced_cell->load.value(0.1), 2e4);
   EXPECT_EQ(scene.connectors.size(), 1u);
-  EXPECT_EQ(scene.cell, nullptr);
+  EXPECT_EQ(scene.lattice.cell, nullptr);
 }
 
 TEST(ReducedCellScene, PartMassIsThreeBars)

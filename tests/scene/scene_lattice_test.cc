@@ -19,7 +19,7 @@ namespace
   Lattice lattice_of(const std::string &text)
   {
     const Scene scene = scene_of(3, text);
-    return make_array(scene.cell->build(), scene.n_cells);
+    return make_array(scene.lattice.cell->build(), scene.lattice.n_cells);
   }
 
   std::string refusal(const unsigned int dimension, const std::string &lattice)

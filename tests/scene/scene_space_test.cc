@@ -1,5 +1,6 @@
+#include <auxfem/loads/motion_parameters.h>
 #include <auxfem/parameters/errors.h>
-#include <auxfem/scene/scene_space.h>
+#include <auxfem/scene/scene.h>
 
 #include <deal.II/base/numbers.h>
 

@@ -1,5 +1,6 @@
+#include <auxfem/parameters/describe.h>
 #include <auxfem/parameters/errors.h>
-#include <auxfem/scene/scene.h>
+#include <auxfem/scene/scene_subsections.h>
 #include <auxfem/time/alpha_family.h>
 
 #include <deal.II/base/numbers.h>
@@ -168,8 +169,8 @@ end
     ASSERT_EQ(scene.context.constants.size(), 2u);
     EXPECT_EQ(scene.context.constants[1].first, "t0");
     expect_close(scene.context.constants[1].second, 0.01);
-    EXPECT_EQ(scene.n_cells, (std::array<unsigned int, 3>{{5, 4, 1}}));
-    EXPECT_NE(scene.cell, nullptr);
+    EXPECT_EQ(scene.lattice.n_cells, (std::array<unsigned int, 3>{{5, 4, 1}}));
+    EXPECT_NE(scene.lattice.cell, nullptr);
     ASSERT_EQ(scene.sets.size(), 1u);
     EXPECT_EQ(scene.sets[0].name, "impacted");
     EXPECT_EQ(scene.sets[0].selection, "joints: y > ymax - 1e-6");
@@ -348,7 +349,7 @@ end
     EXPECT_EQ(scene.output.graphics, plain.output.graphics);
     EXPECT_EQ(scene.output.history_interval, plain.output.history_interval);
     EXPECT_EQ(scene.output.segments, plain.output.segments);
-    EXPECT_EQ(scene.n_cells, plain.n_cells);
+    EXPECT_EQ(scene.lattice.n_cells, plain.lattice.n_cells);
   }
 
 
@@ -389,7 +390,8 @@ end
   TEST(Scene, ReferenceNamesEveryChoice)
   {
     for (const std::string &reference :
-         {describe_all_parameters(), describe_all_parameters_markdown()})
+         {describe_parameters(scene_schemas()),
+          describe_parameters_markdown(scene_schemas())})
       {
         for (const auto &law : connector_law_registry())
           EXPECT_NE(reference.find("Law = " + law.name), std::string::npos);

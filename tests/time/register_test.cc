@@ -3,6 +3,7 @@
 #include <auxfem/time/schemes.h>
 
 #include <gtest/gtest.h>
+#include <support/parameter_values.h>
 
 #include <set>
 
@@ -16,14 +17,11 @@ namespace
   std::unique_ptr<TimeScheme> made_of(const std::string &name,
                                       const std::string &text = "")
   {
-    const TimeSchemeEntry   &entry = time_scheme_entry(name);
-    dealii::ParameterHandler prm;
-    if (entry.declare)
-      entry.declare(prm);
-    prm.parse_input_from_string(text);
-    SceneContext context;
-    context.path = "Time";
-    return entry.make(prm, context);
+    const TimeSchemeEntry &entry = time_scheme_entry(name);
+    SceneContext           context;
+    context.path           = "Time";
+    ParameterValues values = values_from_text(entry.parameters, text, context);
+    return entry.make(values);
   }
 
   const AlphaFamily::Coefficients &coefficients(const TimeScheme &scheme)

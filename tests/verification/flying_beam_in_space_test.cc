@@ -66,8 +66,8 @@ namespace
     std::vector<std::array<SpaceVector, 3>> at_moments;
     double                                  kinetic_at_5 = 0, strain_at_5 = 0;
     SpaceVector                             angular_at_2_5, angular_at_5;
-    double linear_error = 0;   ///< largest, of the impulse
-    Range  energy, angular[3]; ///< after t = 5
+    double   linear_error = 0;   ///< largest, of the impulse
+    Extremes energy, angular[3]; ///< after t = 5
   };
 
   /** Momentum that the force has brought: the integral of T / 10. */

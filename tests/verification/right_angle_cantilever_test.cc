@@ -51,7 +51,7 @@ namespace
   {
     std::vector<Motion> at_moments;
     double              energy_at_2 = 0;
-    Range               energy; ///< after t = 2
+    Extremes            energy; ///< after t = 2
   };
 
   RightAngleHistory run_right_angle(const std::string &scheme, const double dt)

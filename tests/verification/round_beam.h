@@ -40,7 +40,7 @@ namespace auxfem
     }
 
     /** Least and largest of what should be constant. */
-    struct Range
+    struct Extremes
     {
       double least   = std::numeric_limits<double>::infinity();
       double largest = -least;

@@ -1,6 +1,8 @@
 #ifndef auxfem_algebra_solver_parameters_h
 #define auxfem_algebra_solver_parameters_h
 
+#include <auxfem/parameters/subsection_schema.h>
+
 #include <string>
 
 namespace auxfem
@@ -15,6 +17,12 @@ namespace auxfem
     double       tolerance          = 1e-8;
     unsigned int maximum_iterations = 1000;
   };
+
+  /** `Solver`. */
+  SubsectionSchema solver_schema();
+
+  /** The values of that subsection. */
+  SolverParameters read_solver(ParameterValues &values);
 } // namespace auxfem
 
 #endif

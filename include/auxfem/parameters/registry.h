@@ -1,7 +1,9 @@
 #ifndef auxfem_parameters_registry_h
 #define auxfem_parameters_registry_h
 
-#include <deal.II/base/parameter_handler.h>
+#include <auxfem/parameters/named.h>
+#include <auxfem/parameters/parameter_values.h>
+#include <auxfem/parameters/subsection_schema.h>
 
 #include <memory>
 #include <string>
@@ -9,19 +11,10 @@
 
 namespace auxfem
 {
-  struct SceneContext;
-
-  /** `Model`: what a scene is a scene of. */
-  enum class Model
-  {
-    lattice,     ///< beams, joints and connectors as finite elements
-    reduced_cell ///< one cell of rigid parts with two unknowns
-  };
-
   /**
-   * One line of the explicit table of a kind (connector laws, cells, loads,
-   * time schemes): everything the program needs to offer a choice to the
-   * user. The parameter reference in doc/ is generated from these tables.
+   * One line of the explicit table of a kind (connector laws, cells, time
+   * schemes): everything the program needs to offer a choice to the user. The
+   * parameter reference in doc/ is generated from these tables.
    */
   template <class Product>
   struct RegistryEntry
@@ -32,44 +25,36 @@ namespace auxfem
     /** One sentence for the parameter reference. */
     std::string description;
 
-    /** Declares the parameters of this choice in the current subsection. */
-    void (*declare)(dealii::ParameterHandler &prm);
+    /** Parameters of this choice. */
+    Parameters parameters;
 
     /**
-     * Makes the object from the values of the current subsection. Throws
-     * InputError for values that are each allowed but contradict each other.
+     * Makes the object. Throws InputError for values that are each allowed but
+     * contradict each other.
      */
-    std::unique_ptr<Product> (*make)(dealii::ParameterHandler &prm,
-                                     const SceneContext       &context);
+    std::unique_ptr<Product> (*make)(ParameterValues &values);
   };
 
   template <class Product>
   using Registry = std::vector<RegistryEntry<Product>>;
 
-  /** What a maker may need of the scene besides its own subsection. */
-  struct SceneContext
+  /** The line of @p table with the name @p name, which must be in it. */
+  template <class Entry>
+  const Entry &find_entry(const std::vector<Entry> &table,
+                          const std::string        &name)
   {
-    /** Folder of the parameter file; relative file names start from it. */
-    std::string directory = ".";
+    return *find_by_name(table, name);
+  }
 
-    /** Constants for expressions, `name -> value`, as the scene defines them.
-     */
-    std::vector<std::pair<std::string, double>> constants;
-
-    /** Path of the subsection in work, e.g. `Connectors/damper`, for messages.
-     */
-    std::string path;
-
-    /** Dimension of space: 2 or 3. */
-    unsigned int dimension = 2;
-  };
-
-  /**
-   * Absolute name of @p file, which may be relative to the folder of the
-   * parameter file. Recorded in `parameters.prm`, which lies in another folder.
-   */
-  std::string absolute_file(const std::string  &file,
-                            const SceneContext &context);
+  /** The choices of @p registry, as variants of a subsection. */
+  template <class Product>
+  std::vector<SubsectionVariant> variants_of(const Registry<Product> &registry)
+  {
+    std::vector<SubsectionVariant> variants;
+    for (const RegistryEntry<Product> &entry : registry)
+      variants.push_back({entry.name, entry.description, entry.parameters});
+    return variants;
+  }
 } // namespace auxfem
 
 #endif

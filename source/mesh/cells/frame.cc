@@ -1,7 +1,6 @@
 #include <auxfem/mesh/arc.h>
 #include <auxfem/mesh/cells/entries.h>
 #include <auxfem/mesh/index_text.h>
-#include <auxfem/parameters/declare.h>
 #include <auxfem/parameters/errors.h>
 #include <auxfem/parameters/quantity.h>
 
@@ -30,12 +29,6 @@ namespace auxfem
       "space three more numbers may follow, the normal n of the arc's plane: "
       "the arc then rises along n x chord; without them n is `0 0 1`.",
       true};
-
-    void declare_frame(dealii::ParameterHandler &prm)
-    {
-      declare(prm, joints_entry);
-      declare(prm, struts_entry);
-    }
 
     /** The blank-separated words of one of the entries between semicolons. */
     struct Item
@@ -259,18 +252,17 @@ namespace auxfem
         }
     }
 
-    std::unique_ptr<Cell> make_frame(dealii::ParameterHandler &prm,
-                                     const SceneContext       &context)
+    std::unique_ptr<Cell> make_frame(ParameterValues &values)
     {
       UnitCell cell;
-      cell.joints = read_joints(get(prm, joints_entry), context);
+      cell.joints = read_joints(values[joints_entry], values.context);
       if (cell.joints.size() < 2)
-        throw InputError(context.path + "/" + joints_entry.name +
+        throw InputError(values.context.path + "/" + joints_entry.name +
                          ": a frame needs at least two joints, for example "
                          "\"0 0; 1 0\".");
-      read_struts(get(prm, struts_entry), context, cell);
+      read_struts(values[struts_entry], values.context, cell);
       if (cell.struts.empty())
-        throw InputError(context.path + "/" + struts_entry.name +
+        throw InputError(values.context.path + "/" + struts_entry.name +
                          ": a frame needs at least one strut, for example "
                          "\"0 1\".");
       cell.why_no_period.fill("A frame has no neighbour cells.");
@@ -283,7 +275,7 @@ namespace auxfem
     return {"frame",
             "Free-form frame: joints and straight or circular struts "
             "given one by one.",
-            &declare_frame,
-            &make_frame};
+            {joints_entry, struts_entry},
+            make_frame};
   }
 } // namespace auxfem

@@ -1,6 +1,5 @@
 #include <auxfem/mesh/cells/entries.h>
 #include <auxfem/mesh/cells/star_shape.h>
-#include <auxfem/parameters/declare.h>
 #include <auxfem/parameters/errors.h>
 
 #include <deal.II/base/numbers.h>
@@ -57,17 +56,6 @@ namespace auxfem
       "Length of the stubs at top and bottom, 0 for none. Several cells along "
       "y need at least the top notch depth."};
 
-    void declare_general_star(dealii::ParameterHandler &prm)
-    {
-      for (const Quantity *quantity : {&half_width,
-                                       &half_height,
-                                       &side_depth,
-                                       &top_depth,
-                                       &horizontal_stub,
-                                       &vertical_stub})
-        declare(prm, *quantity);
-    }
-
     /**
      * Refuses a notch that reaches the middle: @p symbols is the inequality
      * extent > depth in formula signs, @p explanation what the depth means.
@@ -117,16 +105,15 @@ namespace auxfem
                   context);
     }
 
-    std::unique_ptr<Cell> make_general_star(dealii::ParameterHandler &prm,
-                                            const SceneContext       &context)
+    std::unique_ptr<Cell> make_general_star(ParameterValues &values)
     {
-      const StarShape shape = {get(prm, half_width),
-                               get(prm, half_height),
-                               get(prm, side_depth),
-                               get(prm, top_depth),
-                               get(prm, horizontal_stub),
-                               get(prm, vertical_stub)};
-      check_shape(shape, context);
+      const StarShape shape = {values[half_width],
+                               values[half_height],
+                               values[side_depth],
+                               values[top_depth],
+                               values[horizontal_stub],
+                               values[vertical_stub]};
+      check_shape(shape, values.context);
       return make_star_cell(shape);
     }
   } // namespace
@@ -136,7 +123,12 @@ namespace auxfem
     return {"general star",
             "Star with half width, half height, notch depths and stub lengths "
             "given one by one, also with edges flatter than 45 deg.",
-            &declare_general_star,
-            &make_general_star};
+            {half_width,
+             half_height,
+             side_depth,
+             top_depth,
+             horizontal_stub,
+             vertical_stub},
+            make_general_star};
   }
 } // namespace auxfem

@@ -1,5 +1,4 @@
 #include <auxfem/mesh/cells/entries.h>
-#include <auxfem/parameters/declare.h>
 #include <auxfem/parameters/errors.h>
 
 #include <cmath>
@@ -67,18 +66,6 @@ namespace auxfem
       "Distance of the corners of a cell from those of the next one along x. "
       "auto: a fifth of the half width.",
       {"auto"}};
-
-    void declare_hinged_star(dealii::ParameterHandler &prm)
-    {
-      for (const Quantity *quantity : {&bar_length,
-                                       &bar_angle,
-                                       &hinged_star_half_width,
-                                       &notch_depth,
-                                       &cell_gap,
-                                       &rod_clearance,
-                                       &column_gap})
-        declare(prm, *quantity);
-    }
 
     /** Measures of the cell (m). */
     struct HingedStarShape
@@ -200,13 +187,6 @@ namespace auxfem
       HingedStarShape shape;
     };
 
-    double get_or(dealii::ParameterHandler &prm,
-                  const Quantity           &entry,
-                  const double              automatic)
-    {
-      return is_word(prm, entry) ? automatic : get(prm, entry);
-    }
-
     /**
      * Refuses @p entry if its @p value is not below (@p sign = -1) or above
      * (@p sign = 1) the @p limit. @p symbols is the limit in formula signs,
@@ -264,21 +244,20 @@ namespace auxfem
         }
     }
 
-    std::unique_ptr<Cell> make_hinged_star(dealii::ParameterHandler &prm,
-                                           const SceneContext       &context)
+    std::unique_ptr<Cell> make_hinged_star(ParameterValues &values)
     {
-      const double length = get(prm, bar_length);
-      const double angle  = get(prm, bar_angle);
+      const double length = values[bar_length];
+      const double angle  = values[bar_angle];
 
       HingedStarShape shape;
-      shape.half_width    = get_or(prm, hinged_star_half_width, 1.1 * length);
-      shape.half_height   = length * std::sin(angle);
-      shape.side_depth    = length * std::cos(angle);
-      shape.notch_depth   = get_or(prm, notch_depth, shape.half_height / 2.);
-      shape.cell_gap      = get_or(prm, cell_gap, length / 5.);
-      shape.rod_clearance = get(prm, rod_clearance);
-      shape.column_gap    = get_or(prm, column_gap, shape.half_width / 5.);
-      check_shape(shape, context);
+      shape.half_width  = values.value_or(hinged_star_half_width, 1.1 * length);
+      shape.half_height = length * std::sin(angle);
+      shape.side_depth  = length * std::cos(angle);
+      shape.notch_depth = values.value_or(notch_depth, shape.half_height / 2.);
+      shape.cell_gap    = values.value_or(cell_gap, length / 5.);
+      shape.rod_clearance = values[rod_clearance];
+      shape.column_gap    = values.value_or(column_gap, shape.half_width / 5.);
+      check_shape(shape, values.context);
       return std::make_unique<HingedStarCell>(shape);
     }
   } // namespace
@@ -289,7 +268,13 @@ namespace auxfem
             "Star of four bars between an upper and a lower part of three "
             "beams each, with a rod through the lower part: hinges at A to F "
             "make it the cell of Shokri Rad, Mohsenizadeh and Ahmad.",
-            &declare_hinged_star,
-            &make_hinged_star};
+            {bar_length,
+             bar_angle,
+             hinged_star_half_width,
+             notch_depth,
+             cell_gap,
+             rod_clearance,
+             column_gap},
+            make_hinged_star};
   }
 } // namespace auxfem

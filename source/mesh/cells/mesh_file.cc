@@ -2,7 +2,6 @@
 #include <auxfem/mesh/cells/entries.h>
 #include <auxfem/mesh/cells/gmsh_reader.h>
 #include <auxfem/mesh/place_text.h>
-#include <auxfem/parameters/declare.h>
 #include <auxfem/parameters/errors.h>
 
 #include <algorithm>
@@ -30,12 +29,6 @@ namespace auxfem
                                Range::positive(),
                                "Length that the number 1 stands for in the "
                                "file."};
-
-    void declare_mesh_file(dealii::ParameterHandler &prm)
-    {
-      declare(prm, file_entry);
-      declare(prm, length_unit);
-    }
 
     /**
      * Lengths below this part of the mesh's size are round-off, as they are for
@@ -204,20 +197,21 @@ namespace auxfem
         strut_of_nodes;
     };
 
-    std::unique_ptr<Cell> make_mesh_file(dealii::ParameterHandler &prm,
-                                         const SceneContext       &context)
+    std::unique_ptr<Cell> make_mesh_file(ParameterValues &values)
     {
       const std::string file =
-        (std::filesystem::path(context.directory) / get(prm, file_entry))
+        (std::filesystem::path(values.context.directory) / values[file_entry])
           .string();
-      prm.set(file_entry.name, absolute_file(get(prm, file_entry), context));
+      values.set(file_entry.name,
+                 absolute_file(values[file_entry], values.context));
+      values.files.push_back(values[file_entry]);
       const LineMesh mesh =
         read_with_gmsh(file,
-                       get(prm, length_unit),
-                       context.path + "/" + file_entry.name + ": ",
-                       context.directory);
+                       values[length_unit],
+                       values.context.path + "/" + file_entry.name + ": ",
+                       values.context.directory);
       return std::make_unique<GivenCell>(
-        MeshToCell(mesh, file, context).build());
+        MeshToCell(mesh, file, values.context).build());
     }
   } // namespace
 
@@ -225,7 +219,7 @@ namespace auxfem
   {
     return {"mesh file",
             "Frame from the line elements of a file that gmsh reads.",
-            &declare_mesh_file,
-            &make_mesh_file};
+            {file_entry, length_unit},
+            make_mesh_file};
   }
 } // namespace auxfem

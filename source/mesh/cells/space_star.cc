@@ -1,6 +1,5 @@
 #include <auxfem/mesh/cells/entries.h>
 #include <auxfem/mesh/cells/opening_angle.h>
-#include <auxfem/parameters/declare.h>
 #include <auxfem/parameters/errors.h>
 
 #include <cmath>
@@ -23,12 +22,6 @@ namespace auxfem
       Range::positive(),
       "Angle theta0 between an edge and the axis through its re-entrant vertex; "
       "more than 54.74 deg (tan(theta0) > sqrt(2)) and at most 90 deg."};
-
-    void declare_space_star(dealii::ParameterHandler &prm)
-    {
-      declare(prm, space_star_strut_length);
-      declare(prm, space_star_opening_angle);
-    }
 
     /**
      * Sides in the order of the vertices and stub ends: side i lies on axis
@@ -132,16 +125,15 @@ namespace auxfem
       return cell;
     }
 
-    std::unique_ptr<Cell> make_space_star(dealii::ParameterHandler &prm,
-                                          const SceneContext       &context)
+    std::unique_ptr<Cell> make_space_star(ParameterValues &values)
     {
-      if (context.dimension != 3)
-        throw InputError(context.path +
+      if (values.context.dimension != 3)
+        throw InputError(values.context.path +
                          ": the cell 'space star' does not lie in a plane. Set "
                          "Dimension = 3 at the top of the file, or choose the "
                          "cell 'star'.");
-      const double length = get(prm, space_star_strut_length);
-      const double angle  = get(prm, space_star_opening_angle);
+      const double length = values[space_star_strut_length];
+      const double angle  = values[space_star_opening_angle];
       check_opening_angle(
         {"space star",
          angle,
@@ -150,7 +142,7 @@ namespace auxfem
          "L (sin(theta0) / sqrt(2) - cos(theta0))",
          "54.74 deg (tan(theta0) > sqrt(2))",
          ""},
-        context);
+        values.context);
       return std::make_unique<GivenCell>(build_space_star(length, angle));
     }
   } // namespace
@@ -161,7 +153,7 @@ namespace auxfem
             "Symmetric star in space (Dimension = 3) of 30 struts of equal "
             "length: 24 edges between 8 tips and 6 re-entrant vertices on the "
             "axes, 6 stubs to the neighbour cells.",
-            &declare_space_star,
-            &make_space_star};
+            {space_star_strut_length, space_star_opening_angle},
+            make_space_star};
   }
 } // namespace auxfem

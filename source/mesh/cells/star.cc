@@ -1,7 +1,6 @@
 #include <auxfem/mesh/cells/entries.h>
 #include <auxfem/mesh/cells/opening_angle.h>
 #include <auxfem/mesh/cells/star_shape.h>
-#include <auxfem/parameters/declare.h>
 
 #include <cmath>
 
@@ -23,17 +22,10 @@ namespace auxfem
       "Angle theta0 of the upper and lower edges to the horizontal through the "
       "side vertices; more than 45 deg and at most 90 deg."};
 
-    void declare_star(dealii::ParameterHandler &prm)
+    std::unique_ptr<Cell> make_star(ParameterValues &values)
     {
-      declare(prm, star_strut_length);
-      declare(prm, star_opening_angle);
-    }
-
-    std::unique_ptr<Cell> make_star(dealii::ParameterHandler &prm,
-                                    const SceneContext       &context)
-    {
-      const double length = get(prm, star_strut_length);
-      const double angle  = get(prm, star_opening_angle);
+      const double length = values[star_strut_length];
+      const double angle  = values[star_opening_angle];
       check_opening_angle({"star",
                            angle,
                            length,
@@ -43,7 +35,7 @@ namespace auxfem
                            " For flatter edges choose the cell 'general "
                            "star', whose half width must only exceed "
                            "L cos(theta0)."},
-                          context);
+                          values.context);
 
       const double tip   = length * std::sin(angle);
       const double depth = length * std::cos(angle);
@@ -56,7 +48,7 @@ namespace auxfem
     return {"star",
             "Symmetric star of 12 struts of equal length: 8 edges between 4 "
             "tips and 4 re-entrant vertices, 4 stubs to the neighbour cells.",
-            &declare_star,
-            &make_star};
+            {star_strut_length, star_opening_angle},
+            make_star};
   }
 } // namespace auxfem

@@ -1,0 +1,208 @@
+#ifndef auxfem_parameters_parameter_h
+#define auxfem_parameters_parameter_h
+
+#include <limits>
+#include <string>
+#include <vector>
+
+/**
+ * @file
+ * A parameter is one object: name, default, unit, range and the sentence of the
+ * reference, and how its text becomes a value.
+ * @code
+ * const Quantity stiffness{"Stiffness", "20 kN/m", "N/m", Range::positive(),
+ *                          "Stiffness of the spring."};
+ * ... values[stiffness] ...   // 20000., always SI
+ * @endcode
+ * So what is checked, what is converted and what the reference shows cannot
+ * part. See parameter_values.h.
+ */
+namespace auxfem
+{
+  /** Numbers allowed for a parameter, in its declared unit. */
+  struct Range
+  {
+    double minimum      = -std::numeric_limits<double>::infinity();
+    double maximum      = std::numeric_limits<double>::infinity();
+    bool   minimum_open = false; ///< the minimum itself is not allowed
+    bool   maximum_open = false; ///< the maximum itself is not allowed
+
+    /** All finite numbers. */
+    static Range any();
+    /** > 0. */
+    static Range positive();
+    /** >= 0. */
+    static Range non_negative();
+    /** Both bounds allowed. */
+    static Range closed(double minimum, double maximum);
+    /** Neither bound allowed. */
+    static Range open(double minimum, double maximum);
+
+    bool contains(double value) const;
+
+    /**
+     * The range in words of mathematics, e.g. `> 0 and <= 90`; empty for
+     * any().
+     */
+    std::string text() const;
+  };
+
+  /** What all kinds of parameters have in common. */
+  struct Parameter
+  {
+    enum class Kind
+    {
+      quantity,
+      quantity_list,
+      integer,
+      choice,
+      text,
+      time_expression
+    };
+
+    std::string name;
+    /** As a user would write it, e.g. `70 GPa`. */
+    std::string default_value;
+    /** One sentence for the parameter reference. */
+    std::string sentence;
+
+    Kind kind = Kind::text;
+    /** Unit of a number without unit word and of the range; `1` for none. */
+    std::string unit  = "1";
+    Range       range = {};
+    /** Words allowed besides numbers, or the choices. */
+    std::vector<std::string> words = {};
+    /** How many numbers a list may have. */
+    unsigned int minimum_length = 0, maximum_length = 0;
+    /** The default is empty and the user must give a value. */
+    bool required = false;
+
+    /**
+     * What is wrong with @p text, a clause for an error message; empty if
+     * nothing is. An empty text means that nothing was given, which is wrong
+     * where there is a default: an empty line is no way to ask for it.
+     */
+    std::string problem(const std::string &text) const;
+
+    /** What is allowed, e.g. `a number > 0 in m`. */
+    std::string allowed() const;
+
+    /** allowed(), followed by unit words that may be used. */
+    std::string allowed_with_units() const;
+
+    bool is_word(const std::string &text) const;
+  };
+
+  using Parameters = std::vector<Parameter>;
+
+  /** A number with a unit. */
+  struct Quantity : Parameter
+  {
+    /**
+     * Without a default the user must give it. Words, e.g. `auto`, may stand in
+     * place of the number.
+     */
+    Quantity(const std::string              &name,
+             const std::string              &default_value,
+             const std::string              &unit,
+             const Range                    &range,
+             const std::string              &sentence,
+             const std::vector<std::string> &words = {});
+
+    /** In SI (angles in rad). Throws InputError for a word. */
+    double value(const std::string &text) const;
+  };
+
+  /** Several numbers of one unit: `1, 2 mm, 3` or, without commas, `1 2 mm 3`.
+   */
+  struct QuantityList : Parameter
+  {
+    /**
+     * An empty default is an empty list if @p minimum_length is 0, else the
+     * user must give it. Words may stand in place of the numbers.
+     */
+    QuantityList(const std::string              &name,
+                 const std::string              &default_value,
+                 const std::string              &unit,
+                 const Range                    &range,
+                 unsigned int                    minimum_length,
+                 unsigned int                    maximum_length,
+                 const std::string              &sentence,
+                 const std::vector<std::string> &words = {});
+
+    /** In SI (angles in rad). Throws InputError for a word. */
+    std::vector<double> value(const std::string &text) const;
+  };
+
+  /** A whole number. */
+  struct Integer : Parameter
+  {
+    Integer(const std::string &name,
+            unsigned int       default_value,
+            unsigned int       minimum,
+            unsigned int       maximum,
+            const std::string &sentence);
+
+    unsigned int value(const std::string &text) const;
+  };
+
+  /** `true` or `false`. */
+  struct Boolean : Parameter
+  {
+    Boolean(const std::string &name,
+            bool               default_value,
+            const std::string &sentence);
+
+    bool value(const std::string &text) const;
+  };
+
+  /** One word out of several. */
+  struct Choice : Parameter
+  {
+    /** Without a default the user must choose. */
+    Choice(const std::string              &name,
+           const std::string              &default_value,
+           const std::vector<std::string> &choices,
+           const std::string              &sentence);
+
+    std::string value(const std::string &text) const;
+  };
+
+  /** Free text, checked by whoever uses it (names of sets, file names, ...). */
+  struct Text : Parameter
+  {
+    Text(const std::string &name,
+         const std::string &default_value,
+         const std::string &sentence,
+         bool               required = false);
+
+    std::string value(const std::string &text) const;
+  };
+
+  /**
+   * A function of time as text: an expression in `t`, a table, or a number with
+   * a unit word. Expressions and tables are in the SI unit of the declared one.
+   * See loads/time_function.h.
+   */
+  struct TimeExpression : Parameter
+  {
+    /**
+     * Without a default the user must give it. Words, e.g. `free`, may stand in
+     * place of the function.
+     */
+    TimeExpression(const std::string              &name,
+                   const std::string              &default_value,
+                   const std::string              &unit,
+                   const std::string              &sentence,
+                   const std::vector<std::string> &words = {});
+
+    /** The text for TimeFunction, a number with a unit word converted to SI. */
+    std::string value(const std::string &text) const;
+  };
+
+  /** Items joined by `, `; after @p maximum of them `, ...`. */
+  std::string joined(const std::vector<std::string> &items,
+                     std::size_t                     maximum = 1000);
+} // namespace auxfem
+
+#endif

@@ -1,0 +1,39 @@
+#ifndef auxfem_scene_general_parameters_h
+#define auxfem_scene_general_parameters_h
+
+#include <auxfem/parameters/subsection_schema.h>
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace auxfem
+{
+  /** The top level of the parameter file, outside all subsections. */
+  SubsectionSchema general_schema();
+
+  /** `Title`. */
+  std::string read_title(const ParameterValues &values);
+
+  /**
+   * `Constants`: names and values. Throws InputError for one that is not
+   * understood, has a meaning already or is given twice.
+   */
+  std::vector<std::pair<std::string, double>>
+  read_constants(const ParameterValues &values);
+
+  /** The word for @p model, e.g. `reduced cell`. */
+  std::string name_of(Model model);
+
+  /**
+   * The model that the top level of the file asks for; nothing if its word is
+   * none, which check_subsection() reports.
+   */
+  std::optional<Model> model_of(const ParameterSubsection &root);
+
+  /** As model_of(), the dimension of space. */
+  std::optional<unsigned int> dimension_of(const ParameterSubsection &root);
+} // namespace auxfem
+
+#endif

@@ -1,0 +1,73 @@
+#ifndef auxfem_time_time_parameters_h
+#define auxfem_time_time_parameters_h
+
+#include <auxfem/time/schemes.h>
+
+#include <cmath>
+#include <memory>
+
+namespace auxfem
+{
+  /** `Time`: scheme and steps. */
+  struct TimeParameters
+  {
+    /** Never empty; see implicit_scheme(). */
+    std::shared_ptr<const TimeScheme> scheme = default_time_scheme();
+    double end_time      = 1;    ///< s (pseudo time for statics)
+    double step          = 0.01; ///< s
+    double smallest_step = 0;    ///< s; 0: step / 1024
+    /** Energy a step may create, of the largest so far. */
+    double energy_error = 0.5;
+    /** Start from the static equilibrium under the loads of t = 0. */
+    bool static_start = false;
+
+    /** Number of steps to the end time; the last may be shorter. */
+    unsigned long n_steps() const
+    {
+      // A last step of a millionth of a step is round-off of the input.
+      return static_cast<unsigned long>(std::ceil(end_time / step - 1e-6));
+    }
+
+    /**
+     * The scheme as one that advances a State: that of every lattice, and of
+     * the reduced cell unless it is one of its own. Throws std::bad_cast if it
+     * is.
+     */
+    const ImplicitScheme &implicit_scheme() const
+    {
+      return dynamic_cast<const ImplicitScheme &>(*scheme);
+    }
+
+    /** Time at the end of step @p n, from the count, never accumulated (s). */
+    double time_at(const unsigned long n) const
+    {
+      return n >= n_steps() ? end_time : n * step;
+    }
+  };
+
+  /** `Time`. */
+  SubsectionSchema time_schema();
+
+  /** The values of one such subsection. Throws InputError if they contradict
+   * each other. */
+  TimeParameters read_time(ParameterValues &values);
+
+  /** `Newton`: when a step counts as solved. */
+  struct NewtonParameters
+  {
+    /** Relative to the scene's own force and moment scale. */
+    double       tolerance          = 1e-8;
+    unsigned int maximum_iterations = 30;
+    bool         keep_factorization = true; ///< false: full Newton
+    /** A kept factorization must reduce the residual so much an iteration. */
+    double kept_reduction = 5;
+  };
+
+  /** `Newton`. */
+  SubsectionSchema newton_schema();
+
+  /** The values of one such subsection. */
+  NewtonParameters read_newton(ParameterValues &values);
+} // namespace auxfem
+
+#endif

@@ -1,0 +1,219 @@
+#include <auxfem/loads/load_definitions.h>
+#include <auxfem/loads/motion_parameters.h>
+#include <auxfem/mesh/set_definition.h>
+
+#include <deal.II/base/utilities.h>
+
+namespace auxfem
+{
+  namespace
+  {
+    const Text loaded_struts = {"Struts", "", "Set of struts.", true};
+
+    // Masses
+
+    const Quantity     mass                = {"Mass",
+                                              "",
+                                              "kg",
+                                              Range::non_negative(),
+                                              "Mass on every joint of the set."};
+    const QuantityList mass_rotary_inertia = {
+      "Rotary inertia",
+      "0",
+      "kg m2",
+      Range::non_negative(),
+      1,
+      3,
+      "Its moment of inertia: one number, in space the same about every axis, "
+      "or three, about x, y and z at rest, of which the plane uses the last."};
+
+    // Loads
+
+    const Choice load_type = {"Type",
+                              "joint",
+                              {"joint", "line"},
+                              "Whether joints or struts are loaded."};
+
+    const auto joint_load = for_components<TimeExpression>(
+      {"Force", "0", "N", "Force on every joint of the set"},
+      {"Moment", "0", "N m", "Moment on every joint of the set"});
+
+    const Choice load_direction = {
+      "Direction",
+      "fixed",
+      {"fixed", "follows the joint"},
+      "Whether force and moment keep their direction, or turn with the rotation "
+      "of the joint; they are given as they are at rest."};
+
+    const auto line_load = for_axes<TimeExpression>(
+      {"Force per length", "0", "N/m", "Force per undeformed length"});
+
+    JointLoadDefinition read_joint_load(ParameterValues &values)
+    {
+      JointLoadDefinition load;
+      load.name          = values.name();
+      load.path          = values.context.path;
+      load.joints        = values[set_of_joints];
+      load.follows_joint = values[load_direction] != "fixed";
+      for (unsigned int c = 0; c < joint_load.size(); ++c)
+        {
+          if (!is_in_plane(c))
+            require_space(values, joint_load[c]);
+          load.components[c] = read_time_function(values, joint_load[c]);
+        }
+      return load;
+    }
+
+    LineLoadDefinition read_line_load(ParameterValues &values)
+    {
+      LineLoadDefinition load;
+      load.name   = values.name();
+      load.path   = values.context.path;
+      load.struts = values[loaded_struts];
+      require_space(values, line_load[2]);
+      for (unsigned int c = 0; c < line_load.size(); ++c)
+        load.components[c] = read_time_function(values, line_load[c]);
+      return load;
+    }
+
+    // Gravity
+
+    const auto acceleration = for_axes<Quantity>(
+      {"Acceleration", "0", "m/s2", Range::any(), "Acceleration of free fall"});
+
+    // Initial velocities
+
+    const auto initial_velocity = for_components<Quantity>(
+      {"Velocity", "0", "m/s", Range::any(), "Velocity at t = 0"},
+      {"Angular velocity",
+       "0",
+       "rad/s",
+       Range::any(),
+       "Angular velocity at t = 0"});
+
+
+    /** All of @p parameters, those of @p components after them. */
+    template <class Components>
+    Parameters with(Parameters parameters, const Components &components)
+    {
+      parameters.insert(parameters.end(), components.begin(), components.end());
+      return parameters;
+    }
+  } // namespace
+
+
+
+  SubsectionSchema masses_schema()
+  {
+    return {"Masses",
+            SubsectionSchema::Form::named_groups,
+            "Point masses on joints.",
+            {set_of_joints, mass, mass_rotary_inertia}};
+  }
+
+
+
+  MassDefinition read_mass(ParameterValues &values)
+  {
+    return {values.name(),
+            values[set_of_joints],
+            values[mass],
+            moments_of_inertia_of(values, mass_rotary_inertia),
+            values.context.path};
+  }
+
+
+
+  SubsectionSchema loads_schema()
+  {
+    return {"Loads",
+            SubsectionSchema::Form::named_groups,
+            "Forces and moments; all loads of a joint or strut add up.",
+            {load_type},
+            "Type",
+            {{"joint",
+              "Force and moment on joints.",
+              with({set_of_joints, load_direction}, joint_load)},
+             {"line",
+              "Dead force per length on struts.",
+              with({loaded_struts}, line_load)}}};
+  }
+
+
+
+  std::variant<JointLoadDefinition, LineLoadDefinition>
+  read_load(ParameterValues &values)
+  {
+    if (values[load_type] == "joint")
+      return read_joint_load(values);
+    return read_line_load(values);
+  }
+
+
+
+  SubsectionSchema gravity_schema()
+  {
+    return {"Gravity",
+            SubsectionSchema::Form::fixed,
+            "Weight of struts and masses, e.g. Acceleration y = -9.81.",
+            with({}, acceleration)};
+  }
+
+
+
+  dealii::Tensor<1, 3> read_gravity(ParameterValues &values)
+  {
+    dealii::Tensor<1, 3> gravity;
+    require_space(values, acceleration[2]);
+    for (unsigned int c = 0; c < acceleration.size(); ++c)
+      gravity[c] = values[acceleration[c]];
+    return gravity;
+  }
+
+
+
+  SubsectionSchema initial_velocities_schema()
+  {
+    return {"Initial velocities",
+            SubsectionSchema::Form::named_groups,
+            "Joints that move at t = 0, each set as a rigid body; struts move "
+            "along if both their ends are in these sets.",
+            with({set_of_joints}, initial_velocity)};
+  }
+
+
+
+  InitialVelocityDefinition read_initial_velocity(ParameterValues &values)
+  {
+    InitialVelocityDefinition definition;
+    definition.name   = values.name();
+    definition.path   = values.context.path;
+    definition.joints = values[set_of_joints];
+    for (unsigned int c = 0; c < initial_velocity.size(); ++c)
+      {
+        if (!is_in_plane(c))
+          require_space(values, initial_velocity[c]);
+        definition.velocity[c] = values[initial_velocity[c]];
+      }
+    return definition;
+  }
+
+
+
+  TimeFunction read_time_function(ParameterValues      &values,
+                                  const TimeExpression &parameter,
+                                  const TableKind       tables)
+  {
+    const std::string text = values[parameter];
+    if (const auto table = table_text(text))
+      {
+        // A comma may be part of the name, or stand before a column.
+        const std::string file = absolute_file(table->file, values.context);
+        values.files.push_back(file);
+        values.files.push_back(
+          dealii::Utilities::trim(file.substr(0, file.rfind(','))));
+        values.set(parameter.name, table->word + " " + file);
+      }
+    return TimeFunction(text, parameter.name, values.context, tables);
+  }
+} // namespace auxfem

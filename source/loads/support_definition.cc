@@ -1,0 +1,127 @@
+#include <auxfem/loads/motion_parameters.h>
+#include <auxfem/loads/support_definition.h>
+#include <auxfem/mesh/set_definition.h>
+
+namespace auxfem
+{
+  namespace
+  {
+    const Choice support_type = {
+      "Type",
+      "clamp",
+      {"clamp", "pin", "roller x", "roller y", "roller z", "prescribed"},
+      "What is held or moved."};
+
+    const auto motion = for_components<TimeExpression>(
+      {"Displacement",
+       "free",
+       "m",
+       "Time history of the displacement",
+       {"free"}},
+      {"Rotation", "free", "rad", "Time history of the rotation", {"free"}});
+
+    /** Holds the first @p n components, as far as there are such. */
+    void hold(const unsigned int dimension,
+              const unsigned int n,
+              SupportDefinition &support)
+    {
+      for (unsigned int c = 0; c < n; ++c)
+        support.fixed[c] = dimension == 3 || is_in_plane(c);
+    }
+
+    /**
+     * Fixed zeros may be prescribed one by one, since without any rotation
+     * about an axis there is no order of rotations to agree on.
+     */
+    void check_rotations(const ParameterValues   &values,
+                         const SupportDefinition &support)
+    {
+      std::vector<std::string> free;
+      const Parameter         *moving = nullptr;
+      for (unsigned int c = 3; c < n_motion_components; ++c)
+        if (!support.fixed[c])
+          free.push_back(motion[c].name);
+        else if (!support.motion[c].is_zero())
+          moving = &motion[c];
+      if (!free.empty() && moving != nullptr)
+        values.refuse(
+          *moving,
+          "in space a rotation that is not zero needs all three rotations "
+          "prescribed, because rotations about some of the axes do not add up "
+          "to a rotation. Give " +
+            joined(free) + " as well, e.g. set " + free.front() + " = 0");
+    }
+
+    void read_motion(ParameterValues &values, SupportDefinition &support)
+    {
+      for (unsigned int c = 0; c < n_motion_components; ++c)
+        {
+          if (!is_in_plane(c))
+            require_space(values, motion[c]);
+          if (!values.is_word(motion[c]))
+            {
+              support.fixed[c] = true;
+              support.motion[c] =
+                read_time_function(values, motion[c], TableKind::smooth);
+            }
+        }
+      if (support.fixed == std::array<bool, n_motion_components>())
+        values.refuse("Type = prescribed, but everything is free. Give at "
+                      "least one of the displacements and rotations, e.g. "
+                      "Displacement x, or remove the support");
+      if (values.context.dimension == 3)
+        check_rotations(values, support);
+    }
+  } // namespace
+
+
+
+  SubsectionSchema supports_schema()
+  {
+    return {"Supports",
+            SubsectionSchema::Form::named_groups,
+            "Joints that are held or moved.",
+            {set_of_joints, support_type},
+            "Type",
+            {{"clamp", "Neither displacement nor rotation.", {}},
+             {"pin", "No displacement, free rotation.", {}},
+             {"roller x", "Free to move along x only and to rotate.", {}},
+             {"roller y", "Free to move along y only and to rotate.", {}},
+             {"roller z",
+              "Free to move along z only and to rotate; with Dimension = 3.",
+              {}},
+             {"prescribed",
+              "Each component free or with a given time history; in space "
+              "rotations that are not zero only all three together. Through "
+              "the rows of a table goes a smooth curve (a cubic spline); "
+              "`linear table: FILE` has lines between them, and every row "
+              "strikes.",
+              {motion.begin(), motion.end()}}}};
+  }
+
+
+
+  SupportDefinition read_support(ParameterValues &values)
+  {
+    SupportDefinition support;
+    support.name           = values.name();
+    support.path           = values.context.path;
+    support.joints         = values[set_of_joints];
+    const std::string type = values[support_type];
+    if (type == "roller z")
+      require_space(values, support_type, "Choose another Type");
+    if (type == "clamp")
+      hold(values.context.dimension, n_motion_components, support);
+    else if (type == "pin")
+      hold(values.context.dimension, 3, support);
+    else if (type == "prescribed")
+      read_motion(values, support);
+    else
+      {
+        hold(values.context.dimension, 3, support);
+        support.fixed[type.back() - 'x'] = false;
+      }
+
+    return support;
+  }
+} // namespace auxfem

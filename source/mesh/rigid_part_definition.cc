@@ -1,0 +1,106 @@
+#include <auxfem/mesh/rigid_part_definition.h>
+
+namespace auxfem
+{
+  namespace
+  {
+    const Text     struts          = {"Struts",
+                                      "",
+                                      "Set of struts that are rigid; or give Joints."};
+    const Text     joints          = {"Joints",
+                                      "",
+                                      "Set of joints that move as one rigid part without "
+                                                   "struts of its own; or give Struts."};
+    const Choice   parts           = {"Parts",
+                                      "struts that meet",
+                                      {"struts that meet", "single struts"},
+                                      "What is one part: rigid struts connected with each "
+                                                  "other, or every strut (bars hinged at both ends)."};
+    const Quantity rigid_part_mass = {
+      "Mass",
+      "0 kg",
+      "kg",
+      Range::non_negative(),
+      "Mass of each part, spread evenly along its struts, "
+      "without struts equally over its joints."};
+    const QuantityList rotary_inertia = {
+      "Rotary inertia",
+      "auto",
+      "kg m2",
+      Range::non_negative(),
+      1,
+      3,
+      "Moment of inertia of each part about its centre of mass: one number, in "
+      "space the same about every axis, or three, about x, y and z at rest, of "
+      "which the plane uses the last; auto: that of the spread mass.",
+      {"auto"}};
+    const Choice elastic_struts = {
+      "Elastic struts",
+      "hinged",
+      {"hinged", "clamped"},
+      "How elastic struts that end at joints of the part are connected to it."};
+
+    void check_rotary_inertia(const ParameterValues      &values,
+                              const dealii::Tensor<1, 3> &moments)
+    {
+      if (moments.norm() == 0)
+        values.refuse(rotary_inertia,
+                      "it must not be zero. Allowed: numbers > 0, "
+                      "or auto for that of the spread mass");
+      if (values.context.dimension == 2)
+        return;
+      for (unsigned int axis = 0; axis < 3; ++axis)
+        {
+          const double others =
+            moments[(axis + 1) % 3] + moments[(axis + 2) % 3];
+          // a flat part has equality, up to the digits given
+          if (moments[axis] > others * (1 + 1e-6))
+            values.refuse(rotary_inertia,
+                          "no body has such moments, since none "
+                          "is greater than the sum of the other "
+                          "two. Correct them, or set auto");
+        }
+    }
+  } // namespace
+
+
+
+  SubsectionSchema rigid_parts_schema()
+  {
+    return {
+      "Rigid parts",
+      SubsectionSchema::Form::named_groups,
+      "Struts or joints that move as rigid bodies, hinged to each other "
+      "where they share a joint.",
+      {struts, joints, parts, rigid_part_mass, rotary_inertia, elastic_struts}};
+  }
+
+
+
+  RigidPartDefinition read_rigid_part(ParameterValues &values)
+  {
+    RigidPartDefinition part;
+    part.name          = values.name();
+    part.path          = values.context.path;
+    part.struts        = values[struts];
+    part.joints        = values[joints];
+    part.single_struts = values[parts] == "single struts";
+    part.mass          = values[rigid_part_mass];
+    part.clamps_struts = values[elastic_struts] == "clamped";
+    if (!values.is_word(rotary_inertia))
+      {
+        part.rotary_inertia = moments_of_inertia_of(values, rotary_inertia);
+        check_rotary_inertia(values, *part.rotary_inertia);
+      }
+    if (part.struts.empty() == part.joints.empty())
+      values.refuse(
+        part.struts.empty()
+          ? "give either Struts or Joints, here none of them is given"
+          : "give either Struts or Joints, here both are given");
+    if (part.mass == 0 && part.rotary_inertia)
+      values.refuse("Rotary inertia is given, but Mass = 0. "
+                    "Give the part a mass");
+
+    return part;
+  }
+} // namespace auxfem

@@ -1,0 +1,299 @@
+#include <auxfem/parameters/describe.h>
+#include <auxfem/parameters/json.h>
+
+#include <deal.II/base/utilities.h>
+
+#include <sstream>
+
+#include <nlohmann/json.hpp>
+
+namespace auxfem
+{
+  namespace
+  {
+    using Form = SubsectionSchema::Form;
+
+    /** Sentence and what is allowed, for a comment. */
+    std::string sentences_of(const Parameter &parameter)
+    {
+      return parameter.sentence +
+        (parameter.kind == Parameter::Kind::text
+           ? ""
+           : " Allowed: " + parameter.allowed() + ".");
+    }
+
+    std::string after_equals(const std::string &text)
+    {
+      return text.empty() ? " =" : " = " + text;
+    }
+
+    /** Lines of a commented .prm file, indented as it would be. */
+    class TerminalText
+    {
+    public:
+      void line(const std::string &text)
+      {
+        if (!text.empty())
+          out << std::string(2 * depth, ' ') << text;
+        out << '\n';
+      }
+
+      void comment(const std::string &text)
+      {
+        const unsigned int width = 76 - 2 * depth;
+        for (const std::string &piece :
+             dealii::Utilities::break_text_into_lines(text, width))
+          line("# " + piece);
+      }
+
+      void open(const std::string &subsection)
+      {
+        line("subsection " + subsection);
+        indent();
+      }
+
+      void close()
+      {
+        unindent();
+        line("end");
+      }
+
+      void indent()
+      {
+        ++depth;
+      }
+
+      void unindent()
+      {
+        --depth;
+      }
+
+      void describe(const Parameters &parameters)
+      {
+        for (const Parameter &parameter : parameters)
+          {
+            comment(sentences_of(parameter) +
+                    (parameter.required ? " Must be given." : ""));
+            line("set " + parameter.name +
+                 after_equals(parameter.default_value));
+          }
+      }
+
+      void list(const ParameterValues &values)
+      {
+        for (const Parameter &parameter : values.parameters)
+          {
+            if (!parameter.sentence.empty())
+              comment(sentences_of(parameter));
+            const bool shows_default =
+              !values.is_default(parameter) && !parameter.default_value.empty();
+            line("set " + parameter.name +
+                 after_equals(values.text(parameter)) +
+                 (shows_default ? "   # default: " + parameter.default_value
+                                : ""));
+          }
+      }
+
+      std::string text() const
+      {
+        return out.str();
+      }
+
+    private:
+      std::ostringstream out;
+      unsigned int       depth = 0;
+    };
+
+    void describe_entries(const SubsectionSchema &schema, TerminalText &text)
+    {
+      text.describe(schema.parameters);
+      for (const SubsectionVariant &variant : schema.variants)
+        {
+          text.line("");
+          text.comment("With " + schema.choice + " = " + variant.name + ": " +
+                       variant.sentence);
+          text.indent();
+          text.describe(variant.parameters);
+          text.unindent();
+        }
+    }
+
+    void describe_subsection(const SubsectionSchema &schema, TerminalText &text)
+    {
+      if (!schema.name.empty())
+        text.open(schema.name);
+      text.comment(schema.sentence);
+      if (schema.form == Form::free_entries)
+        text.line("set NAME = TEXT   # any number, the names are yours");
+      if (schema.form == Form::named_groups)
+        {
+          text.comment("Any number of subsections, the names are yours:");
+          text.open("NAME");
+        }
+      text.line("");
+      describe_entries(schema, text);
+      if (schema.form == Form::named_groups)
+        text.close();
+      if (!schema.name.empty())
+        text.close();
+      text.line("");
+    }
+
+    /** Text for a cell of a Markdown table. */
+    std::string cell(const std::string &text)
+    {
+      std::string result;
+      for (const char c : text)
+        result += (c == '|' ? "\\|" : std::string(1, c));
+      return result;
+    }
+
+    std::string code(const std::string &text)
+    {
+      return text.empty() ? "" : "`" + cell(text) + "`";
+    }
+
+    std::string unit(const Parameter &parameter)
+    {
+      return parameter.unit != "1" ? parameter.unit : "";
+    }
+
+    void write_table(const Parameters &parameters, std::ostream &out)
+    {
+      if (parameters.empty())
+        return;
+      out << "| parameter | default | unit | allowed | meaning |\n"
+          << "| --- | --- | --- | --- | --- |\n";
+      for (const Parameter &parameter : parameters)
+        out << "| " << code(parameter.name) << " | "
+            << (parameter.required ? "must be given"
+                                   : code(parameter.default_value))
+            << " | " << unit(parameter) << " | " << cell(parameter.allowed())
+            << " | " << cell(parameter.sentence) << " |\n";
+      out << '\n';
+    }
+
+    void write_heading(const SubsectionSchema &schema, std::ostream &out)
+    {
+      out << "## " << (schema.name.empty() ? "Top level" : schema.name)
+          << "\n\n"
+          << schema.sentence << "\n\n";
+      if (schema.form == Form::named_groups)
+        out << "Any number of `subsection NAME` inside `subsection "
+            << schema.name << "`, the names are yours, each with:\n\n";
+      if (schema.form == Form::free_entries)
+        out << "Any number of `set NAME = TEXT` inside `subsection "
+            << schema.name << "`, the names are yours.\n\n";
+    }
+
+    Json json_of(const Parameters &parameters)
+    {
+      Json list = Json::array();
+      for (const Parameter &parameter : parameters)
+        list.push_back({{"name", parameter.name},
+                        {"required", parameter.required},
+                        {"default", parameter.default_value},
+                        {"unit", unit(parameter)},
+                        {"allowed", parameter.allowed()},
+                        {"meaning", parameter.sentence}});
+      return list;
+    }
+
+    std::string name_of(const Form form)
+    {
+      switch (form)
+        {
+          case Form::fixed:
+            return "fixed";
+          case Form::named_groups:
+            return "named groups";
+          case Form::free_entries:
+            return "free entries";
+        }
+      return "";
+    }
+  } // namespace
+
+
+
+  std::string describe_parameters(const std::vector<SubsectionSchema> &schemas)
+  {
+    TerminalText text;
+    for (const SubsectionSchema &schema : schemas)
+      describe_subsection(schema, text);
+    return text.text();
+  }
+
+
+
+  std::string
+  describe_parameters_markdown(const std::vector<SubsectionSchema> &schemas)
+  {
+    std::ostringstream out;
+    out << "# Parameters\n\n"
+           "Made by `auxfem` from its own declarations. A number without unit "
+           "word is in the unit of its row; any fitting unit word may follow "
+           "it (`10 mm`, `70 GPa`, `20 kN/m`). Functions of time are "
+           "expressions in `t` or `table: FILE.csv`, both in SI.\n\n";
+    for (const SubsectionSchema &schema : schemas)
+      {
+        write_heading(schema, out);
+        write_table(schema.parameters, out);
+        for (const SubsectionVariant &variant : schema.variants)
+          {
+            out << "### " << schema.choice << " = " << variant.name << "\n\n"
+                << variant.sentence << "\n\n";
+            write_table(variant.parameters, out);
+          }
+      }
+    return out.str();
+  }
+
+
+
+  std::string
+  describe_parameters_json(const std::vector<SubsectionSchema> &schemas)
+  {
+    Json subsections = Json::array();
+    for (const SubsectionSchema &schema : schemas)
+      {
+        Json subsection = {{"name", schema.name},
+                           {"form", name_of(schema.form)},
+                           {"meaning", schema.sentence},
+                           {"parameters", json_of(schema.parameters)}};
+        if (!schema.variants.empty())
+          subsection["choice"] = schema.choice;
+        for (const SubsectionVariant &variant : schema.variants)
+          subsection["variants"].push_back(
+            {{"value", variant.name},
+             {"meaning", variant.sentence},
+             {"parameters", json_of(variant.parameters)}});
+        subsections.push_back(subsection);
+      }
+    return json_text({{"subsections", subsections}}) + '\n';
+  }
+
+
+
+  std::string listing_of(const SubsectionSchema             &schema,
+                         const std::vector<ParameterValues> &values)
+  {
+    if (values.empty())
+      return "";
+    TerminalText text;
+    if (!schema.name.empty())
+      text.open(schema.name);
+    for (const ParameterValues &one : values)
+      {
+        if (schema.form == Form::named_groups)
+          text.open(one.name());
+        text.list(one);
+        if (schema.form == Form::named_groups)
+          text.close();
+      }
+    if (!schema.name.empty())
+      text.close();
+    text.line("");
+    return text.text();
+  }
+} // namespace auxfem

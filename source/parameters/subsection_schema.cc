@@ -1,0 +1,261 @@
+#include <auxfem/parameters/named.h>
+#include <auxfem/parameters/subsection_schema.h>
+#include <auxfem/parameters/suggest.h>
+
+#include <algorithm>
+
+namespace auxfem
+{
+  namespace
+  {
+    using Form = SubsectionSchema::Form;
+
+    /** Names become columns, paths of overrides and file names. */
+    std::string name_problem(const std::string &name)
+    {
+      const bool good = std::all_of(name.begin(), name.end(), [](const char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+          (c >= '0' && c <= '9') || c == '_' || c == '-' || c == ' ';
+      });
+      return good ? ""
+                  : "the name may consist of letters, digits, _, - and "
+                    "blanks only";
+    }
+
+    /** Checks one subsection that holds entries against one schema. */
+    class SubsectionCheck
+    {
+    public:
+      SubsectionCheck(const ParameterSubsection &found,
+                      const std::string         &path,
+                      const SubsectionSchema    &schema,
+                      Mistakes                  &mistakes)
+        : found(found)
+        , path(path)
+        , schema(schema)
+        , mistakes(mistakes)
+        , allowed(schema.parameters)
+      {
+        choose_variant();
+      }
+
+      bool run()
+      {
+        for (const ParameterEntry &entry : found.entries)
+          if (const Parameter *declared = find_by_name(allowed, entry.name))
+            check_value(entry, *declared);
+          else
+            report_stray(entry);
+        for (const Parameter &declared : allowed)
+          if (declared.required)
+            check_given(declared);
+        return good;
+      }
+
+      ParameterValues values(SceneContext context) const
+      {
+        context.path = path;
+        ParameterValues values(allowed, context, found.place);
+        for (const ParameterEntry &entry : found.entries)
+          values.set(entry.name, entry.value);
+        return values;
+      }
+
+    private:
+      void choose_variant()
+      {
+        if (schema.choice.empty())
+          return;
+        const ParameterEntry *entry = found.find_entry(schema.choice);
+        variant =
+          find_by_name(schema.variants,
+                       entry != nullptr
+                         ? entry->value
+                         : find_by_name(allowed, schema.choice)->default_value);
+        if (variant != nullptr)
+          allowed.insert(allowed.end(),
+                         variant->parameters.begin(),
+                         variant->parameters.end());
+      }
+
+      void report(const FilePlace &place, const std::string &message)
+      {
+        good = false;
+        mistakes.add(place.text() + ": " + message);
+      }
+
+      std::string path_of(const std::string &name) const
+      {
+        return path.empty() ? name : path + "/" + name;
+      }
+
+      void check_value(const ParameterEntry &entry, const Parameter &declared)
+      {
+        const std::string problem = declared.problem(entry.value);
+        if (!problem.empty())
+          report(entry.place,
+                 path_of(entry.name) + " = " + entry.value + ": " + problem +
+                   "\n  Allowed: " + declared.allowed_with_units() +
+                   "\n  Meaning: " + declared.sentence);
+      }
+
+      void check_given(const Parameter &declared)
+      {
+        const ParameterEntry *entry = found.find_entry(declared.name);
+        if (entry == nullptr || entry->value.empty())
+          report(entry == nullptr ? found.place : entry->place,
+                 path_of(declared.name) +
+                   " must be given: " + declared.sentence +
+                   "\n  Allowed: " + declared.allowed_with_units());
+      }
+
+      /** An entry that is not allowed: of another choice, or of none. */
+      void report_stray(const ParameterEntry &entry)
+      {
+        std::vector<std::string> owners;
+        for (const SubsectionVariant &other : schema.variants)
+          if (find_by_name(other.parameters, entry.name) != nullptr)
+            owners.push_back(other.name);
+        // without a valid choice, nothing can be said about its entries
+        if (!owners.empty() && variant == nullptr)
+          good = false;
+        else if (!owners.empty())
+          report(entry.place,
+                 path_of(entry.name) + ": belongs to " + schema.choice + " = " +
+                   joined(owners) + ", but here " + schema.choice + " = " +
+                   variant->name +
+                   ".\n  Remove it or change the choice. Allowed here: " +
+                   joined(names_of(allowed)));
+        else
+          report(entry.place,
+                 path_of(entry.name) + ": unknown parameter" +
+                   did_you_mean(entry.name, names_of(allowed)) +
+                   "\n  Allowed here: " + joined(names_of(allowed)));
+      }
+
+      const ParameterSubsection &found;
+      const std::string          path;
+      const SubsectionSchema    &schema;
+      Mistakes                  &mistakes;
+      Parameters                 allowed;
+      const SubsectionVariant   *variant = nullptr;
+      bool                       good    = true;
+    };
+
+    /** Adds subsections inside @p found, where none are allowed. */
+    void refuse_subsections(const ParameterSubsection &found,
+                            const std::string         &path,
+                            Mistakes                  &mistakes)
+    {
+      for (const ParameterSubsection &inner : found.subsections)
+        mistakes.add(inner.place.text() + ": " + path + "/" + inner.name +
+                     ": no subsection is allowed in " + path +
+                     "; check the \"end\" lines before it");
+    }
+
+    std::vector<ParameterValues> check_fixed(const ParameterSubsection &root,
+                                             const SubsectionSchema    &schema,
+                                             const SceneContext        &context,
+                                             Mistakes &mistakes)
+    {
+      ParameterSubsection absent;
+      absent.place                     = root.place;
+      const ParameterSubsection *found = &root;
+      if (!schema.name.empty())
+        {
+          found = root.find_subsection(schema.name);
+          found = (found == nullptr ? &absent : found);
+          refuse_subsections(*found, schema.name, mistakes);
+        }
+      SubsectionCheck check(*found, schema.name, schema, mistakes);
+      if (!check.run())
+        return {};
+      return {check.values(context)};
+    }
+
+    std::vector<ParameterValues>
+    check_named_groups(const ParameterSubsection &found,
+                       const SubsectionSchema    &schema,
+                       const SceneContext        &context,
+                       Mistakes                  &mistakes)
+    {
+      for (const ParameterEntry &entry : found.entries)
+        mistakes.add(entry.place.text() + ": " + schema.name + "/" +
+                     entry.name +
+                     ": a parameter cannot stand here; put it into a "
+                     "subsection of " +
+                     schema.name + " with a name of your choice");
+      std::vector<ParameterValues> result;
+      for (const ParameterSubsection &group : found.subsections)
+        {
+          const std::string path    = schema.name + "/" + group.name;
+          const std::string problem = name_problem(group.name);
+          if (!problem.empty())
+            mistakes.add(group.place.text() + ": " + path + ": " + problem);
+          refuse_subsections(group, path, mistakes);
+          SubsectionCheck check(group, path, schema, mistakes);
+          if (check.run() && problem.empty())
+            result.push_back(check.values(context));
+        }
+      return result;
+    }
+
+    std::vector<ParameterValues>
+    check_free_entries(const ParameterSubsection &found,
+                       const SubsectionSchema    &schema,
+                       SceneContext               context,
+                       Mistakes                  &mistakes)
+    {
+      refuse_subsections(found, schema.name, mistakes);
+      std::vector<ParameterValues> result;
+      for (const ParameterEntry &entry : found.entries)
+        {
+          context.path        = schema.name + "/" + entry.name;
+          std::string problem = name_problem(entry.name);
+          if (problem.empty() && entry.value.empty())
+            problem = "there is no value";
+          if (!problem.empty())
+            {
+              mistakes.add(entry.place.text() + ": " + context.path + ": " +
+                           problem);
+              continue;
+            }
+          result.emplace_back(Parameters{Text{entry.name, entry.value, ""}},
+                              context,
+                              entry.place);
+        }
+      return result;
+    }
+  } // namespace
+
+
+
+  bool SubsectionSchema::serves(const Model model) const
+  {
+    return std::find(models.begin(), models.end(), model) != models.end();
+  }
+
+
+
+  const std::string &text_of_free_entry(const ParameterValues &values)
+  {
+    return values.text(values.parameters.front());
+  }
+
+
+
+  std::vector<ParameterValues> check_subsection(const ParameterSubsection &root,
+                                                const SubsectionSchema &schema,
+                                                const SceneContext     &context,
+                                                Mistakes &mistakes)
+  {
+    if (schema.form == Form::fixed)
+      return check_fixed(root, schema, context, mistakes);
+    const ParameterSubsection *found = root.find_subsection(schema.name);
+    if (found == nullptr)
+      return {};
+    return schema.form == Form::named_groups
+      ? check_named_groups(*found, schema, context, mistakes)
+      : check_free_entries(*found, schema, context, mistakes);
+  }
+} // namespace auxfem

@@ -1,0 +1,281 @@
+#include <auxfem/elements/strut_order.h>
+#include <auxfem/parameters/errors.h>
+#include <auxfem/scene/scene_subsections.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <sstream>
+
+namespace auxfem
+{
+  namespace
+  {
+    template <class... Parts>
+    std::string message(const Scene &scene, const Parts &...parts)
+    {
+      std::ostringstream text;
+      text << scene.file << ": ";
+      (text << ... << parts);
+      return text.str();
+    }
+
+    /** Beyond, times of neighbouring steps lose their digits; years of
+     * computing before that. */
+    constexpr double most_steps = 1e12;
+
+    void check_steps(const Scene &scene, Mistakes &mistakes)
+    {
+      const TimeParameters &time = scene.time;
+      if (time.step > time.end_time)
+        mistakes.add(message(scene,
+                             "Time/Time step = ",
+                             time.step,
+                             " s is longer than Time/End time = ",
+                             time.end_time,
+                             " s. Reduce the step or move the end"));
+      if (time.end_time / time.step > most_steps)
+        mistakes.add(message(scene,
+                             "Time/Time step = ",
+                             time.step,
+                             " s makes ",
+                             time.end_time / time.step,
+                             " steps until Time/End time = ",
+                             time.end_time,
+                             " s, at most ",
+                             most_steps,
+                             " are allowed. Give a longer step, with its unit, "
+                             "e.g. 10 us"));
+      if (time.smallest_step > time.step)
+        mistakes.add(message(scene,
+                             "Time/Smallest time step = ",
+                             time.smallest_step,
+                             " s is longer than Time/Time step = ",
+                             time.step,
+                             " s. Reduce it, or set it to 0 for a 1024th of "
+                             "the time step"));
+    }
+
+    void check_smallest_step(const Scene &scene, Mistakes &mistakes)
+    {
+      // Halving more often than this only delays the news.
+      const double          halvings = 1 << 20;
+      const TimeParameters &time     = scene.time;
+      if (time.smallest_step > 0 && time.smallest_step < time.step / halvings)
+        mistakes.add(message(scene,
+                             "Time/Smallest time step = ",
+                             time.smallest_step,
+                             " s is less than a millionth of Time/Time step = ",
+                             time.step,
+                             " s. Increase it, or reduce the time step"));
+    }
+
+    void check_inertia(const Scene &scene, Mistakes &mistakes)
+    {
+      const bool statics = !scene.time.scheme->is_dynamic();
+      if (statics && scene.effects.inertia == Switch::on)
+        mistakes.add(message(scene,
+                             "Effects/Inertia = on contradicts Time/Scheme = "
+                             "static. Choose a dynamic scheme or set Inertia = "
+                             "auto"));
+      if (!statics && scene.effects.inertia == Switch::off)
+        mistakes.add(message(scene,
+                             "Effects/Inertia = off with Time/Scheme = ",
+                             scene.time.scheme->name(),
+                             ": without inertia there is no motion to "
+                             "integrate. Set Time/Scheme = static"));
+      if (statics && !scene.initial_velocities.empty())
+        mistakes.add(message(scene,
+                             scene.initial_velocities.front().path,
+                             ": an initial velocity contradicts Time/Scheme = "
+                             "static. Remove it or choose a dynamic scheme"));
+    }
+
+    /** With inertia no support can jump. */
+    void check_motion(const Scene        &scene,
+                      const std::string  &path,
+                      const TimeFunction &motion,
+                      Mistakes           &mistakes)
+    {
+      constexpr double round_off = 1e-12; // m or rad
+      const double     start     = motion.value_after(0);
+      const double     before = scene.time.static_start ? motion.value(0) : 0.;
+      if (std::abs(start - before) > round_off)
+        mistakes.add(
+          message(scene,
+                  path,
+                  " is ",
+                  start,
+                  " just after t = 0, but ",
+                  before,
+                  " before: with inertia a support cannot jump. Let the motion "
+                  "start from there, let the lattice start from equilibrium "
+                  "with it (Time/Start from = static equilibrium), or use "
+                  "Time/Scheme = static"));
+      for (const TimeEvent &event : motion.events(0, scene.time.end_time))
+        if (event.kind == TimeEvent::Kind::jump)
+          {
+            mistakes.add(message(
+              scene,
+              path,
+              " jumps at t = ",
+              event.time,
+              " s from ",
+              motion.value_before(event.time),
+              " to ",
+              motion.value_after(event.time),
+              ": with inertia a support cannot jump. Give it a "
+              "continuous time history, e.g. a ramp, or use Time/Scheme = "
+              "static"));
+            return;
+          }
+    }
+
+    void check_motions(const Scene &scene, Mistakes &mistakes)
+    {
+      if (!scene.time.scheme->is_dynamic())
+        return;
+      for (const SupportDefinition &support : scene.supports)
+        for (unsigned int c = 0; c < n_motion_components; ++c)
+          try
+            {
+              check_motion(scene,
+                           support.path +
+                             (c < first_rotation ? "/Displacement "
+                                                 : "/Rotation ") +
+                             "xyz"[c % first_rotation],
+                           support.motion[c],
+                           mistakes);
+            }
+          catch (const ComputationError &not_finite)
+            {
+              mistakes.add(not_finite.what());
+            }
+    }
+
+    void check_density(const Scene &scene, Mistakes &mistakes)
+    {
+      const bool statics = !scene.time.scheme->is_dynamic();
+      const bool weight =
+        scene.gravity.norm() > 0 && scene.effects.gravity != Switch::off;
+      if (statics && !weight)
+        return;
+      for (const SectionDefinition &section : scene.sections)
+        if (!section.has_density)
+          mistakes.add(message(scene,
+                               section.path,
+                               "/Density must be given, because there is ",
+                               statics ? "weight (Gravity)"
+                                       : "inertia (Time/Scheme = " +
+                                   scene.time.scheme->name() + ")",
+                               ". Allowed: a number >= 0 in kg/m3, 0 for "
+                               "massless struts"));
+    }
+
+    void check_scheme(const Scene &scene, Mistakes &mistakes)
+    {
+      const std::string &scheme = scene.time.scheme->name();
+      if (!time_scheme_entry(scheme).serves(scene.model))
+        mistakes.add(message(
+          scene,
+          "Time/Scheme = ",
+          scheme,
+          scene.model == Model::lattice
+            ? " integrates the reduced cell only (Model = reduced cell)"
+            : ": without inertia the cell of rigid parts is a mechanism, no "
+              "equilibrium determines its angle",
+          ". Use e.g. Scheme = newmark"));
+    }
+
+    void check_order(const Scene &scene, Mistakes &mistakes)
+    {
+      if (scene.dimension == 3 &&
+          scene.discretization.order > largest_space_order)
+        mistakes.add(message(scene,
+                             "Discretization/Order = ",
+                             scene.discretization.order,
+                             ": with Dimension = 3 the order is at most ",
+                             largest_space_order,
+                             ". Take smaller elements instead: Discretization/"
+                             "Global refinements"));
+    }
+
+    void check_reduced_cell(const Scene &scene, Mistakes &mistakes)
+    {
+      if (scene.dimension == 3)
+        mistakes.add(
+          message(scene,
+                  "Dimension = 3: with Model = reduced cell the cell "
+                  "moves in its plane. Set Dimension = 2, or choose "
+                  "Model = lattice"));
+      const std::size_t n_connectors = scene.connectors.size();
+      // A group with mistakes is not among the scene's.
+      if (n_connectors > 1 || (n_connectors == 0 && mistakes.empty()))
+        mistakes.add(message(scene,
+                             "Connectors has ",
+                             n_connectors,
+                             " groups, but with Model = reduced cell "
+                             "there must be exactly one, the connector between "
+                             "the upper part and the foundation"));
+      if (scene.time.static_start)
+        mistakes.add(message(scene,
+                             "Time/Start from = static equilibrium is not "
+                             "possible with Model = reduced cell, which starts "
+                             "from rest. Remove it"));
+      if (scene.time.smallest_step > 0)
+        mistakes.add(message(scene,
+                             "Time/Smallest time step = ",
+                             scene.time.smallest_step,
+                             " s: with Model = reduced cell steps are never "
+                             "repeated with a smaller length. Remove it"));
+      if (scene.output.effective_strains)
+        mistakes.add(message(scene,
+                             "Output/Effective strains = true is not possible "
+                             "with Model = reduced cell, which has no joint "
+                             "sets. Remove it; angle and rise of the cell are "
+                             "in history.csv"));
+    }
+
+    /**
+     * Probes, supports and connectors give history.csv columns
+     * `NAME.quantity`.
+     */
+    void check_column_names(const Scene &scene, Mistakes &mistakes)
+    {
+      std::map<std::string, std::string> paths;
+      const auto                         enter = [&](const auto &definitions) {
+        for (const auto &definition : definitions)
+          {
+            const auto [other, is_new] =
+              paths.emplace(definition.name, definition.path);
+            if (!is_new)
+              mistakes.add(message(scene,
+                                   definition.path,
+                                   " and ",
+                                   other->second,
+                                   " have the same name, but both give columns "
+                                                           "of history.csv. Rename one of them"));
+          }
+      };
+      enter(scene.supports);
+      enter(scene.connectors);
+      enter(scene.output.probes);
+    }
+  } // namespace
+
+
+
+  void check_consistency(const Scene &scene, Mistakes &mistakes)
+  {
+    check_steps(scene, mistakes);
+    check_scheme(scene, mistakes);
+    if (scene.model == Model::reduced_cell)
+      check_reduced_cell(scene, mistakes);
+    check_smallest_step(scene, mistakes);
+    check_order(scene, mistakes);
+    check_inertia(scene, mistakes);
+    check_motions(scene, mistakes);
+    check_density(scene, mistakes);
+    check_column_names(scene, mistakes);
+  }
+} // namespace auxfem

@@ -1,0 +1,72 @@
+#include <auxfem/scene/effect_switches.h>
+
+namespace auxfem
+{
+  namespace
+  {
+    struct Effect
+    {
+      Choice entry;
+      Switch EffectSwitches::*target;
+    };
+
+    Effect effect(const std::string &name,
+                  Switch EffectSwitches::*target,
+                  const std::string      &sentence)
+    {
+      return {{name, "auto", {"auto", "on", "off"}, sentence}, target};
+    }
+
+    const std::vector<Effect> effects = {
+      effect("Large rotation",
+             &EffectSwitches::large_rotation,
+             "Geometrically exact struts; off: small displacements."),
+      effect("Shear flexibility",
+             &EffectSwitches::shear_flexibility,
+             "Shear deformation of the struts."),
+      effect("Inertia", &EffectSwitches::inertia, "Inertia forces."),
+      effect("Rotary inertia",
+             &EffectSwitches::rotary_inertia,
+             "Rotary inertia of the struts' cross-sections."),
+      effect("Connector viscosity",
+             &EffectSwitches::connector_viscosity,
+             "Dashpots of the connectors; off: their long-time springs only."),
+      effect("Strut damping",
+             &EffectSwitches::strut_damping,
+             "Stiffness- and mass-proportional damping of the struts."),
+      effect("Gravity", &EffectSwitches::gravity, "Weight."),
+      effect("Hinges",
+             &EffectSwitches::hinges,
+             "Hinges and rotational springs; off: all joints are rigid.")};
+
+    Switch switch_of(const std::string &word)
+    {
+      return word == "on" ? Switch::on
+        : word == "off"   ? Switch::off
+                          : Switch::automatic;
+    }
+  } // namespace
+
+
+
+  SubsectionSchema effects_schema()
+  {
+    Parameters parameters;
+    for (const Effect &effect : effects)
+      parameters.push_back(effect.entry);
+    return {"Effects",
+            SubsectionSchema::Form::fixed,
+            "What is simulated; auto: on if the scene needs it.",
+            parameters};
+  }
+
+
+
+  EffectSwitches read_effects(ParameterValues &values)
+  {
+    EffectSwitches switches;
+    for (const Effect &effect : effects)
+      switches.*effect.target = switch_of(values[effect.entry]);
+    return switches;
+  }
+} // namespace auxfem

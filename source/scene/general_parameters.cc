@@ -1,0 +1,179 @@
+#include <auxfem/parameters/errors.h>
+#include <auxfem/parameters/quantity.h>
+#include <auxfem/scene/general_parameters.h>
+
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
+#include <set>
+
+namespace auxfem
+{
+  namespace
+  {
+    using dealii::Utilities::trim;
+
+    const Text title = {"Title", "", "Title of the scene, for people."};
+    const std::vector<std::pair<std::string, unsigned int>> dimensions =
+      {{"2", 2}, {"3", 3}};
+
+    const Choice dimension = {
+      "Dimension",
+      "2",
+      {dimensions[0].first, dimensions[1].first},
+      "Dimension of space: 2 for scenes in the plane of x and y."};
+    const std::vector<std::pair<std::string, Model>> models =
+      {{"lattice", Model::lattice}, {"reduced cell", Model::reduced_cell}};
+
+    const Choice model = {
+      "Model",
+      "lattice",
+      {models[0].first, models[1].first},
+      "What is simulated: a lattice of beams and connectors by finite elements, "
+      "or one star cell of rigid parts with two unknowns."};
+    const Text constants = {
+      "Constants",
+      "",
+      "Constants for expressions, \"name = number, name = number\"; a number "
+      "may have a unit word and then counts in SI."};
+
+    /** What @p word stands for in @p table; nothing if it is none of it. */
+    template <class Value>
+    std::optional<Value>
+    value_of(const std::vector<std::pair<std::string, Value>> &table,
+             const std::string                                &word)
+    {
+      for (const auto &[known, value] : table)
+        if (known == word)
+          return value;
+      return {};
+    }
+
+    /** The word of @p choice at the top level of the file, or its default. */
+    std::string chosen(const ParameterSubsection &root, const Choice &choice)
+    {
+      const ParameterEntry *entry = root.find_entry(choice.name);
+      return entry == nullptr ? choice.default_value : entry->value;
+    }
+
+    bool is_identifier(const std::string &name)
+    {
+      const auto letter = [](const char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+      };
+      return !name.empty() && letter(name[0]) &&
+        std::all_of(name.begin(), name.end(), [&letter](const char c) {
+          return letter(c) || (c >= '0' && c <= '9');
+        });
+    }
+
+    double constant_value(const std::string &text)
+    {
+      const std::string unit = split_quantity(text).unit;
+      return parse_quantity(text, unit.empty() ? "1" : unit);
+    }
+
+    std::pair<std::string, double> read_constant(const std::string &item)
+    {
+      // names that expressions have a meaning for already
+      static const std::set<std::string> taken = {"t",
+                                                  "x",
+                                                  "y",
+                                                  "z",
+                                                  "pi",
+                                                  "e",
+                                                  "_pi",
+                                                  "_e",
+                                                  "xmin",
+                                                  "xmax",
+                                                  "ymin",
+                                                  "ymax",
+                                                  "zmin",
+                                                  "zmax"};
+      const std::string message = "Constants = ... " + item + " ...: ";
+      const std::size_t equals  = item.find('=');
+      const std::string name    = trim(item.substr(0, equals));
+      if (equals == std::string::npos || !is_identifier(name))
+        throw InputError(message +
+                         "not understood; write name = number, the name of "
+                         "letters, digits and _, e.g. Constants = F0 = 1.0, t0 "
+                         "= 10 ms");
+      if (taken.count(name) != 0)
+        throw InputError(message + "the name \"" + name +
+                         "\" has a meaning in expressions already; choose "
+                         "another one");
+      try
+        {
+          return {name, constant_value(item.substr(equals + 1))};
+        }
+      catch (const InputError &error)
+        {
+          throw InputError(message + error.what() +
+                           "; allowed: a number, with or without a unit word");
+        }
+    }
+  } // namespace
+
+
+
+  SubsectionSchema general_schema()
+  {
+    return {"",
+            SubsectionSchema::Form::fixed,
+            "At the top of the file, outside all subsections.",
+            {title, model, dimension, constants},
+            "",
+            {},
+            {Model::lattice, Model::reduced_cell}};
+  }
+
+
+
+  std::string read_title(const ParameterValues &values)
+  {
+    return values[title];
+  }
+
+
+
+  std::vector<std::pair<std::string, double>>
+  read_constants(const ParameterValues &values)
+  {
+    std::vector<std::pair<std::string, double>> result;
+    for (const std::string &item :
+         dealii::Utilities::split_string_list(values[constants], ','))
+      {
+        const auto constant = read_constant(item);
+        for (const auto &other : result)
+          if (other.first == constant.first)
+            throw InputError("Constants: \"" + constant.first +
+                             "\" is given twice; remove one of them");
+        result.push_back(constant);
+      }
+    return result;
+  }
+
+
+
+  std::string name_of(const Model model)
+  {
+    for (const auto &[word, value] : models)
+      if (value == model)
+        return word;
+    return "";
+  }
+
+
+
+  std::optional<Model> model_of(const ParameterSubsection &root)
+  {
+    return value_of(models, chosen(root, model));
+  }
+
+
+
+  std::optional<unsigned int> dimension_of(const ParameterSubsection &root)
+  {
+    return value_of(dimensions, chosen(root, dimension));
+  }
+} // namespace auxfem

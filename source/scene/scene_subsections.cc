@@ -1,0 +1,110 @@
+#include <auxfem/parameters/named.h>
+#include <auxfem/parameters/suggest.h>
+#include <auxfem/scene/general_parameters.h>
+#include <auxfem/scene/scene_subsections.h>
+
+namespace auxfem
+{
+  namespace
+  {
+    void place_general(ParameterValues &values, Scene &scene)
+    {
+      scene.title             = read_title(values);
+      scene.context.constants = read_constants(values);
+    }
+
+    void place_load(ParameterValues &values, Scene &scene)
+    {
+      const auto load = read_load(values);
+      if (const auto *on_joints = std::get_if<JointLoadDefinition>(&load))
+        scene.joint_loads.push_back(*on_joints);
+      else
+        scene.line_loads.push_back(std::get<LineLoadDefinition>(load));
+    }
+
+    void place_probe(ParameterValues &values, Scene &scene)
+    {
+      scene.output.probes.push_back(read_probe(values));
+    }
+
+    /** What @p read makes of the one subsection becomes that @p member. */
+    template <auto member, auto read>
+    void place(ParameterValues &values, Scene &scene)
+    {
+      scene.*member = read(values);
+    }
+
+    /** What @p read makes of each subsection is added to that @p list. */
+    template <auto list, auto read>
+    void add(ParameterValues &values, Scene &scene)
+    {
+      (scene.*list).push_back(read(values));
+    }
+  } // namespace
+
+
+
+  const std::vector<SceneSubsection> &scene_subsections()
+  {
+    static const std::vector<SceneSubsection> all = {
+      {general_schema(), place_general},
+      {reduced_cell_schema(), place<&Scene::reduced_cell, read_reduced_cell>},
+      {lattice_schema(), place<&Scene::lattice, read_lattice>},
+      {sets_schema(), add<&Scene::sets, read_set>},
+      {sections_schema(), add<&Scene::sections, read_section>},
+      {rigid_parts_schema(), add<&Scene::rigid_parts, read_rigid_part>},
+      {joints_schema(), add<&Scene::joints, read_joint>},
+      {connectors_schema(), add<&Scene::connectors, read_connector>},
+      {supports_schema(), add<&Scene::supports, read_support>},
+      {masses_schema(), add<&Scene::masses, read_mass>},
+      {loads_schema(), place_load},
+      {gravity_schema(), place<&Scene::gravity, read_gravity>},
+      {initial_velocities_schema(),
+       add<&Scene::initial_velocities, read_initial_velocity>},
+      {discretization_schema(),
+       place<&Scene::discretization, read_discretization>},
+      {effects_schema(), place<&Scene::effects, read_effects>},
+      {time_schema(), place<&Scene::time, read_time>},
+      {newton_schema(), place<&Scene::newton, read_newton>},
+      {solver_schema(), place<&Scene::solver, read_solver>},
+      {output_schema(), place<&Scene::output, read_output>},
+      {probes_schema(), place_probe}};
+    return all;
+  }
+
+
+
+  std::vector<SubsectionSchema> scene_schemas()
+  {
+    std::vector<SubsectionSchema> schemas;
+    for (const SceneSubsection &subsection : scene_subsections())
+      schemas.push_back(subsection.schema);
+    return schemas;
+  }
+
+
+
+  void check_subsection_names(const ParameterSubsection &root,
+                              const Model                model,
+                              Mistakes                  &mistakes)
+  {
+    std::vector<std::string> known;
+    for (const SceneSubsection &subsection : scene_subsections())
+      if (!subsection.schema.name.empty() && subsection.schema.serves(model))
+        known.push_back(subsection.schema.name);
+    const std::vector<SubsectionSchema> schemas = scene_schemas();
+    for (const ParameterSubsection &found : root.subsections)
+      {
+        const SubsectionSchema *schema = find_by_name(schemas, found.name);
+        if (schema != nullptr && schema->serves(model))
+          continue;
+        mistakes.add(found.place.text() + ": " +
+                     (schema == nullptr ? "unknown subsection \"" + found.name +
+                          "\"" + did_you_mean(found.name, known)
+                                        : "subsection \"" + found.name +
+                          "\" has no meaning with Model = " + name_of(model) +
+                          ". Remove it or choose another Model") +
+                     "\n  Allowed here: " + joined(known));
+      }
+  }
+} // namespace auxfem

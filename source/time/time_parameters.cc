@@ -1,0 +1,155 @@
+#include <auxfem/time/time_parameters.h>
+
+#include <limits>
+
+namespace auxfem
+{
+  namespace
+  {
+    std::string models_of(const TimeSchemeEntry &entry)
+    {
+      return !entry.serves(Model::reduced_cell) ? " (lattices only)"
+        : !entry.serves(Model::lattice)         ? " (reduced cell only)"
+                                                : "";
+    }
+
+    Choice scheme_choice()
+    {
+      Choice choice{"Scheme",
+                    time_scheme_registry().front().name,
+                    {},
+                    "Time integrator."};
+      for (const TimeSchemeEntry &entry : time_scheme_registry())
+        {
+          choice.sentence += (choice.words.empty() ? " " : "; ") + entry.name +
+            ": " + entry.description + models_of(entry);
+          choice.words.push_back(entry.name);
+        }
+      choice.sentence += '.';
+      return choice;
+    }
+
+    const Quantity end_time      = {"End time",
+                                    "1 s",
+                                    "s",
+                                    Range::positive(),
+                                    "End of the simulation."};
+    const Quantity step          = {"Time step",
+                                    "10 ms",
+                                    "s",
+                                    Range::positive(),
+                                    "Length of a step."};
+    const Quantity smallest_step = {
+      "Smallest time step",
+      "0 s",
+      "s",
+      Range::non_negative(),
+      "A step that fails is repeated with half its length down to this; 0: a "
+      "1024th of the time step."};
+    const Quantity energy_error = {
+      "Largest energy error",
+      "0.5",
+      "1",
+      Range::positive(),
+      "A step that creates more energy than this part of the largest "
+      "so far is repeated with half its length."};
+    const Choice start = {"Start from",
+                          "rest",
+                          {"rest", "static equilibrium"},
+                          "State at t = 0: undeformed, or in equilibrium with "
+                          "the loads of t = 0."};
+
+
+    /** All schemes' parameters stand side by side. */
+    Parameters time_parameters()
+    {
+      Parameters parameters = {scheme_choice()};
+      for (const TimeSchemeEntry &entry : time_scheme_registry())
+        parameters.insert(parameters.end(),
+                          entry.parameters.begin(),
+                          entry.parameters.end());
+      for (const Parameter &parameter :
+           Parameters{end_time, step, smallest_step, energy_error, start})
+        parameters.push_back(parameter);
+      return parameters;
+    }
+
+    // Newton
+
+    const Quantity tolerance = {
+      "Tolerance",
+      "1e-8",
+      "1",
+      Range::open(0, 1),
+      "Largest residual, relative to the forces of the scene; rows have their own scale too."};
+    const Integer maximum_iterations = {
+      "Maximum iterations",
+      30,
+      1,
+      1000,
+      "Iterations after which a step counts as failed."};
+    const Choice factorization = {
+      "Factorization",
+      "kept",
+      {"kept", "every iteration"},
+      "Keep a factorization as long as it serves, or full Newton."};
+    const Quantity kept_reduction = {
+      "Kept reduction",
+      "5",
+      "1",
+      {1, std::numeric_limits<double>::infinity(), true, false},
+      "Factor by which an iteration with a kept factorization must reduce the "
+      "residual."};
+  } // namespace
+
+
+
+  SubsectionSchema time_schema()
+  {
+    return {"Time",
+            SubsectionSchema::Form::fixed,
+            "Time integration.",
+            time_parameters(),
+            "",
+            {},
+            {Model::lattice, Model::reduced_cell}};
+  }
+
+
+
+  TimeParameters read_time(ParameterValues &values)
+  {
+    TimeParameters time;
+    time.end_time      = values[end_time];
+    time.step          = values[step];
+    time.smallest_step = values[smallest_step];
+    time.energy_error  = values[energy_error];
+    time.static_start  = (values[start] == "static equilibrium");
+
+    time.scheme = time_scheme_entry(values[scheme_choice()]).make(values);
+    return time;
+  }
+
+
+
+  SubsectionSchema newton_schema()
+  {
+    return {"Newton",
+            SubsectionSchema::Form::fixed,
+            "When a step counts as solved.",
+            {tolerance, maximum_iterations, factorization, kept_reduction},
+            "",
+            {},
+            {Model::lattice, Model::reduced_cell}};
+  }
+
+
+
+  NewtonParameters read_newton(ParameterValues &values)
+  {
+    return {values[tolerance],
+            values[maximum_iterations],
+            values[factorization] == "kept",
+            values[kept_reduction]};
+  }
+} // namespace auxfem

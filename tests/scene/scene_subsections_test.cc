@@ -1,0 +1,29 @@
+#include <auxfem/scene/scene_subsections.h>
+
+#include <gtest/gtest.h>
+
+namespace
+{
+  using namespace auxfem;
+
+  TEST(SceneSubsections, EveryParameterHasASentenceAndAnAllowedDefault)
+  {
+    const auto check = [](const Parameters &parameters) {
+      for (const Parameter &parameter : parameters)
+        {
+          EXPECT_GT(parameter.sentence.size(), 3u) << parameter.name;
+          EXPECT_EQ(parameter.sentence.back(), '.') << parameter.name;
+          EXPECT_EQ(parameter.problem(parameter.default_value), "")
+            << parameter.name;
+        }
+    };
+    for (const SubsectionSchema &schema : scene_schemas())
+      {
+        check(schema.parameters);
+        EXPECT_EQ(schema.choice.empty(), schema.variants.empty())
+          << schema.name;
+        for (const SubsectionVariant &variant : schema.variants)
+          check(variant.parameters);
+      }
+  }
+} // namespace
