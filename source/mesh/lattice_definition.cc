@@ -9,6 +9,49 @@ namespace auxfem
       return {"Cell", "", names_of(cell_registry()), "Kind of unit cell."};
     }
 
+    template <class Map>
+    std::string listed(const std::string &what, const Map &map)
+    {
+      std::string names;
+      for (const auto &item : map)
+        names += (names.empty() ? "" : ", ") + item.first;
+      return names.empty() ? "" : " " + what + ": " + names + ".";
+    }
+
+    /** The sets and pairs that a cell of the kind @p entry offers. */
+    std::string offers(const RegistryEntry<Cell> &entry)
+    {
+      for (const Parameter &parameter : entry.parameters)
+        if (parameter.required)
+          return "";
+      SceneContext context;
+      context.dimension = 3;
+      ParameterValues values(entry.parameters, context);
+      const UnitCell  cell = entry.make(values)->build();
+
+      std::map<std::string, bool> strut_sets, pairs;
+      for (const UnitStrut &strut : cell.struts)
+        for (const std::string &set : strut.sets)
+          strut_sets[set] = true;
+      for (const StrutsAcross &across : cell.struts_across)
+        strut_sets[across.set] = true;
+      for (const auto &set : cell.pairs)
+        pairs[set.first] = true;
+      for (const auto &set : cell.pairs_across)
+        pairs[set.first] = true;
+      return listed("Sets of joints", cell.joint_sets) +
+        listed("Sets of struts", strut_sets) +
+        listed("Pairs for connectors", pairs);
+    }
+
+    std::vector<SubsectionVariant> cell_variants()
+    {
+      std::vector<SubsectionVariant> variants = variants_of(cell_registry());
+      for (SubsectionVariant &variant : variants)
+        variant.sentence += offers(find_entry(cell_registry(), variant.name));
+      return variants;
+    }
+
     const Integer cells_x = {"Cells x",
                              1,
                              1,
@@ -72,7 +115,10 @@ namespace auxfem
   {
     return {"Lattice",
             SubsectionSchema::Form::fixed,
-            "The array of unit cells.",
+            "The array of unit cells. Besides the sets of the cell there are "
+            "the joint sets all, left, right, bottom, top, in space also back "
+            "and front, and the strut sets all and, with a Layer distance, "
+            "columns.",
             {cell_choice(),
              cells_x,
              cells_y,
@@ -81,7 +127,7 @@ namespace auxfem
              columns_at,
              struts_may_cross},
             "Cell",
-            variants_of(cell_registry())};
+            cell_variants()};
   }
 
 

@@ -1,8 +1,11 @@
 #include <auxfem/parameters/describe.h>
+#include <auxfem/parameters/expression.h>
 #include <auxfem/parameters/json.h>
+#include <auxfem/parameters/quantity.h>
 
 #include <deal.II/base/utilities.h>
 
+#include <regex>
 #include <sstream>
 
 #include <nlohmann/json.hpp>
@@ -104,6 +107,44 @@ namespace auxfem
       unsigned int       depth = 0;
     };
 
+    /** What holds for all parameters: a heading and its paragraphs. */
+    struct Chapter
+    {
+      std::string              heading;
+      std::vector<std::string> paragraphs;
+    };
+
+    std::vector<Chapter> chapters()
+    {
+      std::string units;
+      for (const std::string &line : unit_words())
+        units += (units.empty() ? "" : "; ") + line;
+      return {
+        {"Units",
+         {"A number without unit word is in the unit of its parameter; any "
+          "fitting unit word may follow it: `10 mm`, `70 GPa`, `20 kN/m`, "
+          "`5 N s/m`, `1140 kg/m3`. Products are written with a blank or `*`, "
+          "powers as `m3` or `m^3`.",
+          units + "."}},
+        {"Functions of time",
+         {"An expression in `t` (s), e.g. `2e7*t^3` or `100*min(t/0.01, 1)`, in "
+          "the SI unit of the parameter; or a number with or without unit "
+          "word; or a table.",
+          "`table: FILE` takes the second column of a text file as the value "
+          "(SI) at the times (s) in the first, `table: FILE, 3` the third "
+          "column. A relative name starts from the folder of the parameter "
+          "file. Columns are separated by commas, semicolons or blanks; there "
+          "may be one line of headings, and comments after `#`. Times do not "
+          "decrease; two rows at one time are a jump. Between rows the value "
+          "is linear, for motions of supports a smooth curve unless written "
+          "`linear table: FILE`; before the first and after the last row it is "
+          "constant."}},
+        {"Expressions",
+         {"Functions of time and conditions of sets know the constants of the "
+          "scene, and:",
+          Expression::known()}}};
+    }
+
     void describe_entries(const SubsectionSchema &schema, TerminalText &text)
     {
       text.describe(schema.parameters);
@@ -146,6 +187,14 @@ namespace auxfem
       for (const char c : text)
         result += (c == '|' ? "\\|" : std::string(1, c));
       return result;
+    }
+
+    /** Indented lines of a text become items of a list. */
+    std::string as_list(const std::string &text)
+    {
+      return std::regex_replace(text,
+                                std::regex("(^|\n)  (\\w+): ([^\n]*)"),
+                                "$1- $2: `$3`");
     }
 
     std::string code(const std::string &text)
@@ -219,6 +268,13 @@ namespace auxfem
   std::string describe_parameters(const std::vector<SubsectionSchema> &schemas)
   {
     TerminalText text;
+    for (const Chapter &chapter : chapters())
+      {
+        text.comment(chapter.heading + ":");
+        for (const std::string &paragraph : chapter.paragraphs)
+          text.comment(paragraph);
+        text.line("");
+      }
     for (const SubsectionSchema &schema : schemas)
       describe_subsection(schema, text);
     return text.text();
@@ -231,10 +287,13 @@ namespace auxfem
   {
     std::ostringstream out;
     out << "# Parameters\n\n"
-           "Made by `auxfem` from its own declarations. A number without unit "
-           "word is in the unit of its row; any fitting unit word may follow "
-           "it (`10 mm`, `70 GPa`, `20 kN/m`). Functions of time are "
-           "expressions in `t` or `table: FILE.csv`, both in SI.\n\n";
+           "Made by `auxfem` from its own declarations.\n\n";
+    for (const Chapter &chapter : chapters())
+      {
+        out << "## " << chapter.heading << "\n\n";
+        for (const std::string &paragraph : chapter.paragraphs)
+          out << as_list(paragraph) << "\n\n";
+      }
     for (const SubsectionSchema &schema : schemas)
       {
         write_heading(schema, out);

@@ -52,6 +52,18 @@ namespace auxfem
       return false;
     }
 
+    /** What every formula knows besides muParser's own functions. */
+    void define_common(mu::Parser &parser)
+    {
+      parser.DefineFun("if", &if_function);
+      parser.DefineFun("pow", &power_function);
+      parser.DefineFun("floor", &floor_function);
+      parser.DefineFun("ceil", &ceil_function);
+      // In some versions of muParser this is the decimal one.
+      parser.DefineFun("log", &natural_logarithm);
+      parser.DefineConst("pi", dealii::numbers::PI);
+    }
+
     std::string allowed(const mu::Parser &parser)
     {
       std::string constants, functions;
@@ -74,7 +86,7 @@ namespace auxfem
   {
     try
       {
-        define_functions();
+        define_common(parser);
         define_constants(variables, own_constants, scene_constants);
         for (const auto &[name, value] : variables)
           parser.DefineVar(name, value);
@@ -86,14 +98,11 @@ namespace auxfem
       }
   }
 
-  void Expression::define_functions()
+  std::string Expression::known()
   {
-    parser.DefineFun("if", &if_function);
-    parser.DefineFun("pow", &power_function);
-    parser.DefineFun("floor", &floor_function);
-    parser.DefineFun("ceil", &ceil_function);
-    // In some versions of muParser this is the decimal one.
-    parser.DefineFun("log", &natural_logarithm);
+    mu::Parser parser;
+    define_common(parser);
+    return allowed(parser);
   }
 
   void
@@ -101,7 +110,6 @@ namespace auxfem
                                const std::vector<Constant> &own_constants,
                                const std::vector<Constant> &scene_constants)
   {
-    parser.DefineConst("pi", dealii::numbers::PI);
     for (const auto &[name, value] : own_constants)
       parser.DefineConst(name, value);
     for (const auto &[name, value] : scene_constants)

@@ -257,6 +257,32 @@ namespace auxfem
 
 
 
+  std::vector<std::string> unit_words()
+  {
+    const std::vector<std::pair<const char *, std::array<int, 4>>> measures = {
+      {"length", length},
+      {"mass", mass},
+      {"time", time},
+      {"angle", angle},
+      {"force", force},
+      {"pressure", pressure},
+      {"energy", energy},
+      {"rate", rate},
+      {"part of one", none}};
+    std::vector<std::string> lines;
+    for (const auto &[name, dimension] : measures)
+      {
+        std::string words;
+        for (const Symbol &symbol : symbols())
+          if (symbol.unit.dimension == dimension)
+            words += (words.empty() ? " " : ", ") + std::string(symbol.word);
+        lines.push_back(name + (":" + words));
+      }
+    return lines;
+  }
+
+
+
   std::vector<std::string> fitting_units(const std::string &unit)
   {
     std::vector<std::string> result = {unit};

@@ -1,3 +1,4 @@
+#include <auxfem/parameters/describe.h>
 #include <auxfem/scene/scene_subsections.h>
 
 #include <gtest/gtest.h>
@@ -25,5 +26,20 @@ namespace
         for (const SubsectionVariant &variant : schema.variants)
           check(variant.parameters);
       }
+  }
+
+
+
+  TEST(SceneSubsections, TheReferenceTellsWhatCellsOffer)
+  {
+    const std::string page = describe_parameters_markdown(scene_schemas());
+    for (const char *part :
+         {"force: N, kN, MN, mN, lbf",
+          "`table: FILE`",
+          "- operators: `+ - * /",
+          "Sets of joints: notches, tips. Sets of struts: edges, stubs. Pairs "
+          "for connectors: in-cell, in-cell x, rod.",
+          "bar AB, bar AF, bar CD, bar DE, bars, lower part, rod, upper part"})
+      EXPECT_NE(page.find(part), std::string::npos) << part;
   }
 } // namespace

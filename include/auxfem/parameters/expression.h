@@ -48,6 +48,9 @@ namespace auxfem
                const std::vector<Constant> &own_constants,
                const std::vector<Constant> &scene_constants);
 
+    /** Lines with the constants, operators and functions of every formula. */
+    static std::string known();
+
     /** With the variables as they are now. */
     double value() const
     {
@@ -67,7 +70,6 @@ namespace auxfem
     }
 
   private:
-    void define_functions();
     void define_constants(const std::vector<Variable> &variables,
                           const std::vector<Constant> &own_constants,
                           const std::vector<Constant> &scene_constants);

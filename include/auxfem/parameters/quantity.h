@@ -53,6 +53,9 @@ namespace auxfem
    */
   std::vector<std::string> split_quantity_list(const std::string &text);
 
+  /** All unit words, by what they measure, e.g. `length: m, mm, ...`. */
+  std::vector<std::string> unit_words();
+
   /** Unit expressions a user may write where @p unit is declared, @p unit first. */
   std::vector<std::string> fitting_units(const std::string &unit);
 } // namespace auxfem
