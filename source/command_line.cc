@@ -92,7 +92,7 @@ namespace auxfem
         if (!app.remaining().empty())
           refuse("Unknown option '" + app.remaining().front() + "'.");
         check_files();
-        place_folder();
+        take_folder();
         return line;
       }
 
@@ -163,7 +163,7 @@ namespace auxfem
       }
 
       /** It is an override, except for the table of a comparison. */
-      void place_folder()
+      void take_folder()
       {
         if (line.action == Action::compare && line.folder.empty())
           line.folder = "output/comparison";

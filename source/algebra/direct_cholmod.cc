@@ -44,8 +44,8 @@ namespace auxfem
       bool                 is_sound(const SparseMatrix &matrix);
       void                 count_signs();
 
-      /** By place in the order of elimination. */
-      double              pivot(std::size_t place) const;
+      /** By position in the order of elimination. */
+      double              pivot(std::size_t column) const;
       std::vector<double> sums_behind_pivots() const;
 
       const EliminationOrder elimination;
@@ -155,10 +155,10 @@ namespace auxfem
       return FactorizationOutcome::done;
     }
 
-    double Cholmod::pivot(const std::size_t place) const
+    double Cholmod::pivot(const std::size_t column) const
     {
       const int *first = static_cast<const int *>(factor->p);
-      return static_cast<const double *>(factor->x)[first[place]];
+      return static_cast<const double *>(factor->x)[first[column]];
     }
 
     /**
@@ -171,11 +171,12 @@ namespace auxfem
       const int *const    lengths = static_cast<const int *>(factor->nz);
       const double *const l       = static_cast<const double *>(factor->x);
       std::vector<double> sums(n, 0.);
-      for (std::size_t place = 0; place < n; ++place)
+      for (std::size_t column = 0; column < n; ++column)
         {
-          const double size = std::abs(pivot(place));
-          sums[place] += size;
-          for (int i = first[place] + 1; i < first[place] + lengths[place]; ++i)
+          const double size = std::abs(pivot(column));
+          sums[column] += size;
+          for (int i = first[column] + 1; i < first[column] + lengths[column];
+               ++i)
             sums[rows[i]] += l[i] * l[i] * size;
         }
       return sums;
@@ -196,21 +197,21 @@ namespace auxfem
       equilibrate(matrix, scale, room);
       const int *const unknown       = static_cast<const int *>(factor->Perm);
       bool             is_suspicious = false;
-      for (std::size_t place = 0; place < n; ++place)
+      for (std::size_t column = 0; column < n; ++column)
         {
-          const double s = scale[unknown[place]];
+          const double s = scale[unknown[column]];
           // Written so that a number that is not finite is unsound.
-          if (!(s * s * sums[place] <= largest_growth))
+          if (!(s * s * sums[column] <= largest_growth))
             return false;
           is_suspicious = is_suspicious ||
-            std::abs(pivot(place)) < suspicious_pivot * sums[place];
+            std::abs(pivot(column)) < suspicious_pivot * sums[column];
         }
       if (!is_suspicious)
         return true;
 
       std::vector<double> root(n);
-      for (std::size_t place = 0; place < n; ++place)
-        root[unknown[place]] = std::sqrt(sums[place]);
+      for (std::size_t column = 0; column < n; ++column)
+        root[unknown[column]] = std::sqrt(sums[column]);
       const auto apply_inverse = [&](std::vector<double> &x) {
         for (std::size_t i = 0; i < n; ++i)
           x[i] *= root[i];
@@ -225,8 +226,8 @@ namespace auxfem
     void Cholmod::count_signs()
     {
       signs = Inertia();
-      for (std::size_t place = 0; place < n; ++place)
-        ++(pivot(place) > 0 ? signs->positive : signs->negative);
+      for (std::size_t column = 0; column < n; ++column)
+        ++(pivot(column) > 0 ? signs->positive : signs->negative);
     }
 
     void Cholmod::solve(double *x)

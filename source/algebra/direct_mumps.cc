@@ -88,7 +88,7 @@ namespace auxfem
 
       /** The lower triangle if symmetric, from 1. */
       std::vector<int>         rows, columns;
-      std::vector<std::size_t> places; ///< in the matrix
+      std::vector<std::size_t> positions; ///< in the matrix
       std::vector<double>      entries;
       std::vector<double>      scale, room;
       std::vector<double>      x_of_all; ///< on the first of several ranks
@@ -232,7 +232,7 @@ namespace auxfem
 
       rows.clear();
       columns.clear();
-      places.clear();
+      positions.clear();
       for (unsigned int row = 0; row < layout.n_owned(); ++row)
         for (std::size_t i = matrix.first[row]; i < matrix.first[row + 1]; ++i)
           {
@@ -241,9 +241,9 @@ namespace auxfem
               continue;
             rows.push_back(layout.global(row) + 1);
             columns.push_back(column + 1);
-            places.push_back(i);
+            positions.push_back(i);
           }
-      entries.resize(places.size());
+      entries.resize(positions.size());
       scale.resize(layout.n_local());
       room.resize(layout.n_owned());
     }
@@ -262,8 +262,8 @@ namespace auxfem
       if (outcome != FactorizationOutcome::done)
         return outcome;
 
-      for (std::size_t i = 0; i < places.size(); ++i)
-        entries[i] = matrix.entries[places[i]];
+      for (std::size_t i = 0; i < positions.size(); ++i)
+        entries[i] = matrix.entries[positions[i]];
       outcome = run(factorizing);
       while (outcome == FactorizationOutcome::out_of_memory && lacks_room() &&
              setting(14) < largest_room)

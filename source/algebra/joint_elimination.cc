@@ -116,7 +116,7 @@ namespace auxfem
         const Pivot *weak = eliminate(matrix);
         if (weak == nullptr)
           return true;
-        // Conditions turn with the motion: an order that has served may fail
+        // Constraints turn with the motion: an order that has served may fail
         // where one that is made for the matrix as it is now does not.
         const bool may_improve = !is_new || merge_with_neighbour(*weak);
         order.reset();
@@ -170,7 +170,7 @@ namespace auxfem
             if (!unknowns.layout.is_owned(column) || !groups->group(column))
               continue;
             const double entry = matrix.entries[i] * scale[row] * scale[column];
-            blocks[order->place(row, column)] = entry;
+            blocks[order->position(row, column)] = entry;
             largest_in_row[row] =
               std::max(largest_in_row[row], std::abs(entry));
           }
@@ -274,16 +274,16 @@ namespace auxfem
     struct Source
     {
       unsigned int column;
-      std::size_t  place;
+      std::size_t  position;
       bool         is_in_blocks;
     };
     std::vector<Source> row;
     for (const JointOrder::Link &link : order->links(*groups->group(unknown)))
       {
-        std::size_t place =
+        std::size_t position =
           link.block + groups->number_in_group(unknown) * size(link.group);
         for (const int other : groups->rows(link.group))
-          row.push_back({*joint_rows->row(other), place++, true});
+          row.push_back({*joint_rows->row(other), position++, true});
       }
     for (std::size_t i = matrix.first[unknown]; i < matrix.first[unknown + 1];
          ++i)
@@ -296,7 +296,7 @@ namespace auxfem
     for (const Source &source : row)
       {
         left->columns.push_back(source.column);
-        sources.push_back(source.place);
+        sources.push_back(source.position);
         is_in_blocks.push_back(source.is_in_blocks);
       }
   }

@@ -10,18 +10,18 @@ namespace auxfem
   namespace
   {
     /**
-     * Share of a condition that must be new to the joint that takes its
-     * multiplier: nearly dependent conditions make large factors.
+     * Share of a constraint that must be new to the joint that takes its
+     * multiplier: nearly dependent constraints make large factors.
      */
     constexpr double independent_share = 0.2;
 
-    /** Entries of a condition by row of the unknown that it acts on. */
-    using Condition = std::map<int, double>;
+    /** Entries of a constraint by row of the unknown that it acts on. */
+    using Constraint = std::map<int, double>;
 
-    double norm(const Condition &condition)
+    double norm(const Constraint &constraint)
     {
       double sum = 0;
-      for (const auto &[row, entry] : condition)
+      for (const auto &[row, entry] : constraint)
         sum += entry * entry;
       return std::sqrt(sum);
     }
@@ -72,20 +72,20 @@ namespace auxfem
     }
 
     /** Gives the multiplier @p row to one of the joints it constrains. */
-    void place(const unsigned int row)
+    void assign(const unsigned int row)
     {
-      const Condition condition = condition_of(row);
-      const double    size      = norm(condition);
-      auto            parts     = parts_by_group(condition);
+      const Constraint constraint = constraint_of(row);
+      const double     size       = norm(constraint);
+      auto             parts      = parts_by_group(constraint);
       while (!parts.empty() && size > 0)
         {
           double       best_share = 0;
           unsigned int best       = 0;
-          Condition    direction;
+          Constraint   direction;
           for (const auto &[group, part] : parts)
             {
-              const Condition rest  = without_known(group, part);
-              const double    share = norm(rest) / size;
+              const Constraint rest  = without_known(group, part);
+              const double     share = norm(rest) / size;
               if (share > best_share)
                 {
                   best_share = share;
@@ -106,41 +106,42 @@ namespace auxfem
           const unsigned int one   = parts.begin()->first,
                              other = std::next(parts.begin())->first;
           merge(one, other);
-          parts = parts_by_group(condition);
+          parts = parts_by_group(constraint);
         }
-      // The condition follows from others, or all it acts on is elsewhere:
+      // The constraint follows from others, or all it acts on is elsewhere:
       // elimination will tell.
       if (!parts.empty())
         parent[row] = parts.begin()->first;
     }
 
   private:
-    Condition condition_of(const unsigned int row) const
+    Constraint constraint_of(const unsigned int row) const
     {
-      Condition condition;
+      Constraint constraint;
       for (std::size_t i = matrix.first[row]; i < matrix.first[row + 1]; ++i)
         if (const int column = matrix.columns[i];
             matrix.layout->is_owned(column) && matrix.entries[i] != 0 &&
             unknowns.kinds[column] != UnknownKind::prescribed &&
             unknowns.kinds[column] != UnknownKind::multiplier)
-          condition[column] = matrix.entries[i] * scale[row] * scale[column];
-      return condition;
+          constraint[column] = matrix.entries[i] * scale[row] * scale[column];
+      return constraint;
     }
 
-    std::map<unsigned int, Condition> parts_by_group(const Condition &condition)
+    std::map<unsigned int, Constraint>
+    parts_by_group(const Constraint &constraint)
     {
-      std::map<unsigned int, Condition> parts;
-      for (const auto &[row, entry] : condition)
+      std::map<unsigned int, Constraint> parts;
+      for (const auto &[row, entry] : constraint)
         parts[root(row)][row] = entry;
       return parts;
     }
 
-    /** What the conditions that @p group has already leave of @p part. */
-    Condition without_known(const unsigned int group, Condition part) const
+    /** What the constraints that @p group has already leave of @p part. */
+    Constraint without_known(const unsigned int group, Constraint part) const
     {
       const auto known = directions.find(group);
       if (known != directions.end())
-        for (const Condition &direction : known->second)
+        for (const Constraint &direction : known->second)
           {
             double product = 0;
             for (const auto &[row, entry] : direction)
@@ -157,8 +158,8 @@ namespace auxfem
     const Unknowns            &unknowns;
     const std::vector<double> &scale;
     std::vector<unsigned int>  parent;
-    /** Orthonormal directions that the conditions of a group bind. */
-    std::unordered_map<unsigned int, std::vector<Condition>> directions;
+    /** Orthonormal directions that the constraints of a group bind. */
+    std::unordered_map<unsigned int, std::vector<Constraint>> directions;
   };
 
   JointGroups::JointGroups(const SparseMatrix                     &matrix,
@@ -171,7 +172,7 @@ namespace auxfem
     Assignment assignment(matrix, unknowns, scale);
     for (unsigned int row = 0; row < of_row.size(); ++row)
       if (unknowns.kinds[row] == UnknownKind::multiplier)
-        assignment.place(row);
+        assignment.assign(row);
     for (const auto &[row, other] : merged)
       assignment.merge(row, other);
 

@@ -95,8 +95,8 @@ namespace auxfem
     return n_used;
   }
 
-  std::size_t JointOrder::place(const unsigned int row,
-                                const unsigned int column) const
+  std::size_t JointOrder::position(const unsigned int row,
+                                   const unsigned int column) const
   {
     const unsigned int group = *groups.group(column);
     return find_link(at_first[*groups.group(row)], group)->block +

@@ -33,12 +33,12 @@ namespace auxfem
   {
     std::unordered_map<unsigned int, std::vector<unsigned int>> blocks;
     for (const int unknown : taken)
-      place(unknown, blocks[unknowns.joint[unknown]]);
+      add(unknown, blocks[unknowns.joint[unknown]]);
     share();
   }
 
-  void JointRows::place(const unsigned int         unknown,
-                        std::vector<unsigned int> &blocks)
+  void JointRows::add(const unsigned int         unknown,
+                      std::vector<unsigned int> &blocks)
   {
     const std::vector<unsigned int> &components = unknowns.components;
     const bool is_motion = unknowns.kinds[unknown] != UnknownKind::multiplier;

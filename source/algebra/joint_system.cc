@@ -58,7 +58,7 @@ namespace auxfem
           end_unknowns.push_back(
             selection->number[last[elements.n_of_node + i]]);
       }
-    places_to_send.resize(struts.size());
+    positions_to_send.resize(struts.size());
     if (selection->layout.n_ranks() > 1)
       {
         find_neighbours();
@@ -101,7 +101,7 @@ namespace auxfem
         {
           for (std::size_t i = 0; i < n_ends; ++i)
             unknowns[rank].push_back(layout.global(ends(s)[i]));
-          places_to_send[s].push_back(n_to_send);
+          positions_to_send[s].push_back(n_to_send);
           n_to_send += n_ends * n_ends;
         }
     to_send.resize(n_to_send);
@@ -250,8 +250,8 @@ namespace auxfem
   void JointSystem::add_strut(const std::size_t number, const double *block)
   {
     assembly->add(number, block);
-    for (const std::size_t place : places_to_send[number])
-      std::copy(block, block + n_ends * n_ends, to_send.begin() + place);
+    for (const std::size_t position : positions_to_send[number])
+      std::copy(block, block + n_ends * n_ends, to_send.begin() + position);
   }
 
   void JointSystem::add_others(const TangentMatrix &matrix)

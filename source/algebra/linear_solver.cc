@@ -50,7 +50,7 @@ namespace auxfem
         if (matrix.pattern().unknowns().layout.n_ranks() > 1)
           throw;
       }
-    why_failed = in_words(outcome);
+    why_failed = message(outcome);
     return outcome;
   }
 
@@ -120,8 +120,8 @@ namespace auxfem
     Analysed &analysed = methods[choice.type];
     if (!analysed.method)
       analysed.method = make_method(choice.type);
-    current          = analysed.method.get();
-    current_in_words = name_of(choice.type) + " (" + choice.reason + ")";
+    current                = analysed.method.get();
+    description_of_current = name_of(choice.type) + " (" + choice.reason + ")";
     if (analysed.version != condensation.version())
       {
         analysed.version.reset();
@@ -134,7 +134,7 @@ namespace auxfem
     return current->factorize(condensation.matrix());
   }
 
-  std::string LinearSolver::in_words(const FactorizationOutcome outcome) const
+  std::string LinearSolver::message(const FactorizationOutcome outcome) const
   {
     switch (outcome)
       {
@@ -149,7 +149,8 @@ namespace auxfem
         case FactorizationOutcome::out_of_memory:
           return "the factorization ran " + out_of_memory_text();
         case FactorizationOutcome::too_large:
-          return "the factors have more entries than " + current_in_words +
+          return "the factors have more entries than " +
+            description_of_current +
             " can count. Set Solver/Type to `auto`, `mumps` or `gmres`, or "
             "start auxfem on more ranks (mpirun -n ...)";
       }
@@ -209,7 +210,7 @@ namespace auxfem
       }
     condensation.expand(of_joints, values);
 #ifdef DEBUG
-    // Far above round-off, also where stiffness stands beside conditions; far
+    // Far above round-off, also where stiffness stands beside constraints; far
     // below what a wrong factor would leave.
     constexpr double largest_error = 1e-3;
     if (current->n_iterations() == 0 &&
@@ -234,7 +235,7 @@ namespace auxfem
 
   const std::string &LinearSolver::method() const
   {
-    return current_in_words;
+    return description_of_current;
   }
 
   unsigned long LinearSolver::n_iterations() const

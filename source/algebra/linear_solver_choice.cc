@@ -78,7 +78,7 @@ namespace auxfem
           "Solver/Type = cholmod does not serve scenes with rigid parts or "
           "revolute hinges: the " +
           std::to_string(equations.n_multipliers) +
-          " conditions of these make the matrix indefinite. Use `auto`, "
+          " constraints of these make the matrix indefinite. Use `auto`, "
           "`mumps` or `klu`.");
       return {LinearSolverType::cholmod, reason};
     }
@@ -110,7 +110,7 @@ namespace auxfem
     }
 
     /** `on 4 ranks, 300 unknowns at joints` */
-    std::string size_in_words(const EquationsAtJoints &equations)
+    std::string size_text(const EquationsAtJoints &equations)
     {
       return (equations.n_ranks > 1
                 ? "on " + std::to_string(equations.n_ranks) + " ranks, "
@@ -157,7 +157,7 @@ namespace auxfem
     if (parameters.type != "auto")
       return asked_for(parameters, equations);
 
-    const std::string size = size_in_words(equations);
+    const std::string size = size_text(equations);
     if (is_in_space(equations) &&
         equations.n_unknowns > iteration_limit * equations.n_ranks)
       return {LinearSolverType::iterative,

@@ -136,7 +136,7 @@ namespace auxfem
                                                  returns->n_owned(),
                                                  ghosts);
     new_matrix = std::make_unique<SparseMatrix>(*new_layout);
-    std::vector<std::size_t> places;
+    std::vector<std::size_t> positions;
     unsigned int             row = 0;
     for (std::size_t i = 0; i < own.size(); i += 1 + own[i])
       {
@@ -144,18 +144,18 @@ namespace auxfem
         std::vector<int>  columns(own[i]);
         for (int k = 0; k < own[i]; ++k)
           columns[k] = new_layout->local(own[i + 1 + k]);
-        places.resize(columns.size());
-        std::iota(places.begin(), places.end(), 0);
-        std::sort(places.begin(),
-                  places.end(),
+        positions.resize(columns.size());
+        std::iota(positions.begin(), positions.end(), 0);
+        std::sort(positions.begin(),
+                  positions.end(),
                   [&](const std::size_t a, const std::size_t b) {
                     return columns[a] < columns[b];
                   });
         order.resize(first + columns.size());
-        for (std::size_t k = 0; k < places.size(); ++k)
+        for (std::size_t k = 0; k < positions.size(); ++k)
           {
-            order[first + places[k]] = first + k;
-            new_matrix->columns.push_back(columns[places[k]]);
+            order[first + positions[k]] = first + k;
+            new_matrix->columns.push_back(columns[positions[k]]);
           }
         new_matrix->first[++row] = new_matrix->columns.size();
       }
@@ -165,17 +165,17 @@ namespace auxfem
   void RowMigration::fill(const SparseMatrix &matrix)
   {
     Parcels<double> leaving;
-    auto            place = order.begin();
+    auto            position = order.begin();
     for (unsigned int row = 0; row < target.size(); ++row)
       for (std::size_t i = matrix.first[row]; i < matrix.first[row + 1]; ++i)
         if (target[row] == old_layout.rank())
-          new_matrix->entries[*place++] = matrix.entries[i];
+          new_matrix->entries[*position++] = matrix.entries[i];
         else
           leaving[target[row]].push_back(matrix.entries[i]);
     for (const auto &[rank, entries] :
          MPI::some_to_some(old_layout.communicator(), leaving))
       for (const double entry : entries)
-        new_matrix->entries[*place++] = entry;
+        new_matrix->entries[*position++] = entry;
     new_matrix->is_symmetric = matrix.is_symmetric;
   }
 

@@ -135,16 +135,18 @@ namespace auxfem
         for (std::size_t i = sum.first[row]; i < sum.first[row + 1]; ++i)
           in_row[sum.columns[i]] = i;
         diagonal_positions.push_back(in_row[row]);
-        rows.for_each(
-          row,
-          [&](const std::size_t block, const unsigned int row_of_block) {
-            int *place = &positions[begins[block] +
-                                    std::size_t(row_of_block) * sizes[block]];
-            for (const int *i = rows.begin(block); i != rows.end(block);
-                 ++i, ++place)
-              if (*i >= 0)
-                *place = in_row[*i];
-          });
+        rows.for_each(row,
+                      [&](const std::size_t  block,
+                          const unsigned int row_of_block) {
+                        int *position =
+                          &positions[begins[block] +
+                                     std::size_t(row_of_block) * sizes[block]];
+                        for (const int *i = rows.begin(block);
+                             i != rows.end(block);
+                             ++i, ++position)
+                          if (*i >= 0)
+                            *position = in_row[*i];
+                      });
       }
   }
 

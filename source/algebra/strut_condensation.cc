@@ -8,7 +8,8 @@ namespace auxfem
 {
   namespace
   {
-    /** Places of the unknowns of two nodes that stand one after the other. */
+    /** Positions of the unknowns of two nodes that stand one after the other.
+     */
     constexpr int in_order[] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11};
   } // namespace
 
@@ -247,15 +248,15 @@ namespace auxfem
     // this one and its last: which stand third, first and second around it.
     const unsigned int c = elements.n_of_node, n = 3 * c;
     room.around_node.assign(n * n, 0.);
-    const auto place = [&](const std::vector<double>         &part,
-                           const std::array<unsigned int, 2> &nodes) {
+    const auto spread = [&](const std::vector<double>         &part,
+                            const std::array<unsigned int, 2> &nodes) {
       for (unsigned int i = 0; i < 2 * c; ++i)
         for (unsigned int j = 0; j < 2 * c; ++j)
           room.around_node[(nodes[i / c] * c + i % c) * n + nodes[j / c] * c +
                            j % c] += part[i * 2 * c + j];
     };
-    place(room.of_strut, {{0, 2}});
-    place(room.of_element, {{2, 1}});
+    spread(room.of_strut, {{0, 2}});
+    spread(room.of_element, {{2, 1}});
     return elements.node->eliminate(room.around_node.data(),
                                     added(tangent.pattern().begin(block),
                                           c,

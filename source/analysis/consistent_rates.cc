@@ -1,7 +1,7 @@
 #include <auxfem/analysis/consistent_rates.h>
 #include <auxfem/equations/node_rotations.h>
 #include <auxfem/equations/prescribed_motion.h>
-#include <auxfem/model/unknown_words.h>
+#include <auxfem/model/unknown_names.h>
 #include <auxfem/parameters/errors.h>
 #include <auxfem/time/massless.h>
 
@@ -137,7 +137,7 @@ namespace auxfem
     is_singular = is_anywhere(empty_rows());
     if (is_singular)
       return false;
-    // Conditions make the matrix indefinite.
+    // Constraints make the matrix indefinite.
     if (model.numbering.constraints().n_multipliers() == 0)
       {
         method = Method::conjugate_gradients;
@@ -166,7 +166,8 @@ namespace auxfem
   {
     const DofNumbering &numbering = model.numbering;
     rates.assign(numbering.layout().n_local(), 0.);
-    for (const Conditions *of_kind : solver.equations().reporting().conditions)
+    for (const Constraints *of_kind :
+         solver.equations().reporting().constraints)
       of_kind->find_rates(state, rates.data());
     double mine = 0;
     for (const double rate : rates)
@@ -205,7 +206,7 @@ namespace auxfem
       increment[i] = -rates[i];
     const bool strikes =
       find_velocity_jumps(model, instant.from, state, increment.data()) > 0;
-    if (!strikes && solver.equations().reporting().conditions.empty())
+    if (!strikes && solver.equations().reporting().constraints.empty())
       return;
     solve();
     if (strikes)

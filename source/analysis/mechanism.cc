@@ -1,5 +1,5 @@
 #include <auxfem/analysis/inverse_iteration.h>
-#include <auxfem/model/unknown_words.h>
+#include <auxfem/model/unknown_names.h>
 #include <auxfem/parameters/errors.h>
 
 #include <algorithm>

@@ -15,16 +15,16 @@ namespace auxfem
      * An increment that turns a section further has left the neighbourhood of
      * the state it started from: the solution it leads to would be another one.
      */
-    constexpr double half_turn = dealii::numbers::PI;
+    constexpr double half_revolution = dealii::numbers::PI;
 
     /**
      * Mean forces have a singularity where a step turns a section by half a
      * turn (rad); long before that they mean nothing.
      */
-    constexpr double largest_turn_between = 1;
+    constexpr double largest_increment_between = 1;
 
-    /** Largest turn in the step (rad) over all ranks. */
-    double largest_turn(const LatticeModel &model, const Evaluation &step)
+    /** Largest rotation increment of the step (rad) over all ranks. */
+    double largest_increment(const LatticeModel &model, const Evaluation &step)
     {
       const double *before = step.from.displacement.data();
       const double *now    = step.to.displacement.data();
@@ -56,7 +56,7 @@ namespace auxfem
     solver.residual(evaluation, results);
     double size      = in_force_units(results);
     double reduction = std::numeric_limits<double>::infinity();
-    // Prescribed unknowns may still have to move to their place.
+    // Prescribed unknowns may still have to move to their position.
     bool is_in_place = scheme.is_dynamic();
     // Of the last iterate; large if its norm was not small.
     double excess_before = std::numeric_limits<double>::infinity();
@@ -80,7 +80,7 @@ namespace auxfem
           return reduction < parameters.kept_reduction ||
             result.iterations == 0;
         };
-        if (is_in_place && meets_conditions(results, evaluation.to) &&
+        if (is_in_place && meets_constraints(results, evaluation.to) &&
             is_small(evaluation, results, size, force, stagnates()))
           {
             const double excess = rows.excess(evaluation, results);
@@ -174,12 +174,13 @@ namespace auxfem
     find_right_side(model, evaluation, increment.data());
     if (!solver.solve(increment))
       return solver.why();
-    if (!is_linear && !(largest_motion(model, increment).second <= half_turn))
+    if (!is_linear &&
+        !(largest_motion(model, increment).second <= half_revolution))
       return "an iteration turned a section by more than half a turn";
-    rotations.turn(evaluation, increment);
+    rotations.rotate(evaluation, increment);
     scheme.correct(evaluation.from, increment, evaluation.dt, evaluation.to);
     if (evaluation.kind == Evaluation::Kind::between &&
-        !(largest_turn(model, evaluation) <= largest_turn_between))
+        !(largest_increment(model, evaluation) <= largest_increment_between))
       return "the step turns a section by more than 1 rad, too far for mean "
              "forces";
     return "";
@@ -200,11 +201,11 @@ namespace auxfem
          wanted + solver.equations().round_off_floor(evaluation, results));
   }
 
-  bool Newton::meets_conditions(const EvaluationResults &results,
-                                const State             &state) const
+  bool Newton::meets_constraints(const EvaluationResults &results,
+                                 const State             &state) const
   {
-    return results.condition == 0 ||
-      results.condition <= condition_tolerance(solver.equations(), state);
+    return results.constraint == 0 ||
+      results.constraint <= constraint_tolerance(solver.equations(), state);
   }
 
   double Newton::in_force_units(const EvaluationResults &results) const

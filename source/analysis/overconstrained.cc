@@ -1,5 +1,5 @@
 #include <auxfem/analysis/inverse_iteration.h>
-#include <auxfem/model/unknown_words.h>
+#include <auxfem/model/unknown_names.h>
 #include <auxfem/parameters/errors.h>
 
 #include <algorithm>
@@ -18,10 +18,10 @@ namespace auxfem
     constexpr unsigned int n_overconstraint_iterations = 4;
 
     /**
-     * Identity in the rows of displacements, the conditions' gradients G beside
-     * it, a small negative number in the multipliers' diagonal: its Schur
-     * complement is -(G G^T + small) on unknowns that are free. Rotations in
-     * space count as displacements at the length of a strut.
+     * Identity in the rows of displacements, the constraints' gradients G
+     * beside it, a small negative number in the multipliers' diagonal: its
+     * Schur complement is -(G G^T + small) on unknowns that are free. Rotations
+     * in space count as displacements at the length of a strut.
      */
     void replace_diagonal(const LatticeModel &model, TangentMatrix &matrix)
     {
@@ -50,7 +50,7 @@ namespace auxfem
                       ? "Rigid parts and revolute hinges: a "
                       : "Rigid parts: a ") +
         describe_largest(numbering, sizes) +
-        " follows from the conditions of other parts and the supports, so the "
+        " follows from the constraints of other parts and the supports, so the "
         "forces in them are not determined.\n" +
         (model.lattice.dimension == 3
            ? "Two hinges on one axis hold a part twice: let one be a hinge, or "
@@ -73,7 +73,7 @@ namespace auxfem
     EvaluationResults results    = solver.equations().make_results();
     const Evaluation  evaluation = Evaluation::rates(state, now);
     solver.residual(evaluation, results);
-    // Only the gradients of the conditions stand in it.
+    // Only the gradients of the constraints stand in it.
     solver.assemble(evaluation, results, {0., 0., 0.});
     replace_diagonal(model, solver.matrix());
 

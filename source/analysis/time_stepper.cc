@@ -66,7 +66,7 @@ namespace auxfem
       std::make_unique<Solvers>(equations,
                                 solver_parameters,
                                 newton_parameters,
-                                !equations.reporting().conditions.empty() &&
+                                !equations.reporting().constraints.empty() &&
                                   scheme.carries_on_alternating_errors(),
                                 work);
   }
@@ -383,8 +383,8 @@ namespace auxfem
                 after.dissipated() - before.dissipated()});
     if (created <= parameters.energy_error * turnover)
       return false;
-    // A lattice at rest in another place than at first has the round-off of its
-    // places; where a motion begins smoothly, all energy is the work of
+    // A lattice at rest in another position than at first has the round-off of
+    // its positions; where a motion begins smoothly, all energy is the work of
     // supports.
     const LatticeModel &model = equations.model();
     double              error = equations.round_off_floor(step, trial.results) *

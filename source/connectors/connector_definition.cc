@@ -39,7 +39,7 @@ namespace auxfem
       Range::any(),
       2,
       3,
-      "Place x, y and in space z of the ground point, counted from the joint at "
+      "Position x, y and in space z of the ground point, counted from the joint at "
       "rest; only with Between = ground: JOINTS."};
 
     void check_connector(const ParameterValues     &values,
@@ -66,8 +66,8 @@ namespace auxfem
                       "Give a Ground offset or set Geometry = direction");
     }
 
-    /** The place of the reduced cell's connector is part of the model. */
-    void refuse_place(const ParameterValues &values)
+    /** The position of the reduced cell's connector is part of the model. */
+    void refuse_position(const ParameterValues &values)
     {
       for (const Parameter &parameter :
            Parameters{between, geometry, direction, ground_offset})
@@ -98,7 +98,7 @@ namespace auxfem
   ConnectorDefinition read_connector(ParameterValues &values)
   {
     if (values.context.model == Model::reduced_cell)
-      refuse_place(values);
+      refuse_position(values);
     ConnectorDefinition connector;
     connector.name    = values.name();
     connector.path    = values.context.path;

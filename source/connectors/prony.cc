@@ -144,14 +144,14 @@ namespace auxfem
                            0};
             for (unsigned int e = 0; e < elements.size(); ++e)
               {
-                const auto place = std::size_t(i) * elements.size() + e;
+                const auto index = std::size_t(i) * elements.size() + e;
                 const MaxwellElement::Mean mean =
                   elements[e].mean(motion[i].dt);
-                trial[place] = elements[e].at_constant_rate(committed[place],
+                trial[index] = elements[e].at_constant_rate(committed[index],
                                                             increment,
                                                             motion[i].dt);
                 response[i].force +=
-                  mean.decay * committed[place] + mean.stiffness * increment;
+                  mean.decay * committed[index] + mean.stiffness * increment;
                 response[i].stiffness += mean.stiffness;
               }
           }
@@ -218,12 +218,12 @@ namespace auxfem
                 dt   = motion[i].dt;
                 step = elements[element].step(dt);
               }
-            const auto   place = std::size_t(i) * elements.size() + element;
+            const auto   index = std::size_t(i) * elements.size() + element;
             const double increment =
               motion[i].extension - motion[i].previous_extension;
-            trial[place] = step.decay * committed[place] +
+            trial[index] = step.decay * committed[index] +
               step.stiffness * increment + step.damping * motion[i].rate;
-            response[i].force += trial[place];
+            response[i].force += trial[index];
             response[i].stiffness += step.stiffness;
             response[i].damping += step.damping;
           }

@@ -5,9 +5,9 @@
 namespace auxfem
 {
   template <>
-  NaturalPlace natural_place<2>(const dealii::Point<3> &r0,
-                                const dealii::Point<3> &r1,
-                                const dealii::Point<3> &point)
+  NaturalPosition natural_position<2>(const dealii::Point<3> &r0,
+                                      const dealii::Point<3> &r1,
+                                      const dealii::Point<3> &point)
   {
     const PlaneVector d        = in_dimension<2>(r1 - r0),
                       to_point = in_dimension<2>(point - r0);
@@ -15,40 +15,40 @@ namespace auxfem
   }
 
   template <>
-  NaturalPlace natural_place<3>(const dealii::Point<3> &r0,
-                                const dealii::Point<3> &r1,
-                                const dealii::Point<3> &point)
+  NaturalPosition natural_position<3>(const dealii::Point<3> &r0,
+                                      const dealii::Point<3> &r1,
+                                      const dealii::Point<3> &point)
   {
     const dealii::Tensor<1, 3> d = r1 - r0;
     return {((point - r0) * d) / (d * d), 0};
   }
 
   template <>
-  std::array<double, 4> shape<2>(const NaturalPlace &place,
-                                 const unsigned int  component)
+  std::array<double, 4> shape<2>(const NaturalPosition &position,
+                                 const unsigned int     component)
   {
-    const auto [a, b] = place;
+    const auto [a, b] = position;
     if (component == 0)
       return {{1 - a, b, a, -b}};
     return {{-b, 1 - a, b, a}};
   }
 
   template <>
-  std::array<double, 6> shape<3>(const NaturalPlace &place,
-                                 const unsigned int  component)
+  std::array<double, 6> shape<3>(const NaturalPosition &position,
+                                 const unsigned int     component)
   {
     std::array<double, 6> result = {};
-    result[component]            = 1 - place.a;
-    result[3 + component]        = place.a;
+    result[component]            = 1 - position.a;
+    result[3 + component]        = position.a;
     return result;
   }
 
   template <int dim>
   std::array<double, 4 * dim * dim>
-  rigid_mass_matrix(const double        mass,
-                    const double        rotary_inertia,
-                    const double        length,
-                    const NaturalPlace &centre)
+  rigid_mass_matrix(const double           mass,
+                    const double           rotary_inertia,
+                    const double           length,
+                    const NaturalPosition &centre)
   {
     // Integrals over the mass of a, b and a^2 + b^2.
     const double first = mass * centre.a, skew = mass * centre.b,
@@ -74,11 +74,11 @@ namespace auxfem
   }
 
   template std::array<double, 16>
-  rigid_mass_matrix<2>(double, double, double, const NaturalPlace &);
+  rigid_mass_matrix<2>(double, double, double, const NaturalPosition &);
   template std::array<double, 36>
-  rigid_mass_matrix<3>(double, double, double, const NaturalPlace &);
+  rigid_mass_matrix<3>(double, double, double, const NaturalPosition &);
 
-  PlaneVector ClampCondition::normal(const double rotation) const
+  PlaneVector ClampConstraint::normal(const double rotation) const
   {
     const double c = std::cos(rotation), s = std::sin(rotation);
     PlaneVector  result;

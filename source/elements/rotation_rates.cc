@@ -28,11 +28,12 @@ namespace auxfem
     const SpaceVector principal = rotation_vector(rotation);
     const double      angle     = principal.norm();
     // The axis of a rotation by zero or whole turns is that of the guess.
-    const SpaceVector axis = angle > 1e-8 ? principal / angle
-      : guess.norm() > 0                  ? guess / guess.norm()
-                                          : SpaceVector();
-    const double      turn = 2 * dealii::numbers::PI;
+    const SpaceVector axis        = angle > 1e-8 ? principal / angle
+             : guess.norm() > 0                  ? guess / guess.norm()
+                                                 : SpaceVector();
+    const double      full_circle = 2 * dealii::numbers::PI;
     return principal +
-      turn * std::round((axis * (guess - principal)) / turn) * axis;
+      full_circle * std::round((axis * (guess - principal)) / full_circle) *
+      axis;
   }
 } // namespace auxfem

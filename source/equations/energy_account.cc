@@ -1,4 +1,4 @@
-#include <auxfem/elements/cayley_turn.h>
+#include <auxfem/elements/cayley_rotation.h>
 #include <auxfem/equations/energy_account.h>
 
 #include <cmath>
@@ -37,7 +37,7 @@ namespace auxfem
     , rate(rate_of(step.from.displacement, step.to.displacement, dt))
   {
     for (const int i : *step.to.plane_rotations)
-      rate[i] = cayley_turn(dt * rate[i]) / dt;
+      rate[i] = cayley_rotation(dt * rate[i]) / dt;
     if (!step.to.velocity)
       return;
     velocity    = mean(*step.from.velocity, *step.to.velocity);

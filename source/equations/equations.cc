@@ -1,5 +1,5 @@
 #include <auxfem/equations/equations.h>
-#include <auxfem/model/unknown_words.h>
+#include <auxfem/model/unknown_names.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -83,8 +83,8 @@ namespace auxfem
     }
 
     /** On every rank, the words of the lowest rank that has some. */
-    std::string words_of_lowest_rank(const UnknownLayout &layout,
-                                     const std::string   &mine)
+    std::string text_of_lowest_rank(const UnknownLayout &layout,
+                                    const std::string   &mine)
     {
       namespace MPI = dealii::Utilities::MPI;
       const unsigned int who =
@@ -99,7 +99,7 @@ namespace auxfem
      * Multipliers have no inertia: their rates, by-products of the time scheme,
      * must not enter its next prediction.
      */
-    void hold_multipliers(const DofNumbering &numbering, State &state)
+    void clear_multiplier_rates(const DofNumbering &numbering, State &state)
     {
       for (const int multiplier : numbering.constraints().multipliers())
         for (std::optional<Vector> *rate : {&state.velocity,
@@ -203,7 +203,7 @@ namespace auxfem
 
     results.force        = std::sqrt(all[4]);
     results.moment       = std::sqrt(all[5]);
-    results.condition    = std::sqrt(all[6]);
+    results.constraint   = std::sqrt(all[6]);
     const double length  = structure.mean_strut_length,
                  forces  = std::max(all[0], all[2]),
                  moments = std::max(all[1], all[3]);
@@ -238,7 +238,7 @@ namespace auxfem
   void Equations::accept(const Evaluation        &evaluation,
                          const EvaluationResults &results) const
   {
-    hold_multipliers(structure.numbering, evaluation.to);
+    clear_multiplier_rates(structure.numbering, evaluation.to);
     EnergyAccount account(evaluation);
     for (unsigned int i = 0; i < effects.size(); ++i)
       effects[i]->account(evaluation, results.of_effects[i].get(), account);
@@ -328,7 +328,7 @@ namespace auxfem
     for (unsigned int i = 0; i < effects.size() && mine.empty(); ++i)
       mine =
         effects[i]->why_not_finite(evaluation, results.of_effects[i].get());
-    return words_of_lowest_rank(structure.numbering.layout(), mine);
+    return text_of_lowest_rank(structure.numbering.layout(), mine);
   }
 
   std::pair<double, double> largest_motion(const LatticeModel &model,
@@ -348,19 +348,19 @@ namespace auxfem
     return {all[0], all[1]};
   }
 
-  double condition_tolerance(const Equations &equations, const State &state)
+  double constraint_tolerance(const Equations &equations, const State &state)
   {
-    const std::vector<const Conditions *> &conditions =
-      equations.reporting().conditions;
-    if (conditions.empty())
+    const std::vector<const Constraints *> &constraints =
+      equations.reporting().constraints;
+    if (constraints.empty())
       return 0;
     const LatticeModel &model  = equations.model();
     double              length = model.mean_strut_length;
-    for (const Conditions *of_kind : conditions)
+    for (const Constraints *of_kind : constraints)
       length = std::max(length, of_kind->length());
     // Parts lie on some ranks only, and all must decide alike.
     const double longest = model.numbering.layout().largest(length);
-    // A condition sums a few products of displacements and lengths.
+    // A constraint sums a few products of displacements and lengths.
     const double safety = 16;
     return safety * std::numeric_limits<double>::epsilon() *
       (longest + largest_motion(model, state.displacement).first) *
@@ -398,7 +398,7 @@ namespace auxfem
     for (unsigned int i = 0; i < entries.size() && mine.empty(); ++i)
       if (!std::isfinite(state.energies[i]))
         mine = "the energy " + entries[i].name;
-    return words_of_lowest_rank(layout, mine);
+    return text_of_lowest_rank(layout, mine);
   }
 
   std::string worst_unknown(const LatticeModel &model, const State &state)

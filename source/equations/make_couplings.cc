@@ -9,12 +9,13 @@ namespace auxfem
   namespace
   {
     /** Local numbers of the rotation about x, y, z; -1: not there. */
-    std::array<int, 3> spins(const DofNumbering &numbering,
-                             const Turning      &turning)
+    std::array<int, 3> spins(const DofNumbering  &numbering,
+                             const RotationOwner &rotation_owner)
     {
       std::array<int, 3> unknowns;
       for (unsigned int c = 0; c < 3; ++c)
-        unknowns[c] = numbering.rotation_unknown(turning, first_rotation + c);
+        unknowns[c] =
+          numbering.rotation_unknown(rotation_owner, first_rotation + c);
       return unknowns;
     }
 
@@ -29,12 +30,13 @@ namespace auxfem
       for (const JointRelease &release : releases)
         if (release.definition->type ==
             JointDefinition::Type::rotational_spring)
-          for (const TurningPair &pair : release.pairs)
+          for (const RotationPair &pair : release.pairs)
             {
               const std::array<int, 3> base = spins(numbering, pair.base),
                                        end  = spins(numbering, pair.end);
               if (end[2] >= 0 &&
-                  (base[2] >= 0 || pair.base.what == Turning::What::ground))
+                  (base[2] >= 0 ||
+                   pair.base.what == RotationOwner::What::ground))
                 add(number, release.definition->stiffness, base, end);
               ++number;
             }
@@ -96,7 +98,7 @@ namespace auxfem
     unsigned int                    number = 0;
     for (const JointRelease &release : releases)
       if (release.definition->type == JointDefinition::Type::revolute)
-        for (const TurningPair &pair : release.pairs)
+        for (const RotationPair &pair : release.pairs)
           {
             if (!hinges)
               hinges = std::make_unique<RevoluteHinges>(numbering,

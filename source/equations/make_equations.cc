@@ -51,7 +51,7 @@ namespace auxfem
     , tangent_pattern(model.numbering.unknowns())
   {
     make_internal_forces(scene);
-    make_conditions(scene);
+    make_constraints(scene);
     std::move(further.begin(), further.end(), std::back_inserter(effects));
     n_internal = effects.size();
     if (model.simulated.inertia)
@@ -157,21 +157,21 @@ namespace auxfem
       }
   }
 
-  void Equations::make_conditions(const Scene &scene)
+  void Equations::make_constraints(const Scene &scene)
   {
     const SimulatedEffects &simulated = structure.simulated;
     if (!structure.lattice.rigid_parts.empty())
       {
         auto of_parts =
-          std::make_unique<RigidPartConditions>(structure.bodies,
-                                                structure.lattice,
-                                                structure.numbering,
-                                                simulated.large_rotation,
-                                                simulated.gravity
-                                                  ? scene.gravity
-                                                  : dealii::Tensor<1, 3>());
+          std::make_unique<RigidPartConstraints>(structure.bodies,
+                                                 structure.lattice,
+                                                 structure.numbering,
+                                                 simulated.large_rotation,
+                                                 simulated.gravity
+                                                   ? scene.gravity
+                                                   : dealii::Tensor<1, 3>());
         reporting_effects.rigid_parts = of_parts.get();
-        reporting_effects.conditions.push_back(of_parts.get());
+        reporting_effects.constraints.push_back(of_parts.get());
         effects.push_back(std::move(of_parts));
       }
     if (auto hinges = make_revolute_hinges(structure.releases,
@@ -179,7 +179,7 @@ namespace auxfem
                                            simulated.large_rotation,
                                            structure.mean_strut_length))
       {
-        reporting_effects.conditions.push_back(hinges.get());
+        reporting_effects.constraints.push_back(hinges.get());
         effects.push_back(std::move(hinges));
       }
   }

@@ -3,7 +3,7 @@
 #include <auxfem/equations/make_loads.h>
 #include <auxfem/mesh/sets.h>
 #include <auxfem/model/line_rule.h>
-#include <auxfem/model/unknown_words.h>
+#include <auxfem/model/unknown_names.h>
 #include <auxfem/parameters/errors.h>
 
 #include <algorithm>
@@ -95,12 +95,13 @@ namespace auxfem
       const unsigned int n = numbering.n_components();
       for (unsigned int e = 0; e < numbering.elements().size(); ++e)
         {
-          const StrutMesh::Place &place = numbering.elements()[e].place;
-          if (!chosen[place.strut])
+          const StrutMesh::Interval &interval =
+            numbering.elements()[e].interval;
+          if (!chosen[interval.strut])
             continue;
-          const Strut &strut = lattice.struts[place.strut];
+          const Strut &strut = lattice.struts[interval.strut];
           const double force = per_length(strut) * lattice.length(strut) *
-            (place.end - place.begin) / 2;
+            (interval.end - interval.begin) / 2;
           for (unsigned int a = 0; a < rule.integrals.size(); ++a)
             loads.add_weight(load,
                              numbering.element_unknowns(e)[n * a + c],
@@ -124,7 +125,7 @@ namespace auxfem
     {
       std::for_each(bodies.in_plane.begin(), bodies.in_plane.end(), action);
       std::for_each(bodies.bars.begin(), bodies.bars.end(), action);
-      std::for_each(bodies.turning.begin(), bodies.turning.end(), action);
+      std::for_each(bodies.rotating.begin(), bodies.rotating.end(), action);
     }
 
     /** Adds a unit force per length along component @p c of the chosen rigid struts. */

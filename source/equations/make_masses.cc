@@ -2,7 +2,7 @@
 #include <auxfem/equations/effects/rotary_masses.h>
 #include <auxfem/equations/make_masses.h>
 #include <auxfem/mesh/sets.h>
-#include <auxfem/model/unknown_words.h>
+#include <auxfem/model/unknown_names.h>
 #include <auxfem/parameters/errors.h>
 
 namespace auxfem
@@ -66,7 +66,7 @@ namespace auxfem
             rotary->add(numbering.rotations().with(spin),
                         along_global_axes(mass.rotary_inertia));
         }
-    for (const TurningBody &body : bodies.turning)
+    for (const RotatingBody &body : bodies.rotating)
       {
         const RigidPart &part = lattice.rigid_parts[body.part];
         if (part.mass == 0)

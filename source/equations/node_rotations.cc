@@ -11,11 +11,11 @@ namespace auxfem
     for (unsigned int i = 0; i < evaluation.to.rotations.size(); ++i)
       evaluation.to.rotations[i] =
         normalized(evaluation.from.rotations[i] *
-                   exponential(material_turn(evaluation, i)));
+                   exponential(material_increment(evaluation, i)));
   }
 
-  void NodeRotations::turn(const Evaluation &evaluation,
-                           Vector           &increment) const
+  void NodeRotations::rotate(const Evaluation &evaluation,
+                             Vector           &increment) const
   {
     // Of a tiny spin the difference of two rotation vectors would keep no
     // digits, and divided by dt^2 these matter; the square of it is round-off.
@@ -24,7 +24,7 @@ namespace auxfem
       {
         const SpaceVector spin     = values(increment, i);
         Quaternion       &rotation = evaluation.to.rotations[i];
-        const SpaceVector before   = material_turn(evaluation, i),
+        const SpaceVector before   = material_increment(evaluation, i),
                           material = rotated(conjugate(rotation), spin);
         rotation                   = normalized(exponential(spin) * rotation);
         set_values(spin.norm() < tiny
@@ -46,35 +46,36 @@ namespace auxfem
                  vector);
   }
 
-  SpaceVector NodeRotations::spatial_turn(const Evaluation  &evaluation,
-                                          const unsigned int i) const
+  SpaceVector NodeRotations::spatial_increment(const Evaluation  &evaluation,
+                                               const unsigned int i) const
   {
-    return rotated(evaluation.from.rotations[i], material_turn(evaluation, i));
+    return rotated(evaluation.from.rotations[i],
+                   material_increment(evaluation, i));
   }
 
-  SpaceVector NodeRotations::material_turn(const Evaluation  &evaluation,
-                                           const unsigned int i) const
+  SpaceVector NodeRotations::material_increment(const Evaluation  &evaluation,
+                                                const unsigned int i) const
   {
     return values(evaluation.to.displacement, i) -
       values(evaluation.from.displacement, i);
   }
 
-  void NodeRotations::set_material_turn(const Evaluation  &evaluation,
-                                        const unsigned int i,
-                                        const SpaceVector &turn) const
+  void NodeRotations::set_material_increment(const Evaluation  &evaluation,
+                                             const unsigned int i,
+                                             const SpaceVector &rotate) const
   {
-    set_values(values(evaluation.from.displacement, i) + turn,
+    set_values(values(evaluation.from.displacement, i) + rotate,
                i,
                evaluation.to.displacement);
   }
 
-  SpaceTensor NodeRotations::turn_by_spin(const Evaluation  &evaluation,
-                                          const unsigned int i) const
+  SpaceTensor NodeRotations::increment_by_spin(const Evaluation  &evaluation,
+                                               const unsigned int i) const
   {
     // T^-1 P^T is the transpose of P T^-T.
     return transpose(rotated(evaluation.to.rotations[i],
                              transpose(inverse_tangent_operator(
-                               material_turn(evaluation, i)))));
+                               material_increment(evaluation, i)))));
   }
 
   SpaceVector NodeRotations::values(const Vector      &vector,

@@ -72,7 +72,7 @@ namespace auxfem
         rotated(conjugate(evaluation.from.rotations[i]),
                 support.rotation(0) -
                   rotations.values(evaluation.from.displacement, i));
-      rotations.set_material_turn(
+      rotations.set_material_increment(
         evaluation,
         i,
         rotation_vector_near(conjugate(evaluation.from.rotations[i]) * rotation,
@@ -110,10 +110,12 @@ namespace auxfem
               const Evaluation          &evaluation)
     {
       const Quaternion &before = evaluation.from.rotations[i];
-      const SpaceVector turn =
-        without_fixed(rotations.material_turn(evaluation, i), before, fixed);
-      rotations.set_material_turn(evaluation, i, turn);
-      const Quaternion after = before * exponential(turn);
+      const SpaceVector increment =
+        without_fixed(rotations.material_increment(evaluation, i),
+                      before,
+                      fixed);
+      rotations.set_material_increment(evaluation, i, increment);
+      const Quaternion after = before * exponential(increment);
       for (std::optional<Vector> *rate :
            {&evaluation.to.velocity, &evaluation.to.acceleration})
         if (*rate)
@@ -233,7 +235,7 @@ namespace auxfem
             const SpaceVector         missing = prescribed.is_whole()
                       ? rotation_vector(exponential(rotation_of(support, evaluation)) *
                                 conjugate(state.rotations[i]))
-                      : -rotations.spatial_turn(evaluation, i);
+                      : -rotations.spatial_increment(evaluation, i);
             const std::array<int, 3> &spins   = numbering.rotations()[i];
             for (unsigned int c = 0; c < 3; ++c)
               if (prescribed.fixed[c] && numbering.layout().is_owned(spins[c]))
@@ -260,11 +262,11 @@ namespace auxfem
 
       std::string without_mean_forces() const override
       {
-        const bool turns =
+        const bool increments =
           std::any_of(model.supports.begin(),
                       model.supports.end(),
                       [](const Support &s) { return !s.rotations.empty(); });
-        return turns ? "supports that turn in space" : "";
+        return increments ? "supports that turn in space" : "";
       }
 
       void register_in(StateLayout &layout) override
@@ -363,11 +365,11 @@ namespace auxfem
           {
             const std::array<int, 3> &spins =
               numbering.rotations()[prescribed.rotation];
-            const SpaceVector turn =
-              rotations.spatial_turn(step, prescribed.rotation);
+            const SpaceVector increment =
+              rotations.spatial_increment(step, prescribed.rotation);
             for (unsigned int c = 0; c < 3; ++c)
               if (prescribed.fixed[c] && numbering.layout().is_owned(spins[c]))
-                sum += mean_force(spins[c]) * turn[c];
+                sum += mean_force(spins[c]) * increment[c];
           }
         return sum;
       }

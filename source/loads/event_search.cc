@@ -361,16 +361,16 @@ namespace auxfem
       }
 
       std::optional<TimeEvent::Kind> classify(const Candidate  &candidate,
-                                              const std::size_t place) const
+                                              const std::size_t index) const
       {
-        const FunctionSize &left = sizes[place - 1], &right = sizes[place];
+        const FunctionSize &left = sizes[index - 1], &right = sizes[index];
         const FunctionSize  size = {std::max(left.value, right.value),
                                     std::max(left.slope, right.slope) +
                                       negligible_slope / relative_tolerance,
                                     std::max(left.curvature, right.curvature) +
                                       negligible_curvature / relative_tolerance};
         if (candidate.touched)
-          return classify_touch(place, size);
+          return classify_touch(index, size);
 
         const double      t      = candidate.time;
         const Jet<double> before = limit(expression, t, TimeSide::before);
@@ -392,7 +392,7 @@ namespace auxfem
                         [](const ExpressionTree::Switch &operation) {
                           return operation.when_touched;
                         }))
-          if (const auto kind = classify_touch(place, size))
+          if (const auto kind = classify_touch(index, size))
             return kind;
         if (derivatives > 1 && is_bend(before.second, after.second, size))
           return TimeEvent::Kind::bend;
@@ -405,11 +405,11 @@ namespace auxfem
        * away, where they also differ by curvature.
        */
       std::optional<TimeEvent::Kind>
-      classify_touch(const std::size_t place, const FunctionSize &size) const
+      classify_touch(const std::size_t index, const FunctionSize &size) const
       {
-        const double t = times[place];
+        const double t = times[index];
         const double distance =
-          1e-4 * std::min(t - times[place - 1], times[place + 1] - t);
+          1e-4 * std::min(t - times[index - 1], times[index + 1] - t);
         const auto slope = [this](const double t) {
           return expression.result(expression.evaluate(t)).first;
         };

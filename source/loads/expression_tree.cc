@@ -145,7 +145,7 @@ namespace auxfem
             break;
         }
 
-    // Unused places repeat the first operand.
+    // Unused positions repeat the first operand.
     Node node{operation, 0, {}};
     if (!operands.empty())
       node.operands.fill(operands.front());

@@ -38,7 +38,7 @@ namespace auxfem
       return size;
     }
 
-    /** Finds joints by place, through buckets on a cubic grid. */
+    /** Finds joints by position, through buckets on a cubic grid. */
     class JointFinder
     {
     public:
@@ -48,15 +48,15 @@ namespace auxfem
       {}
 
       /**
-       * Index of a joint at @p place that is not in @p taken; invalid_index if
+       * Index of a joint at @p position that is not in @p taken; invalid_index if
        * there is none.
        */
       unsigned int find(const std::vector<dealii::Point<3>> &joints,
-                        const dealii::Point<3>              &place,
+                        const dealii::Point<3>              &position,
                         const std::vector<unsigned int>     &taken) const
       {
-        const Key low  = key_of(place, -tolerance);
-        const Key high = key_of(place, tolerance);
+        const Key low  = key_of(position, -tolerance);
+        const Key high = key_of(position, tolerance);
         for (auto x = low[0]; x <= high[0]; ++x)
           for (auto y = low[1]; y <= high[1]; ++y)
             for (auto z = low[2]; z <= high[2]; ++z)
@@ -65,7 +65,7 @@ namespace auxfem
                 if (bucket == buckets.end())
                   continue;
                 for (const unsigned int index : bucket->second)
-                  if (joints[index].distance(place) <= tolerance &&
+                  if (joints[index].distance(position) <= tolerance &&
                       std::find(taken.begin(), taken.end(), index) ==
                         taken.end())
                     return index;
@@ -73,9 +73,9 @@ namespace auxfem
         return invalid_index;
       }
 
-      void insert(const dealii::Point<3> &place, const unsigned int index)
+      void insert(const dealii::Point<3> &position, const unsigned int index)
       {
-        buckets[key_of(place, 0.)].push_back(index);
+        buckets[key_of(position, 0.)].push_back(index);
       }
 
     private:
@@ -92,12 +92,12 @@ namespace auxfem
         }
       };
 
-      Key key_of(const dealii::Point<3> &place, const double shift) const
+      Key key_of(const dealii::Point<3> &position, const double shift) const
       {
         Key key;
         for (unsigned int d = 0; d < 3; ++d)
-          key[d] =
-            static_cast<std::int64_t>(std::floor((place[d] + shift) / width));
+          key[d] = static_cast<std::int64_t>(
+            std::floor((position[d] + shift) / width));
         return key;
       }
 
@@ -199,13 +199,13 @@ namespace auxfem
         global.clear();
         for (const auto &joint : cell.joints)
           {
-            const dealii::Point<3> place = joint + centre;
-            unsigned int index = finder.find(lattice.joints, place, global);
+            const dealii::Point<3> position = joint + centre;
+            unsigned int index = finder.find(lattice.joints, position, global);
             if (index == invalid_index)
               {
                 index = lattice.joints.size();
-                lattice.joints.push_back(place);
-                finder.insert(place, index);
+                lattice.joints.push_back(position);
+                finder.insert(position, index);
               }
             global.push_back(index);
           }
@@ -383,7 +383,7 @@ namespace auxfem
 
       const UnitCell           &cell;
       const Index3             &n_cells;
-      const double              tolerance; ///< for places (m)
+      const double              tolerance; ///< for positions (m)
       JointFinder               finder;
       Lattice                   lattice;
       unsigned int              number = 0; ///< of the cell in work

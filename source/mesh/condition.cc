@@ -38,7 +38,7 @@ namespace auxfem
 
     bool holds_at(const dealii::Point<3> &at)
     {
-      place              = at;
+      position           = at;
       const double value = expression.value();
       if (std::isnan(value))
         fail("its value at (" + std::to_string(at[0]) + ", " +
@@ -56,7 +56,7 @@ namespace auxfem
       for (unsigned int d = 0; d < 3; ++d)
         {
           const std::string axis(1, "xyz"[d]);
-          coordinates.emplace_back(axis, &place[d]);
+          coordinates.emplace_back(axis, &position[d]);
           bounds.emplace_back(axis + "min", box[0][d]);
           bounds.emplace_back(axis + "max", box[1][d]);
         }
@@ -72,15 +72,15 @@ namespace auxfem
 
     [[noreturn]] void fail(const std::string &problem) const
     {
-      throw InputError(path + ": the condition \"" + text +
-                       "\" cannot be used: " + problem +
-                       "\nKnown in conditions are also x, y, z (m). Places are "
-                       "best compared by \"abs(y - ymax) < 1e-6\".");
+      throw InputError(
+        path + ": the condition \"" + text + "\" cannot be used: " + problem +
+        "\nKnown in conditions are also x, y, z (m). Positions are "
+        "best compared by \"abs(y - ymax) < 1e-6\".");
     }
 
     const std::string text;
     const std::string path;
-    dealii::Point<3>  place;
+    dealii::Point<3>  position;
     Expression        expression;
   };
 
@@ -94,8 +94,8 @@ namespace auxfem
 
   Condition::~Condition() = default;
 
-  bool Condition::holds_at(const dealii::Point<3> &place)
+  bool Condition::holds_at(const dealii::Point<3> &position)
   {
-    return implementation->holds_at(place);
+    return implementation->holds_at(position);
   }
 } // namespace auxfem

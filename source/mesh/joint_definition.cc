@@ -33,19 +33,22 @@ namespace auxfem
 
   SubsectionSchema joints_schema()
   {
-    return {"Joints",
-            SubsectionSchema::Form::named_groups,
-            "Joints at which struts are not rigidly connected.",
-            {set_of_joints, released_struts, joint_type},
-            "Type",
-            {{"hinge", "Struts turn freely, in space about every axis.", {}},
-             {"revolute",
-              "Struts turn freely about one axis only; with Dimension = 3.",
-              {joint_axis}},
-             {"rotational spring",
-              "A spring resists the relative rotation, in space about every "
-              "axis alike.",
-              {joint_stiffness}}}};
+    return {
+      "Joints",
+      SubsectionSchema::Form::named_groups,
+      "Joints at which struts are not rigidly connected.",
+      {set_of_joints, released_struts, joint_type},
+      "Type",
+      {{"hinge",
+        "Struts turn freely, in space about every axis (a spherical joint).",
+        {}},
+       {"revolute",
+        "Struts turn freely about one axis only; with Dimension = 3.",
+        {joint_axis}},
+       {"rotational spring",
+        "A spring resists the relative rotation, in space about every "
+        "axis alike.",
+        {joint_stiffness}}}};
   }
 
 

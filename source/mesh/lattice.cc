@@ -52,8 +52,8 @@ namespace auxfem
   dealii::Point<3> Lattice::centroid(const Strut &strut) const
   {
     dealii::Point<3> result;
-    for (const auto &[place, weight] : even_points(strut))
-      result += weight * place;
+    for (const auto &[position, weight] : even_points(strut))
+      result += weight * position;
     return result;
   }
 

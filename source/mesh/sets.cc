@@ -1,6 +1,6 @@
 #include <auxfem/mesh/condition.h>
 #include <auxfem/mesh/index_text.h>
-#include <auxfem/mesh/place_text.h>
+#include <auxfem/mesh/position_text.h>
 #include <auxfem/mesh/sets.h>
 #include <auxfem/parameters/errors.h>
 #include <auxfem/parameters/quantity.h>
@@ -47,26 +47,26 @@ namespace auxfem
     }
 
     /**
-     * Selects things that have a number, a place and named sets: joints, or
+     * Selects things that have a number, a position and named sets: joints, or
      * struts at their middles.
      */
     class Selector
     {
     public:
-      /** Place of a thing by its number (m). */
-      using Places = std::function<dealii::Point<3>(unsigned int)>;
+      /** Position of a thing by its number (m). */
+      using Positions = std::function<dealii::Point<3>(unsigned int)>;
 
       Selector(const std::string                    &noun,
                const std::map<std::string, Indices> &sets,
                const unsigned int                    n_things,
-               const Places                         &place_of,
+               const Positions                      &position_of,
                const Lattice                        &lattice,
                const SceneContext                   &context,
                const std::string                    &path)
         : noun(noun)
         , sets(sets)
         , n_things(n_things)
-        , place_of(place_of)
+        , position_of(position_of)
         , lattice(lattice)
         , context(context)
         , path(path)
@@ -153,7 +153,7 @@ namespace auxfem
         Condition condition(text, lattice, context, path);
         Indices   result;
         for (unsigned int i = 0; i < n_things; ++i)
-          if (condition.holds_at(place_of(i)))
+          if (condition.holds_at(position_of(i)))
             result.push_back(i);
         return result;
       }
@@ -165,12 +165,13 @@ namespace auxfem
           throw InputError(path + ": " + quoted(text.substr(0, colon + 1)) +
                            " in " + quoted(text) + " is not known. " +
                            allowed());
-        const dealii::Point<3> place = read_place(text.substr(colon + 1), text);
-        refuse_far(place, text);
+        const dealii::Point<3> position =
+          read_position(text.substr(colon + 1), text);
+        refuse_far(position, text);
         unsigned int found    = 0;
         double       shortest = std::numeric_limits<double>::max();
         for (unsigned int i = 0; i < n_things; ++i)
-          if (const double distance = place.distance_square(place_of(i));
+          if (const double distance = position.distance_square(position_of(i));
               distance < shortest)
             {
               shortest = distance;
@@ -180,24 +181,25 @@ namespace auxfem
       }
 
       /** Millimetres taken for metres find the wrong joint, and no mistake. */
-      void refuse_far(const dealii::Point<3> &place,
+      void refuse_far(const dealii::Point<3> &position,
                       const std::string      &text) const
       {
         constexpr double     largest = 10; // of the size of the lattice
         const auto           box     = bounding_box(lattice);
         dealii::Tensor<1, 3> away;
         for (unsigned int d = 0; d < 3; ++d)
-          away[d] = std::max({box[0][d] - place[d], place[d] - box[1][d], 0.});
+          away[d] =
+            std::max({box[0][d] - position[d], position[d] - box[1][d], 0.});
         if (!(away.norm() <= largest * (box[1] - box[0]).norm()))
           throw InputError(path + ": " + quoted(text) +
                            " lies far from the lattice. " + extent() +
-                           " Places are in m unless a unit is given.");
+                           " Positions are in m unless a unit is given.");
       }
 
-      dealii::Point<3> read_place(const std::string &list,
-                                  const std::string &text) const
+      dealii::Point<3> read_position(const std::string &list,
+                                     const std::string &text) const
       {
-        dealii::Point<3> place;
+        dealii::Point<3> position;
         try
           {
             const auto items = split_quantity_list(list);
@@ -205,28 +207,28 @@ namespace auxfem
               throw InputError(std::to_string(items.size()) +
                                " coordinates are given");
             for (std::size_t i = 0; i < items.size(); ++i)
-              place[i] = parse_quantity(items[i], "m");
+              position[i] = parse_quantity(items[i], "m");
           }
         catch (const InputError &error)
           {
             throw InputError(path + ": " + quoted(text) + ": " + error.what() +
                              (context.dimension == 3
-                                ? ". Write the place like \"nearest: 0.01, "
+                                ? ". Write the position like \"nearest: 0.01, "
                                   "0.02, 0.03\" (in m) or \"nearest: 10 mm, "
                                   "20 mm, 30 mm\"."
-                                : ". Write the place like \"nearest: 0.01, "
+                                : ". Write the position like \"nearest: 0.01, "
                                   "0.02\" (in m) or \"nearest: 10 mm, 20 "
                                   "mm\"."));
           }
-        return place;
+        return position;
       }
 
       std::string extent() const
       {
         const auto box = bounding_box(lattice);
         return "The joints lie between " +
-          place_text(box[0], context.dimension) + " and " +
-          place_text(box[1], context.dimension) + ".";
+          position_text(box[0], context.dimension) + " and " +
+          position_text(box[1], context.dimension) + ".";
       }
 
       std::string allowed() const
@@ -243,7 +245,7 @@ namespace auxfem
       const std::string                     noun;
       const std::map<std::string, Indices> &sets;
       const unsigned int                    n_things;
-      const Places                          place_of;
+      const Positions                       position_of;
       const Lattice                        &lattice;
       const SceneContext                   &context;
       const std::string                    &path;
@@ -333,10 +335,10 @@ namespace auxfem
                                           const std::string  &path)
   {
     const auto middle = [&](const unsigned int i) {
-      dealii::Point<3>     place;
+      dealii::Point<3>     position;
       dealii::Tensor<1, 3> tangent;
-      lattice.axis(lattice.struts[i], 0.5, place, tangent);
-      return place;
+      lattice.axis(lattice.struts[i], 0.5, position, tangent);
+      return position;
     };
     return Selector("strut",
                     lattice.strut_sets,

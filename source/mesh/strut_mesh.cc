@@ -110,7 +110,8 @@ namespace auxfem
     return ranks[strut];
   }
 
-  StrutMesh::Place StrutMesh::place(const Triangulation::cell_iterator &cell)
+  StrutMesh::Interval
+  StrutMesh::interval(const Triangulation::cell_iterator &cell)
   {
     // Vertices are whole numbers and halves of halves between them: exact.
     const unsigned int strut = cell->material_id();

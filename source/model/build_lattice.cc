@@ -1,4 +1,4 @@
-#include <auxfem/mesh/place_text.h>
+#include <auxfem/mesh/position_text.h>
 #include <auxfem/mesh/sets.h>
 #include <auxfem/model/build_lattice.h>
 #include <auxfem/model/rigid_parts.h>
@@ -90,7 +90,7 @@ namespace auxfem
       std::ostringstream text;
       text << "Strut " << number << " (joints " << strut.joints[0] << " and "
            << strut.joints[1] << ", middle at "
-           << place_text(middle, dimension);
+           << position_text(middle, dimension);
       for (const auto &[name, members] : lattice.strut_sets)
         if (name != "all" &&
             std::binary_search(members.begin(), members.end(), number))

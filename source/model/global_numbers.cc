@@ -1,4 +1,4 @@
-#include <auxfem/model/claimed_unknowns.h>
+#include <auxfem/model/unknown_distribution.h>
 
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_q.h>
@@ -22,9 +22,9 @@ namespace auxfem
     // Every node gets the numbers its joint has, if it lies at one, else those
     // of its own. Numbers are first counted apart for each rank (the rank whose
     // cell touches the unknown first owns it), then shifted to rank ranges.
-    using Unknown                     = ClaimedUnknowns::Unknown;
+    using Unknown                     = UnknownDistribution::Unknown;
     const std::size_t    n_components = components.size();
-    ClaimedUnknowns      claimed(lattice, ties, n_ranks);
+    UnknownDistribution  distribution(lattice, ties, n_ranks);
     std::vector<Unknown> of_node(std::size_t(nodes.n_dofs()) * n_components);
     std::vector<const Unknown *> of_cell;
     of_cell.reserve(std::size_t(mesh.n_cells()) * fe.n_dofs_per_cell() *
@@ -33,23 +33,25 @@ namespace auxfem
     std::vector<dealii::types::global_dof_index> of_this(fe.n_dofs_per_cell());
     for (const auto &cell : active_cells(nodes, mesh))
       {
-        const StrutMesh::Place place = StrutMesh::place(cell);
-        const int              rank  = cell->subdomain_id();
+        const StrutMesh::Interval interval = StrutMesh::interval(cell);
+        const int                 rank     = cell->subdomain_id();
         cell->get_dof_indices(of_this);
         for (unsigned int node = 0; node < of_this.size(); ++node)
           {
             Unknown *own = &of_node[of_this[node] * n_components];
             for (const unsigned int component : components)
-              of_cell.push_back(
-                place.is_joint(node)
-                  ? claimed.claim_end(place.strut, node, component, rank)
-                  : claimed.claim(*own++, rank));
+              of_cell.push_back(interval.is_joint(node)
+                                  ? distribution.assign_end(interval.strut,
+                                                            node,
+                                                            component,
+                                                            rank)
+                                  : distribution.assign(*own++, rank));
           }
       }
-    claimed.claim_joints(mesh);
-    claimed.claim_rigid_parts();
-    claimed.claim_hinges();
-    take(claimed);
+    distribution.assign_joints(mesh);
+    distribution.assign_rigid_parts();
+    distribution.assign_hinges();
+    take(distribution);
 
     cells.resize(of_cell.size());
     std::transform(of_cell.begin(),
@@ -62,32 +64,33 @@ namespace auxfem
       hinges[h].joint = ties.hinged[h].joint;
   }
 
-  void GlobalNumbers::take(const ClaimedUnknowns &claimed)
+  void GlobalNumbers::take(const UnknownDistribution &distribution)
   {
     first_owned.assign(1, 0);
-    for (const int n_owned_by_rank : claimed.counts())
+    for (const int n_owned_by_rank : distribution.counts())
       first_owned.push_back(first_owned.back() + n_owned_by_rank);
-    const auto global = [this](const ClaimedUnknowns::Unknown &unknown) {
+    const auto global = [this](const UnknownDistribution::Unknown &unknown) {
       return unknown.owner < 0 ? -1
                                : first_owned[unknown.owner] + unknown.number;
     };
-    const auto all_global = [&](const ClaimedUnknowns::Motion &unknowns) {
+    const auto all_global = [&](const UnknownDistribution::Motion &unknowns) {
       OfMotion numbers;
       std::transform(unknowns.begin(), unknowns.end(), numbers.begin(), global);
       return numbers;
     };
-    for (unsigned int joint = 0; joint < claimed.n_joints(); ++joint)
-      joints.push_back(all_global(claimed.joint(joint)));
-    for (const auto &[end, rotation] : claimed.released_ends())
+    for (unsigned int joint = 0; joint < distribution.n_joints(); ++joint)
+      joints.push_back(all_global(distribution.joint(joint)));
+    for (const auto &[end, rotation] : distribution.released_ends())
       released_ends[end] = all_global(rotation);
-    for (const ClaimedUnknowns::RigidPartClaims &part : claimed.rigid_parts())
+    for (const UnknownDistribution::RigidPartUnknowns &part :
+         distribution.rigid_parts())
       {
         rigid_parts.push_back(
           {part.clamped_joints, all_global(part.motion), {}});
-        for (const ClaimedUnknowns::Unknown &multiplier : part.multipliers)
+        for (const UnknownDistribution::Unknown &multiplier : part.multipliers)
           rigid_parts.back().multipliers.push_back(global(multiplier));
       }
-    for (const auto &hinge : claimed.hinges())
+    for (const auto &hinge : distribution.hinges())
       hinges.push_back({invalid_index, {{global(hinge[0]), global(hinge[1])}}});
   }
 
@@ -124,25 +127,26 @@ namespace auxfem
           .clamped_joints[number - 1 - d * (part.joints.size() - 2)];
   }
 
-  GlobalNumbers::OfMotion GlobalNumbers::rotation(const Turning &turning) const
+  GlobalNumbers::OfMotion
+  GlobalNumbers::rotation(const RotationOwner &rotation_owner) const
   {
     OfMotion   numbers = {{-1, -1, -1, -1, -1, -1}};
     const auto take    = [&numbers](const OfMotion &from) {
       for (unsigned int c = first_rotation; c < n_motion_components; ++c)
         numbers[c] = from[c];
     };
-    switch (turning.what)
+    switch (rotation_owner.what)
       {
-        case Turning::What::ground:
+        case RotationOwner::What::ground:
           break;
-        case Turning::What::joint:
-          take(joints[turning.index]);
+        case RotationOwner::What::joint:
+          take(joints[rotation_owner.index]);
           break;
-        case Turning::What::strut_end:
-          take(released_ends.at({turning.index, turning.end}));
+        case RotationOwner::What::strut_end:
+          take(released_ends.at({rotation_owner.index, rotation_owner.end}));
           break;
-        case Turning::What::rigid_part:
-          take(rigid_parts[turning.index].motion);
+        case RotationOwner::What::rigid_part:
+          take(rigid_parts[rotation_owner.index].motion);
           break;
       }
     return numbers;
@@ -151,14 +155,14 @@ namespace auxfem
   std::vector<std::vector<int>> GlobalNumbers::coupled(const Ties &ties) const
   {
     std::vector<std::vector<int>> result;
-    const auto                    add = [&](const TurningPair &pair) {
+    const auto                    add = [&](const RotationPair &pair) {
       result.emplace_back();
-      for (const Turning &turning : {pair.base, pair.end})
-        for (const int number : rotation(turning))
+      for (const RotationOwner &rotation_owner : {pair.base, pair.end})
+        for (const int number : rotation(rotation_owner))
           if (number >= 0)
             result.back().push_back(number);
     };
-    for (const TurningPair &pair : ties.sprung)
+    for (const RotationPair &pair : ties.sprung)
       add(pair);
     for (unsigned int h = 0; h < ties.hinged.size(); ++h)
       {

@@ -3,7 +3,7 @@
 #include <auxfem/model/initial_velocities.h>
 #include <auxfem/model/line_rule.h>
 #include <auxfem/model/strut_velocities.h>
-#include <auxfem/model/unknown_words.h>
+#include <auxfem/model/unknown_names.h>
 #include <auxfem/parameters/errors.h>
 
 #include <algorithm>
@@ -28,13 +28,13 @@ namespace auxfem
                               const dealii::Point<3> &centre,
                               const JointVelocity    &velocity)
     {
-      const SpaceVector turning =
+      const SpaceVector rotational =
         dealii::cross_product_3d(SpaceVector(
                                    {velocity[3], velocity[4], velocity[5]}),
                                  point - centre);
       JointVelocity result = velocity;
       for (unsigned int c = 0; c < 3; ++c)
-        result[c] += turning[c];
+        result[c] += rotational[c];
       return result;
     }
 
@@ -93,7 +93,7 @@ namespace auxfem
         , of_joints(lattice.joints.size())
         , spins_of_parts(lattice.rigid_parts.size())
       {
-        find_turning_parts();
+        find_rotating_parts();
         for (const InitialVelocityDefinition &definition :
              scene.initial_velocities)
           take(definition);
@@ -111,11 +111,11 @@ namespace auxfem
       }
 
     private:
-      void find_turning_parts()
+      void find_rotating_parts()
       {
         for (unsigned int p = 0; p < lattice.rigid_parts.size(); ++p)
           if (lattice.rigid_parts[p].has_rotation)
-            turning_parts
+            rotating_parts
               [numbering.global().rigid_parts[p].motion[rotation_z]] = p;
         for (const unsigned int p : numbering.constraints().rigid_parts())
           if (lattice.rigid_parts[p].has_rotation)
@@ -137,7 +137,7 @@ namespace auxfem
             set.chosen[joint] = true;
             set.centre += lattice.joints[joint] / double(set.joints.size());
           }
-        refuse_vain_turning(set);
+        refuse_lost_rotation(set);
         move_joints(set);
         for (unsigned int p = 0; p < lattice.rigid_parts.size(); ++p)
           if (lattice.rigid_parts[p].has_rotation &&
@@ -166,17 +166,17 @@ namespace auxfem
 
       /** The rigid part whose rotation a joint has, if any. */
       std::optional<unsigned int>
-      turning_part_of(const unsigned int joint) const
+      rotating_part_of(const unsigned int joint) const
       {
         const auto found =
-          turning_parts.find(numbering.global().joints[joint][rotation_z]);
-        if (found == turning_parts.end())
+          rotating_parts.find(numbering.global().joints[joint][rotation_z]);
+        if (found == rotating_parts.end())
           return {};
         return found->second;
       }
 
       /** A set of several joints moves them; one joint can only turn itself. */
-      void refuse_vain_turning(const MovingSet &set) const
+      void refuse_lost_rotation(const MovingSet &set) const
       {
         if (!set.turns() || set.joints.size() > 1)
           return;
@@ -186,7 +186,7 @@ namespace auxfem
           throw InputError(
             found + why_no_rotation(numbering, joint) +
             " To turn a rigid part, name all its joints in one set.");
-        if (const std::optional<unsigned int> part = turning_part_of(joint);
+        if (const std::optional<unsigned int> part = rotating_part_of(joint);
             part && !set.has_all(lattice.rigid_parts[*part].joints))
           throw InputError(found + "joint " + std::to_string(joint) +
                            " turns with a rigid part. Name all joints of the "
@@ -222,7 +222,7 @@ namespace auxfem
             const char        *unit = c < first_rotation ? " m/s" : " rad/s";
             std::ostringstream message;
             message << given.definition->path << ": the "
-                    << motion_in_words(c, lattice.dimension) << " of joint "
+                    << motion_name(c, lattice.dimension) << " of joint "
                     << joint << " is prescribed by " << support.path
                     << " and starts with " << allowed << unit << ", not with "
                     << velocity << unit
@@ -259,7 +259,7 @@ namespace auxfem
                          of_joints[joint]->velocity,
                          numbering.global().released_ends.count({strut, end}) >
                            0};
-        if (const std::optional<unsigned int> part = turning_part_of(joint);
+        if (const std::optional<unsigned int> part = rotating_part_of(joint);
             part && !result.is_released)
           for (unsigned int c = first_rotation; c < n_motion_components; ++c)
             result.velocity[c] = spins_of_parts[*part][c];
@@ -269,18 +269,18 @@ namespace auxfem
       /** Nodes of an element but those at joints, whose unknowns are these. */
       void move_element(const unsigned int e)
       {
-        const StrutMesh::Place &place = numbering.elements()[e].place;
-        const Strut            &strut = lattice.struts[place.strut];
+        const StrutMesh::Interval &interval = numbering.elements()[e].interval;
+        const Strut               &strut    = lattice.struts[interval.strut];
         if (!of_joints[strut.joints[0]] || !of_joints[strut.joints[1]])
           return;
         const std::array<MovingEnd, 2> ends = {
-          {end_of(place.strut, 0), end_of(place.strut, 1)}};
+          {end_of(interval.strut, 0), end_of(interval.strut, 1)}};
         const StrutVelocities inside(ends);
         const LineRule        rule(numbering.order());
         const unsigned int    n = numbering.n_components();
         for (unsigned int a = 0; a < rule.nodes.size(); ++a)
           {
-            const double         fraction = place.at(rule.nodes[a]);
+            const double         fraction = interval.at(rule.nodes[a]);
             dealii::Point<3>     position;
             dealii::Tensor<1, 3> tangent;
             lattice.axis(strut, fraction, position, tangent);
@@ -288,7 +288,7 @@ namespace auxfem
             for (unsigned int i = 0; i < n; ++i)
               {
                 const int  unknown = numbering.element_unknowns(e)[n * a + i];
-                const bool is_of_joint = place.is_joint(a) &&
+                const bool is_of_joint = interval.is_joint(a) &&
                   unknown ==
                     numbering.joint_unknown(strut.joints[a],
                                             numbering.components()[i]);
@@ -306,7 +306,7 @@ namespace auxfem
        * by part. */
       std::vector<JointVelocity> spins_of_parts;
       /** Rigid parts by the global number of their rotation. */
-      std::map<int, unsigned int> turning_parts;
+      std::map<int, unsigned int> rotating_parts;
       std::set<int>               of_rigid_parts; ///< local unknowns
       std::map<int, double>       velocities;     ///< by local unknown
     };

@@ -10,7 +10,7 @@ namespace auxfem
   namespace
   {
     using Type = JointDefinition::Type;
-    using What = Turning::What;
+    using What = RotationOwner::What;
 
     /** Ends of struts, elastic or rigid, by joint. */
     std::vector<std::vector<StrutEnd>> ends_by_joint(const Lattice &lattice,
@@ -73,22 +73,22 @@ namespace auxfem
     }
 
     /** What turns at a joint, in order. */
-    std::vector<Turning> turning_ends(const JointRelease::AtJoint &at)
+    std::vector<RotationOwner> rotation_owners(const JointRelease::AtJoint &at)
     {
-      std::vector<Turning> turning;
+      std::vector<RotationOwner> rotation_owner;
       for (const StrutEnd &end : at.ends)
-        turning.push_back({What::strut_end, end.strut, end.end});
+        rotation_owner.push_back({What::strut_end, end.strut, end.end});
       for (const unsigned int part : at.rigid_parts)
-        turning.push_back({What::rigid_part, part, 0});
-      return turning;
+        rotation_owner.push_back({What::rigid_part, part, 0});
+      return rotation_owner;
     }
 
     /** What the @p ends at a joint turn against. */
-    Turning base_of(const JointRelease::AtJoint &at,
-                    const std::vector<Turning>  &ends,
-                    const Turning               &of_joint,
-                    const JointDefinition       &definition,
-                    const bool                   at_bar)
+    RotationOwner base_of(const JointRelease::AtJoint      &at,
+                          const std::vector<RotationOwner> &ends,
+                          const RotationOwner              &of_joint,
+                          const JointDefinition            &definition,
+                          const bool                        at_bar)
     {
       if (of_joint.what != What::ground &&
           std::count(ends.begin(), ends.end(), of_joint) == 0)
@@ -172,7 +172,7 @@ namespace auxfem
     /** What springs and revolute hinges couple. */
     void find_pairs(std::vector<JointRelease> &releases, const Lattice &lattice)
     {
-      const std::vector<Turning> of_joint =
+      const std::vector<RotationOwner> of_joint =
         joint_rotations(lattice, released_ends(releases, lattice));
       const std::vector<bool> is_of_part = joints_of_rigid_parts(lattice);
       for (JointRelease &release : releases)
@@ -182,14 +182,14 @@ namespace auxfem
             continue;
           for (const JointRelease::AtJoint &at : release.joints)
             {
-              const std::vector<Turning> ends = turning_ends(at);
-              const Turning              base =
+              const std::vector<RotationOwner> ends = rotation_owners(at);
+              const RotationOwner              base =
                 base_of(at,
                         ends,
                         of_joint[at.joint],
                         definition,
                         lattice.dimension == 3 && is_of_part[at.joint]);
-              for (const Turning &end : ends)
+              for (const RotationOwner &end : ends)
                 if (!(end == base))
                   release.pairs.push_back({at.joint, base, end});
             }

@@ -75,7 +75,7 @@ namespace auxfem
         result.cells.push_back(c);
         // The rank of the last node owns an unknown of the element, so it
         // keeps the element; the rank of the cell may not.
-        element_list.push_back({StrutMesh::place(cell), is_mine(last[-1])});
+        element_list.push_back({StrutMesh::interval(cell), is_mine(last[-1])});
       }
     for (const JointPair &pair : ties.connected)
       for (const unsigned int mine : {pair.first, pair.second})
@@ -138,13 +138,13 @@ namespace auxfem
     const unsigned int n_nodes = polynomial_order + 1;
     for (std::size_t e = 0; e < element_list.size(); ++e)
       for (unsigned int node = 0; node < n_nodes; ++node)
-        if (!element_list[e].place.is_joint(node))
+        if (!element_list[e].interval.is_joint(node))
           for (unsigned int c = 0; c < n_components(); ++c)
             {
               const int unknown =
                 element_unknowns(e)[node * n_components() + c];
               mark(unknown, 0, node_components[c]);
-              of_unknowns.strut[unknown] = element_list[e].place.strut;
+              of_unknowns.strut[unknown] = element_list[e].interval.strut;
             }
     for (unsigned int p = 0; p < numbers.rigid_parts.size(); ++p)
       {
@@ -282,9 +282,9 @@ namespace auxfem
     return layout().local(of_end[component]);
   }
 
-  int DofNumbering::rotation_unknown(const Turning     &turning,
-                                     const unsigned int component) const
+  int DofNumbering::rotation_unknown(const RotationOwner &rotation_owner,
+                                     const unsigned int   component) const
   {
-    return layout().local(numbers.rotation(turning)[component]);
+    return layout().local(numbers.rotation(rotation_owner)[component]);
   }
 } // namespace auxfem

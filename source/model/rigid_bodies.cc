@@ -34,13 +34,13 @@ namespace auxfem
         body.base[i] = numbering.joint_unknown(part.joints[i / dim], i % dim);
       body.rest   = in_dimension<dim>(r1 - r0);
       body.length = body.rest.norm();
-      body.centre = place_in<dim>(part, lattice, part.centre_of_mass);
+      body.centre = position_in<dim>(part, lattice, part.centre_of_mass);
       body.mass =
         rigid_mass_matrix<dim>(part.mass,
                                transverse_inertia<dim>(part, body.rest),
                                body.length,
                                body.centre);
-      body.counted = numbering.layout().is_owned(
+      body.owned = numbering.layout().is_owned(
         numbering.constraints().multiplier(number, 0));
       return body;
     }
@@ -81,7 +81,7 @@ namespace auxfem
     for (const unsigned int number : numbering.constraints().rigid_parts())
       if (lattice.rigid_parts[number].has_rotation)
         {
-          TurningBody body;
+          RotatingBody body;
           body.part = number;
           for (unsigned int c = 0; c < 3; ++c)
             {
@@ -89,9 +89,9 @@ namespace auxfem
               body.rotation[c] =
                 numbering.constraints().motion(number, first_rotation + c);
             }
-          body.counted = numbering.layout().is_owned(
+          body.owned = numbering.layout().is_owned(
             numbering.constraints().multiplier(number, 0));
-          bodies.turning.push_back(body);
+          bodies.rotating.push_back(body);
         }
       else if (lattice.dimension == 3)
         bodies.bars.push_back(natural_body<3>(number, lattice, numbering));
@@ -107,9 +107,9 @@ namespace auxfem
                            const dealii::Point<3> &point,
                            const unsigned int      component)
   {
-    const std::array<double, 2 *dim> shares =
-      shape<dim>(place_in<dim>(lattice.rigid_parts[body.part], lattice, point),
-                 component);
+    const std::array<double, 2 *dim> shares = shape<dim>(
+      position_in<dim>(lattice.rigid_parts[body.part], lattice, point),
+      component);
     ForceShares result;
     for (unsigned int i = 0; i < 2 * dim; ++i)
       result.emplace_back(body.base[i], shares[i]);
@@ -127,7 +127,7 @@ namespace auxfem
                                        const dealii::Point<3> &,
                                        unsigned int);
 
-  ForceShares force_shares(const TurningBody      &body,
+  ForceShares force_shares(const RotatingBody     &body,
                            const Lattice          &lattice,
                            const DofNumbering     &numbering,
                            const dealii::Point<3> &point,

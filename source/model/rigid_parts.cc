@@ -11,10 +11,10 @@ namespace auxfem
 {
   namespace
   {
-    /** A place with its share of a part's mass. */
+    /** A position with its share of a part's mass. */
     struct Portion
     {
-      dealii::Point<3> place;
+      dealii::Point<3> position;
       double           share;
     };
 
@@ -30,8 +30,8 @@ namespace auxfem
         {
           const Strut &strut = lattice.struts[number];
           const double share = lattice.length(strut) / length;
-          for (const auto &[place, weight] : lattice.even_points(strut))
-            portions.push_back({place, weight * share});
+          for (const auto &[position, weight] : lattice.even_points(strut))
+            portions.push_back({position, weight * share});
         }
       return portions;
     }
@@ -61,7 +61,7 @@ namespace auxfem
                           const RigidPart            &part,
                           const std::vector<Portion> &portions)
     {
-      // Places are given with six digits or more.
+      // Positions are given with six digits or more.
       constexpr double           negligible = 1e-6;
       const dealii::Point<3>     origin     = lattice.joints[part.joints[0]];
       const dealii::Tensor<1, 3> base = lattice.joints[part.joints[1]] - origin;
@@ -77,7 +77,7 @@ namespace auxfem
         std::all_of(portions.begin(),
                     portions.end(),
                     [&](const Portion &portion) {
-                      return is_on_line(portion.place);
+                      return is_on_line(portion.position);
                     });
     }
 
@@ -90,10 +90,10 @@ namespace auxfem
         : along_struts(lattice, part);
       part.mass                           = definition.mass;
       for (const Portion &portion : portions)
-        part.centre_of_mass += portion.share * portion.place;
+        part.centre_of_mass += portion.share * portion.position;
       for (const Portion &portion : portions)
         add_inertia(part.mass * portion.share,
-                    portion.place - part.centre_of_mass,
+                    portion.position - part.centre_of_mass,
                     part.rotary_inertia);
       if (definition.rotary_inertia)
         {
@@ -162,7 +162,7 @@ namespace auxfem
         throw InputError(definition.path + ": joints " +
                          std::to_string(part.joints.front()) + " and " +
                          std::to_string(*farthest) +
-                         " lie at one place, so the part has no direction. "
+                         " lie at one position, so the part has no direction. "
                          "Leave one of them out.");
       std::iter_swap(part.joints.begin() + 1, farthest);
     }

@@ -22,19 +22,20 @@ namespace auxfem
     const unsigned int order = numbering.order();
     for (unsigned int e = 0; e < numbering.elements().size(); ++e)
       {
-        const StrutMesh::Place &place = numbering.elements()[e].place;
+        const StrutMesh::Interval &interval = numbering.elements()[e].interval;
         // All struts have equally many elements.
-        const double       length  = place.end - place.begin;
+        const double       length  = interval.end - interval.begin;
         const unsigned int n_nodes = order * std::lround(1 / length),
-                           before  = order * std::lround(place.begin / length);
-        const int *unknowns        = numbering.element_unknowns(e);
+                           before =
+                             order * std::lround(interval.begin / length);
+        const int *unknowns = numbering.element_unknowns(e);
         for (unsigned int node = 0; node <= order; ++node)
           {
             // Both ends come first.
             const unsigned int inside =
               node == 0 ? 0 : (node == 1 ? order : node - 1);
             name(unknowns[numbering.n_components() * node + first_rotation],
-                 n_parts + n_joints + n_ends + place.strut * (n_nodes + 1) +
+                 n_parts + n_joints + n_ends + interval.strut * (n_nodes + 1) +
                    before + inside);
           }
       }

@@ -18,8 +18,8 @@ namespace auxfem
   } // namespace
 
   StrutVelocities::StrutVelocities(const std::array<MovingEnd, 2> &ends)
-    : begin(ends[0].place)
-    , chord(ends[1].place - ends[0].place)
+    : begin(ends[0].position)
+    , chord(ends[1].position - ends[0].position)
     , velocity(part(ends[0].velocity, 0))
   {
     const double      length = chord.norm();
@@ -32,13 +32,13 @@ namespace auxfem
     const SpaceVector about_axis = ends[0].is_released == ends[1].is_released
       ? (spins[0] + spins[1]) / 2.
       : spins[ends[0].is_released ? 1 : 0];
-    turning =
+    angular_velocity =
       dealii::cross_product_3d(axis, apart) / length + along(axis, about_axis);
     lengthening = along(axis, apart);
     for (unsigned int i = 0; i < 2; ++i)
       if (!ends[i].is_released)
         {
-          const SpaceVector against = spins[i] - turning;
+          const SpaceVector against = spins[i] - angular_velocity;
           twist[i]                  = along(axis, against);
           bending[i]                = against - twist[i];
         }
@@ -53,19 +53,19 @@ namespace auxfem
   }
 
   JointVelocity StrutVelocities::at(const double            fraction,
-                                    const dealii::Point<3> &place) const
+                                    const dealii::Point<3> &position) const
   {
     const double      s = fraction, rest = 1 - fraction;
     const SpaceVector deflection = s * rest * rest * bending[0] -
       s * s * rest * bending[1],
                       slope = rest * (1 - 3 * s) * bending[0] +
       s * (3 * s - 2) * bending[1] + rest * twist[0] + s * twist[1];
-    const SpaceVector from_begin = place - begin;
+    const SpaceVector from_begin = position - begin;
     const SpaceVector moving     = velocity +
-      dealii::cross_product_3d(turning, from_begin) + s * lengthening +
+      dealii::cross_product_3d(angular_velocity, from_begin) + s * lengthening +
       dealii::cross_product_3d(deflection, chord) +
       dealii::cross_product_3d(slope, from_begin - s * chord);
-    const SpaceVector spin = turning + slope;
+    const SpaceVector spin = angular_velocity + slope;
     JointVelocity     result;
     for (unsigned int c = 0; c < 3; ++c)
       {

@@ -1,7 +1,7 @@
 #include <auxfem/mesh/sets.h>
 #include <auxfem/model/rigid_parts.h>
 #include <auxfem/model/supports.h>
-#include <auxfem/model/unknown_words.h>
+#include <auxfem/model/unknown_names.h>
 #include <auxfem/parameters/errors.h>
 
 #include <algorithm>
@@ -44,7 +44,7 @@ namespace auxfem
         if (!is_new && !(at_rest && holder->second.at_rest) &&
             holder->second.support != &definition)
           throw InputError(definition.path + ": the " +
-                           motion_in_words(component, lattice.dimension) +
+                           motion_name(component, lattice.dimension) +
                            " of joint " + std::to_string(joint) +
                            " is already prescribed by " +
                            holder->second.support->path +

@@ -24,9 +24,9 @@ namespace auxfem
       double        length; ///< between their means at rest (m)
     };
 
-    double mean_place(const Lattice     &lattice,
-                      const Joints      &joints,
-                      const unsigned int axis)
+    double mean_position(const Lattice     &lattice,
+                         const Joints      &joints,
+                         const unsigned int axis)
     {
       double sum = 0;
       for (const unsigned int joint : joints)
@@ -42,9 +42,9 @@ namespace auxfem
       if (low == lattice.joint_sets.end() || high == lattice.joint_sets.end() ||
           low->second.empty() || high->second.empty())
         return {};
-      const double begin  = mean_place(lattice, low->second, axis),
-                   length = mean_place(lattice, high->second, axis) - begin;
-      // Means of equal places differ by round-off only.
+      const double begin  = mean_position(lattice, low->second, axis),
+                   length = mean_position(lattice, high->second, axis) - begin;
+      // Means of equal positions differ by round-off only.
       if (length <= 1e-10 * (std::abs(begin) + std::abs(begin + length)))
         return {};
       return Span{axis, &low->second, &high->second, length};

@@ -51,18 +51,18 @@ namespace auxfem
 
   std::vector<double> MemoryRecorder::column(const std::string &name) const
   {
-    const auto place = std::find_if(column_list.begin(),
-                                    column_list.end(),
-                                    [&name](const Column &candidate) {
-                                      return candidate.name == name;
-                                    });
-    if (place == column_list.end())
+    const auto position = std::find_if(column_list.begin(),
+                                       column_list.end(),
+                                       [&name](const Column &candidate) {
+                                         return candidate.name == name;
+                                       });
+    if (position == column_list.end())
       throw InputError("The history of " + scene.file + " has no column '" +
                        name + "'.");
     std::vector<double> numbers;
     numbers.reserve(row_list.size());
     for (const std::vector<double> &row : row_list)
-      numbers.push_back(row[place - column_list.begin()]);
+      numbers.push_back(row[position - column_list.begin()]);
     return numbers;
   }
 } // namespace auxfem

@@ -86,14 +86,14 @@ namespace auxfem
 
   void RigidPartRotations::follow(const State &state)
   {
-    const double turn = 2 * dealii::numbers::PI;
+    const double full_circle = 2 * dealii::numbers::PI;
     for (unsigned int i = 0; i < rotations.size(); ++i)
       {
         const SpaceVector now =
           equations.reporting().rigid_parts->rotation(i, state);
         if (equations.model().lattice.dimension == 2)
-          rotations[i][2] =
-            now[2] + turn * std::round((rotations[i][2] - now[2]) / turn);
+          rotations[i][2] = now[2] +
+            full_circle * std::round((rotations[i][2] - now[2]) / full_circle);
         else
           rotations[i] = rotation_vector_near(exponential(now), rotations[i]);
       }
@@ -149,12 +149,12 @@ namespace auxfem
     : name(definition.name)
     , equations(equations)
   {
-    const Lattice  &lattice        = equations.model().lattice;
-    const Selection selection      = select(definition, scene, lattice);
-    n_dimensions                   = lattice.dimension;
-    has_forces                     = !selection.joints.empty();
-    n_parts                        = selection.parts.size();
-    const RigidPartConditions &all = *equations.reporting().rigid_parts;
+    const Lattice  &lattice         = equations.model().lattice;
+    const Selection selection       = select(definition, scene, lattice);
+    n_dimensions                    = lattice.dimension;
+    has_forces                      = !selection.joints.empty();
+    n_parts                         = selection.parts.size();
+    const RigidPartConstraints &all = *equations.reporting().rigid_parts;
     for (unsigned int i = 0; i < all.n_reported(); ++i)
       {
         if (!std::binary_search(selection.parts.begin(),

@@ -41,7 +41,7 @@ namespace auxfem
               {"rigid_parts", counts.rigid_parts},
               {"unknowns", counts.unknowns},
               {"free_unknowns", counts.free_unknowns},
-              {"conditions", counts.conditions},
+              {"constraints", counts.constraints},
               {"ranks", counts.ranks}};
     }
 
@@ -122,7 +122,7 @@ namespace auxfem
     counts.rigid_parts   = equations.model().lattice.rigid_parts.size();
     counts.unknowns      = numbering.layout().n_global();
     counts.free_unknowns = numbering.unknowns().n_free();
-    counts.conditions    = numbering.constraints().n_multipliers();
+    counts.constraints   = numbering.constraints().n_multipliers();
     counts.ranks         = numbering.layout().n_ranks();
     return counts;
   }
@@ -298,15 +298,15 @@ namespace auxfem
     if (counts.rigid_parts > 0)
       line("Rigid parts",
            counts.rigid_parts,
-           " with " + std::to_string(counts.conditions) + " conditions");
+           " with " + std::to_string(counts.constraints) + " constraints");
     line("Unknowns",
          counts.unknowns,
-         counts.conditions == 0
+         counts.constraints == 0
            ? ", " + std::to_string(counts.free_unknowns) + " of them free"
            : ", " + std::to_string(counts.free_unknowns) +
              " of them free motions, which leaves " +
              std::to_string(int(counts.free_unknowns) -
-                            int(counts.conditions)) +
+                            int(counts.constraints)) +
              " degrees of freedom");
     line("MPI ranks", counts.ranks);
 

@@ -31,8 +31,8 @@ namespace auxfem
         Json warning = {{"verdict", name_of(finding.verdict)},
                         {"text", finding.text},
                         {"time", finding.time}};
-        if (!finding.place.empty())
-          warning["place"] = finding.place;
+        if (!finding.location.empty())
+          warning["location"] = finding.location;
         warnings.push_back(warning);
       }
     summary["verdict"]  = name_of(verdict_of(findings));

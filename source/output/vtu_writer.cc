@@ -158,7 +158,7 @@ namespace auxfem
         if (!element.is_owned)
           continue;
 
-        const unsigned int number = element.place.strut;
+        const unsigned int number = element.interval.strut;
         const Strut       &strut  = equations.model().lattice.struts[number];
         const float radius = equations.model().sections[strut.section].radius;
 
@@ -207,7 +207,7 @@ namespace auxfem
         dealii::Tensor<1, 3>          tangent;
         for (unsigned int i = 1; i < n; ++i)
           lattice.axis(strut, double(i) / n, line[i], tangent);
-        // Exactly the joints' places, by which their forces are found.
+        // Exactly the joints' positions, by which their forces are found.
         line.front() = lattice.joints[strut.joints[0]];
         line.back()  = lattice.joints[strut.joints[1]];
         lines.push_back(line);
@@ -224,10 +224,10 @@ namespace auxfem
     if (!rigid_part_series)
       return;
 
-    const Lattice             &lattice = equations.model().lattice;
-    const RigidPartConditions &parts   = *equations.reporting().rigid_parts;
-    LineGraphics               graphics(rigid_part_fields());
-    std::vector<float>         values;
+    const Lattice              &lattice = equations.model().lattice;
+    const RigidPartConstraints &parts   = *equations.reporting().rigid_parts;
+    LineGraphics                graphics(rigid_part_fields());
+    std::vector<float>          values;
     for (unsigned int i = 0; i < parts.n_reported(); ++i)
       {
         const RigidPartReport report   = parts.report(i, state);

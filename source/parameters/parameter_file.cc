@@ -51,7 +51,7 @@ namespace auxfem
         // a folder can be opened like a file, only reading it fails
         if (!stream || std::filesystem::is_directory(file))
           {
-            mistakes.add((open_files.empty() ? "" : place().text() + ": ") +
+            mistakes.add((open_files.empty() ? "" : location().text() + ": ") +
                          "the parameter file \"" + file +
                          "\" cannot be opened; check its name and that you "
                          "may read it");
@@ -69,7 +69,7 @@ namespace auxfem
           understand(line, outer_depth);
         while (depth() > outer_depth)
           {
-            mistakes.add(stack.back()->place.text() + ": subsection \"" +
+            mistakes.add(stack.back()->location.text() + ": subsection \"" +
                          stack.back()->name +
                          "\" is not closed; add the missing \"end\"");
             stack.pop_back();
@@ -89,7 +89,7 @@ namespace auxfem
         return stack.size();
       }
 
-      const FilePlace &place() const
+      const FileLocation &location() const
       {
         return open_files.back();
       }
@@ -117,7 +117,7 @@ namespace auxfem
               return true;
           }
         if (continued)
-          mistakes.add(place().text() +
+          mistakes.add(location().text() +
                        ": the file ends within a line continued by \"\\\"");
         return false;
       }
@@ -138,7 +138,7 @@ namespace auxfem
         else if (keyword == "include" && !rest.empty())
           include_file(rest);
         else
-          mistakes.add(place().text() + ": line not understood: \"" + line +
+          mistakes.add(location().text() + ": line not understood: \"" + line +
                        "\"; expected one of: subsection NAME, "
                        "set NAME = VALUE, end, include FILE, # comment");
       }
@@ -152,14 +152,14 @@ namespace auxfem
       {
         ParameterSubsection &parent = current();
         if (parent.find_subsection(name) == nullptr)
-          parent.subsections.push_back({name, place(), {}, {}});
+          parent.subsections.push_back({name, location(), {}, {}});
         stack.push_back(parent.find_subsection(name));
       }
 
       void close_subsection(const std::size_t outer_depth)
       {
         if (depth() == outer_depth)
-          mistakes.add(place().text() +
+          mistakes.add(location().text() +
                        ": \"end\" without a subsection to close; remove it");
         else
           stack.pop_back();
@@ -170,15 +170,15 @@ namespace auxfem
         const ParameterEntry *first = current().find_entry(name);
         if (first == nullptr)
           {
-            current().entries.push_back({name, value, place()});
+            current().entries.push_back({name, value, location()});
             return;
           }
         std::string path;
         for (const ParameterSubsection *subsection : stack)
           path += subsection->name + "/";
-        mistakes.add(place().text() + ": " + path + name +
+        mistakes.add(location().text() + ": " + path + name +
                      " is given a second time (value \"" + value +
-                     "\"); the first is at " + first->place.text() +
+                     "\"); the first is at " + first->location.text() +
                      " (value \"" + first->value + "\"); remove one of them");
       }
 
@@ -187,11 +187,11 @@ namespace auxfem
         if (file.size() > 1 && file.front() == '"' && file.back() == '"')
           file = file.substr(1, file.size() - 2);
         if (file[0] != '/')
-          file = directory_of(place().file) + file;
-        for (const FilePlace &open : open_files)
+          file = directory_of(location().file) + file;
+        for (const FileLocation &open : open_files)
           if (open.file == file)
             {
-              mistakes.add(place().text() + ": \"" + file +
+              mistakes.add(location().text() + ": \"" + file +
                            "\" includes itself; remove this line");
               return;
             }
@@ -200,14 +200,14 @@ namespace auxfem
 
       ParameterSubsection                root;
       std::vector<ParameterSubsection *> stack;
-      std::vector<FilePlace>             open_files;
+      std::vector<FileLocation>          open_files;
       Mistakes                           mistakes;
     };
   } // namespace
 
 
 
-  std::string FilePlace::text() const
+  std::string FileLocation::text() const
   {
     return line == 0 ? file : file + ":" + std::to_string(line);
   }
@@ -250,7 +250,7 @@ namespace auxfem
     Scanner scanner;
     scanner.read_file(file);
     ParameterSubsection root = scanner.result(file);
-    root.place.file          = file;
+    root.location.file       = file;
     return root;
   }
 
@@ -263,7 +263,7 @@ namespace auxfem
     std::istringstream stream(text);
     scanner.read_stream(stream, name);
     ParameterSubsection root = scanner.result(name);
-    root.place.file          = name;
+    root.location.file       = name;
     return root;
   }
 
@@ -271,7 +271,7 @@ namespace auxfem
 
   void apply_override(ParameterSubsection &root, const std::string &assignment)
   {
-    const FilePlace          origin = {"command line", 0};
+    const FileLocation       origin = {"command line", 0};
     const std::size_t        equals = assignment.find('=');
     const std::string        path   = trim(assignment.substr(0, equals));
     std::vector<std::string> names =

@@ -26,10 +26,10 @@ namespace auxfem
 
   ParameterValues::ParameterValues(const Parameters   &parameters,
                                    const SceneContext &context,
-                                   const FilePlace    &place)
+                                   const FileLocation &location)
     : parameters(parameters)
     , context(context)
-    , place(place)
+    , location(location)
   {
     for (const Parameter &parameter : parameters)
       texts[parameter.name] = parameter.default_value;

@@ -6,12 +6,12 @@ namespace auxfem
 {
   namespace
   {
-    /** The first place from @p place on where a character of UTF-8 begins. */
-    std::size_t character_from(const std::string &text, std::size_t place)
+    /** The first position from @p position on where a character of UTF-8 begins. */
+    std::size_t character_from(const std::string &text, std::size_t location)
     {
-      while (place < text.size() && (text[place] & 0xC0) == 0x80)
-        ++place;
-      return place;
+      while (location < text.size() && (text[location] & 0xC0) == 0x80)
+        ++location;
+      return location;
     }
 
     std::string shortened(const std::string &line)

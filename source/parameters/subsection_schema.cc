@@ -55,7 +55,7 @@ namespace auxfem
       ParameterValues values(SceneContext context) const
       {
         context.path = path;
-        ParameterValues values(allowed, context, found.place);
+        ParameterValues values(allowed, context, found.location);
         for (const ParameterEntry &entry : found.entries)
           values.set(entry.name, entry.value);
         return values;
@@ -78,10 +78,10 @@ namespace auxfem
                          variant->parameters.end());
       }
 
-      void report(const FilePlace &place, const std::string &message)
+      void report(const FileLocation &location, const std::string &message)
       {
         good = false;
-        mistakes.add(place.text() + ": " + message);
+        mistakes.add(location.text() + ": " + message);
       }
 
       std::string path_of(const std::string &name) const
@@ -93,7 +93,7 @@ namespace auxfem
       {
         const std::string problem = declared.problem(entry.value);
         if (!problem.empty())
-          report(entry.place,
+          report(entry.location,
                  path_of(entry.name) + " = " + entry.value + ": " + problem +
                    "\n  Allowed: " + declared.allowed_with_units() +
                    "\n  Meaning: " + declared.sentence);
@@ -103,7 +103,7 @@ namespace auxfem
       {
         const ParameterEntry *entry = found.find_entry(declared.name);
         if (entry == nullptr || entry->value.empty())
-          report(entry == nullptr ? found.place : entry->place,
+          report(entry == nullptr ? found.location : entry->location,
                  path_of(declared.name) +
                    " must be given: " + declared.sentence +
                    "\n  Allowed: " + declared.allowed_with_units());
@@ -120,14 +120,14 @@ namespace auxfem
         if (!owners.empty() && variant == nullptr)
           good = false;
         else if (!owners.empty())
-          report(entry.place,
+          report(entry.location,
                  path_of(entry.name) + ": belongs to " + schema.choice + " = " +
                    joined(owners) + ", but here " + schema.choice + " = " +
                    variant->name +
                    ".\n  Remove it or change the choice. Allowed here: " +
                    joined(names_of(allowed)));
         else
-          report(entry.place,
+          report(entry.location,
                  path_of(entry.name) + ": unknown parameter" +
                    did_you_mean(entry.name, names_of(allowed)) +
                    "\n  Allowed here: " + joined(names_of(allowed)));
@@ -148,7 +148,7 @@ namespace auxfem
                             Mistakes                  &mistakes)
     {
       for (const ParameterSubsection &inner : found.subsections)
-        mistakes.add(inner.place.text() + ": " + path + "/" + inner.name +
+        mistakes.add(inner.location.text() + ": " + path + "/" + inner.name +
                      ": no subsection is allowed in " + path +
                      "; check the \"end\" lines before it");
     }
@@ -159,7 +159,7 @@ namespace auxfem
                                              Mistakes &mistakes)
     {
       ParameterSubsection absent;
-      absent.place                     = root.place;
+      absent.location                  = root.location;
       const ParameterSubsection *found = &root;
       if (!schema.name.empty())
         {
@@ -180,7 +180,7 @@ namespace auxfem
                        Mistakes                  &mistakes)
     {
       for (const ParameterEntry &entry : found.entries)
-        mistakes.add(entry.place.text() + ": " + schema.name + "/" +
+        mistakes.add(entry.location.text() + ": " + schema.name + "/" +
                      entry.name +
                      ": a parameter cannot stand here; put it into a "
                      "subsection of " +
@@ -191,7 +191,7 @@ namespace auxfem
           const std::string path    = schema.name + "/" + group.name;
           const std::string problem = name_problem(group.name);
           if (!problem.empty())
-            mistakes.add(group.place.text() + ": " + path + ": " + problem);
+            mistakes.add(group.location.text() + ": " + path + ": " + problem);
           refuse_subsections(group, path, mistakes);
           SubsectionCheck check(group, path, schema, mistakes);
           if (check.run() && problem.empty())
@@ -216,13 +216,13 @@ namespace auxfem
             problem = "there is no value";
           if (!problem.empty())
             {
-              mistakes.add(entry.place.text() + ": " + context.path + ": " +
+              mistakes.add(entry.location.text() + ": " + context.path + ": " +
                            problem);
               continue;
             }
           result.emplace_back(Parameters{Text{entry.name, entry.value, ""}},
                               context,
-                              entry.place);
+                              entry.location);
         }
       return result;
     }

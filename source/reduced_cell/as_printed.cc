@@ -80,7 +80,7 @@ namespace auxfem
         const double L1 = p.bar_length, m1 = p.bar_mass, m2 = p.part_mass;
         const double theta = cell.equations().angle(motion.position[0]);
         const double c = std::cos(theta), s = std::sin(theta);
-        const double turn_rate = motion.velocity[0];
+        const double rotation_rate = motion.velocity[0];
 
         CellMatrix M;
         M[0][0] = -5 * m1 * L1 / (12 * c) - m1 * L1 * s * s / (4 * c) -
@@ -93,9 +93,10 @@ namespace auxfem
         CellVector right_side;
         right_side[0] = cell.load() +
           connector.stiffness * (motion.position[1] + 2 * L1 * s) +
-          connector.damping * (motion.velocity[1] + 2 * L1 * turn_rate * c) -
-          2 * L1 * (m1 + m2) * turn_rate * turn_rate * s;
-        right_side[1] = 2 * m1 * L1 * turn_rate * turn_rate * s;
+          connector.damping *
+            (motion.velocity[1] + 2 * L1 * rotation_rate * c) -
+          2 * L1 * (m1 + m2) * rotation_rate * rotation_rate * s;
+        right_side[1] = 2 * m1 * L1 * rotation_rate * rotation_rate * s;
         return invert(M) * right_side;
       }
 

@@ -12,9 +12,9 @@ namespace auxfem
     , part_mass(cell.part_mass)
   {}
 
-  double CellEquations::angle(const double turn) const
+  double CellEquations::angle(const double rotation) const
   {
-    return angle_at_rest + turn;
+    return angle_at_rest + rotation;
   }
 
   double CellEquations::extension(const CellVector &position) const
@@ -30,24 +30,24 @@ namespace auxfem
     return lever(motion.position[0]) * motion.velocity;
   }
 
-  CellVector CellEquations::lever(const double turn) const
+  CellVector CellEquations::lever(const double rotation) const
   {
     CellVector b;
-    b[0] = 2 * length * std::cos(angle(turn));
+    b[0] = 2 * length * std::cos(angle(rotation));
     b[1] = 1;
     return b;
   }
 
-  CellVector CellEquations::lever_derivative(const double turn) const
+  CellVector CellEquations::lever_derivative(const double rotation) const
   {
     CellVector b;
-    b[0] = -2 * length * std::sin(angle(turn));
+    b[0] = -2 * length * std::sin(angle(rotation));
     return b;
   }
 
-  CellMatrix CellEquations::mass(const double turn) const
+  CellMatrix CellEquations::mass(const double rotation) const
   {
-    const double c = std::cos(angle(turn));
+    const double c = std::cos(angle(rotation));
     CellMatrix   M;
     M[0][0] =
       4 * length * length * ((bar_mass + part_mass) * c * c + bar_mass / 3);
@@ -56,48 +56,50 @@ namespace auxfem
     return M;
   }
 
-  CellMatrix CellEquations::mass_derivative(const double turn) const
+  CellMatrix CellEquations::mass_derivative(const double rotation) const
   {
-    const double c = std::cos(angle(turn)), s = std::sin(angle(turn));
+    const double c = std::cos(angle(rotation)), s = std::sin(angle(rotation));
     CellMatrix   M;
     M[0][0] = -8 * length * length * (bar_mass + part_mass) * c * s;
     M[0][1] = M[1][0] = -2 * length * s * (2 * bar_mass + part_mass);
     return M;
   }
 
-  CellVector CellEquations::velocity_force(const double turn,
-                                           const double turn_rate) const
+  CellVector CellEquations::velocity_force(const double rotation,
+                                           const double rotation_rate) const
   {
-    const double c = std::cos(angle(turn)), s = std::sin(angle(turn));
+    const double c = std::cos(angle(rotation)), s = std::sin(angle(rotation));
     CellVector   h;
     h[0] = -4 * length * length * (bar_mass + part_mass) * s * c;
     h[1] = -2 * length * (2 * bar_mass + part_mass) * s;
-    return turn_rate * turn_rate * h;
+    return rotation_rate * rotation_rate * h;
   }
 
-  CellVector CellEquations::velocity_force_by_turn(const double turn,
-                                                   const double turn_rate) const
+  CellVector
+  CellEquations::velocity_force_by_rotation(const double rotation,
+                                            const double rotation_rate) const
   {
-    const double c = std::cos(angle(turn)), s = std::sin(angle(turn));
+    const double c = std::cos(angle(rotation)), s = std::sin(angle(rotation));
     CellVector   h;
     h[0] = -4 * length * length * (bar_mass + part_mass) * (c * c - s * s);
     h[1] = -2 * length * (2 * bar_mass + part_mass) * c;
-    return turn_rate * turn_rate * h;
+    return rotation_rate * rotation_rate * h;
   }
 
-  CellVector CellEquations::velocity_force_by_rate(const double turn,
-                                                   const double turn_rate) const
+  CellVector
+  CellEquations::velocity_force_by_rate(const double rotation,
+                                        const double rotation_rate) const
   {
-    return 2 * turn_rate * velocity_force(turn, 1);
+    return 2 * rotation_rate * velocity_force(rotation, 1);
   }
 
   CellVector CellEquations::acceleration(const CellMotion &motion,
                                          const double      force) const
   {
-    const double turn = motion.position[0];
-    refuse_singular(turn);
-    return invert(mass(turn)) *
-      (-force * lever(turn) - velocity_force(turn, motion.velocity[0]));
+    const double rotation = motion.position[0];
+    refuse_singular(rotation);
+    return invert(mass(rotation)) *
+      (-force * lever(rotation) - velocity_force(rotation, motion.velocity[0]));
   }
 
   double CellEquations::kinetic_energy(const CellMotion &motion) const
@@ -111,10 +113,10 @@ namespace auxfem
     return bar_mass > 0;
   }
 
-  void CellEquations::refuse_singular(const double turn) const
+  void CellEquations::refuse_singular(const double rotation) const
   {
     // The cosine of an upright bar is no exact zero in floating point.
-    if (!is_always_regular() && std::cos(angle(turn)) < 1e-12)
+    if (!is_always_regular() && std::cos(angle(rotation)) < 1e-12)
       throw ComputationError(
         "The bars come upright. Without mass (Reduced cell/Bar mass = 0) "
         "the mass matrix is singular there, so that the motion is not "

@@ -111,13 +111,13 @@ namespace auxfem
 
       Evaluation evaluate()
       {
-        const CellMotion motion = motion_of(trial);
-        const double     turn   = motion.position[0];
-        const CellMatrix M      = equations().mass(turn);
-        const CellVector a      = pair(*trial.acceleration);
+        const CellMotion motion   = motion_of(trial);
+        const double     rotation = motion.position[0];
+        const CellMatrix M        = equations().mass(rotation);
+        const CellVector a        = pair(*trial.acceleration);
         const CellVector h =
-          equations().velocity_force(turn, motion.velocity[0]);
-        const CellVector b = equations().lever(turn);
+          equations().velocity_force(rotation, motion.velocity[0]);
+        const CellVector b = equations().lever(rotation);
 
         Evaluation now;
         now.connector      = cell.connector(motion);
@@ -133,21 +133,21 @@ namespace auxfem
       CellMatrix tangent(const Evaluation     &now,
                          const TangentFactors &factors) const
       {
-        const CellMotion motion    = motion_of(trial);
-        const double     turn      = motion.position[0];
-        const double     turn_rate = motion.velocity[0];
-        const CellVector b         = equations().lever(turn);
-        const CellVector b_by_turn = equations().lever_derivative(turn);
-        const double     force     = cell.load() + now.connector.force;
+        const CellMotion motion        = motion_of(trial);
+        const double     rotation      = motion.position[0];
+        const double     rotation_rate = motion.velocity[0];
+        const CellVector b             = equations().lever(rotation);
+        const CellVector b_by_rotation = equations().lever_derivative(rotation);
+        const double     force         = cell.load() + now.connector.force;
 
-        CellMatrix       K = factors.mass * equations().mass(turn);
+        CellMatrix       K = factors.mass * equations().mass(rotation);
         const CellVector by_turn =
-          equations().mass_derivative(turn) * pair(*trial.acceleration) +
-          equations().velocity_force_by_turn(turn, turn_rate) +
-          force * b_by_turn +
-          now.connector.damping * (b_by_turn * motion.velocity) * b;
+          equations().mass_derivative(rotation) * pair(*trial.acceleration) +
+          equations().velocity_force_by_rotation(rotation, rotation_rate) +
+          force * b_by_rotation +
+          now.connector.damping * (b_by_rotation * motion.velocity) * b;
         const CellVector by_rate =
-          equations().velocity_force_by_rate(turn, turn_rate);
+          equations().velocity_force_by_rate(rotation, rotation_rate);
         const double along = factors.stiffness * now.connector.stiffness +
           factors.damping * now.connector.damping;
         for (unsigned int i = 0; i < 2; ++i)

@@ -22,10 +22,10 @@ namespace auxfem
                    std::set<std::string>     &files)
     {
       for (const ParameterEntry &entry : subsection.entries)
-        files.insert(entry.place.file);
+        files.insert(entry.location.file);
       for (const ParameterSubsection &inner : subsection.subsections)
         {
-          files.insert(inner.place.file);
+          files.insert(inner.location.file);
           add_files(inner, files);
         }
     }
@@ -41,7 +41,7 @@ namespace auxfem
         }
       catch (const InputError &error)
         {
-          mistakes.add(values.place.text() + ": " + error.what());
+          mistakes.add(values.location.text() + ": " + error.what());
         }
     }
 

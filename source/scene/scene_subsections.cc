@@ -7,13 +7,13 @@ namespace auxfem
 {
   namespace
   {
-    void place_general(ParameterValues &values, Scene &scene)
+    void set_general(ParameterValues &values, Scene &scene)
     {
       scene.title             = read_title(values);
       scene.context.constants = read_constants(values);
     }
 
-    void place_load(ParameterValues &values, Scene &scene)
+    void add_load(ParameterValues &values, Scene &scene)
     {
       const auto load = read_load(values);
       if (const auto *on_joints = std::get_if<JointLoadDefinition>(&load))
@@ -22,14 +22,14 @@ namespace auxfem
         scene.line_loads.push_back(std::get<LineLoadDefinition>(load));
     }
 
-    void place_probe(ParameterValues &values, Scene &scene)
+    void add_probe(ParameterValues &values, Scene &scene)
     {
       scene.output.probes.push_back(read_probe(values));
     }
 
     /** What @p read makes of the one subsection becomes that @p member. */
     template <auto member, auto read>
-    void place(ParameterValues &values, Scene &scene)
+    void set(ParameterValues &values, Scene &scene)
     {
       scene.*member = read(values);
     }
@@ -47,9 +47,9 @@ namespace auxfem
   const std::vector<SceneSubsection> &scene_subsections()
   {
     static const std::vector<SceneSubsection> all = {
-      {general_schema(), place_general},
-      {reduced_cell_schema(), place<&Scene::reduced_cell, read_reduced_cell>},
-      {lattice_schema(), place<&Scene::lattice, read_lattice>},
+      {general_schema(), set_general},
+      {reduced_cell_schema(), set<&Scene::reduced_cell, read_reduced_cell>},
+      {lattice_schema(), set<&Scene::lattice, read_lattice>},
       {sets_schema(), add<&Scene::sets, read_set>},
       {sections_schema(), add<&Scene::sections, read_section>},
       {rigid_parts_schema(), add<&Scene::rigid_parts, read_rigid_part>},
@@ -57,18 +57,18 @@ namespace auxfem
       {connectors_schema(), add<&Scene::connectors, read_connector>},
       {supports_schema(), add<&Scene::supports, read_support>},
       {masses_schema(), add<&Scene::masses, read_mass>},
-      {loads_schema(), place_load},
-      {gravity_schema(), place<&Scene::gravity, read_gravity>},
+      {loads_schema(), add_load},
+      {gravity_schema(), set<&Scene::gravity, read_gravity>},
       {initial_velocities_schema(),
        add<&Scene::initial_velocities, read_initial_velocity>},
       {discretization_schema(),
-       place<&Scene::discretization, read_discretization>},
-      {effects_schema(), place<&Scene::effects, read_effects>},
-      {time_schema(), place<&Scene::time, read_time>},
-      {newton_schema(), place<&Scene::newton, read_newton>},
-      {solver_schema(), place<&Scene::solver, read_solver>},
-      {output_schema(), place<&Scene::output, read_output>},
-      {probes_schema(), place_probe}};
+       set<&Scene::discretization, read_discretization>},
+      {effects_schema(), set<&Scene::effects, read_effects>},
+      {time_schema(), set<&Scene::time, read_time>},
+      {newton_schema(), set<&Scene::newton, read_newton>},
+      {solver_schema(), set<&Scene::solver, read_solver>},
+      {output_schema(), set<&Scene::output, read_output>},
+      {probes_schema(), add_probe}};
     return all;
   }
 
@@ -98,7 +98,7 @@ namespace auxfem
         const SubsectionSchema *schema = find_by_name(schemas, found.name);
         if (schema != nullptr && schema->serves(model))
           continue;
-        mistakes.add(found.place.text() + ": " +
+        mistakes.add(found.location.text() + ": " +
                      (schema == nullptr ? "unknown subsection \"" + found.name +
                           "\"" + did_you_mean(found.name, known)
                                         : "subsection \"" + found.name +

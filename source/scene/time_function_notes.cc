@@ -171,7 +171,7 @@ namespace auxfem
     return notes;
   }
 
-  std::string load_values_in_words(const Scene &scene, const double time)
+  std::string load_values_text(const Scene &scene, const double time)
   {
     constexpr unsigned int most = 3;
     std::ostringstream     words;

@@ -1,4 +1,4 @@
-#include <auxfem/elements/cayley_turn.h>
+#include <auxfem/elements/cayley_rotation.h>
 #include <auxfem/time/schemes.h>
 
 namespace auxfem
@@ -44,7 +44,7 @@ namespace auxfem
     void
     EnergyMomentum::predict(const State &from, const double dt, State &to) const
     {
-      // From the places at the start: where a step is long for the motion, a
+      // From the positions at the start: where a step is long for the motion, a
       // guess ahead of it is further off, and Newton's method fails.
       const int     n = from.displacement.size();
       const double *v = from.velocity->data();
@@ -73,8 +73,8 @@ namespace auxfem
       for (const int i : *trial.plane_rotations)
         {
           // What Cayley's measure grows by beyond the increment.
-          const double more = cayley_turn(u[i] + du[i] - u0[i]) -
-            cayley_turn(u[i] - u0[i]) - du[i];
+          const double more = cayley_rotation(u[i] + du[i] - u0[i]) -
+            cayley_rotation(u[i] - u0[i]) - du[i];
           v[i] += 2 * f.damping * more;
           a[i] += f.mass * more;
         }

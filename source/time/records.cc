@@ -84,17 +84,17 @@ namespace auxfem
     if (record.values_per_item != values_per_item)
       refuse('"' + name + "\" with " + std::to_string(values_per_item) +
              " values each");
-    std::map<unsigned int, std::size_t> places;
+    std::map<unsigned int, std::size_t> positions;
     for (std::size_t i = 0; i < record.items.size(); ++i)
-      places[record.items[i]] = record.first + i * values_per_item;
+      positions[record.items[i]] = record.first + i * values_per_item;
     std::vector<double> result;
     result.reserve(items.size() * values_per_item);
     for (const unsigned int item : items)
       {
-        const auto place = places.find(item);
-        if (place == places.end())
+        const auto position = positions.find(item);
+        if (position == positions.end())
           refuse('"' + name + "\" of item " + std::to_string(item));
-        const auto begin = all_values.begin() + place->second;
+        const auto begin = all_values.begin() + position->second;
         result.insert(result.end(), begin, begin + values_per_item);
       }
     return result;

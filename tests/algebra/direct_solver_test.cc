@@ -128,7 +128,8 @@ namespace
     return entries;
   }
 
-  /** Definite with multipliers of conditions on few unknowns, which precede. */
+  /** Definite with multipliers of constraints on few unknowns, which precede.
+   */
   Entries
   with_multipliers(const int n, const int n_conditions, std::mt19937 &random)
   {
@@ -235,7 +236,7 @@ TEST(DirectSolver, ZeroEigenvaluesAreCounted)
 {
   for (const int n : {2, 3, 4})
     {
-      // Three rigid-body modes; two conditions that are one.
+      // Three rigid-body modes; two constraints that are one.
       Entries   entries = free_grid(n, 50.);
       const int m       = entries.size();
       entries.resize(m + 2);

@@ -132,13 +132,13 @@ namespace auxfem::testing_support
                                 std::mt19937 &random)
   {
     std::uniform_real_distribution<> entry(-1., 1.);
-    std::uniform_int_distribution<>  place(0, n - 1);
+    std::uniform_int_distribution<>  position(0, n - 1);
     Entries                          entries(n);
     for (int i = 0; i < n; ++i)
       {
         add(entries, i, i, diagonal);
         for (int k = 0; k < n_neighbours / 2; ++k)
-          if (const int j = place(random); j != i)
+          if (const int j = position(random); j != i)
             add(entries, i, j, entry(random));
       }
     return entries;

@@ -172,7 +172,7 @@ TEST(LinearSolver, CountsEigenvaluesOfAllFreeUnknowns)
               return unknown.kind != UnknownKind::prescribed;
             });
           const unsigned long n_negative = n_negative_eigenvalues(free);
-          // One for each condition, if the rest is definite.
+          // One for each constraint, if the rest is definite.
           EXPECT_EQ(n_negative == 2, shift == 0);
           const std::optional<Inertia> inertia = solver.inertia();
           ASSERT_TRUE(inertia);
@@ -295,7 +295,7 @@ TEST(LinearSolverChoice, FollowsTheUser)
     {
       const std::string words = error.what();
       EXPECT_NE(words.find("Solver/Type = cholmod"), std::string::npos);
-      EXPECT_NE(words.find("the 7 conditions"), std::string::npos);
+      EXPECT_NE(words.find("the 7 constraints"), std::string::npos);
       EXPECT_NE(words.find("`mumps`"), std::string::npos);
     }
 }

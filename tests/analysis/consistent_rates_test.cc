@@ -75,7 +75,7 @@ TEST(ConsistentRates, AShakenBaseAcceleratesAsPrescribed)
 namespace
 {
   /** A rigid bar from (0, 0) to (1, 0), turned about its end by 3 rad/s. */
-  std::string turning_bar(const std::string &speed_apart)
+  std::string rotating_bar(const std::string &speed_apart)
   {
     return "subsection Lattice\n"
            "  set Cell = frame\n"
@@ -106,7 +106,7 @@ namespace
 
 TEST(ConsistentRates, VelocitiesAreRoundedToThoseOfRigidParts)
 {
-  EquationsOnRanks of_scene(turning_bar("2e-6"), {}, MPI_COMM_SELF);
+  EquationsOnRanks of_scene(rotating_bar("2e-6"), {}, MPI_COMM_SELF);
   State            state = of_scene.equations.initial_state();
   start(of_scene, state);
   const auto &dofs = of_scene.dofs();
@@ -121,7 +121,7 @@ TEST(ConsistentRates, VelocitiesAreRoundedToThoseOfRigidParts)
 
 TEST(ConsistentRates, VelocitiesThatNoRigidPartCanHaveAreRefused)
 {
-  EquationsOnRanks  of_scene(turning_bar("2e-4"), {}, MPI_COMM_SELF);
+  EquationsOnRanks  of_scene(rotating_bar("2e-4"), {}, MPI_COMM_SELF);
   State             state   = of_scene.equations.initial_state();
   const std::string message = input_error_of([&] { start(of_scene, state); });
   EXPECT_TRUE(contains(message, "move apart with 0.0002 m/s")) << message;
@@ -189,7 +189,7 @@ TEST(ConsistentRates, ConjugateGradientsFindWhatADirectSolutionDoes)
 TEST(ConsistentRates, ConjugateGradientsFindWhatADirectSolutionDoesInSpace)
 {
   std::string text = space_star_with_everything();
-  // A hinge without conditions.
+  // A hinge without constraints.
   const std::string revolute = "set Type = revolute\n    set Axis = 1 2 3";
   text.replace(text.find(revolute), revolute.size(), "set Type = hinge");
   expect_those_of_direct_solution(text);

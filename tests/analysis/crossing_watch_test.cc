@@ -73,7 +73,7 @@ TEST(CrossingWatch, SaysWhichStrutsCrossAndWhen)
   EXPECT_EQ(found[0].verdict, Verdict::doubtful);
   // Looks are two steps from each other.
   EXPECT_NEAR(found[0].time, 0.5, 0.101);
-  EXPECT_EQ(found[0].place, "strut 0");
+  EXPECT_EQ(found[0].location, "strut 0");
   EXPECT_NE(found[0].text.find("0 and 1"), std::string::npos) << found[0].text;
 
   const auto short_of = findings_of(bent_through("0.19 * t"));

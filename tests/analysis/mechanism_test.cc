@@ -212,7 +212,7 @@ TEST(Mechanism, ABodyInSpaceThatTurnsAboutItsHingeIsRefused)
                                "    set Axis = 0 1 0\n  end\nend\n",
                     spring   = "    set Type = rotational spring\n"
                                "    set Stiffness = 3\n  end\nend\n";
-  // Its conditions need a direct solver.
+  // Its constraints need a direct solver.
   EXPECT_NE(refusal_with("auto", door + revolute, {}, std::nullopt), "");
   // A spring to the ground holds it.
   EXPECT_EQ(refusal_with("auto", door + spring, {}, std::nullopt), "");

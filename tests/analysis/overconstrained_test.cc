@@ -71,8 +71,9 @@ TEST(Overconstrained, ABarBetweenFixedJointsIsRefused)
 {
   const std::string message = overconstraint_of(
     frame_scene("0 0; 1 0; 3 1", "0 1; 1 2", rigid("all") + pins("0, 1")));
-  for (const char *words :
-       {"Rigid parts", "condition of the rigid part of joints 0 1", "supports"})
+  for (const char *words : {"Rigid parts",
+                            "constraint of the rigid part of joints 0 1",
+                            "supports"})
     EXPECT_TRUE(contains(message, words)) << message;
 }
 
@@ -82,7 +83,7 @@ TEST(Overconstrained, ASecondDiagonalIsRefused)
     {
       const std::string message = overconstraint_of(braced_square(
         rigid("all") + (*supports ? pins(supports) : std::string())));
-      EXPECT_TRUE(contains(message, "condition of the rigid part of joints"))
+      EXPECT_TRUE(contains(message, "constraint of the rigid part of joints"))
         << message;
     }
 }
@@ -146,7 +147,7 @@ TEST(Overconstrained, TwoPartsThatShareTwoJointsAreRefused)
                                   "    set Joints = 0, 2\n"
                                   "  end\n"
                                   "end\n"));
-  EXPECT_TRUE(contains(message, "condition of the rigid part of joints"))
+  EXPECT_TRUE(contains(message, "constraint of the rigid part of joints"))
     << message;
 }
 

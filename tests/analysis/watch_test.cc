@@ -77,8 +77,8 @@ TEST(StabilityWatch, SaysWhenAndWhereAColumnBucklesInStatics)
   // The first step beyond, or the one after: factorizations may be kept.
   EXPECT_GE(straight[0].time, 0.123);
   EXPECT_LE(straight[0].time, 0.15);
-  EXPECT_NE(straight[0].place.find("joint 1"), std::string::npos)
-    << straight[0].place;
+  EXPECT_NE(straight[0].location.find("joint 1"), std::string::npos)
+    << straight[0].location;
   EXPECT_NE(straight[0].text.find("Force x: '-40 * t' = -5"), std::string::npos)
     << straight[0].text;
 
@@ -139,7 +139,7 @@ TEST(StrainWatch, KnowsTheStrainOfABarAndItsOuterFibres)
   const auto stretched = findings("3 * t", "0");
   ASSERT_EQ(stretched.size(), 1u) << verdict_text(stretched);
   EXPECT_EQ(stretched[0].verdict, Verdict::doubtful);
-  EXPECT_EQ(stretched[0].place, "strut 0");
+  EXPECT_EQ(stretched[0].location, "strut 0");
   EXPECT_EQ(stretched[0].time, 0.2);
   EXPECT_NE(stretched[0].text.find(" 60 %"), std::string::npos)
     << stretched[0].text;

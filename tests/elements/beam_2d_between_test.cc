@@ -42,7 +42,7 @@ namespace
   {
     Vector result;
     for (unsigned int i = 0; i < u0.size(); ++i)
-      result[i] = i % 3 == 2 ? cayley_turn(u1[i] - u0[i]) : u1[i] - u0[i];
+      result[i] = i % 3 == 2 ? cayley_rotation(u1[i] - u0[i]) : u1[i] - u0[i];
     return result;
   }
 

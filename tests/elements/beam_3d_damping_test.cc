@@ -111,7 +111,7 @@ TEST(DampingOfBeam3D, UniformRatesOfStretchAndTwistGiveForcesAtTheEndsOnly)
     Moving<Beam> moving(beam, 2);
     moving.nodes = {};
     for (int a = 0; a <= Beam::order; ++a)
-      moving.velocities[a] = {0.3 * beam.places[a], 0.7 * beam.places[a]};
+      moving.velocities[a] = {0.3 * beam.positions[a], 0.7 * beam.positions[a]};
     typename Beam::Vector force;
     const double          power = moving.force(force);
     for (int i = 0; i < Beam::n; ++i)
@@ -162,7 +162,7 @@ TEST(DampingOfBeam3D, RigidMotionOfADeformedElementIsNotDamped)
       moving.velocities[a] = {
         shift +
           dealii::cross_product_3d(omega,
-                                   beam.places[a] +
+                                   beam.positions[a] +
                                      moving.nodes[a].displacement),
         omega};
     typename Beam::Vector force;

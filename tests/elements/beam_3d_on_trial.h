@@ -21,7 +21,7 @@ namespace auxfem
       double rise;      ///< dz/ds
       double twist;     ///< turn of the section about the axis (rad/m)
 
-      SpaceVector place(const double s) const
+      SpaceVector position(const double s) const
       {
         const double along = std::sqrt(1 - rise * rise);
         if (curvature == 0)
@@ -58,19 +58,19 @@ namespace auxfem
       const Beam3D::Stiffness        section = {3, 2, 1.6, 0.9, 0.7, 1.2};
       const double                   jacobian;
       const BeamShape<p>             shape;
-      std::array<SpaceVector, p + 1> places;
+      std::array<SpaceVector, p + 1> positions;
       std::array<Beam3D::Frame, p>   frames;
 
       Beam3DOnTrial(const double length, const Beam3DShape &rest)
         : jacobian(length / 2)
       {
         for (int a = 0; a <= p; ++a)
-          places[a] = rest.place(jacobian * (1 + shape.node[a]));
+          positions[a] = rest.position(jacobian * (1 + shape.node[a]));
         for (int g = 0; g < p; ++g)
           {
             SpaceVector slope;
             for (int a = 0; a <= p; ++a)
-              slope += shape.derivative[g][a] / jacobian * places[a];
+              slope += shape.derivative[g][a] / jacobian * positions[a];
             frames[g] = {rest.axes(jacobian * (1 + shape.point[g])), slope};
           }
       }
@@ -125,8 +125,8 @@ namespace auxfem
                   const SpaceVector &shift) const
       {
         for (int a = 0; a <= p; ++a)
-          nodes[a] = {rotated(rotation, places[a] + nodes[a].displacement) +
-                        shift - places[a],
+          nodes[a] = {rotated(rotation, positions[a] + nodes[a].displacement) +
+                        shift - positions[a],
                       rotation * nodes[a].rotation};
         return nodes;
       }

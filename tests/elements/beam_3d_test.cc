@@ -218,7 +218,7 @@ TEST(Beam3D, ForcesAreInEquilibriumInAnyState)
           space_vector(force.data() + Beam3D::n_components * a);
         sum += at_node;
         moment += space_vector(force.data() + Beam3D::n_components * a + 3) +
-          dealii::cross_product_3d(beam.places[a] + nodes[a].displacement,
+          dealii::cross_product_3d(beam.positions[a] + nodes[a].displacement,
                                    at_node);
       }
     EXPECT_LT(sum.norm(), beam_3d_round_off * largest(force));
@@ -274,7 +274,7 @@ namespace
     typename Beam::Vector u;
     for (int a = 0; a <= Beam::order; ++a)
       {
-        const std::array<double, 6> at_node = motion(beam.places[a][0]);
+        const std::array<double, 6> at_node = motion(beam.positions[a][0]);
         std::copy(at_node.begin(),
                   at_node.end(),
                   u.begin() + Beam3D::n_components * a);

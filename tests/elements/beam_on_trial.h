@@ -23,15 +23,15 @@ namespace auxfem
     class BeamOnTrial
     {
     public:
-      static constexpr int order       = p;
-      static constexpr int n           = 3 * (p + 1);
-      using Vector                     = std::array<double, n>;
-      using Matrix                     = std::array<double, n * n>;
-      using Place                      = std::array<double, 2>;
-      const Beam2D::Stiffness  section = {3, 2, 0.7, 0.4};
-      const double             jacobian;
-      const BeamShape<p>       shape;
-      std::array<Place, p + 1> nodes;
+      static constexpr int order          = p;
+      static constexpr int n              = 3 * (p + 1);
+      using Vector                        = std::array<double, n>;
+      using Matrix                        = std::array<double, n * n>;
+      using Position                      = std::array<double, 2>;
+      const Beam2D::Stiffness     section = {3, 2, 0.7, 0.4};
+      const double                jacobian;
+      const BeamShape<p>          shape;
+      std::array<Position, p + 1> nodes;
 
       /**
        * An arc of @p length that starts at (0, 0) in the direction @p angle and
@@ -48,7 +48,7 @@ namespace auxfem
           {
             const double turned =
               angle + curvature * jacobian * (1 + shape.point[g]);
-            Place slope = {{0, 0}};
+            Position slope = {{0, 0}};
             for (int a = 0; a <= p; ++a)
               for (int d = 0; d < 2; ++d)
                 slope[d] += shape.derivative[g][a] / jacobian * nodes[a][d];
@@ -99,7 +99,7 @@ namespace auxfem
 
       /** Displacements @p u turned by @p angle about (0, 0), then moved. */
       Vector
-      moved(const Vector &u, const double angle, const Place &shift) const
+      moved(const Vector &u, const double angle, const Position &shift) const
       {
         Vector result;
         for (int a = 0; a <= p; ++a)
@@ -115,7 +115,7 @@ namespace auxfem
       }
 
     private:
-      static Place
+      static Position
       axis(const double s, const double angle, const double curvature)
       {
         if (curvature == 0)

@@ -65,8 +65,8 @@ namespace
 
 TEST(RigidPartElement, BasePointsHaveThePlacesOfABase)
 {
-  const NaturalPlace first  = natural_place<2>(r0, r1, r0),
-                     second = natural_place<2>(r0, r1, r1);
+  const NaturalPosition first  = natural_position<2>(r0, r1, r0),
+                        second = natural_position<2>(r0, r1, r1);
   EXPECT_NEAR(first.a, 0, rigid_part_round_off);
   EXPECT_NEAR(first.b, 0, rigid_part_round_off);
   EXPECT_NEAR(second.a, 1, rigid_part_round_off);
@@ -76,10 +76,10 @@ TEST(RigidPartElement, BasePointsHaveThePlacesOfABase)
 TEST(RigidPartElement, PlacesCountToTheLeftOfTheBase)
 {
   // From (0, 0) to (2, 0): half a base on, a quarter to the left.
-  const NaturalPlace place =
-    natural_place<2>({0, 0, 0}, {2, 0, 0}, {1, 0.5, 0});
-  EXPECT_NEAR(place.a, 0.5, rigid_part_round_off);
-  EXPECT_NEAR(place.b, 0.25, rigid_part_round_off);
+  const NaturalPosition position =
+    natural_position<2>({0, 0, 0}, {2, 0, 0}, {1, 0.5, 0});
+  EXPECT_NEAR(position.a, 0.5, rigid_part_round_off);
+  EXPECT_NEAR(position.b, 0.25, rigid_part_round_off);
 }
 
 TEST(RigidPartElement, ShapeFollowsARigidMotion)
@@ -89,11 +89,11 @@ TEST(RigidPartElement, ShapeFollowsARigidMotion)
     for (const double angle : {0., 0.7, 2.5, -3.})
       {
         const PlaneVector at0 = moved(r0, angle), at1 = moved(r1, angle),
-                          expected = moved(point, angle);
-        const NaturalPlace place   = natural_place<2>(r0, r1, point);
+                          expected     = moved(point, angle);
+        const NaturalPosition position = natural_position<2>(r0, r1, point);
         for (unsigned int c = 0; c < 2; ++c)
           {
-            const std::array<double, 4> shares = shape<2>(place, c);
+            const std::array<double, 4> shares = shape<2>(position, c);
             EXPECT_NEAR(shares[0] * at0[0] + shares[1] * at0[1] +
                           shares[2] * at1[0] + shares[3] * at1[1],
                         expected[c],
@@ -107,7 +107,7 @@ TEST(RigidPartElement, ShapeGivesAForceItsResultantAndMoment)
   const dealii::Point<3> point(2, 3, 0);
   for (unsigned int c = 0; c < 2; ++c)
     {
-      const auto   f = shape<2>(natural_place<2>(r0, r1, point), c);
+      const auto   f = shape<2>(natural_position<2>(r0, r1, point), c);
       const double moment =
         r0[0] * f[1] - r0[1] * f[0] + r1[0] * f[3] - r1[1] * f[2];
       EXPECT_NEAR(f[0] + f[2], c == 0 ? 1 : 0, rigid_part_round_off);
@@ -141,7 +141,7 @@ TEST(RigidPartElement, EnergyIsThatOfTranslationAndOfRotationAboutAnyPoint)
       const auto        M = rigid_mass_matrix<2>(mass,
                                           inertia,
                                           length,
-                                          natural_place<2>(r0, r1, centre));
+                                          natural_position<2>(r0, r1, centre));
       const PlaneVector v = vector(0.8, -1.7);
       EXPECT_NEAR(kinetic_energy(M, v, v),
                   mass * v.norm_square() / 2,
@@ -164,7 +164,7 @@ TEST(RigidPartElement, EnergyIsThatOfTranslationAndOfRotationAboutAnyPoint)
 
 TEST(RigidPartElement, DistanceIsMetByEveryRotation)
 {
-  const DistanceCondition<2> distance = {rest, length};
+  const DistanceConstraint<2> distance = {rest, length};
   for (const double angle : {0.7, 2.5, pi, -3., 2 * pi + 0.7})
     EXPECT_NEAR(distance.value(turned_by(rest, angle) - rest),
                 0,
@@ -179,16 +179,16 @@ TEST(RigidPartElement, DistanceIsMetByEveryRotation)
 TEST(RigidPartElement, DistanceIsExactForTinyMotions)
 {
   // 1e-12 m along the base: to rounding of the product, not of the length.
-  const DistanceCondition<2> distance = {rest, length};
+  const DistanceConstraint<2> distance = {rest, length};
   EXPECT_NEAR(distance.value(1e-12 / length * rest), 1e-12, 1e-24);
 }
 
 TEST(RigidPartElement, DerivativesOfDistanceAreItsDifferences)
 {
-  const DistanceCondition<2> distance = {rest, length};
-  const PlaneVector          stretch  = vector(-0.4, 0.9);
-  const PlaneVector          gradient = distance.gradient(stretch);
-  const double               h        = 1e-4;
+  const DistanceConstraint<2> distance = {rest, length};
+  const PlaneVector           stretch  = vector(-0.4, 0.9);
+  const PlaneVector           gradient = distance.gradient(stretch);
+  const double                h        = 1e-4;
   for (unsigned int c = 0; c < 2; ++c)
     {
       PlaneVector step;
@@ -208,7 +208,7 @@ TEST(RigidPartElement, DerivativesOfDistanceAreItsDifferences)
 
 TEST(RigidPartElement, ClampIsMetWhenTheSectionTurnsWithTheBody)
 {
-  const ClampCondition clamp = {rest, length};
+  const ClampConstraint clamp = {rest, length};
   for (const double angle : {0., 0.7, 2 * pi + 0.7, -2.5})
     EXPECT_NEAR(clamp.normal(angle) * turned_by(rest, angle),
                 0,
@@ -225,9 +225,9 @@ TEST(RigidPartElement, ClampIsMetWhenTheSectionTurnsWithTheBody)
 
 TEST(RigidPartElement, DerivativesOfTheClampAreItsDifferences)
 {
-  const ClampCondition clamp = {rest, length};
-  const double         phi = 0.8, h = 1e-4;
-  const PlaneVector    first =
+  const ClampConstraint clamp = {rest, length};
+  const double          phi = 0.8, h = 1e-4;
+  const PlaneVector     first =
     (clamp.normal(phi + h) - clamp.normal(phi - h)) / (2 * h);
   const PlaneVector second =
     (clamp.normal_derivative(phi + h) - clamp.normal_derivative(phi - h)) /

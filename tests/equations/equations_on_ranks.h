@@ -79,11 +79,11 @@ namespace auxfem
     /**
      * What an unknown is, independent of its number: joint or strut, fraction
      * of the strut's length, component. Released ends count as points of the
-     * strut, rigid parts and conditions as joints past the last.
+     * strut, rigid parts and constraints as joints past the last.
      */
     using UnknownName = std::tuple<bool, unsigned int, double, unsigned int>;
 
-    /** Name and place at rest of a local unknown. */
+    /** Name and position at rest of a local unknown. */
     struct NamedUnknown
     {
       UnknownName      name;
@@ -91,8 +91,8 @@ namespace auxfem
     };
 
     /** Unknowns of the rigid parts themselves and all multipliers. */
-    inline void name_conditions(const LatticeModel        &model,
-                                std::vector<NamedUnknown> &names)
+    inline void name_constraints(const LatticeModel        &model,
+                                 std::vector<NamedUnknown> &names)
     {
       const DofNumbering &dofs       = model.numbering;
       const Lattice      &lattice    = model.lattice;
@@ -134,18 +134,18 @@ namespace auxfem
       const dealii::FE_Q<1>     fe(dofs.order());
       for (unsigned int e = 0; e < dofs.elements().size(); ++e)
         {
-          const StrutMesh::Place &place = dofs.elements()[e].place;
+          const StrutMesh::Interval &interval = dofs.elements()[e].interval;
           for (unsigned int a = 0; a <= dofs.order(); ++a)
             for (unsigned int c = 0; c < dofs.n_components(); ++c)
               {
-                const double s = place.begin +
-                  (place.end - place.begin) *
+                const double s = interval.begin +
+                  (interval.end - interval.begin) *
                     fe.get_unit_support_points()[a][0];
                 dealii::Tensor<1, 3> tangent;
                 NamedUnknown        &unknown =
                   names[dofs.element_unknowns(e)[dofs.n_components() * a + c]];
-                unknown.name = {false, place.strut, s, dofs.components()[c]};
-                lattice.axis(lattice.struts[place.strut],
+                unknown.name = {false, interval.strut, s, dofs.components()[c]};
+                lattice.axis(lattice.struts[interval.strut],
                              s,
                              unknown.position,
                              tangent);
@@ -163,7 +163,7 @@ namespace auxfem
           if (dofs.joint_unknown(joint, c) >= 0)
             names[dofs.joint_unknown(joint, c)] = {{true, joint, 0., c},
                                                    lattice.joints[joint]};
-      name_conditions(model, names);
+      name_constraints(model, names);
       return names;
     }
 
@@ -171,8 +171,9 @@ namespace auxfem
      * Fills @p vector with an irregular field of about @p size that depends on
      * where an unknown lies and what it is, not on its number.
      */
-    inline void
-    fill_by_place(const LatticeModel &model, const double size, Vector &vector)
+    inline void fill_by_position(const LatticeModel &model,
+                                 const double        size,
+                                 Vector             &vector)
     {
       const std::vector<NamedUnknown> names = name_unknowns(model);
       for (unsigned int i = 0; i < names.size(); ++i)

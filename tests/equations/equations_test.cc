@@ -1,6 +1,6 @@
 #include <auxfem/equations/node_rotations.h>
 #include <auxfem/equations/prescribed_motion.h>
-#include <auxfem/model/unknown_words.h>
+#include <auxfem/model/unknown_names.h>
 
 #include <equations/equations_on_ranks.h>
 #include <gtest/gtest.h>
@@ -19,12 +19,12 @@ namespace
       , to(from)
     {
       to.time = dt;
-      fill_by_place(of_scene.model, 0.1, from.displacement);
-      fill_by_place(of_scene.model, 0.4, to.displacement);
+      fill_by_position(of_scene.model, 0.1, from.displacement);
+      fill_by_position(of_scene.model, 0.4, to.displacement);
       if (to.velocity)
-        fill_by_place(of_scene.model, 0.7, *to.velocity);
+        fill_by_position(of_scene.model, 0.7, *to.velocity);
       if (to.acceleration)
-        fill_by_place(of_scene.model, 1.1, *to.acceleration);
+        fill_by_position(of_scene.model, 1.1, *to.acceleration);
     }
 
     /** Residual of the step with unknown @p i moved by @p h, as an increment moves it. */
@@ -183,8 +183,8 @@ TEST(Equations, PrescribedMotionAndRightSideFollowTheSupports)
   state.displacement[shaken] = 0.001;
   state.residual.assign(state.residual.size(), 7);
   find_right_side(of_scene.model, step, right_side.data());
-  const double place = 0.02 * std::sin(3 * 0.2);
-  EXPECT_NEAR(right_side[shaken], place - 0.001, 1e-16);
+  const double position = 0.02 * std::sin(3 * 0.2);
+  EXPECT_NEAR(right_side[shaken], position - 0.001, 1e-16);
   for (unsigned int i = 0; i < dofs.layout().n_owned(); ++i)
     if (int(i) != shaken)
       {
@@ -194,9 +194,9 @@ TEST(Equations, PrescribedMotionAndRightSideFollowTheSupports)
       }
 
   prescribe_motion(of_scene.model, step);
-  EXPECT_DOUBLE_EQ(state.displacement[shaken], place);
+  EXPECT_DOUBLE_EQ(state.displacement[shaken], position);
   EXPECT_NEAR((*state.velocity)[shaken], 0.06 * std::cos(0.6), 1e-16);
-  EXPECT_NEAR((*state.acceleration)[shaken], -9 * place, 1e-15);
+  EXPECT_NEAR((*state.acceleration)[shaken], -9 * position, 1e-15);
 }
 
 namespace
@@ -275,8 +275,8 @@ TEST(Equations, WithoutViscosityConnectorsAreTheirLongTimeSprings)
                             {"Effects/Connector viscosity=off"},
                             MPI_COMM_SELF);
   State            from = of_scene.equations.initial_state(), to = from;
-  fill_by_place(of_scene.model, 0.2, to.displacement);
-  fill_by_place(of_scene.model, 5., *to.velocity);
+  fill_by_position(of_scene.model, 0.2, to.displacement);
+  fill_by_position(of_scene.model, 5., *to.velocity);
   const Evaluation step = Evaluation::step(from, to, 0.1);
   of_scene.residual(step);
   const double stiffness[4] = {0.6, 0, 0.2, 0.4};
@@ -310,10 +310,10 @@ namespace
       const LatticeModel &model = of_scene.model;
       from.time                 = 0.1;
       to.time                   = from.time + dt;
-      fill_by_place(model, 0.1, from.displacement);
-      fill_by_place(model, size, to.displacement);
-      fill_by_place(model, 2 * size, *to.velocity);
-      fill_by_place(model, 3 * size, *to.acceleration);
+      fill_by_position(model, 0.1, from.displacement);
+      fill_by_position(model, size, to.displacement);
+      fill_by_position(model, 2 * size, *to.velocity);
+      fill_by_position(model, 3 * size, *to.acceleration);
       for (unsigned int i = 0; i < from.history.size(); ++i)
         from.history[i] = 0.1 * std::sin(1. + i);
       NodeRotations(model.numbering).follow(evaluation());
@@ -334,7 +334,7 @@ namespace
       answer.insert(answer.end(),
                     {results.force,
                      results.moment,
-                     results.condition,
+                     results.constraint,
                      results.force_scale});
       return answer;
     }

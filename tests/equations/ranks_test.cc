@@ -32,17 +32,17 @@ namespace
     {
       const LatticeModel &model = on_ranks.model;
       to.time                   = 0.3;
-      fill_by_place(model, 0.1, from.displacement);
-      fill_by_place(model, 0.5, to.displacement);
-      fill_by_place(model, 0.7, *to.velocity);
-      fill_by_place(model, 1.1, *to.acceleration);
+      fill_by_position(model, 0.1, from.displacement);
+      fill_by_position(model, 0.5, to.displacement);
+      fill_by_position(model, 0.7, *to.velocity);
+      fill_by_position(model, 1.1, *to.acceleration);
       const Evaluation step = Evaluation::step(from, to, 0.3);
       NodeRotations(model.numbering).follow(step);
       on_ranks.residual(step);
       on_ranks.tangent(step, {1., 3., 5.}, *matrix);
 
       Vector direction(on_ranks.dofs().layout().n_local());
-      fill_by_place(model, 1., direction);
+      fill_by_position(model, 1., direction);
       matrix->multiply(direction.data(), product.data());
     }
 
@@ -137,7 +137,7 @@ namespace
     unsigned int     iterations = 0;
   };
 
-  /** Force, extension and lost energy of this rank's connectors by place. */
+  /** Force, extension and lost energy of this rank's connectors by position. */
   std::map<std::string, std::array<double, 3>>
   connector_reports(const Advanced &run)
   {
@@ -171,9 +171,9 @@ namespace
     std::string text    = star_with_everything(3, 3);
     const auto  replace = [&text](const std::string &from,
                                  const std::string &to) {
-      const std::size_t place = text.find(from);
-      EXPECT_NE(place, std::string::npos);
-      text.replace(place, from.size(), to);
+      const std::size_t position = text.find(from);
+      EXPECT_NE(position, std::string::npos);
+      text.replace(position, from.size(), to);
     };
     // No elastic strut is left at the top that could be released, none at the
     // bottom that could be clamped, and at some tips none a spring could act
@@ -288,10 +288,10 @@ TEST(Ranks, RigidPartsAreReportedOnceAndAlike)
   const std::string text = stars_with_rigid_parts();
   const Advanced    all(text, {slow_shaker}, MPI_COMM_WORLD),
     alone(text, {slow_shaker}, MPI_COMM_SELF);
-  const RigidPartConditions &parts =
-                              *all.on_ranks.equations.reporting().rigid_parts,
-                            &reference =
-                              *alone.on_ranks.equations.reporting().rigid_parts;
+  const RigidPartConstraints &parts =
+                               *all.on_ranks.equations.reporting().rigid_parts,
+                             &reference = *alone.on_ranks.equations.reporting()
+                                             .rigid_parts;
   EXPECT_EQ(dealii::Utilities::MPI::sum(parts.n_reported(), MPI_COMM_WORLD),
             alone.on_ranks.lattice.rigid_parts.size());
   for (unsigned int i = 0; i < parts.n_reported(); ++i)

@@ -26,15 +26,15 @@ namespace
       const State from = on_ranks.equations.initial_state();
       State       to   = from;
       to.time          = 1e-3;
-      fill_by_place(on_ranks.model, size, to.displacement);
-      fill_by_place(on_ranks.model, size / to.time, *to.velocity);
+      fill_by_position(on_ranks.model, size, to.displacement);
+      fill_by_position(on_ranks.model, size / to.time, *to.velocity);
       const Evaluation step = Evaluation::step(from, to, to.time);
       NodeRotations(on_ranks.model.numbering).follow(step);
       on_ranks.residual(step);
       on_ranks.tangent(step, factors, *matrix);
 
       right_side.resize(on_ranks.dofs().layout().n_local());
-      fill_by_place(on_ranks.model, 1., right_side);
+      fill_by_position(on_ranks.model, 1., right_side);
       const Unknowns &unknowns = on_ranks.equations.unknowns();
       for (unsigned int i = 0; i < right_side.size(); ++i)
         if (unknowns.kinds[i] == UnknownKind::prescribed)
@@ -130,7 +130,7 @@ TEST(SolverKinds, SolveUnsymmetricTangentsAlike)
     }
 }
 
-TEST(SolverKinds, SolveConditionsOfRigidPartsAlike)
+TEST(SolverKinds, SolveConstraintsOfRigidPartsAlike)
 {
   expect_same_solution(RealTangent("rigid-array.prm", {}, 1e-5, short_step),
                        {"auto", "klu", "gmres"},

@@ -161,7 +161,7 @@ end
       Vector increment(to.displacement);
       increment.assign(increment.size(), 0);
       increment[i] = h;
-      rotations.turn(step(moved), increment);
+      rotations.rotate(step(moved), increment);
       add_multiple(factors.stiffness, increment, moved.displacement);
       if (moved.velocity)
         add_multiple(factors.damping, increment, *moved.velocity);

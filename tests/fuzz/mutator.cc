@@ -22,16 +22,16 @@ namespace auxfem
     words_of(const std::string &text)
     {
       const std::string                                blanks = " \t\r\n,;=";
-      std::vector<std::pair<std::size_t, std::size_t>> places;
+      std::vector<std::pair<std::size_t, std::size_t>> positions;
       for (std::size_t begin = text.find_first_not_of(blanks);
            begin != std::string::npos;)
         {
           const std::size_t end =
             std::min(text.find_first_of(blanks, begin), text.size());
-          places.emplace_back(begin, end - begin);
+          positions.emplace_back(begin, end - begin);
           begin = text.find_first_not_of(blanks, end);
         }
-      return places;
+      return positions;
     }
 
     std::vector<std::string> lines_of(const std::string &text)
@@ -81,16 +81,16 @@ namespace auxfem
 
   std::string Mutator::change_word(const std::string &text)
   {
-    const auto places = words_of(text);
-    if (places.empty())
+    const auto positions = words_of(text);
+    if (positions.empty())
       return text + "x";
-    const auto [begin, size] = places[below(places.size())];
+    const auto [begin, size] = positions[below(positions.size())];
     std::string word         = text.substr(begin, size);
     switch (below(4))
       {
         case 0:
           {
-            const auto other = places[below(places.size())];
+            const auto other = positions[below(positions.size())];
             word             = text.substr(other.first, other.second);
             break;
           }
@@ -130,17 +130,17 @@ namespace auxfem
 
   std::string Mutator::change_byte(std::string text)
   {
-    const std::size_t place = below(text.size());
+    const std::size_t position = below(text.size());
     switch (below(3))
       {
         case 0:
-          text.erase(place, 1);
+          text.erase(position, 1);
           break;
         case 1:
-          text.insert(place, 1, char(below(256)));
+          text.insert(position, 1, char(below(256)));
           break;
         default:
-          text[place] = char(below(256));
+          text[position] = char(below(256));
       }
     return text;
   }

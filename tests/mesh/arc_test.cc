@@ -71,11 +71,13 @@ TEST(Arc, InOtherPlanesItIsThePlanarArcRotated)
                   arc_round_off);
       for (const double s : {0., 0.25, 0.5, 0.8, 1.})
         {
-          Point<3>     place, turned_place;
+          Point<3>     position, turned_position;
           Tensor<1, 3> tangent, turned_tangent;
-          planar.axis(planar.struts[0], s, place, tangent);
-          turned.axis(turned.struts[0], s, turned_place, turned_tangent);
-          EXPECT_NEAR((turn * place - turned_place).norm(), 0, arc_round_off);
+          planar.axis(planar.struts[0], s, position, tangent);
+          turned.axis(turned.struts[0], s, turned_position, turned_tangent);
+          EXPECT_NEAR((turn * position - turned_position).norm(),
+                      0,
+                      arc_round_off);
           EXPECT_NEAR((turn * tangent - turned_tangent).norm(),
                       0,
                       arc_round_off);
@@ -87,10 +89,10 @@ TEST(Arc, AlongZItRisesToTheLeftSeenAgainstItsNormal)
 {
   // Going up, seen from the end of the y axis: y x z = x is on the left.
   const auto   lattice = one_arc({0, 0, -1}, {0, 0, 1}, 1, Point<3>(0, 1, 0));
-  Point<3>     place;
+  Point<3>     position;
   Tensor<1, 3> tangent;
-  lattice.axis(lattice.struts[0], 0.5, place, tangent);
-  EXPECT_NEAR(place.distance({1, 0, 0}), 0, arc_round_off);
+  lattice.axis(lattice.struts[0], 0.5, position, tangent);
+  EXPECT_NEAR(position.distance({1, 0, 0}), 0, arc_round_off);
   EXPECT_NEAR((tangent - z).norm(), 0, arc_round_off);
 }
 

@@ -31,10 +31,10 @@ namespace
 
   dealii::Point<3> middle(const Lattice &lattice, const unsigned int strut)
   {
-    dealii::Point<3>     place;
+    dealii::Point<3>     position;
     dealii::Tensor<1, 3> tangent;
-    lattice.axis(lattice.struts[strut], 0.5, place, tangent);
-    return place;
+    lattice.axis(lattice.struts[strut], 0.5, position, tangent);
+    return position;
   }
 } // namespace
 

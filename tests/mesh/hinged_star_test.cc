@@ -29,18 +29,18 @@ namespace
     return set.at(0);
   }
 
-  dealii::Point<3> place(const Lattice &lattice, const std::string &name)
+  dealii::Point<3> position(const Lattice &lattice, const std::string &name)
   {
     return lattice.joints[joint(lattice, name)];
   }
 
-  void expect_place(const Lattice     &lattice,
-                    const std::string &name,
-                    const double       x,
-                    const double       y)
+  void expect_position(const Lattice     &lattice,
+                       const std::string &name,
+                       const double       x,
+                       const double       y)
   {
     // Round-off of sines and cosines on one metre.
-    EXPECT_NEAR(place(lattice, name).distance({x, y, 0}), 0, 1e-15) << name;
+    EXPECT_NEAR(position(lattice, name).distance({x, y, 0}), 0, 1e-15) << name;
   }
 
   /** Whether the only strut of @p set has the ends @p first and @p second. */
@@ -70,18 +70,18 @@ TEST(HingedStarCell, PlacesOfTheJoints)
   EXPECT_EQ(lattice.joints.size(), 12u);
   // L1 = 0.5 m and theta0 = 30 deg: rise 0.25 m, run 0.433 m.
   const double side = 0.6 - 0.5 * cosine_of_30;
-  expect_place(lattice, "F", -0.6, -0.25);
-  expect_place(lattice, "A", -side, 0);
-  expect_place(lattice, "B", -0.6, 0.25);
-  expect_place(lattice, "E", 0.6, -0.25);
-  expect_place(lattice, "D", side, 0);
-  expect_place(lattice, "C", 0.6, 0.25);
-  expect_place(lattice, "m", 0, 0.15);
-  expect_place(lattice, "n", 0, 0.25);
-  expect_place(lattice, "p", 0, -0.15);
-  expect_place(lattice, "q", 0, -0.25);
-  expect_place(lattice, "rod top", 0, 0);
-  expect_place(lattice, "rod foot", 0, -0.4);
+  expect_position(lattice, "F", -0.6, -0.25);
+  expect_position(lattice, "A", -side, 0);
+  expect_position(lattice, "B", -0.6, 0.25);
+  expect_position(lattice, "E", 0.6, -0.25);
+  expect_position(lattice, "D", side, 0);
+  expect_position(lattice, "C", 0.6, 0.25);
+  expect_position(lattice, "m", 0, 0.15);
+  expect_position(lattice, "n", 0, 0.25);
+  expect_position(lattice, "p", 0, -0.15);
+  expect_position(lattice, "q", 0, -0.25);
+  expect_position(lattice, "rod top", 0, 0);
+  expect_position(lattice, "rod foot", 0, -0.4);
   EXPECT_EQ(lattice.joint_sets.at("axis").size(), 6u);
 }
 
@@ -90,9 +90,9 @@ TEST(HingedStarCell, AutomaticMeasures)
   const auto cell    = cell_from_text("hinged star", "")->build();
   const auto lattice = make_array(cell, {{1, 1, 1}});
   // 1.1 L1; L1 sin(30 deg) / 2; L1 / 5; a fifth of the half width.
-  expect_place(lattice, "C", 0.55, 0.25);
-  expect_place(lattice, "m", 0, 0.125);
-  expect_place(lattice, "rod foot", 0, -0.35);
+  expect_position(lattice, "C", 0.55, 0.25);
+  expect_position(lattice, "m", 0, 0.125);
+  expect_position(lattice, "rod foot", 0, -0.35);
   EXPECT_NEAR(cell.period[0], 2 * 0.55 + 0.11, 1e-15);
   EXPECT_NEAR(cell.period[1], 2 * 0.25 + 0.1, 1e-15);
 }

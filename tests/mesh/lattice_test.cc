@@ -31,17 +31,17 @@ namespace
 
   dealii::Point<3> position(const Lattice &lattice, const double s)
   {
-    dealii::Point<3>     place;
+    dealii::Point<3>     position;
     dealii::Tensor<1, 3> tangent;
-    lattice.axis(lattice.struts[0], s, place, tangent);
-    return place;
+    lattice.axis(lattice.struts[0], s, position, tangent);
+    return position;
   }
 
   dealii::Tensor<1, 3> tangent(const Lattice &lattice, const double s)
   {
-    dealii::Point<3>     place;
+    dealii::Point<3>     position;
     dealii::Tensor<1, 3> direction;
-    lattice.axis(lattice.struts[0], s, place, direction);
+    lattice.axis(lattice.struts[0], s, position, direction);
     return direction;
   }
 } // namespace

@@ -250,10 +250,10 @@ TEST(MeshFileCell, InSpaceArcsKeepTheirPlane)
       EXPECT_NEAR(std::abs(strut.sagitta), 1 - h, 1e-15);
       EXPECT_NEAR(strut.normal.norm(), 1, 1e-15);
       EXPECT_NEAR(lattice.length(strut), dealii::numbers::PI_2, 1e-14);
-      dealii::Point<3>     place;
+      dealii::Point<3>     position;
       dealii::Tensor<1, 3> tangent;
-      lattice.axis(strut, 0.5, place, tangent);
-      EXPECT_NEAR(place.distance(middles[arc - 1]), 0, 1e-15);
+      lattice.axis(strut, 0.5, position, tangent);
+      EXPECT_NEAR(position.distance(middles[arc - 1]), 0, 1e-15);
     }
   EXPECT_EQ(lattice.joint_sets.at("back"), (Indices{0, 2}));
   EXPECT_EQ(lattice.joint_sets.at("front"), (Indices{3, 4}));

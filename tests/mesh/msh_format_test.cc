@@ -34,9 +34,9 @@ namespace
   std::string
   changed(std::string text, const std::string &from, const std::string &to)
   {
-    const std::size_t place = text.find(from);
-    EXPECT_NE(place, std::string::npos) << from;
-    return text.replace(place, from.size(), to);
+    const std::size_t position = text.find(from);
+    EXPECT_NE(position, std::string::npos) << from;
+    return text.replace(position, from.size(), to);
   }
 
   std::string write(const std::string &text)

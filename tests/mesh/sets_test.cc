@@ -213,10 +213,10 @@ TEST_F(SetsInSpace, Nearest)
 {
   for (const unsigned int joint : {3u, 17u, 40u})
     {
-      const auto        &place = lattice.joints[joint];
+      const auto        &position = lattice.joints[joint];
       std::ostringstream text;
-      text << "nearest: " << place[0] + 0.01 << " m, " << 1000 * place[1]
-           << " mm, " << place[2] - 0.02;
+      text << "nearest: " << position[0] + 0.01 << " m, " << 1000 * position[1]
+           << " mm, " << position[2] - 0.02;
       EXPECT_EQ(joints(text.str()), (Indices{joint})) << text.str();
     }
   // Without z the plane z = 0: the stub end at the left of the first layer.

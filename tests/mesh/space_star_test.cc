@@ -12,7 +12,7 @@ using namespace auxfem;
 
 namespace
 {
-  // Places are compared to a few units of round-off of a cell of some 10 mm.
+  // Positions are compared to a few units of round-off of a cell of some 10 mm.
   constexpr double space_star_round_off = 1e-15;
 
   const double strut_length  = 0.010;
@@ -38,30 +38,31 @@ namespace
     return make_array(space_star()->build(), {{nx, ny, nz}});
   }
 
-  /** Joint at a place; invalid_index if there is none. */
-  unsigned int joint_at(const Lattice &lattice, const dealii::Point<3> &place)
+  /** Joint at a position; invalid_index if there is none. */
+  unsigned int joint_at(const Lattice          &lattice,
+                        const dealii::Point<3> &position)
   {
     for (unsigned int i = 0; i < lattice.joints.size(); ++i)
-      if (lattice.joints[i].distance(place) < 10 * space_star_round_off)
+      if (lattice.joints[i].distance(position) < 10 * space_star_round_off)
         return i;
     return invalid_index;
   }
 
   bool is_in(const Lattice          &lattice,
              const std::string      &set,
-             const dealii::Point<3> &place)
+             const dealii::Point<3> &position)
   {
     const auto &members = lattice.joint_sets.at(set);
     return std::binary_search(members.begin(),
                               members.end(),
-                              joint_at(lattice, place));
+                              joint_at(lattice, position));
   }
 
   dealii::Point<3> on_axis(const unsigned int axis, const double distance)
   {
-    dealii::Point<3> place;
-    place[axis] = distance;
-    return place;
+    dealii::Point<3> position;
+    position[axis] = distance;
+    return position;
   }
 
   std::string space_star_refusal(const std::string &opening_angle)

@@ -29,7 +29,7 @@ namespace
     return make_array(cell->build(), {{nx, ny, 1}});
   }
 
-  /** Joint at a place; invalid_index if there is none. */
+  /** Joint at a position; invalid_index if there is none. */
   unsigned int joint_at(const Lattice &lattice, const double x, const double y)
   {
     for (unsigned int i = 0; i < lattice.joints.size(); ++i)

@@ -72,11 +72,11 @@ TEST(StrutMesh, PlacesTellWhereACellLiesAfterRefinement)
   std::vector<std::set<double>> begins(lattice.struts.size());
   for (const auto &cell : mesh.triangulation().active_cell_iterators())
     {
-      const StrutMesh::Place place = StrutMesh::place(cell);
-      begins.at(place.strut).insert(place.begin);
+      const StrutMesh::Interval interval = StrutMesh::interval(cell);
+      begins.at(interval.strut).insert(interval.begin);
       // Halves of halves of [0, 1] are exact.
-      EXPECT_EQ(place.end - place.begin, 1. / n_parts);
-      EXPECT_EQ(std::fmod(place.begin * n_parts, 1.), 0.);
+      EXPECT_EQ(interval.end - interval.begin, 1. / n_parts);
+      EXPECT_EQ(std::fmod(interval.begin * n_parts, 1.), 0.);
     }
   for (const auto &of_strut : begins)
     {
@@ -92,17 +92,19 @@ TEST(StrutMesh, CellsOfAStrutFollowOneAnother)
   const StrutMesh mesh(lattice, 2, MPI_COMM_WORLD);
   for (const auto &cell : mesh.triangulation().active_cell_iterators())
     {
-      const StrutMesh::Place place = StrutMesh::place(cell);
+      const StrutMesh::Interval interval = StrutMesh::interval(cell);
       for (const unsigned int end : {0, 1})
         {
-          const bool at_end = end == 0 ? place.begin == 0. : place.end == 1.;
+          const bool at_end =
+            end == 0 ? interval.begin == 0. : interval.end == 1.;
           ASSERT_EQ(cell->at_boundary(end), at_end);
           if (at_end)
             continue;
-          const StrutMesh::Place next = StrutMesh::place(cell->neighbor(end));
-          EXPECT_EQ(next.strut, place.strut);
+          const StrutMesh::Interval next =
+            StrutMesh::interval(cell->neighbor(end));
+          EXPECT_EQ(next.strut, interval.strut);
           EXPECT_EQ(end == 0 ? next.end : next.begin,
-                    end == 0 ? place.begin : place.end);
+                    end == 0 ? interval.begin : interval.end);
         }
     }
 }
@@ -114,7 +116,7 @@ TEST(StrutMesh, RigidStrutsHaveNoCells)
   const StrutMesh        mesh(lattice, 1, MPI_COMM_WORLD);
   std::set<unsigned int> struts;
   for (const auto &cell : mesh.triangulation().active_cell_iterators())
-    struts.insert(StrutMesh::place(cell).strut);
+    struts.insert(StrutMesh::interval(cell).strut);
   EXPECT_EQ(struts.size(), lattice.struts.size() - 2);
   EXPECT_EQ(struts.count(0), 0u);
   EXPECT_EQ(struts.count(7), 0u);
@@ -127,9 +129,9 @@ TEST(StrutMesh, AnUnrefinedStrutIsOneCell)
   const StrutMesh mesh(lattice, 0, MPI_COMM_WORLD);
   for (const auto &cell : mesh.triangulation().active_cell_iterators())
     {
-      const StrutMesh::Place place = StrutMesh::place(cell);
-      EXPECT_EQ(place.begin, 0.);
-      EXPECT_EQ(place.end, 1.);
+      const StrutMesh::Interval interval = StrutMesh::interval(cell);
+      EXPECT_EQ(interval.begin, 0.);
+      EXPECT_EQ(interval.end, 1.);
     }
 }
 
@@ -193,7 +195,7 @@ TEST(StrutMesh, RefinedCellsBelongToTheRankOfTheirStrut)
   const StrutMesh                 mesh(lattice, 2, MPI_COMM_WORLD);
   const std::vector<unsigned int> ranks = partition_struts(lattice, n_ranks);
   for (const auto &cell : mesh.triangulation().active_cell_iterators())
-    EXPECT_EQ(cell->subdomain_id(), ranks[StrutMesh::place(cell).strut]);
+    EXPECT_EQ(cell->subdomain_id(), ranks[StrutMesh::interval(cell).strut]);
 }
 
 TEST(StrutMesh, TooManyRanksAreRefused)

@@ -39,18 +39,18 @@ namespace
     return {{0, 3 - 2 * y}, {1, -1 + 2 * x}, {rotation_z, 2.}};
   }
 
-  const std::vector<std::array<double, 2>> places = {{{0, 0}},
-                                                     {{2, 0}},
-                                                     {{2, 1.5}},
-                                                     {{2, 3.5}}};
+  const std::vector<std::array<double, 2>> positions = {{{0, 0}},
+                                                        {{2, 0}},
+                                                        {{2, 1.5}},
+                                                        {{2, 3.5}}};
 
   /** Struts and a half circle, of which each joint is given its velocity. */
   std::string joint_by_joint(const std::string &further = "")
   {
     std::string groups;
-    for (unsigned int joint = 0; joint < places.size(); ++joint)
+    for (unsigned int joint = 0; joint < positions.size(); ++joint)
       {
-        const auto v = rigid_in_plane(places[joint][0], places[joint][1]);
+        const auto v = rigid_in_plane(positions[joint][0], positions[joint][1]);
         groups += group("v" + std::to_string(joint),
                         std::to_string(joint),
                         "    set Velocity x = " + number(v.at(0)) +

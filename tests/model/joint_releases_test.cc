@@ -8,7 +8,7 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  using What = Turning::What;
+  using What = RotationOwner::What;
 
   std::string definition(const std::string &name,
                          const std::string &joint,
@@ -45,9 +45,9 @@ namespace
   {
     const Scene   scene   = read_scene_from_text(tripod(further), "test.prm");
     const Lattice lattice = build_lattice(scene);
-    const auto    words   = [](const Turning &turning) -> std::string {
-      const std::string number = std::to_string(turning.index);
-      switch (turning.what)
+    const auto words = [](const RotationOwner &rotation_owner) -> std::string {
+      const std::string number = std::to_string(rotation_owner.index);
+      switch (rotation_owner.what)
         {
           case What::joint:
             return "joint " + number;
@@ -61,7 +61,7 @@ namespace
     };
     std::vector<std::string> result;
     for (const JointRelease &release : joint_releases(scene, lattice))
-      for (const TurningPair &pair : release.pairs)
+      for (const RotationPair &pair : release.pairs)
         result.push_back(words(pair.base) + " - " + words(pair.end));
     return result;
   }

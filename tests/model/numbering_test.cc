@@ -1,5 +1,5 @@
 #include <auxfem/model/numbering.h>
-#include <auxfem/model/unknown_words.h>
+#include <auxfem/model/unknown_names.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -98,7 +98,7 @@ TEST(DofNumbering, StrutsShareTheUnknownsOfTheirJoint)
   for (unsigned int e = 0; e < 3; ++e)
     {
       const Strut &strut =
-        tripods.lattice.struts[tripods.dofs.elements()[e].place.strut];
+        tripods.lattice.struts[tripods.dofs.elements()[e].interval.strut];
       const int *unknowns = tripods.dofs.element_unknowns(e);
       for (unsigned int end = 0; end < 2; ++end)
         for (unsigned int c = 0; c < 3; ++c)
@@ -118,12 +118,12 @@ TEST(DofNumbering, ElementsOfAStrutShareTheNodeBetweenThem)
   const DofNumbering   &dofs = tripods.dofs;
   std::vector<unsigned> of_first_strut;
   for (unsigned int e = 0; e < dofs.elements().size(); ++e)
-    if (dofs.elements()[e].place.strut == 0)
+    if (dofs.elements()[e].interval.strut == 0)
       of_first_strut.push_back(e);
   ASSERT_EQ(of_first_strut.size(), 2u);
   const int *first  = dofs.element_unknowns(of_first_strut[0]),
             *second = dofs.element_unknowns(of_first_strut[1]);
-  if (dofs.elements()[of_first_strut[0]].place.begin > 0)
+  if (dofs.elements()[of_first_strut[0]].interval.begin > 0)
     std::swap(first, second);
   for (unsigned int c = 0; c < 3; ++c)
     EXPECT_EQ(first[3 + c], second[c]);
@@ -185,7 +185,7 @@ TEST(DofNumbering, WordsNameJointOrStrutAndComponent)
   EXPECT_EQ(describe(dofs, dofs.joint_unknown(0, rotation_z)),
             "rotation of joint 0 at (0, 0)");
   for (unsigned int e = 0; e < 3; ++e)
-    if (dofs.elements()[e].place.strut == 1)
+    if (dofs.elements()[e].interval.strut == 1)
       {
         EXPECT_EQ(describe(dofs, dofs.element_unknowns(e)[3 * 2 + 2]),
                   "rotation of strut 1 (joints 0 - 2)");
@@ -294,7 +294,7 @@ TEST(DofNumbering, EveryElementIsOwnedOnceAndKeptWhereItHasARow)
       EXPECT_TRUE(std::all_of(unknowns, unknowns + n, [&](const int u) {
         return u >= 0 && u < int(dofs.layout().n_local());
       }));
-      owned[2 * element.place.strut + (element.place.begin > 0)] +=
+      owned[2 * element.interval.strut + (element.interval.begin > 0)] +=
         element.is_owned;
     }
   dealii::Utilities::MPI::sum(owned, MPI_COMM_WORLD, owned);
@@ -351,20 +351,20 @@ TEST(DofNumbering, BothRotationsOfASpringAreKeptWhereOneIsOwned)
   Ties          ties;
   ties.released.assign(lattice.struts.size(), {{true, true}});
   // At every joint between the first strut and all others.
-  std::vector<std::vector<Turning>> ends(lattice.joints.size());
+  std::vector<std::vector<RotationOwner>> ends(lattice.joints.size());
   for (unsigned int s = 0; s < lattice.struts.size(); ++s)
     for (unsigned int end = 0; end < 2; ++end)
       ends[lattice.struts[s].joints[end]].push_back(
-        {Turning::What::strut_end, s, end});
+        {RotationOwner::What::strut_end, s, end});
   for (unsigned int joint = 0; joint < ends.size(); ++joint)
-    for (const Turning &end : ends[joint])
+    for (const RotationOwner &end : ends[joint])
       if (!(end == ends[joint].front()))
         ties.sprung.push_back({joint, ends[joint].front(), end});
   const Numbered numbered(lattice, 1, 0, ties);
   const auto    &dofs = numbered.dofs;
 
   EXPECT_GT(ties.sprung.size(), 0u);
-  for (const TurningPair &pair : ties.sprung)
+  for (const RotationPair &pair : ties.sprung)
     {
       const int base = dofs.rotation_unknown(pair.base, rotation_z),
                 end  = dofs.rotation_unknown(pair.end, rotation_z);
@@ -417,7 +417,7 @@ TEST(DofNumbering, JointsOfRigidPartsAloneHaveNoRotation)
 {
   const Numbered hinged(tripod_with_rigid_part(false), 2, 0, {}, MPI_COMM_SELF);
   const auto    &dofs = hinged.dofs;
-  // One strut with three nodes, two more joints, 2 * 3 - 3 conditions.
+  // One strut with three nodes, two more joints, 2 * 3 - 3 constraints.
   EXPECT_EQ(dofs.layout().n_global(), 3u * 3 + 2 * 2 + 3);
   EXPECT_EQ(dofs.constraints().n_multipliers(), 3u);
   EXPECT_EQ(dofs.constraints().n_multipliers(0), 3u);
@@ -436,10 +436,10 @@ TEST(DofNumbering, JointsOfRigidPartsAloneHaveNoRotation)
   EXPECT_EQ(dofs.unknowns().kinds[dofs.constraints().multiplier(0, 2)],
             UnknownKind::multiplier);
   EXPECT_EQ(describe(dofs, dofs.constraints().multiplier(0, 0)),
-            "condition of the rigid part of joints 1 2 0");
+            "constraint of the rigid part of joints 1 2 0");
 }
 
-TEST(DofNumbering, AClampedRotationHasAConditionOfItsOwn)
+TEST(DofNumbering, AClampedRotationHasAConstraintOfItsOwn)
 {
   const Numbered clamped(tripod_with_rigid_part(true), 2, 0, {}, MPI_COMM_SELF);
   EXPECT_EQ(clamped.dofs.layout().n_global(), 3u * 3 + 2 * 2 + 4);

@@ -223,7 +223,7 @@ TEST(RigidParts, APartWithoutDirectionIsRefused)
                part("dot", "set Joints = 1, 2"));
   });
   for (const char *words :
-       {"Rigid parts/dot", "joints 1 and 2 lie at one place"})
+       {"Rigid parts/dot", "joints 1 and 2 lie at one position"})
     EXPECT_TRUE(contains(message, words)) << message;
 }
 

@@ -10,7 +10,7 @@ using namespace auxfem;
 
 namespace
 {
-  /** A frame of four joints; places of the third dimension come by hand. */
+  /** A frame of four joints; positions of the third dimension come by hand. */
   Scene scene_in(const unsigned int dimension)
   {
     return read_scene_from_text("set Dimension = " + std::to_string(dimension) +

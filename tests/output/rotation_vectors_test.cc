@@ -55,7 +55,7 @@ end
       const State      before = state;
       const Evaluation step   = Evaluation::step(before, state, 1);
       for (unsigned int i = 0; i < state.rotations.size(); ++i)
-        rotations.set_material_turn(step, i, turn);
+        rotations.set_material_increment(step, i, turn);
       rotations.follow(step);
       vectors.follow(state);
     }

@@ -45,7 +45,7 @@ TEST(Verdict, StandsInTheSummaryWithTimeAndPlace)
   const Json  loss     = {{"verdict", "doubtful"},
                           {"text", "Stability is lost."},
                           {"time", 0.25},
-                          {"place", "joint 3"}};
+                          {"location", "joint 3"}};
   const auto &warnings = summary.at("warnings");
   EXPECT_EQ(std::count(warnings.begin(), warnings.end(), loss), 1)
     << json_text(summary);

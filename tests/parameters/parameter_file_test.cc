@@ -76,10 +76,10 @@ namespace
                            "scene.prm");
     ASSERT_NE(root.find_entry("Title"), nullptr);
     EXPECT_EQ(root.find_entry("Title")->value, "a = b");
-    EXPECT_EQ(root.find_entry("Title")->place.text(), "scene.prm:2");
+    EXPECT_EQ(root.find_entry("Title")->location.text(), "scene.prm:2");
     ASSERT_EQ(root.subsections.size(), 1u);
     const ParameterSubsection &outer = root.subsections[0];
-    EXPECT_EQ(outer.place.text(), "scene.prm:4");
+    EXPECT_EQ(outer.location.text(), "scene.prm:4");
     ASSERT_NE(outer.find_entry("Empty"), nullptr);
     EXPECT_EQ(outer.find_entry("Empty")->value, "");
     ASSERT_NE(outer.find_subsection("two words"), nullptr);
@@ -87,7 +87,7 @@ namespace
       outer.find_subsection("two words")->find_entry("Key word");
     ASSERT_NE(entry, nullptr);
     EXPECT_EQ(entry->value, "1 mm");
-    EXPECT_EQ(entry->place.line, 6u);
+    EXPECT_EQ(entry->location.line, 6u);
     EXPECT_EQ(root.find_subsection("Inner"), nullptr);
   }
 
@@ -102,7 +102,7 @@ namespace
                                                           "set B = 4\n",
                                                           "scene.prm");
     EXPECT_EQ(root.find_entry("A")->value, "1, 2, 3");
-    EXPECT_EQ(root.find_entry("B")->place.line, 5u);
+    EXPECT_EQ(root.find_entry("B")->location.line, 5u);
   }
 
 
@@ -160,7 +160,7 @@ namespace
     ASSERT_NE(s, nullptr);
     ASSERT_NE(s->find_entry("B"), nullptr);
     ASSERT_NE(s->find_entry("C"), nullptr);
-    EXPECT_NE(s->find_entry("C")->place.text().find("inner/last.prm:1"),
+    EXPECT_NE(s->find_entry("C")->location.text().find("inner/last.prm:1"),
               std::string::npos);
   }
 
@@ -212,7 +212,7 @@ namespace
     const ParameterSubsection *a = root.find_subsection("A");
     EXPECT_EQ(a->entries.size(), 1u);
     EXPECT_EQ(a->find_entry("B")->value, "2");
-    EXPECT_EQ(a->find_entry("B")->place.text(), "command line");
+    EXPECT_EQ(a->find_entry("B")->location.text(), "command line");
     EXPECT_EQ(a->find_subsection("New group")->find_entry("C d")->value,
               "x = y");
     EXPECT_EQ(root.find_entry("Title")->value, "");

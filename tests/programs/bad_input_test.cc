@@ -49,7 +49,7 @@ namespace
     }
 
     /** File and line of the first line with @p text, as messages have it. */
-    static std::string place_of(const std::string &text)
+    static std::string position_of(const std::string &text)
     {
       const std::string scene = data_text("star.prm");
       return "scene.prm:" +
@@ -62,7 +62,7 @@ namespace
   {
     expect_refusal_of("subsection Time",
                       "subsection Tiem",
-                      {place_of("subsection Time"),
+                      {position_of("subsection Time"),
                        "unknown subsection \"Tiem\"",
                        "did you mean \"Time\"?",
                        "Allowed here:",
@@ -75,7 +75,7 @@ namespace
   {
     expect_refusal_of("set End time ",
                       "set Endtime ",
-                      {place_of("set End time"),
+                      {position_of("set End time"),
                        "Time/Endtime",
                        "unknown parameter",
                        "did you mean \"End time\"?",
@@ -89,7 +89,7 @@ namespace
   {
     expect_refusal_of("= 0.2 mm",
                       "= -0.2 mm",
-                      {place_of("0.2 mm"),
+                      {position_of("0.2 mm"),
                        "Sections/steel/Radius = -0.2 mm",
                        "out of range",
                        "Allowed: a number > 0 in m"});
@@ -101,7 +101,7 @@ namespace
   {
     expect_refusal_of("= kelvin-voigt",
                       "= kelvin-vogt",
-                      {place_of("kelvin-voigt"),
+                      {position_of("kelvin-voigt"),
                        "Connectors/damper/Law = kelvin-vogt",
                        "did you mean kelvin-voigt",
                        "standard-linear-solid"});
@@ -113,7 +113,7 @@ namespace
   {
     expect_refusal_of("= 200 N/m",
                       "= 200 N",
-                      {place_of("200 N/m"),
+                      {position_of("200 N/m"),
                        "Connectors/damper/Spring stiffness = 200 N",
                        "unit word \"N\" does not fit",
                        "unit words allowed:",
@@ -254,7 +254,7 @@ namespace
              path("unreadable.csv"));
     expect_refusal_of("= -4e3 * t",
                       "= table: unreadable.csv",
-                      {place_of("subsection hit"),
+                      {position_of("subsection hit"),
                        "Loads/hit/Force y",
                        "line 4 of the table",
                        "unreadable.csv",
@@ -262,7 +262,7 @@ namespace
                        "not a number"});
     expect_refusal_of("= -4e3 * t",
                       "= table: lost.csv",
-                      {place_of("subsection hit"),
+                      {position_of("subsection hit"),
                        "Loads/hit/Force y",
                        "cannot read the table",
                        "lost.csv"});
@@ -274,7 +274,7 @@ namespace
   {
     expect_refusal_of("= -4e3 * t",
                       "= -4e3 * q",
-                      {place_of("subsection hit"),
+                      {position_of("subsection hit"),
                        "Loads/hit/Force y",
                        "token \"q\"",
                        "Allowed is an expression of the time t"});

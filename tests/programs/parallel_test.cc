@@ -11,8 +11,9 @@ namespace
     static unsigned int count(const std::string &text, const std::string &part)
     {
       unsigned int n = 0;
-      for (std::size_t place = text.find(part); place != std::string::npos;
-           place             = text.find(part, place + 1))
+      for (std::size_t position = text.find(part);
+           position != std::string::npos;
+           position = text.find(part, position + 1))
         ++n;
       return n;
     }

@@ -78,9 +78,9 @@ namespace
   std::vector<CellMotion> motions()
   {
     std::vector<CellMotion> result;
-    for (const double turn : {0., -0.9, 2.5, M_PI / 2 - theta0, -4.})
+    for (const double rotation : {0., -0.9, 2.5, M_PI / 2 - theta0, -4.})
       for (const double rate : {-3., 0.5})
-        result.push_back({vector(turn, 0.03), vector(rate, 0.8)});
+        result.push_back({vector(rotation, 0.03), vector(rate, 0.8)});
     return result;
   }
 
@@ -166,26 +166,28 @@ TEST(CellEquations, DerivativesAgainstDifferences)
   const CellEquations equations = cell();
   for (const CellMotion &motion : motions())
     {
-      const double     turn = motion.position[0], rate = motion.velocity[0];
+      const double     rotation = motion.position[0], rate = motion.velocity[0];
       const CellVector a = vector(1.3, -0.4);
-      expect_near(equations.lever_derivative(turn),
+      expect_near(equations.lever_derivative(rotation),
                   derivative([&](double x) { return equations.lever(x); },
-                             turn),
+                             rotation),
                   1e-8);
-      expect_near(equations.mass_derivative(turn) * a,
+      expect_near(equations.mass_derivative(rotation) * a,
                   derivative([&](double x) { return equations.mass(x) * a; },
-                             turn),
+                             rotation),
                   1e-8);
       expect_near(
-        equations.velocity_force_by_turn(turn, rate),
+        equations.velocity_force_by_rotation(rotation, rate),
         derivative([&](double x) { return equations.velocity_force(x, rate); },
-                   turn),
+                   rotation),
         1e-7);
-      expect_near(
-        equations.velocity_force_by_rate(turn, rate),
-        derivative([&](double x) { return equations.velocity_force(turn, x); },
-                   rate),
-        1e-7);
+      expect_near(equations.velocity_force_by_rate(rotation, rate),
+                  derivative(
+                    [&](double x) {
+                      return equations.velocity_force(rotation, x);
+                    },
+                    rate),
+                  1e-7);
     }
 }
 

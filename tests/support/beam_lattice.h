@@ -40,13 +40,13 @@ namespace auxfem::testing_support
 
     BeamLattice                                lattice;
     std::map<std::array<int, 3>, unsigned int> joint_at;
-    const auto add_joint = [&](const dealii::Point<3> &place) {
+    const auto add_joint = [&](const dealii::Point<3> &position) {
       std::array<int, 3> key;
       for (unsigned int c = 0; c < 3; ++c)
-        key[c] = static_cast<int>(std::lround(place[c] * 1e6));
+        key[c] = static_cast<int>(std::lround(position[c] * 1e6));
       const auto [entry, is_new] = joint_at.emplace(key, lattice.joints.size());
       if (is_new)
-        lattice.joints.push_back(place);
+        lattice.joints.push_back(position);
       return entry->second;
     };
     for (unsigned int k = 0; k < (dimension == 3 ? cells[2] : 1); ++k)
@@ -108,7 +108,7 @@ namespace auxfem::testing_support
     {
       number_unknowns(options);
       add_struts(options);
-      add_conditions(options);
+      add_constraints(options);
       if (!options.has_supports)
         this->lattice.base.clear();
       make_layout();
@@ -122,7 +122,7 @@ namespace auxfem::testing_support
     /** Of every joint and component (by number in components), of all ranks. */
     int number(const unsigned int joint, const unsigned int c) const
     {
-      return first[rank_of[joint]] + place[joint] * components.size() + c;
+      return first[rank_of[joint]] + position[joint] * components.size() + c;
     }
 
     /** A right-hand side of about one that does not depend on the ranks. */
@@ -195,22 +195,22 @@ namespace auxfem::testing_support
         {
           rank_of.push_back(part(joint[0], largest[0], across) * up +
                             part(joint[1], largest[1], up));
-          place.push_back(count[rank_of.back()]++);
+          position.push_back(count[rank_of.back()]++);
         }
-      n_conditions.assign(n_ranks, 0);
-      const auto count_condition = [&](const unsigned int strut, const int n) {
-        n_conditions[rank_of[lattice.struts[strut][0]]] += n;
+      n_constraints.assign(n_ranks, 0);
+      const auto count_constraint = [&](const unsigned int strut, const int n) {
+        n_constraints[rank_of[lattice.struts[strut][0]]] += n;
       };
       for (const unsigned int strut : options.rigid_struts)
-        count_condition(strut, components.size());
+        count_constraint(strut, components.size());
       for (const unsigned int strut : options.stiff_struts)
-        count_condition(strut, 1);
+        count_constraint(strut, 1);
       first.assign(1, 0);
       for (unsigned int r = 0; r < n_ranks; ++r)
         {
-          first_condition.push_back(
+          first_constraint.push_back(
             first.back() + count[r] * static_cast<int>(components.size()));
-          first.push_back(first_condition.back() + n_conditions[r]);
+          first.push_back(first_constraint.back() + n_constraints[r]);
         }
     }
 
@@ -302,13 +302,13 @@ namespace auxfem::testing_support
       add(column, row, entry);
     }
 
-    void add_conditions(const BeamOptions &options)
+    void add_constraints(const BeamOptions &options)
     {
-      std::vector<int> next          = first_condition;
-      const auto       new_condition = [&](const unsigned int strut) {
+      std::vector<int> next           = first_constraint;
+      const auto       new_constraint = [&](const unsigned int strut) {
         const unsigned int joint = lattice.struts[strut][0];
         const int          row   = next[rank_of[joint]]++;
-        joint_of_condition[row]  = joint;
+        joint_of_constraint[row] = joint;
         add(row, row, 0.);
         return row;
       };
@@ -319,7 +319,7 @@ namespace auxfem::testing_support
             lattice.joints[b] - lattice.joints[a];
           for (unsigned int c = 0; c < components.size(); ++c)
             {
-              const int row = new_condition(strut);
+              const int row = new_constraint(strut);
               add_pair(row, number(a, c), components[c] < 3 ? -1. : -0.01);
               add_pair(row, number(b, c), components[c] < 3 ? 1. : 0.01);
               for (unsigned int r = 0; r < components.size(); ++r)
@@ -338,7 +338,7 @@ namespace auxfem::testing_support
         {
           const auto &[a, b] = lattice.struts[strut];
           const auto along   = axes(strut)[0];
-          const int  row     = new_condition(strut);
+          const int  row     = new_constraint(strut);
           for (unsigned int c = 0; c < components.size(); ++c)
             if (components[c] < 3 && along[components[c]] != 0)
               {
@@ -376,7 +376,7 @@ namespace auxfem::testing_support
                       : components[c] >= 3 ? UnknownKind::rotation
                                            : UnknownKind::translation;
             }
-      for (const auto &[row, joint] : joint_of_condition)
+      for (const auto &[row, joint] : joint_of_constraint)
         if (const int local = layout->local(row); local >= 0)
           {
             unknowns->joint[local] = joint;
@@ -445,9 +445,9 @@ namespace auxfem::testing_support
     BeamLattice                 lattice;
     std::vector<unsigned int>   components;
     unsigned int                n_ranks, rank;
-    std::vector<unsigned int>   rank_of, place;
-    std::vector<int>            first, first_condition, n_conditions;
-    std::map<int, unsigned int> joint_of_condition;
+    std::vector<unsigned int>   rank_of, position;
+    std::vector<int>            first, first_constraint, n_constraints;
+    std::map<int, unsigned int> joint_of_constraint;
     std::vector<std::tuple<int, int, double>> triplets;
     std::vector<std::size_t>                  diagonal;
   };

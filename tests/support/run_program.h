@@ -46,11 +46,11 @@ namespace auxfem
     inline std::string
     replaced(std::string text, const std::string &from, const std::string &to)
     {
-      const std::size_t place = text.find(from);
-      if (place == std::string::npos ||
-          text.find(from, place + 1) != std::string::npos)
+      const std::size_t position = text.find(from);
+      if (position == std::string::npos ||
+          text.find(from, position + 1) != std::string::npos)
         throw std::runtime_error("Not exactly one \"" + from + "\" to replace");
-      return text.replace(place, from.size(), to);
+      return text.replace(position, from.size(), to);
     }
 
     inline unsigned int count_lines(const std::string &text)

@@ -30,11 +30,11 @@ namespace
       , from(of_scene.dofs().layout().n_local(), layout())
       , to(from)
     {
-      fill_by_place(of_scene.model, 0.3, from.displacement);
-      fill_by_place(of_scene.model, 1.7, *from.velocity);
-      fill_by_place(of_scene.model, 2.3, *from.acceleration);
-      fill_by_place(of_scene.model, -1.1, *from.algorithmic_acceleration);
-      fill_by_place(of_scene.model, 0.9, to.residual);
+      fill_by_position(of_scene.model, 0.3, from.displacement);
+      fill_by_position(of_scene.model, 1.7, *from.velocity);
+      fill_by_position(of_scene.model, 2.3, *from.acceleration);
+      fill_by_position(of_scene.model, -1.1, *from.algorithmic_acceleration);
+      fill_by_position(of_scene.model, 0.9, to.residual);
     }
 
     static StateLayout layout()
@@ -82,7 +82,7 @@ TEST(AlphaFamily, CoefficientsAreThoseOfTheLiterature)
   EXPECT_DOUBLE_EQ(newmark.gamma, 0.6);
 }
 
-TEST(AlphaFamily, SecondOrderMembersFulfilItsCondition)
+TEST(AlphaFamily, SecondOrderMembersFulfilItsConstraint)
 {
   // Chung & Hulbert 1993, eq. 17.
   for (const double radius : {0., 0.3, 0.8, 1.})

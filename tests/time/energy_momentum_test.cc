@@ -1,4 +1,4 @@
-#include <auxfem/elements/cayley_turn.h>
+#include <auxfem/elements/cayley_rotation.h>
 #include <auxfem/time/schemes.h>
 
 #include <equations/equations_on_ranks.h>
@@ -24,12 +24,12 @@ namespace
       , from(of_scene.equations.initial_state())
       , to(from)
     {
-      fill_by_place(of_scene.model, 0.3, from.displacement);
-      fill_by_place(of_scene.model, 1.7, *from.velocity);
-      fill_by_place(of_scene.model, 2.3, *from.acceleration);
+      fill_by_position(of_scene.model, 0.3, from.displacement);
+      fill_by_position(of_scene.model, 1.7, *from.velocity);
+      fill_by_position(of_scene.model, 2.3, *from.acceleration);
     }
 
-    bool is_turn(const int i) const
+    bool is_plane_rotation(const int i) const
     {
       return std::count(to.plane_rotations->begin(),
                         to.plane_rotations->end(),
@@ -40,8 +40,9 @@ namespace
     {
       for (unsigned int i = 0; i < to.displacement.size(); ++i)
         {
-          const double moved  = to.displacement[i] - from.displacement[i],
-                       travel = is_turn(i) ? cayley_turn(moved) : moved;
+          const double moved = to.displacement[i] - from.displacement[i],
+                       travel =
+                         is_plane_rotation(i) ? cayley_rotation(moved) : moved;
           EXPECT_NEAR(((*from.velocity)[i] + (*to.velocity)[i]) / 2,
                       travel / dt,
                       1e-14);
@@ -66,7 +67,7 @@ TEST(EnergyMomentum, MeanVelocityIsTheTravelOverTheStep)
   states.scheme.predict(states.from, dt, states.to);
   states.expect_mean_rates();
   Vector increment(states.from.displacement);
-  fill_by_place(states.of_scene.model, -0.4, increment);
+  fill_by_position(states.of_scene.model, -0.4, increment);
   for (unsigned int i = 0; i < 3; ++i)
     states.scheme.correct(states.from, increment, dt, states.to);
   states.expect_mean_rates();

@@ -52,8 +52,8 @@ TEST(Records, WhatIsNotThereIsRefusedByName)
 TEST(Records, KeepTexts)
 {
   Records records;
-  records.keep_text("place", "joint 3 at (0, 1)");
+  records.keep_text("location", "joint 3 at (0, 1)");
   records.keep_text("nowhere", "");
-  EXPECT_EQ(records.text("place"), "joint 3 at (0, 1)");
+  EXPECT_EQ(records.text("location"), "joint 3 at (0, 1)");
   EXPECT_EQ(records.text("nowhere"), "");
 }

@@ -16,9 +16,9 @@ namespace
       , to(from)
       , increment(of_scene.dofs().layout().n_local())
     {
-      fill_by_place(of_scene.model, 0.3, from.displacement);
-      fill_by_place(of_scene.model, 1.7, *from.velocity);
-      fill_by_place(of_scene.model, 0.2, increment);
+      fill_by_position(of_scene.model, 0.3, from.displacement);
+      fill_by_position(of_scene.model, 1.7, *from.velocity);
+      fill_by_position(of_scene.model, 0.2, increment);
     }
 
     static StateLayout layout()

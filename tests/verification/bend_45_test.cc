@@ -75,7 +75,7 @@ namespace
     std::array<SpaceVector, 3> tips; ///< at loads 300, 450, 600
   };
 
-  /** Compares the last joint's place. */
+  /** Compares the last joint's position. */
   void compare(const ReferenceTips &model,
                const std::string   &prm_text,
                const double         allowed)
@@ -88,7 +88,7 @@ namespace
         if (const double load = 300 + 150 * i; run.state.time == load)
           for (unsigned int c = 0; c < 3; ++c)
             table.row(label("P", load) + ", " + "xyz"[c],
-                      run.place(tip)[c],
+                      run.position(tip)[c],
                       model.tips[i][c],
                       allowed);
     });
@@ -154,7 +154,7 @@ namespace
     SpaceScene scene = loaded(arc(), square_section(polar, shear), 1);
     SpaceRun   run(scene.mesh(order, refinements).str());
     run.run();
-    return run.place(1);
+    return run.position(1);
   }
 
   /** Prints errors of the tip on four meshes; returns the last rate. */

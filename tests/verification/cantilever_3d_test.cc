@@ -79,9 +79,9 @@ TEST(Cantilever3D, SwingsOfTheHelix)
                                   "u_z");
   for (const Vertex &row : rows)
     {
-      const unsigned int n     = std::ceil(row.place / 0.01);
+      const unsigned int n     = std::ceil(row.position / 0.01);
       const std::string  steps = std::to_string(n);
-      SpaceRun run(coiled(text(row.place - near) + " * min(1, t / " + steps +
+      SpaceRun run(coiled(text(row.position - near) + " * min(1, t / " + steps +
                             ") + " + text(near) + " * max(0, t - " + steps +
                             ")",
                           4)
@@ -92,10 +92,10 @@ TEST(Cantilever3D, SwingsOfTheHelix)
         if (run.state.step >= n)
           swing.push_back(run.displacement(1)[2]);
       });
-      const Vertex found = vertex_of_parabola(row.place, near, swing);
+      const Vertex found = vertex_of_parabola(row.position, near, swing);
       // Five and six decimals, of which the last of -1.301260 is not sure: on
       // any mesh it is -1.301258 here.
-      table.row("factor", found.place, row.place, 1e-5);
+      table.row("factor", found.position, row.position, 1e-5);
       table.row("u_z", found.height, row.height, 3e-6);
     }
 }
@@ -107,7 +107,7 @@ TEST(Cantilever3D, UncoiledItIsStraightAgain)
   run.run([&] {
     if (std::abs(run.state.time - 1) < 1e-9)
       {
-        EXPECT_LT(run.place(1)[0], 1) << "has not been coiled";
+        EXPECT_LT(run.position(1)[0], 1) << "has not been coiled";
       }
   });
   EXPECT_LT(run.displacement(1).norm(), 1e-9);

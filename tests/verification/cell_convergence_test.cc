@@ -94,18 +94,18 @@ TEST(CellConvergence, ThePrintedSchemeStopsMovingWithSmallSteps)
       for (const unsigned int n_steps : {4000, 8000, 16000, 32000})
         {
           c.n_steps = n_steps;
-          const double turn =
+          const double rotation =
             (complete_history(c).back().angle - M_PI / 6) * 180 / M_PI;
           std::printf("| %u | %u | %.5f | %.3f |\n",
                       n,
                       n_steps,
-                      turn,
-                      turn / before);
+                      rotation,
+                      rotation / before);
           if (n_steps > 8000)
             {
-              EXPECT_NEAR(turn / before, 0.5, 0.1) << n;
+              EXPECT_NEAR(rotation / before, 0.5, 0.1) << n;
             }
-          before = turn;
+          before = rotation;
         }
     }
 }

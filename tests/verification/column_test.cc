@@ -22,7 +22,7 @@ namespace
   {
     double angle; ///< of the tip (degrees)
     double load;  ///< P / critical
-    double x, y;  ///< place of the tip
+    double x, y;  ///< position of the tip
   };
 
   // P/Pcr = (2K/pi)^2, x/L = 2E/K - 1, y/L = 2k/K, k = sin(alpha/2), with the

@@ -27,7 +27,7 @@ namespace
   StaticScene arc_scene(const unsigned int order,
                         const unsigned int refinements)
   {
-    // Turning left, the arc bulges to the right of its chord.
+    // RotationOwner left, the arc bulges to the right of its chord.
     StaticScene scene("0 0; " + text(std::sin(1)) + " " + text(1 - std::cos(1)),
                       "0 1 " + text(std::cos(0.5) - 1));
     scene.section(clamped_arc.stiffnesses)
@@ -55,21 +55,21 @@ namespace
     const auto &elements = run.model.numbering.elements();
     for (unsigned int e = 0; e < elements.size(); ++e)
       {
-        const auto  &place  = elements[e].place;
-        const double length = place.end - place.begin;
+        const auto  &interval = elements[e].interval;
+        const double length   = interval.end - interval.begin;
         const auto   points =
           run.equations.reporting().struts->sample(run.state,
                                                    e,
                                                    n_intervals + 1);
         for (unsigned int i = 0; i <= n_intervals; ++i)
           {
-            const double s = place.begin + length * i / n_intervals;
+            const double s = interval.begin + length * i / n_intervals;
             const double d =
               distance(points[i], exact[std::lround(s * n_steps)]);
             // Trapezoidal rule; ends are nodes, where the error is smallest
             const double weight = i == 0 || i == n_intervals ? 0.5 : 1;
             error.l2 += weight * length / n_intervals * d * d;
-            if (place.end == 1 && i == n_intervals)
+            if (interval.end == 1 && i == n_intervals)
               error.tip = d;
           }
       }

@@ -39,7 +39,7 @@ namespace auxfem
 
     /**
      * Mean stress of @p part under the mean @p strain: the sum of the dyads of
-     * force and place over the cuts, by area.
+     * force and position over the cuts, by area.
      */
     inline PlaneTensor mean_stress(const LatticePart &part,
                                    const PlaneTensor &strain)

@@ -175,8 +175,8 @@ end
 
 TEST(EnergyMomentumRuns, SecondOrder)
 {
-  double     turned = 0;
-  const auto places = [&](const double dt) {
+  double     turned    = 0;
+  const auto positions = [&](const double dt) {
     SceneRun run(star_cell("energy-momentum", dt, 2e-3, dampers + R"(
 subsection Loads
   subsection push
@@ -200,8 +200,8 @@ end
         }
     return result;
   };
-  const auto coarse = places(20e-6), middle = places(10e-6),
-             fine = places(5e-6);
+  const auto coarse = positions(20e-6), middle = positions(10e-6),
+             fine = positions(5e-6);
   double first = 0, second = 0;
   for (unsigned int i = 0; i < fine.size(); ++i)
     {
@@ -217,7 +217,7 @@ end
 }
 
 // A rigid plate with elastic struts clamped to it and hinged at others: its
-// conditions hold at the end of each step, their forces do no work.
+// constraints hold at the end of each step, their forces do no work.
 TEST(EnergyMomentumRuns, RigidPartsKeepTheEnergy)
 {
   SceneRun run(R"(

@@ -51,14 +51,17 @@ TEST(FollowerLoad3d, MomentAboutASkewAxisDeadAndFollower)
       SpaceRun run(scene.str());
       run.run();
 
-      const SpaceVector m     = follows ? rotated(precession, moment) : moment;
-      const SpaceVector place = end_of_helix(m);
+      const SpaceVector m = follows ? rotated(precession, moment) : moment;
+      const SpaceVector position = end_of_helix(m);
       const Quaternion  rotation = exponential(m / bending) * precession;
       const std::string name     = follows ? "following" : "dead";
       // Four points integrate the arc of 0.15 rad of an element to round-off;
       // the rest is what Newton's tolerance of 1e-11 leaves.
       for (unsigned int c = 0; c < 3; ++c)
-        table.row(name + ": " + "xyz"[c], run.place(1)[c], place[c], 1e-11);
+        table.row(name + ": " + "xyz"[c],
+                  run.position(1)[c],
+                  position[c],
+                  1e-11);
       table.row(name + ": rotation from the closed form",
                 rotation_vector(conjugate(rotation) * run.rotation(1)).norm(),
                 0,
@@ -88,7 +91,7 @@ TEST(FollowerLoad3d, ForceTurnsWithTheTip)
   const SpaceVector at_tip = rotated(run.rotation(1), force);
   EXPECT_LT((run.force("clamp") + at_tip).norm(), 1e-9);
   EXPECT_LT(
-    (run.moment("clamp") + cross_product_3d(run.place(1), at_tip)).norm(),
+    (run.moment("clamp") + cross_product_3d(run.position(1), at_tip)).norm(),
     1e-9);
 }
 

@@ -134,12 +134,12 @@ namespace
   /** What remains of the fourth order in dt, and strains (m). */
   constexpr double allowed_error = 1e-5;
 
-  /** Places of all joints at the end, extrapolated from two steps. */
+  /** Positions of all joints at the end, extrapolated from two steps. */
   std::vector<SpaceVector> places_at_end(const Body        &body,
                                          const SpaceVector &angular_velocity,
                                          const double       end)
   {
-    std::vector<SpaceVector> places[2];
+    std::vector<SpaceVector> positions[2];
     for (unsigned int k = 0; k < 2; ++k)
       {
         SceneRun run(free_body(body, angular_velocity, end, 0.01 / (k + 1)),
@@ -147,12 +147,12 @@ namespace
                      {"Time/Scheme=newmark", "Newton/Tolerance=1e-8"});
         run.run();
         for (unsigned int joint = 0; joint < body.joints.size(); ++joint)
-          places[k].push_back(body.joints[joint] +
-                              at_joint(run, run.state.displacement, joint));
+          positions[k].push_back(body.joints[joint] +
+                                 at_joint(run, run.state.displacement, joint));
       }
     for (unsigned int joint = 0; joint < body.joints.size(); ++joint)
-      places[1][joint] += (places[1][joint] - places[0][joint]) / 3;
-    return places[1];
+      positions[1][joint] += (positions[1][joint] - positions[0][joint]) / 3;
+    return positions[1];
   }
 
   void compare(ComparisonTable   &table,
@@ -161,19 +161,19 @@ namespace
                const double       end,
                const Quaternion  &rotation)
   {
-    const RigidBody   rigid  = rigid_body(body);
-    const auto        places = places_at_end(body, angular_velocity, end);
+    const RigidBody   rigid     = rigid_body(body);
+    const auto        positions = places_at_end(body, angular_velocity, end);
     const SpaceVector velocity =
       dealii::cross_product_3d(angular_velocity,
                                rigid.centre - body.mean_of_joints());
     const char *axes[] = {", x", ", y", ", z"};
-    for (unsigned int joint = 0; joint < places.size(); ++joint)
+    for (unsigned int joint = 0; joint < positions.size(); ++joint)
       {
         const SpaceVector exact = rigid.centre + end * velocity +
           rotated(rotation, body.joints[joint] - rigid.centre);
         for (unsigned int c = 0; c < 3; ++c)
           table.row(label("joint", joint) + axes[c],
-                    places[joint][c],
+                    positions[joint][c],
                     exact[c],
                     allowed_error);
       }

@@ -100,7 +100,7 @@ namespace
     const Vertex    rigid = limit_point(shear_rigid_frame);
     table.relative("shear-rigid: load", rigid.height, 18556.7275, 5e-7);
     // From the parabola through points 0.2 apart
-    table.row("shear-rigid: v", rigid.place, 48.73514, 1e-2);
+    table.row("shear-rigid: v", rigid.position, 48.73514, 1e-2);
     const Vertex flexible = limit_point(5. / 6 / 2.6);
     table.relative("shear-flexible: load", flexible.height, 18544.527, 1e-7);
   }
@@ -134,7 +134,7 @@ namespace
                    .time(reference.size(), 0.05)
                    .str());
     // 1e-6 of the limit load for the shear left in, and 5e-6 cm of rounding in
-    // the reference's place times a stiffness of up to 2000 N/cm
+    // the reference's position times a stiffness of up to 2000 N/cm
     const double    allowed = 0.03;
     ComparisonTable table(
       "Lee's frame, turning points and zero-load equilibria "

@@ -26,15 +26,16 @@ namespace auxfem
         dealii::FE_Q<1>(numbering.order()).get_unit_support_points();
       for (unsigned int e = 0; e < numbering.elements().size(); ++e)
         {
-          const StrutMesh::Place &place    = numbering.elements()[e].place;
-          const int              *unknowns = numbering.element_unknowns(e);
+          const StrutMesh::Interval &interval =
+            numbering.elements()[e].interval;
+          const int *unknowns = numbering.element_unknowns(e);
           for (unsigned int a = 0; a < nodes.size(); ++a)
             {
               dealii::Point<3>     position;
               dealii::Tensor<1, 3> tangent;
-              run.lattice.axis(run.lattice.struts[place.strut],
-                               place.begin +
-                                 (place.end - place.begin) * nodes[a][0],
+              run.lattice.axis(run.lattice.struts[interval.strut],
+                               interval.begin +
+                                 (interval.end - interval.begin) * nodes[a][0],
                                position,
                                tangent);
               for (unsigned int c = 0; c < 3; ++c)

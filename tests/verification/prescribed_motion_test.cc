@@ -60,7 +60,7 @@ namespace
 
   /**
    * The same bar as a rigid body. With the angle phi from upright and the
-   * pivot's velocity v, moment of momentum about the pivot's place (of a
+   * pivot's velocity v, moment of momentum about the pivot's position (of a
    * centre that moves with v - phi' cos(phi) / 2 along x) gives
    *
    *     phi'' = 3/2 v' cos(phi),
@@ -331,8 +331,8 @@ TEST(PrescribedMotion, EveryRowOfALinearTableStrikes)
           SceneRun run(moved_bar("linear table: " + table.name(),
                                  scheme.steps(step, 0.5)));
           run.run();
-          // Second order of the even turns between strikes, in the places that
-          // these find; the longer step is divided into 0.05 s.
+          // Second order of the even turns between strikes, in the positions
+          // that these find; the longer step is divided into 0.05 s.
           EXPECT_NEAR(spin(run), bar.spin, step < 1e-3 ? 1e-7 : 1e-3);
         }
     }

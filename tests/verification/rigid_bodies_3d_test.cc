@@ -129,7 +129,7 @@ namespace
   /** The heavy top of Bruels & Cardona 2010, its point at the origin. */
   std::string heavy_top(const double dt, const double end)
   {
-    // The mean of the joints' places is the centre of mass, (0, 1, 0).
+    // The mean of the joints' positions is the centre of mass, (0, 1, 0).
     return space("0 0 0; 0 2 0", "0 1") +
       body("0", 15, vector(0.234375, 0.46875, 0.234375)) +
       initial_motion(vector(4.61538, 0, 0), vector(0, 150, -4.61538)) +

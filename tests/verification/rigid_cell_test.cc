@@ -74,8 +74,9 @@ namespace
     SpaceVector hinge_force(const std::string &bar,
                             const std::string &name) const
     {
-      const RigidPartConditions &parts = *run.equations.reporting().rigid_parts;
-      const unsigned int         strut = run.lattice.strut_sets.at(bar).front();
+      const RigidPartConstraints &parts =
+        *run.equations.reporting().rigid_parts;
+      const unsigned int strut = run.lattice.strut_sets.at(bar).front();
       for (unsigned int i = 0; i < parts.n_reported(); ++i)
         if (parts.part(i) == run.lattice.struts[strut].rigid_part)
           {
@@ -215,7 +216,7 @@ TEST(RigidCellVerification, HingeForcesBalanceTheParts)
                       B  = cell.hinge_force("bar AB", "B");
     const double f2 = cell.transmitted(), t = cell.run.state.time;
     const double f1 = 2e7 * t * t * t;
-    // Round-off of the conditions in accelerations: 1e-16 m / dt^2, a few
+    // Round-off of the constraints in accelerations: 1e-16 m / dt^2, a few
     // times, on 0.3 kg.
     const double allowed = 1e-6;
     // Action and reaction in A; lower and upper part (Eqs. 17 and 14).
@@ -242,7 +243,7 @@ TEST(RigidCellVerification, HingeForcesBalanceTheParts)
 
 TEST(RigidCellVerification, HingeForcesAreSmoothAtTinySteps)
 {
-  // Round-off in the conditions, 1e-17 m, is 1e-5 m/s2 when divided by dt^2;
+  // Round-off in the constraints, 1e-17 m, is 1e-5 m/s2 when divided by dt^2;
   // kept from step to step it would alternate and add up.
   for (const char *scheme : {"newmark", "generalized-alpha"})
     {
@@ -297,17 +298,17 @@ namespace
   /** prm/rigid-cell.prm with elastic bars, hinged at both ends. */
   std::string text_with_elastic_bars()
   {
-    std::string       text  = prm_text("rigid-cell.prm");
-    const std::string bars  = R"(  subsection bars
+    std::string       text     = prm_text("rigid-cell.prm");
+    const std::string bars     = R"(  subsection bars
     set Struts = bars
     set Parts  = single struts
     set Mass   = 0.1 kg
   end
 )";
-    const std::size_t place = text.find(bars);
-    if (place == std::string::npos)
+    const std::size_t position = text.find(bars);
+    if (position == std::string::npos)
       throw std::logic_error("prm/rigid-cell.prm has changed");
-    text.erase(place, bars.size());
+    text.erase(position, bars.size());
     // Bars of 0.1 kg over 0.5 m.
     return text.substr(0, text.find("subsection Probes")) + R"(
 subsection Sections
@@ -377,10 +378,10 @@ namespace
     double sum = 0;
     for (const RigidPart &part : run.lattice.rigid_parts)
       {
-        const NaturalPlace centre =
-          natural_place<2>(run.lattice.joints[part.joints[0]],
-                           run.lattice.joints[part.joints[1]],
-                           part.centre_of_mass);
+        const NaturalPosition centre =
+          natural_position<2>(run.lattice.joints[part.joints[0]],
+                              run.lattice.joints[part.joints[1]],
+                              part.centre_of_mass);
         const std::array<double, 4> shares = shape<2>(centre, 1);
         for (unsigned int i = 0; i < 4; ++i)
           sum += part.mass * shares[i] *

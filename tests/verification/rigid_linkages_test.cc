@@ -34,7 +34,7 @@ namespace
     const double start;
   };
 
-  std::string place(const double x, const double y)
+  std::string position(const double x, const double y)
   {
     return text(x) + " " + text(y);
   }
@@ -74,16 +74,17 @@ namespace
     const double ax = r * std::cos(p), ay = r * std::sin(p),
                  bx = ax + std::sqrt(l * l - ay * ay);
     const double dt = pi / 18 / n;
-    SceneRun run(frame("0 0; " + place(ax, ay) + "; " + place(bx, 0) + "; " +
-                         place(-0.1 * std::sin(p), 0.1 * std::cos(p)) + "; " +
-                         place((ax + bx) / 2, ay / 2 + 0.08),
+    SceneRun     run(frame("0 0; " + position(ax, ay) + "; " + position(bx, 0) +
+                         "; " +
+                         position(-0.1 * std::sin(p), 0.1 * std::cos(p)) +
+                         "; " + position((ax + bx) / 2, ay / 2 + 0.08),
                        "0 1; 0 3; 1 2; 1 4") +
                  part("crank", "0, 1", 0.5) + part("rod", "2, 3", 0.7) +
                  pin("0") + crank_drive(drive, r) +
                  "subsection Supports\n subsection guide\n  set Joints = 2\n"
-                 "  set Type = roller x\n end\nend\n" +
+                     "  set Type = roller x\n end\nend\n" +
                  "subsection Masses\n subsection slider\n  set Joints = 2\n"
-                 "  set Mass = 0.3\n end\nend\n" +
+                     "  set Mass = 0.3\n end\nend\n" +
                  damped_time(dt, 12 * n * dt));
     std::vector<SliderState> found;
     run.run([&] {
@@ -122,7 +123,7 @@ TEST(RigidLinkages, SliderCrank)
     {
       const std::string at    = label(", deg", 30 * (i + 1));
       const auto       &exact = expected[i];
-      // Positions follow from the conditions alone: ten digits are given.
+      // Positions follow from the constraints alone: ten digits are given.
       table.row("x" + at, fine[i].x, exact.x, 1e-9);
       // dt^2 = 2e-5 of the second and third derivatives.
       table.row("x'" + at, fine[i].rate, exact.rate, 1e-5);
@@ -158,13 +159,13 @@ namespace
     const double bx     = ax + (along * dx - across * dy) / distance,
                  by     = ay + (along * dy + across * dx) / distance;
     const double dt     = pi / 18 / n;
-    SceneRun run(frame("0 0; " + place(ax, ay) + "; " + place(bx, by) + "; 1 0",
-                       "0 1; 1 2; 2 3") +
-                 "subsection Rigid parts\n subsection bars\n"
-                 "  set Struts = all\n  set Parts = single struts\n"
-                 "  set Mass = 1\n end\nend\n" +
-                 pin("0, 3") + crank_drive(drive, 0.4) +
-                 damped_time(dt, 3 * n * dt));
+    SceneRun     run(
+      frame("0 0; " + position(ax, ay) + "; " + position(bx, by) + "; 1 0",
+            "0 1; 1 2; 2 3") +
+      "subsection Rigid parts\n subsection bars\n"
+          "  set Struts = all\n  set Parts = single struts\n"
+          "  set Mass = 1\n end\nend\n" +
+      pin("0, 3") + crank_drive(drive, 0.4) + damped_time(dt, 3 * n * dt));
     run.run();
 
     const auto angle_and_rate = [&](const unsigned int from,

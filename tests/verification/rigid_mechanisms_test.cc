@@ -158,7 +158,7 @@ namespace
   FlightErrors free_flight(const double end, const std::string &scheme)
   {
     const double dt = 4e-3, rate = 10;
-    // The velocity is that of the joints' mean place.
+    // The velocity is that of the joints' mean position.
     SceneRun run(frame("0 0; 3 0; 3 1", "0 1; 1 2") + part("L", "all", 4) +
                    "subsection Initial velocities\n subsection throw\n"
                    "  set Joints = all\n  set Velocity x = 2\n"

@@ -34,7 +34,7 @@ namespace auxfem
     class RodEquation
     {
     public:
-      /** Place x, y, direction phi of the section, and moment M. */
+      /** Position x, y, direction phi of the section, and moment M. */
       using Point = std::array<double, 4>;
 
       RodEquation(const ClampedRod &rod, const unsigned int n_steps)

@@ -40,13 +40,14 @@ namespace
       .time(1, step);
     SpaceRun        run(scene.str());
     RotationVectors rotations(run.model);
-    double          worst_place = 0, worst_rotation = 0, angle = 0;
+    double          worst_position = 0, worst_rotation = 0, angle = 0;
     run.run([&] {
       angle = 4 * pi * run.state.time;
       rotations.follow(run.state);
-      const SpaceVector place = std::sin(angle) / angle * axis +
+      const SpaceVector position = std::sin(angle) / angle * axis +
         (1 - std::cos(angle)) / angle * cross_product_3d(normal, axis);
-      worst_place = std::max(worst_place, (run.place(1) - place).norm());
+      worst_position =
+        std::max(worst_position, (run.position(1) - position).norm());
       SpaceVector rotation;
       for (unsigned int c = 0; c < 3; ++c)
         rotation[c] =
@@ -57,7 +58,10 @@ namespace
     const std::string steps = std::to_string(run.scene.time.n_steps());
     // Four points integrate the arc of pi/4 of an element to 1e-12; the rest is
     // what Newton's tolerance of 1e-11 leaves.
-    table.row(name + ", steps: " + steps + ", place", worst_place, 0, 1e-9);
+    table.row(name + ", steps: " + steps + ", position",
+              worst_position,
+              0,
+              1e-9);
     table.row(name + ", steps: " + steps + ", rotation",
               worst_rotation,
               0,
@@ -140,7 +144,7 @@ TEST(RollUp3d, AClosedPathOfLoadsEndsWhereItBegan)
         EXPECT_GT(run.displacement(1).norm(), 0.5) << "hardly bent";
         EXPECT_GT(rotation_vector(run.rotation(1)).norm(), 1) << "or turned";
         // Equilibrium does not depend on the order of loads.
-        EXPECT_LT((run.place(1) - at_once.place(1)).norm(), 1e-9);
+        EXPECT_LT((run.position(1) - at_once.position(1)).norm(), 1e-9);
         EXPECT_LT(rotation_vector(conjugate(run.rotation(1)) *
                                   at_once.rotation(1))
                     .norm(),

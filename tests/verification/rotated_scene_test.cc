@@ -1,4 +1,4 @@
-#include <auxfem/model/unknown_words.h>
+#include <auxfem/model/unknown_names.h>
 
 #include <gtest/gtest.h>
 #include <verification/space_text.h>
@@ -225,7 +225,7 @@ namespace
   }
 
   /** Largest angle by which something turned since rest. */
-  double largest_turn(const State &state)
+  double largest_increment(const State &state)
   {
     double angle = 0;
     for (const Quaternion &rotation : state.rotations)
@@ -244,12 +244,12 @@ namespace
       other(frame(turned, is_dynamic), overrides);
     run.run();
     other.run();
-    std::cout << scheme << ": largest turn " << largest_turn(run.state)
+    std::cout << scheme << ": largest turn " << largest_increment(run.state)
               << " rad, " << run.work().iterations << " and "
               << other.work().iterations << " iterations" << std::endl;
     if (is_large)
       {
-        EXPECT_GT(largest_turn(run.state), 0.8) << "not a large rotation";
+        EXPECT_GT(largest_increment(run.state), 0.8) << "not a large rotation";
       }
     expect_turned(other, run, turned);
   }

@@ -102,7 +102,7 @@ namespace
         // relative in place, (step/rise)^4 in height, times 10 at most.
         const std::string at = "half span " + text(half_span) + ": ";
         table.relative(at + "load", vertex.height, limit, 1e-9);
-        table.relative(at + "deflection", vertex.place, at_limit, 1e-5);
+        table.relative(at + "deflection", vertex.position, at_limit, 1e-5);
       }
   }
 
@@ -219,7 +219,7 @@ namespace
                      load,
                      shear_factor == shear_rigid ? shear_rigid_tolerance
                                                  : 5e-9);
-      table.row(name + ": v", vertex.place, v, 2e-5);
+      table.row(name + ": v", vertex.position, v, 2e-5);
     };
     compare("maximum, shear-rigid", shear_rigid, 33.8703852, 0.2321568);
     compare("minimum, shear-rigid", shear_rigid, 31.2817745, 0.3915942);

@@ -85,9 +85,9 @@ namespace
       for (unsigned int axis = 0; axis < 3; ++axis)
         for (const double sign : {-1., 1.})
           {
-            SpaceVector place;
-            place[axis] = sign * distance;
-            joints += (joints.empty() ? "" : "; ") + text(place);
+            SpaceVector position;
+            position[axis] = sign * distance;
+            joints += (joints.empty() ? "" : "; ") + text(position);
           }
     };
     along_axes(p);
@@ -99,10 +99,10 @@ namespace
     for (unsigned int i = 0; i < 6; ++i)
       for (unsigned int j = i - i % 2 + 2; j < 6; ++j, ++vertex)
         {
-          SpaceVector place;
-          place[i / 2] = i % 2 == 0 ? -q : q;
-          place[j / 2] = j % 2 == 0 ? -q : q;
-          joints += "; " + text(place);
+          SpaceVector position;
+          position[i / 2] = i % 2 == 0 ? -q : q;
+          position[j / 2] = j % 2 == 0 ? -q : q;
+          joints += "; " + text(position);
           for (const unsigned int end : {i, j})
             struts += "; " + std::to_string(end) + " " + std::to_string(vertex);
         }

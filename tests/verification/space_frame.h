@@ -30,7 +30,7 @@ namespace auxfem
         "\n  set Elastic struts = clamped\n end\nend\n";
     }
 
-    /** Motion of all joints about the mean of their places. */
+    /** Motion of all joints about the mean of their positions. */
     inline std::string initial_motion(const SpaceVector &velocity,
                                       const SpaceVector &angular_velocity)
     {

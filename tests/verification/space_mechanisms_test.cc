@@ -18,7 +18,7 @@ namespace
 {
   constexpr double door_gravity = 9.81;
 
-  std::string place(const SpaceVector &point)
+  std::string position(const SpaceVector &point)
   {
     return text(point[0]) + " " + text(point[1]) + " " + text(point[2]);
   }
@@ -26,7 +26,8 @@ namespace
   std::string revolute(const std::string &joints, const SpaceVector &axis)
   {
     return "subsection Joints\n subsection hinge\n  set Joints = " + joints +
-      "\n  set Type = revolute\n  set Axis = " + place(axis) + "\n end\nend\n";
+      "\n  set Type = revolute\n  set Axis = " + position(axis) +
+      "\n end\nend\n";
   }
 
   const std::string weight =
@@ -42,8 +43,8 @@ namespace
    */
   std::string door(const double dt, const double end)
   {
-    return space("0 0 0; " + place(axis) + "; " +
-                   place(axis + vector(0, 1, 0)) + "; 0 1 0",
+    return space("0 0 0; " + position(axis) + "; " +
+                   position(axis + vector(0, 1, 0)) + "; 0 1 0",
                  "0 1; 1 2; 2 3; 3 0") +
       part("door", "all", 4) + pin("0") + revolute("0", axis) + weight +
       time(dt, end);
@@ -103,13 +104,13 @@ namespace
   {
     // From 60 degrees, at 2 rad/s about the vertical.
     const double sine = std::sin(pi / 3), cosine = std::cos(pi / 3);
-    return space("0 0 0; " + place(vector(sine, 0, -cosine)), "0 1") +
+    return space("0 0 0; " + position(vector(sine, 0, -cosine)), "0 1") +
       part("bar", "all", 1) + pin("0") + weight +
       initial_motion(vector(0, sine, 0), vector(0, 0, 2)) + time(dt, end);
   }
 
   /**
-   * Place of the bar's end after @p end (s) from its two equations by
+   * Position of the bar's end after @p end (s) from its two equations by
    * Runge-Kutta's fourth order: angle q off the downward vertical, q'' = sin
    * cos p'^2 - 3 g sin / (2 L), sin^2 p' constant.
    */
@@ -226,8 +227,8 @@ namespace
     std::string scene() const
     {
       const std::string clamped = "  set Elastic struts = clamped\n";
-      return space("0 0 0; " + place(crank) + "; " + place(pivot + rocker) +
-                     "; " + place(pivot),
+      return space("0 0 0; " + position(crank) + "; " +
+                     position(pivot + rocker) + "; " + position(pivot),
                    "0 1; 1 2; 2 3") +
         "subsection Rigid parts\n subsection crank\n  set Struts = 0\n"
         "  set Mass = 1\n" +
@@ -260,7 +261,7 @@ TEST(SpaceMechanisms, ASpatialFourBarLinkageFollowsItsClosedForm)
   });
   ComparisonTable table("Crank, coupler and rocker in space, the crank turns "
                         "by 8 rad");
-  // The conditions hold to round-off at every step.
+  // The constraints hold to round-off at every step.
   table.row("angle of the rocker (rad)", error, 0, 1e-11);
   EXPECT_GT(travel, 0.2);
   // Second order: w dt = 0.04.
@@ -298,7 +299,7 @@ TEST(SpaceMechanisms, TheCellOfRigidPartsMovesInSpaceAsInThePlane)
   });
   ComparisonTable table("Cell of rigid parts, case 1, in space against the "
                         "plane");
-  table.row("places (m)", difference, 0, 1e-11);
+  table.row("positions (m)", difference, 0, 1e-11);
   table.row("out of the plane (m)", out_of_plane, 0, 1e-11);
   table.row("rotation across the plane (rad)", rotation, 0, 1e-11);
 }

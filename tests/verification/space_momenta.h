@@ -38,12 +38,12 @@ namespace auxfem
         for (unsigned int e = 0; e < dofs.elements().size(); ++e)
           for (unsigned int a = 0; a < points.size(); ++a)
             {
-              const StrutMesh::Place &place = dofs.elements()[e].place;
-              dealii::Point<3>        position;
-              SpaceVector             tangent;
-              run.lattice.axis(run.lattice.struts[place.strut],
-                               place.begin +
-                                 (place.end - place.begin) * points[a][0],
+              const StrutMesh::Interval &interval = dofs.elements()[e].interval;
+              dealii::Point<3>           position;
+              SpaceVector                tangent;
+              run.lattice.axis(run.lattice.struts[interval.strut],
+                               interval.begin +
+                                 (interval.end - interval.begin) * points[a][0],
                                position,
                                tangent);
               nodes[dofs.element_unknowns(e)[6 * a]] = position;

@@ -105,7 +105,7 @@ namespace auxfem
       }
 
       /** Where a joint is now. */
-      SpaceVector place(const unsigned int joint) const
+      SpaceVector position(const unsigned int joint) const
       {
         return lattice.joints[joint] + displacement(joint);
       }

@@ -10,7 +10,7 @@ namespace auxfem
     /** Extremum of a curve. */
     struct Vertex
     {
-      double place, height;
+      double position, height;
     };
 
     /**

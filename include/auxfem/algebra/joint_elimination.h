@@ -17,7 +17,7 @@ namespace auxfem
    * E eliminated, L left. It has fewer, stouter members between joints than the
    * lattice: multigrid finds their bending less soft against their extension.
    * Moments are divided by a length and rotations measured in that length times
-   * radian, conditions and multipliers measured by the largest stiffness, so
+   * radian, constraints and multipliers measured by the largest stiffness, so
    * that all entries of S have the unit N/m.
    */
   class JointElimination

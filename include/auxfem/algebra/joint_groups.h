@@ -12,8 +12,8 @@ namespace auxfem
   /**
    * The rows of this rank that are not prescribed in groups that one pivot
    * block can eliminate: those of a joint, and with them as many multipliers as
-   * find conditions on that joint that do not follow from each other. The block
-   * of a joint with stiffness A and conditions B on it,
+   * find constraints on that joint that do not follow from each other. The
+   * block of a joint with stiffness A and constraints B on it,
    *
    *     A  B^T
    *     B   0

@@ -49,8 +49,8 @@ namespace auxfem
     /** Entries of all blocks, row by row in each. */
     std::size_t n_entries() const;
 
-    /** Place of entry (@p row, @p column) of the matrix, both in groups. */
-    std::size_t place(unsigned int row, unsigned int column) const;
+    /** Position of entry (@p row, @p column) of the matrix, both in groups. */
+    std::size_t position(unsigned int row, unsigned int column) const;
 
     /** Groups that stay, and the blocks of their rows, in order of groups. */
     const std::vector<unsigned int> &left() const;

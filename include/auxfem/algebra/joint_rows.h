@@ -46,7 +46,7 @@ namespace auxfem
     std::vector<std::vector<double>> rigid_body_modes() const;
 
   private:
-    void place(unsigned int unknown, std::vector<unsigned int> &blocks);
+    void add(unsigned int unknown, std::vector<unsigned int> &blocks);
     void share();
     void describe();
 

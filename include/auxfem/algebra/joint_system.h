@@ -79,7 +79,7 @@ namespace auxfem
     std::size_t                           n_ends = 0; ///< of a strut
     std::vector<int>                      end_unknowns;
     std::map<unsigned int, Neighbour>     neighbours;
-    std::vector<std::vector<std::size_t>> places_to_send; ///< by strut
+    std::vector<std::vector<std::size_t>> positions_to_send; ///< by strut
     std::vector<double>                   to_send;
     NeighbourExchange                     blocks, ends_of_others;
     std::vector<int>                      received_unknowns;

@@ -92,7 +92,7 @@ namespace auxfem
     std::unique_ptr<LinearSolverMethod>
                            make_method(LinearSolverType type) const;
     std::optional<Inertia> inertia_by_mumps() const;
-    std::string            in_words(FactorizationOutcome outcome) const;
+    std::string            message(FactorizationOutcome outcome) const;
 
     const SolverParameters               parameters;
     const TangentMatrix                 &matrix;
@@ -102,7 +102,7 @@ namespace auxfem
     std::map<LinearSolverType, Analysed> methods;
     /** The one that solves. */
     LinearSolverMethod *current = nullptr;
-    std::string         current_in_words, why_failed;
+    std::string         description_of_current, why_failed;
     std::vector<double> of_joints;
   };
 } // namespace auxfem

@@ -7,16 +7,16 @@ namespace auxfem
 {
   /**
    * Velocities and accelerations that belong to a lattice at a given position:
-   * accelerations a and multipliers lambda of conditions (rigid parts, revolute
-   * hinges) from
+   * accelerations a and multipliers lambda of constraints (rigid parts,
+   * revolute hinges) from
    *
    * @code
    * M a + G^T lambda = f - f_int,   G a = -(dG/dt) v
    * @endcode
    *
-   * and velocities that the conditions allow, G v = 0, nearest
+   * and velocities that the constraints allow, G v = 0, nearest
    * to those given in the kinetic energy: M dv + G^T mu = 0, G dv = -G v, the
-   * impulses of the conditions (Bayo & Ledesma, Nonlinear Dynamics 9, 1996).
+   * impulses of the constraints (Bayo & Ledesma, Nonlinear Dynamics 9, 1996).
    * Where the prescribed velocity of a support jumps, these are the equations
    * of the strike: dv is given there, and the row is the support's impulse.
    */
@@ -82,7 +82,7 @@ namespace auxfem
     double find_rates(const State &state, std::vector<double> &rates) const;
     void   refuse_strain(const State &state, double rate) const;
     /**
-     * Velocities of instant.to after the impulses of conditions, and of
+     * Velocities of instant.to after the impulses of constraints, and of
      * supports whose velocity is not that of instant.from.
      */
     void strike(const Evaluation &instant, double dt);

@@ -40,7 +40,7 @@ namespace auxfem
                         std::optional<double> first_step);
 
   /**
-   * Refuses conditions that follow from others, or from the supports: the
+   * Refuses constraints that follow from others, or from the supports: the
    * forces in rigid parts and hinges would not be determined. Throws
    * InputError, naming one of them.
    */

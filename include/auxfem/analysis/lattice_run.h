@@ -41,7 +41,7 @@ namespace auxfem
 
     /**
      * Throws InputError if the scene has no unique solution from the start: it
-     * can move without resistance, or conditions follow from others.
+     * can move without resistance, or constraints follow from others.
      */
     void refuse_undetermined();
 

@@ -17,7 +17,7 @@ namespace auxfem
    * internal force of this iterate and of all accepted steps, l the mean strut
    * length, floor the round-off of the residual itself, below which no
    * iteration can go. And every row must be solved by the measure of the forces
-   * that act in it (RowCriterion). The conditions of rigid parts must hold to
+   * that act in it (RowCriterion). The constraints of rigid parts must hold to
    * their own round-off.
    */
   class Newton
@@ -72,8 +72,8 @@ namespace auxfem
                     double                   size,
                     double                   scale,
                     bool                     stagnates) const;
-    bool   meets_conditions(const EvaluationResults &results,
-                            const State             &state) const;
+    bool   meets_constraints(const EvaluationResults &results,
+                             const State             &state) const;
     double in_force_units(const EvaluationResults &results) const;
     /** Solves for the increment and applies it; empty, or why it failed. */
     std::string iterate(const ImplicitScheme &scheme,

@@ -28,7 +28,7 @@ namespace auxfem
     Geometry             geometry = Geometry::line;
     dealii::Tensor<1, 3> direction; ///< unit vector for Geometry::direction
     /**
-     * For `ground: SET`: the ground point is the joint's place at rest plus
+     * For `ground: SET`: the ground point is the joint's position at rest plus
      * this (m).
      */
     dealii::Tensor<1, 3> ground_offset;

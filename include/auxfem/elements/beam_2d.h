@@ -10,7 +10,7 @@ namespace auxfem
   /**
    * The planar geometrically exact beam of Reissner (1972) and Simo & Vu-Quoc
    * (1986). Axis r(s), rotation phi(s) of the section. With t, n the section's
-   * normal and in-plane direction, turned by phi from their place t0, n0 at
+   * normal and in-plane direction, turned by phi from their position t0, n0 at
    * rest,
    *
    *     axial strain    epsilon = r'.t - r0'.t0        N = EA  epsilon

@@ -2,7 +2,7 @@
 #define auxfem_elements_beam_2d_between_h
 
 #include <auxfem/elements/beam_2d.h>
-#include <auxfem/elements/cayley_turn.h>
+#include <auxfem/elements/cayley_rotation.h>
 
 /**
  * @file
@@ -31,21 +31,21 @@ namespace auxfem
 {
   namespace Beam2D
   {
-    /** What the nodes of an element turn by in a step. */
+    /** Rotation increments of the nodes of an element in a step. */
     template <int order>
-    struct NodeTurns
+    struct NodeIncrements
     {
       /** Of displacements @p u0 and @p u1 at start and end. */
-      NodeTurns(const double *u0, const double *u1)
+      NodeIncrements(const double *u0, const double *u1)
       {
         double cosines[order + 1];
         for (int a = 0; a <= order; ++a)
           {
             half[a]    = (u1[3 * a + 2] - u0[3 * a + 2]) / 2;
-            cosines[a] = cosine_of_turn(half[a]);
+            cosines[a] = cosine_of_small(half[a]);
           }
         reference        = (half[0] + half[1]) / 2;
-        reference_cosine = cosine_of_turn(reference);
+        reference_cosine = cosine_of_small(reference);
         for (int a = 0; a <= order; ++a)
           c[a] = cosines[a] * reference_cosine / sinc(half[a] - reference);
         for (int end = 0; end < 2; ++end)
@@ -66,28 +66,28 @@ namespace auxfem
     struct RotationShapes
     {
       /** @param cosine of d_g */
-      RotationShapes(const BeamShape<order> &shape,
-                     const int               g,
-                     const NodeTurns<order> &turns,
-                     const double            cosine)
+      RotationShapes(const BeamShape<order>      &shape,
+                     const int                    g,
+                     const NodeIncrements<order> &increments,
+                     const double                 cosine)
       {
         double half = 0, sum = 0, slope = 0;
         for (int a = 0; a <= order; ++a)
           {
-            half += shape.value[g][a] * turns.half[a];
-            value[a]      = shape.value[g][a] * turns.c[a];
-            derivative[a] = shape.derivative[g][a] * turns.c[a];
+            half += shape.value[g][a] * increments.half[a];
+            value[a]      = shape.value[g][a] * increments.c[a];
+            derivative[a] = shape.derivative[g][a] * increments.c[a];
             sum += value[a];
             slope += derivative[a];
           }
-        const double scale =
-          sinc(half - turns.reference) / (cosine * turns.reference_cosine);
+        const double scale = sinc(half - increments.reference) /
+          (cosine * increments.reference_cosine);
         for (int a = 0; a <= order; ++a)
           value[a] *= scale;
         for (int end = 0; end < 2; ++end)
           {
-            value[end] += turns.of_end[end] * (1 - scale * sum);
-            derivative[end] -= turns.of_end[end] * slope;
+            value[end] += increments.of_end[end] * (1 - scale * sum);
+            derivative[end] -= increments.of_end[end] * slope;
           }
       }
 
@@ -119,7 +119,7 @@ namespace auxfem
       StepKinematics k;
       k.start           = kinematics<true>(frame, d0);
       const double half = (d1.phi - d0.phi) / 2, half_sine = half * sinc(half);
-      k.half_cosine = cosine_of_turn(half);
+      k.half_cosine = cosine_of_small(half);
       k.cosine      = k.half_cosine *
         (k.half_cosine * k.start.cosine - half_sine * k.start.sine);
       k.sine = k.half_cosine *
@@ -134,17 +134,17 @@ namespace auxfem
       // By increments, not as differences of strains; with them those at the
       // end cost no further sine and cosine.
       const double ux = d1.ux - d0.ux, uy = d1.uy - d0.uy;
-      const double turn = 2 * half_sine / k.half_cosine;
-      k.increment       = {k.cosine * ux + k.sine * uy + k.slip * turn,
-                           k.cosine * uy - k.sine * ux - k.stretch * turn,
-                           d1.kappa - d0.kappa};
-      k.end.epsilon     = k.start.epsilon + k.increment.epsilon;
-      k.end.gamma       = k.start.gamma + k.increment.gamma;
-      k.end.kappa       = d1.kappa;
-      k.end.stretch     = k.end.epsilon + frame.axial;
-      k.end.slip        = k.end.gamma + frame.shear;
-      k.end.cosine      = 2 * k.cosine - k.start.cosine;
-      k.end.sine        = 2 * k.sine - k.start.sine;
+      const double increment = 2 * half_sine / k.half_cosine;
+      k.increment   = {k.cosine * ux + k.sine * uy + k.slip * increment,
+                       k.cosine * uy - k.sine * ux - k.stretch * increment,
+                       d1.kappa - d0.kappa};
+      k.end.epsilon = k.start.epsilon + k.increment.epsilon;
+      k.end.gamma   = k.start.gamma + k.increment.gamma;
+      k.end.kappa   = d1.kappa;
+      k.end.stretch = k.end.epsilon + frame.axial;
+      k.end.slip    = k.end.gamma + frame.shear;
+      k.end.cosine  = 2 * k.cosine - k.start.cosine;
+      k.end.sine    = 2 * k.sine - k.start.sine;
       return k;
     }
 
@@ -199,9 +199,9 @@ namespace auxfem
                                  const double            dt,
                                  double                 *force)
     {
-      EnergyRate             energy;
-      const double           inverse_jacobian = 1 / jacobian;
-      const NodeTurns<order> turns(u0, u1);
+      EnergyRate                  energy;
+      const double                inverse_jacobian = 1 / jacobian;
+      const NodeIncrements<order> increments(u0, u1);
       for (int i = 0; i < 3 * (order + 1); ++i)
         force[i] = 0;
       for (int g = 0; g < order; ++g)
@@ -211,7 +211,10 @@ namespace auxfem
                             interpolate(shape, g, inverse_jacobian, u0),
                             interpolate(shape, g, inverse_jacobian, u1));
           MeanForces                  mean = mean_forces(k, stiffness);
-          const RotationShapes<order> rotation(shape, g, turns, k.half_cosine);
+          const RotationShapes<order> rotation(shape,
+                                               g,
+                                               increments,
+                                               k.half_cosine);
           const double                w      = shape.weight[g];
           const double                weight = w * jacobian;
           energy.strain += weight / 2 *
@@ -237,8 +240,8 @@ namespace auxfem
 
     /**
      * Derivative of mean_force() by @p u1 but for that of the shapes of the
-     * rotation: it vanishes with the turn in the step. Not symmetric: rows are
-     * those of the mean configuration, columns those of the end.
+     * rotation: it vanishes with the rotation increment. Not symmetric: rows
+     * are those of the mean configuration, columns those of the end.
      * @param stiffness_factor, damping_factor how means and rates of strains
      *   follow those at the end
      */
@@ -258,7 +261,7 @@ namespace auxfem
       const double  inverse_jacobian = 1 / jacobian;
       const double  material         = stiffness_factor +
         (damped ? stiffness.damping_time * damping_factor : 0.);
-      const NodeTurns<order> turns(u0, u1);
+      const NodeIncrements<order> increments(u0, u1);
       for (int i = 0; i < n * n; ++i)
         matrix[i] = 0;
       for (int g = 0; g < order; ++g)
@@ -293,7 +296,10 @@ namespace auxfem
           G[2][1] += N * k.cosine - Q * k.sine;
           G[2][2] -= N * along + Q * across;
 
-          const RotationShapes<order> rotation(shape, g, turns, k.half_cosine);
+          const RotationShapes<order> rotation(shape,
+                                               g,
+                                               increments,
+                                               k.half_cosine);
           const double                w = shape.weight[g];
           const double                bending =
             w * inverse_jacobian * material * stiffness.bending;

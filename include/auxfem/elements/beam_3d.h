@@ -9,7 +9,8 @@ namespace auxfem
   {
     /**
      * Derivatives of the energy per length by r', psi and psi' at constant P_r,
-     * and the couple n x r' that a turn of P_r at constant psi has to overcome.
+     * and the couple n x r' that a rotation of P_r at constant psi has to
+     * overcome.
      */
     struct Gradient
     {

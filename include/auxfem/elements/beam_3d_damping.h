@@ -190,11 +190,11 @@ namespace auxfem
             viscous_stiffness(point, stiffness, damping_time);
           const SectionSpin<order> spin(shape, g, point, operators);
 
-          const SpaceTensor slope_cross   = cross_product_tensor(point.slope);
-          const SpaceTensor force_by_turn = stiffness_factor *
+          const SpaceTensor slope_cross = cross_product_tensor(point.slope);
+          const SpaceTensor force_by_rotation = stiffness_factor *
             (by_rates.by_gamma * cross_product_tensor(r.gamma) -
              cross_product_tensor(s.force)),
-                            moment_by_turn = stiffness_factor *
+                            moment_by_rotation = stiffness_factor *
             (by_rates.by_kappa * cross_product_tensor(r.kappa) -
              cross_product_tensor(s.moment)),
                             force_by_omega = by_rates.by_gamma * slope_cross;
@@ -210,9 +210,9 @@ namespace auxfem
               const double Nb          = shape.value[g][b],
                            Db          = shape.derivative[g][b] / jacobian;
               const SpaceTensor &omega = angular_velocity_by_spin[b];
-              const SpaceTensor  force = force_by_turn * spin.by_spin[b] +
+              const SpaceTensor  force = force_by_rotation * spin.by_spin[b] +
                 Nb * force_by_omega * omega,
-                                moment = moment_by_turn * spin.by_spin[b] +
+                                moment = moment_by_rotation * spin.by_spin[b] +
                 Db * by_rates.by_kappa * omega,
                                 couple = -1. * slope_cross * force;
               for (int a = 0; a <= order; ++a)

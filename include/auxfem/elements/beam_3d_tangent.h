@@ -60,8 +60,8 @@ namespace auxfem
 
     /**
      * Derivatives of forces, of moments that act on psi and of the couple on
-     * the middle rotation (rows) by displacements, by psi and by a turn of the
-     * middle rotation (columns).
+     * the middle rotation (rows) by displacements, by psi and by a rotation of
+     * the middle rotation (columns).
      */
     template <int order>
     struct ElementHessian
@@ -128,7 +128,8 @@ namespace auxfem
       SpaceTensor by_spin[order + 1];
       SpaceTensor by_middle;
 
-      /** Adds the turn of the middle rotation to that by the ends' spins. */
+      /** Adds the increment of the middle rotation to that by the ends' spins.
+       */
       void eliminate_middle(const NodeOperators<order> &nodes)
       {
         for (int end = 0; end < 2; ++end)

@@ -10,9 +10,9 @@
  * @file
  * Rigid bodies in the plane, and bars in space, in natural coordinates (Garcia
  * de Jalon & Bayo, Kinematic and Dynamic Simulation of Multibody Systems, 1994,
- * chapter 2): the unknowns are the places of points of the body, here r0 and r1
- * of its base. With d = r1 - r0 and J the turn by a right angle, every other
- * point of the body is
+ * chapter 2): the unknowns are the positions of points of the body, here r0 and
+ * r1 of its base. With d = r1 - r0 and J the rotation by a right angle, every
+ * other point of the body is
  * @code
  * r = r0 + a d + b J d
  * @endcode
@@ -33,8 +33,9 @@ namespace auxfem
     return result;
   }
 
-  /** Place of a point of a body relative to its base: r = r0 + a d + b J d. */
-  struct NaturalPlace
+  /** Position of a point of a body relative to its base: r = r0 + a d + b J d.
+   */
+  struct NaturalPosition
   {
     double a, b;
   };
@@ -50,13 +51,13 @@ namespace auxfem
   }
 
   /**
-   * Natural place of @p point in a body with base points @p r0 and @p r1 (m,
+   * Natural position of @p point in a body with base points @p r0 and @p r1 (m,
    * not equal); in space of its projection on their line.
    */
   template <int dim>
-  NaturalPlace natural_place(const dealii::Point<3> &r0,
-                             const dealii::Point<3> &r1,
-                             const dealii::Point<3> &point);
+  NaturalPosition natural_position(const dealii::Point<3> &r0,
+                                   const dealii::Point<3> &r1,
+                                   const dealii::Point<3> &point);
 
   /**
    * Derivatives of component @p component of a point with respect to r0_x,
@@ -64,8 +65,8 @@ namespace auxfem
    * base unknowns get.
    */
   template <int dim>
-  std::array<double, 2 * dim> shape(const NaturalPlace &place,
-                                    unsigned int        component);
+  std::array<double, 2 * dim> shape(const NaturalPosition &position,
+                                    unsigned int           component);
 
   /**
    * The consistent mass matrix of a body on its base unknowns r0_x, r0_y, ...,
@@ -73,21 +74,21 @@ namespace auxfem
    * @param rotary_inertia about the centre of mass (kg m2), of a bar in space
    *   about the axes across it.
    * @param length of the base (m).
-   * @param centre natural place of the centre of mass.
+   * @param centre natural position of the centre of mass.
    */
   template <int dim>
   std::array<double, 4 * dim * dim>
-  rigid_mass_matrix(double              mass,
-                    double              rotary_inertia,
-                    double              length,
-                    const NaturalPlace &centre);
+  rigid_mass_matrix(double                 mass,
+                    double                 rotary_inertia,
+                    double                 length,
+                    const NaturalPosition &centre);
 
   /**
-   * The condition |r1 - r0| = L as g = (|d|^2 - L^2) / (2 L) = 0 (m), so that
+   * The constraint |r1 - r0| = L as g = (|d|^2 - L^2) / (2 L) = 0 (m), so that
    * its multiplier is the force (N) along the base.
    */
   template <int dim>
-  struct DistanceCondition
+  struct DistanceConstraint
   {
     dealii::Tensor<1, dim> rest; ///< d at rest
     double                 length;
@@ -114,11 +115,11 @@ namespace auxfem
   };
 
   /**
-   * In the plane: the condition that a section turns with the body, as g =
+   * In the plane: the constraint that a section turns with the body, as g =
    * e(phi) . d = 0 (m) with e(phi) the unit normal of the base at rest turned
    * by the section's rotation phi: g = L sin(angle of the base - phi).
    */
-  struct ClampCondition
+  struct ClampConstraint
   {
     PlaneVector rest; ///< d at rest
     double      length;

@@ -20,7 +20,7 @@ namespace auxfem
     double dt; ///< s
     /**
      * Increment of the displacement over dt, of large rotations in space
-     * material; in a step between two states Cayley's measure of turns.
+     * material; in a step between two states Cayley's measure of increments.
      */
     Vector rate;
 

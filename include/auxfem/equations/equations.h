@@ -2,7 +2,7 @@
 #define auxfem_equations_equations_h
 
 #include <auxfem/equations/effects/connector_forces.h>
-#include <auxfem/equations/effects/rigid_part_conditions.h>
+#include <auxfem/equations/effects/rigid_part_constraints.h>
 #include <auxfem/equations/effects/struts.h>
 #include <auxfem/equations/solution.h>
 #include <auxfem/model/lattice_model.h>
@@ -31,10 +31,10 @@ namespace auxfem
     const StrutForces *struts = nullptr;
     unsigned int strut_effect = 0; ///< index in EvaluationResults::of_effects
     /** nullptr if the scene has no rigid parts. */
-    const RigidPartConditions  *rigid_parts = nullptr;
+    const RigidPartConstraints *rigid_parts = nullptr;
     std::vector<ConnectorGroup> connectors;
-    /** All conditions with multipliers: of rigid parts, of revolute hinges. */
-    std::vector<const Conditions *> conditions;
+    /** All constraints with multipliers: of rigid parts, of revolute hinges. */
+    std::vector<const Constraints *> constraints;
   };
 
   /**
@@ -139,7 +139,7 @@ namespace auxfem
 
   private:
     void make_internal_forces(const Scene &scene);
-    void make_conditions(const Scene &scene);
+    void make_constraints(const Scene &scene);
     void make_inertia(const Scene &scene);
     void make_loads(const Scene &scene);
     /** Throws InputError if the scheme asks for what an effect does not have.
@@ -177,10 +177,10 @@ namespace auxfem
                                            const Vector       &motion);
 
   /**
-   * Norm (m) up to which the conditions are met: their round-off. A looser
+   * Norm (m) up to which the constraints are met: their round-off. A looser
    * tolerance would return as forces, divided by the square of the step.
    */
-  double condition_tolerance(const Equations &equations, const State &state);
+  double constraint_tolerance(const Equations &equations, const State &state);
 
   /**
    * What of @p state is not a finite number, in words: an unknown or its rates,

@@ -25,8 +25,8 @@ namespace auxfem
        * A step with inertia between two states: forces are means over it, whose
        * work on the increment is the change of energy and which do none on
        * rigid motions (a discrete gradient, Gonzalez 1996). Accelerations of
-       * `to` are means too. Moments do work on Cayley's measure of the turn
-       * (elements/cayley_turn.h).
+       * `to` are means too. Moments do work on Cayley's measure of the rotation
+       * increment (elements/cayley_rotation.h).
        */
       between,
       /**
@@ -114,9 +114,9 @@ namespace auxfem
     std::vector<std::unique_ptr<EffectResults>> of_effects;
 
     /** Norms of the residual in free rows, over all ranks. */
-    double force     = 0; ///< N
-    double moment    = 0; ///< N m
-    double condition = 0; ///< m, of conditions
+    double force      = 0; ///< N
+    double moment     = 0; ///< N m
+    double constraint = 0; ///< m, of constraints
 
     /**
      * Force size against which the residual is judged (N): norm of the internal

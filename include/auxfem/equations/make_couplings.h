@@ -19,7 +19,7 @@ namespace auxfem
 
   /**
    * The revolute hinges. nullptr if the scene has none.
-   * @param length by which their conditions become lengths (m).
+   * @param length by which their constraints become lengths (m).
    */
   std::unique_ptr<RevoluteHinges>
   make_revolute_hinges(const std::vector<JointRelease> &releases,

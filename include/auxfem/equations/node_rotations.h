@@ -35,31 +35,31 @@ namespace auxfem
      * Turns evaluation.to.rotations by the spins in @p increment and replaces these
      * by changes of Theta.
      */
-    void turn(const Evaluation &evaluation, Vector &increment) const;
+    void rotate(const Evaluation &evaluation, Vector &increment) const;
 
     /** Replaces spatial values at the rotations in @p vector by material ones of @p state. */
     void make_material(const State &state, Vector &vector) const;
 
     /**
-     * The turn of rotation @p i in the step as a vector in the global frame:
+     * The increment of rotation @p i in the step as a vector in the global frame:
      * P_n Theta (rad). A constant moment's work in the step is its product with
      * this.
      */
-    SpaceVector spatial_turn(const Evaluation &evaluation,
-                             unsigned int      i) const;
+    SpaceVector spatial_increment(const Evaluation &evaluation,
+                                  unsigned int      i) const;
 
     /** Theta of rotation @p i. */
-    SpaceVector material_turn(const Evaluation &evaluation,
-                              unsigned int      i) const;
+    SpaceVector material_increment(const Evaluation &evaluation,
+                                   unsigned int      i) const;
 
-    /** Sets evaluation.to.displacement such that Theta is @p turn. */
-    void set_material_turn(const Evaluation  &evaluation,
-                           unsigned int       i,
-                           const SpaceVector &turn) const;
+    /** Sets evaluation.to.displacement such that Theta is @p increment. */
+    void set_material_increment(const Evaluation  &evaluation,
+                                unsigned int       i,
+                                const SpaceVector &rotate) const;
 
     /** dTheta / dtheta = T^-1(Theta) P^T: how a spin changes rates. */
-    SpaceTensor turn_by_spin(const Evaluation &evaluation,
-                             unsigned int      i) const;
+    SpaceTensor increment_by_spin(const Evaluation &evaluation,
+                                  unsigned int      i) const;
 
     /** Values of @p vector at rotation @p i. */
     SpaceVector values(const Vector &vector, unsigned int i) const;

@@ -42,7 +42,7 @@ namespace auxfem
   /**
    * How far the work of supports in a step with inertia may be off (J): what
    * the mean of forces times the way leaves out where forces change evenly over
-   * the step and places are cubic. Collective.
+   * the step and positions are cubic. Collective.
    */
   double support_work_error(const LatticeModel &model, const Evaluation &step);
 

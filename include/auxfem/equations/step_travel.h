@@ -1,7 +1,7 @@
 #ifndef auxfem_equations_step_travel_h
 #define auxfem_equations_step_travel_h
 
-#include <auxfem/elements/cayley_turn.h>
+#include <auxfem/elements/cayley_rotation.h>
 #include <auxfem/equations/evaluation.h>
 #include <auxfem/model/numbering.h>
 
@@ -18,7 +18,7 @@ namespace auxfem
     StepTravel(const Evaluation &step, const DofNumbering &numbering)
       : u0(step.from.displacement.data())
       , u1(step.to.displacement.data())
-      , turns(!step.to.plane_rotations->empty())
+      , has_plane_rotations(!step.to.plane_rotations->empty())
       , numbering(numbering)
     {}
 
@@ -26,24 +26,25 @@ namespace auxfem
     double of(const int unknown) const
     {
       const double moved = u1[unknown] - u0[unknown];
-      return is_turn(unknown) ? cayley_turn(moved) : moved;
+      return is_plane_rotation(unknown) ? cayley_rotation(moved) : moved;
     }
 
     /** Increment of @p unknown over what of() says. */
     double increment_per_travel(const int unknown) const
     {
-      return is_turn(unknown) ? angle_per_cayley_turn(u1[unknown] - u0[unknown])
-                              : 1.;
+      return is_plane_rotation(unknown)
+        ? angle_per_cayley_rotation(u1[unknown] - u0[unknown])
+        : 1.;
     }
 
   private:
-    bool is_turn(const int unknown) const
+    bool is_plane_rotation(const int unknown) const
     {
-      return turns && numbering.unknowns().is_rotation[unknown];
+      return has_plane_rotations && numbering.unknowns().is_rotation[unknown];
     }
 
     const double       *u0, *u1;
-    const bool          turns;
+    const bool          has_plane_rotations;
     const DofNumbering &numbering;
   };
 } // namespace auxfem

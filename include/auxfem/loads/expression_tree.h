@@ -51,7 +51,7 @@ namespace auxfem
       atanh
     };
 
-    /** Place of a node in the tree; operands come before what uses them. */
+    /** Position of a node in the tree; operands come before what uses them. */
     using Index = std::size_t;
 
     /** An operation that may switch. */

@@ -18,8 +18,9 @@ namespace auxfem
   bool is_condition(const std::string &text);
 
   /**
-   * A condition on a place: an Expression of `x`, `y`, `z` (m) and the bounding
-   * box of the joints as `xmin`, `xmax`, .... True where its value is not zero.
+   * A condition on a position: an Expression of `x`, `y`, `z` (m) and the
+   * bounding box of the joints as `xmin`, `xmax`, .... True where its value is
+   * not zero.
    */
   class Condition
   {
@@ -31,8 +32,8 @@ namespace auxfem
               const std::string  &path);
     ~Condition();
 
-    /** Throws InputError if the value at @p place is not a number. */
-    bool holds_at(const dealii::Point<3> &place);
+    /** Throws InputError if the value at @p position is not a number. */
+    bool holds_at(const dealii::Point<3> &position);
 
   private:
     class Implementation;

@@ -14,8 +14,8 @@ namespace auxfem
   {
     enum class Type
     {
-      hinge,    ///< free to turn; in space about any axis
-      revolute, ///< in space: free to turn about one axis
+      hinge,    ///< free to rotate; in space a spherical joint
+      revolute, ///< in space: free to rotate about one axis
       rotational_spring
     };
     std::string name;

@@ -64,7 +64,7 @@ namespace auxfem
   struct RigidPart
   {
     /**
-     * At least two. The first two are the base, chosen far apart; the places
+     * At least two. The first two are the base, chosen far apart; the positions
      * of all others are given relative to them.
      */
     std::vector<unsigned int> joints;

@@ -23,7 +23,7 @@ namespace auxfem
      * Where an active cell lies: on which strut, and between which fractions
      * of its length.
      */
-    struct Place
+    struct Interval
     {
       unsigned int strut;
       double       begin;
@@ -56,8 +56,8 @@ namespace auxfem
     /** Number of active cells of all ranks. */
     unsigned int n_cells() const;
 
-    /** Place of an active cell. */
-    static Place place(const Triangulation::cell_iterator &cell);
+    /** Position of an active cell. */
+    static Interval interval(const Triangulation::cell_iterator &cell);
 
     /** Rank a strut was given to, rigid ones included. */
     unsigned int rank(unsigned int strut) const;

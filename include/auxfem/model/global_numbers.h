@@ -9,7 +9,7 @@
 
 namespace auxfem
 {
-  class ClaimedUnknowns;
+  class UnknownDistribution;
 
   /**
    * Global numbers of the unknowns of a lattice, the same on every rank; each
@@ -57,9 +57,9 @@ namespace auxfem
     std::vector<int> first_owned;
 
     /** Of a rotation; components below first_rotation are -1. */
-    OfMotion rotation(const Turning &turning) const;
+    OfMotion rotation(const RotationOwner &rotation_owner) const;
 
-    /** Of all unknowns that the conditions of a rigid part couple. */
+    /** Of all unknowns that the constraints of a rigid part couple. */
     std::vector<int> of_rigid_part(const Lattice &lattice,
                                    unsigned int   rigid_part) const;
 
@@ -75,7 +75,7 @@ namespace auxfem
     std::vector<std::vector<int>> coupled(const Ties &ties) const;
 
   private:
-    void take(const ClaimedUnknowns &claimed);
+    void take(const UnknownDistribution &distribution);
   };
 } // namespace auxfem
 

@@ -26,7 +26,7 @@ namespace auxfem
     const JointDefinition *definition;
     std::vector<AtJoint>   joints;
     /** What springs or revolute hinges couple. */
-    std::vector<TurningPair> pairs;
+    std::vector<RotationPair> pairs;
   };
 
   /**

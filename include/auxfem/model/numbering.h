@@ -15,7 +15,7 @@ namespace auxfem
    * constraint equation is needed. Joints at which only rigid struts end have
    * no rotation, in space that of the rigid part. Rigid parts that turn in
    * space have the displacement of their centre of mass and a rotation of their
-   * own. The conditions of rigid parts and of revolute hinges add a Lagrange
+   * own. The constraints of rigid parts and of revolute hinges add a Lagrange
    * multiplier each.
    *
    * Elements and rigid parts are kept on every rank that owns one of their
@@ -28,7 +28,7 @@ namespace auxfem
     /** An element kept on this rank. */
     struct Element
     {
-      StrutMesh::Place place;
+      StrutMesh::Interval interval;
       /** Whether this rank counts its energy and writes it to files. */
       bool is_owned;
     };
@@ -105,7 +105,8 @@ namespace auxfem
 
     /** Local number of a component of a rotation; -1: ground, or not on this
      * rank. */
-    int rotation_unknown(const Turning &turning, unsigned int component) const;
+    int rotation_unknown(const RotationOwner &rotation_owner,
+                         unsigned int         component) const;
 
     /** The numbers that are the same on every rank. */
     const GlobalNumbers &global() const;

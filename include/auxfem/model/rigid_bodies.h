@@ -23,24 +23,24 @@ namespace auxfem
     dealii::Tensor<1, dim>   rest;   ///< r1 - r0 at rest (m)
     double                   length; ///< of the base (m)
     /** Of the centre of mass. */
-    NaturalPlace                      centre;
+    NaturalPosition                   centre;
     std::array<double, 4 * dim * dim> mass; ///< on the base unknowns (kg)
     /** Whether this rank counts its energy and writes it to files. */
-    bool counted;
+    bool owned;
   };
 
   /**
    * A rigid part in space with a rotation of its own as its effects on this
    * rank need it.
    */
-  struct TurningBody
+  struct RotatingBody
   {
     /** Number in Lattice::rigid_parts. */
     unsigned int part;
     /** Local unknowns of the centre of mass and of the rotation. */
     std::array<int, 3> centre, rotation;
     /** As NaturalBody::counted. */
-    bool counted;
+    bool owned;
   };
 
   /** The rigid parts kept on this rank, by kind. */
@@ -48,23 +48,23 @@ namespace auxfem
   {
     std::vector<NaturalBody<2>> in_plane;
     std::vector<NaturalBody<3>> bars;
-    std::vector<TurningBody>    turning;
+    std::vector<RotatingBody>   rotating;
 
     bool empty() const
     {
-      return in_plane.empty() && bars.empty() && turning.empty();
+      return in_plane.empty() && bars.empty() && rotating.empty();
     }
   };
 
-  /** Natural place of @p point (m, at rest) in a rigid part. */
+  /** Natural position of @p point (m, at rest) in a rigid part. */
   template <int dim>
-  NaturalPlace place_in(const RigidPart        &part,
-                        const Lattice          &lattice,
-                        const dealii::Point<3> &point)
+  NaturalPosition position_in(const RigidPart        &part,
+                              const Lattice          &lattice,
+                              const dealii::Point<3> &point)
   {
-    return natural_place<dim>(lattice.joints[part.joints[0]],
-                              lattice.joints[part.joints[1]],
-                              point);
+    return natural_position<dim>(lattice.joints[part.joints[0]],
+                                 lattice.joints[part.joints[1]],
+                                 point);
   }
 
   /** The rigid parts kept on this rank. */
@@ -90,7 +90,7 @@ namespace auxfem
    * resultant at the same point. Throws InputError for a point that is no
    * weighted mean of these.
    */
-  ForceShares force_shares(const TurningBody      &body,
+  ForceShares force_shares(const RotatingBody     &body,
                            const Lattice          &lattice,
                            const DofNumbering     &numbering,
                            const dealii::Point<3> &point,

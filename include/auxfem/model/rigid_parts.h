@@ -14,7 +14,7 @@ namespace auxfem
    * part without struts.
    *
    * Throws InputError for a strut of two definitions, a part of fewer than two
-   * joints or of joints at one place.
+   * joints or of joints at one position.
    */
   void make_rigid_parts(const Scene &scene, Lattice &lattice);
 

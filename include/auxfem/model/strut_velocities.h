@@ -16,7 +16,7 @@ namespace auxfem
   /** What is known of one end of a strut at rest. */
   struct MovingEnd
   {
-    dealii::Point<3> place; ///< m
+    dealii::Point<3> position; ///< m
     JointVelocity    velocity;
     /** Whether the strut turns freely there; about its chord it turns with the
      * velocity all the same. */
@@ -36,14 +36,14 @@ namespace auxfem
   public:
     explicit StrutVelocities(const std::array<MovingEnd, 2> &ends);
 
-    /** At the @p fraction in [0, 1] of the strut's length, at @p place (m). */
-    JointVelocity at(double fraction, const dealii::Point<3> &place) const;
+    /** At the @p fraction in [0, 1] of the strut's length, at @p position (m). */
+    JointVelocity at(double fraction, const dealii::Point<3> &position) const;
 
   private:
     dealii::Point<3> begin;
     SpaceVector      chord;
     /** Of the chord, that of its beginning and its lengthening in all. */
-    SpaceVector turning, velocity, lengthening;
+    SpaceVector angular_velocity, velocity, lengthening;
     /** Of the ends against the chord: across it and about it (rad/s). */
     std::array<SpaceVector, 2> bending, twist;
   };

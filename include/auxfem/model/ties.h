@@ -9,7 +9,7 @@
 namespace auxfem
 {
   /** Something with a rotation, or the ground, which has none. */
-  struct Turning
+  struct RotationOwner
   {
     enum class What
     {
@@ -23,17 +23,17 @@ namespace auxfem
     unsigned int index = 0;
     unsigned int end   = 0; ///< of the strut
 
-    bool operator==(const Turning &other) const
+    bool operator==(const RotationOwner &other) const
     {
       return what == other.what && index == other.index && end == other.end;
     }
   };
 
   /** Two rotations at one joint that are coupled by a spring or a hinge. */
-  struct TurningPair
+  struct RotationPair
   {
-    unsigned int joint;
-    Turning      base, end;
+    unsigned int  joint;
+    RotationOwner base, end;
   };
 
   /** A component of the motion of a joint. */
@@ -55,10 +55,10 @@ namespace auxfem
     std::vector<JointPair> connected;
 
     /** Rotations coupled by springs. */
-    std::vector<TurningPair> sprung;
+    std::vector<RotationPair> sprung;
 
-    /** Rotations coupled by revolute hinges, with two conditions each. */
-    std::vector<TurningPair> hinged;
+    /** Rotations coupled by revolute hinges, with two constraints each. */
+    std::vector<RotationPair> hinged;
 
     /** Motions that supports prescribe; joints need not have them all. */
     std::vector<JointMotion> prescribed;
@@ -71,7 +71,7 @@ namespace auxfem
    * there; else nothing (ground).
    * @param released as Ties::released.
    */
-  std::vector<Turning>
+  std::vector<RotationOwner>
   joint_rotations(const Lattice                          &lattice,
                   const std::vector<std::array<bool, 2>> &released);
 } // namespace auxfem

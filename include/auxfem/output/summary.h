@@ -24,8 +24,8 @@ namespace auxfem
     /** Displacements and rotations that are not prescribed. */
     unsigned int free_unknowns = 0;
     /** Of rigid parts, each with a multiplier. */
-    unsigned int conditions = 0;
-    unsigned int ranks      = 1;
+    unsigned int constraints = 0;
+    unsigned int ranks       = 1;
   };
 
   /** Counts of @p equations. Collective. */

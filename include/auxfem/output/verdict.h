@@ -19,10 +19,10 @@ namespace auxfem
   /** Something a run has found out about its own results. */
   struct Finding
   {
-    Verdict     verdict; ///< what it alone makes of the run
-    std::string text;    ///< a sentence or two, with what to do
-    double      time;    ///< s, since when, or when it was worst
-    std::string place;   ///< e.g. `joint 3`; empty if it is everywhere
+    Verdict     verdict;  ///< what it alone makes of the run
+    std::string text;     ///< a sentence or two, with what to do
+    double      time;     ///< s, since when, or when it was worst
+    std::string location; ///< e.g. `joint 3`; empty if it is everywhere
   };
 
   /** The worst of @p findings; sound without any. */
@@ -31,7 +31,7 @@ namespace auxfem
   /** `sound`, `doubtful`, `not to be used`. */
   const std::string &name_of(Verdict verdict);
 
-  /** Adds `verdict` and `warnings`, with time and place, to @p summary. */
+  /** Adds `verdict` and `warnings`, with time and position, to @p summary. */
   void add_verdict(Json &summary, const std::vector<Finding> &findings);
 
   /** The verdict and its reasons, lines without the last line break. */

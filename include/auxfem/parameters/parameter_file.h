@@ -7,7 +7,7 @@
 namespace auxfem
 {
   /** Where the user wrote something. */
-  struct FilePlace
+  struct FileLocation
   {
     /** Name of the file, or `command line`. */
     std::string file;
@@ -21,16 +21,16 @@ namespace auxfem
   /** `set NAME = VALUE` as found; nothing is known yet about what it means. */
   struct ParameterEntry
   {
-    std::string name;
-    std::string value;
-    FilePlace   place;
+    std::string  name;
+    std::string  value;
+    FileLocation location;
   };
 
   /** `subsection NAME ... end` as found. Parts of equal name are one. */
   struct ParameterSubsection
   {
     std::string                      name;
-    FilePlace                        place;
+    FileLocation                     location;
     std::vector<ParameterEntry>      entries;
     std::vector<ParameterSubsection> subsections;
 

@@ -21,8 +21,8 @@ namespace auxfem
   public:
     /** All parameters at their defaults. */
     explicit ParameterValues(const Parameters   &parameters,
-                             const SceneContext &context = {},
-                             const FilePlace    &place   = {});
+                             const SceneContext &context  = {},
+                             const FileLocation &location = {});
 
     /**
      * Gives the parameter @p name the value @p text, which must be allowed.
@@ -72,7 +72,7 @@ namespace auxfem
     /** The scene, and the path of this subsection in it. */
     const SceneContext context;
     /** Where in the file the subsection begins. */
-    const FilePlace place;
+    const FileLocation location;
 
     /** Files that the scene is read from because of these values. */
     std::vector<std::string> files;

@@ -7,7 +7,7 @@
 
 namespace auxfem
 {
-  /** A pair for the two unknowns of the cell: turn (rad), rise (m). */
+  /** A pair for the two unknowns of the cell: rotation (rad), rise (m). */
   using CellVector = dealii::Tensor<1, 2>;
   using CellMatrix = dealii::Tensor<2, 2>;
 
@@ -56,8 +56,8 @@ namespace auxfem
   public:
     explicit CellEquations(const ReducedCellDefinition &cell);
 
-    /** Angle theta (rad) at @p turn. */
-    double angle(double turn) const;
+    /** Angle theta (rad) at @p rotation. */
+    double angle(double rotation) const;
 
     /** Y1, rise of the upper part and extension of the connector (m). */
     double extension(const CellVector &position) const;
@@ -66,24 +66,26 @@ namespace auxfem
     double extension_rate(const CellMotion &motion) const;
 
     /** b, derivative of Y1 by the unknowns (m, 1). */
-    CellVector lever(double turn) const;
+    CellVector lever(double rotation) const;
 
-    /** Derivative of the lever by the turn. */
-    CellVector lever_derivative(double turn) const;
+    /** Derivative of the lever by the rotation. */
+    CellVector lever_derivative(double rotation) const;
 
     /** M. */
-    CellMatrix mass(double turn) const;
+    CellMatrix mass(double rotation) const;
 
-    /** Derivative of M by the turn. */
-    CellMatrix mass_derivative(double turn) const;
+    /** Derivative of M by the rotation. */
+    CellMatrix mass_derivative(double rotation) const;
 
     /** h. */
-    CellVector velocity_force(double turn, double turn_rate) const;
+    CellVector velocity_force(double rotation, double rotation_rate) const;
 
-    /** Derivatives of h by turn and turn rate. */
+    /** Derivatives of h by rotation and its rate. */
     ///@{
-    CellVector velocity_force_by_turn(double turn, double turn_rate) const;
-    CellVector velocity_force_by_rate(double turn, double turn_rate) const;
+    CellVector velocity_force_by_rotation(double rotation,
+                                          double rotation_rate) const;
+    CellVector velocity_force_by_rate(double rotation,
+                                      double rotation_rate) const;
     ///@}
 
     /**
@@ -102,7 +104,7 @@ namespace auxfem
      * Throws ComputationError if the bars, without mass, have come upright or
      * beyond: there M is singular and the motion not determined.
      */
-    void refuse_singular(double turn) const;
+    void refuse_singular(double rotation) const;
 
   private:
     const double length, angle_at_rest, bar_mass, part_mass;

@@ -24,7 +24,7 @@ namespace auxfem
    * their values, in words, e.g. `Loads/press/Force x: '-40 * t' = -4.9`; three
    * at most.
    */
-  std::string load_values_in_words(const Scene &scene, double time);
+  std::string load_values_text(const Scene &scene, double time);
 } // namespace auxfem
 
 #endif

@@ -23,8 +23,8 @@ namespace auxfem
    *
    * Members whose spectral radius at infinity is one, with gamma = 2 beta,
    * would let accelerations of unknowns without mass grow from step to step.
-   * There their rates are differences of the last three places; of those that
-   * damping acts on a = v' = 0.
+   * There their rates are differences of the last three positions; of those
+   * that damping acts on a = v' = 0.
    */
   class AlphaFamily : public ImplicitScheme
   {

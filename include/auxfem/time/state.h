@@ -82,7 +82,7 @@ namespace auxfem
     std::optional<Vector> algorithmic_acceleration;
 
     /**
-     * Not 0 for free unknowns with neither mass nor condition; known from the
+     * Not 0 for free unknowns with neither mass nor constraint; known from the
      * start of a run with inertia on. Schemes that would let their
      * accelerations grow keep them in equilibrium.
      */

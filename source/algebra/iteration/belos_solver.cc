@@ -155,7 +155,7 @@ namespace auxfem
             if (!std::isfinite(error) || n >= parameters.maximum_iterations)
               break;
           }
-        return words_of_failure(error / size, n);
+        return failure_message(error / size, n);
       }
 
       /** Returns the number of iterations, at most @p most. */
@@ -207,8 +207,8 @@ namespace auxfem
           matrix->getFrobeniusNorm() * norm(solution);
       }
 
-      std::string words_of_failure(const double       relative_residual,
-                                   const unsigned int n) const
+      std::string failure_message(const double       relative_residual,
+                                  const unsigned int n) const
       {
         std::ostringstream words;
         words << (is_definite ? "conjugate gradients have" : "GMRES has")

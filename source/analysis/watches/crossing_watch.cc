@@ -280,9 +280,9 @@ namespace auxfem
             const Points points =
               equations.reporting().struts->axis(displacement, e, n_points);
             if (axes.struts.empty() ||
-                axes.struts.back() != element.place.strut)
+                axes.struts.back() != element.interval.strut)
               {
-                axes.struts.push_back(element.place.strut);
+                axes.struts.push_back(element.interval.strut);
                 axes.points.push_back(points);
               }
             else

@@ -1,6 +1,6 @@
 #include <auxfem/analysis/inverse_iteration.h>
 #include <auxfem/analysis/watch.h>
-#include <auxfem/model/unknown_words.h>
+#include <auxfem/model/unknown_names.h>
 #include <auxfem/scene/time_function_notes.h>
 
 #include <algorithm>
@@ -26,13 +26,15 @@ namespace auxfem
         , work(work)
       {}
 
-      /** How many negative eigenvalues there are beside those of conditions. */
-      unsigned long beyond_conditions(const Inertia &inertia) const
+      /** How many negative eigenvalues there are beside those of constraints.
+       */
+      unsigned long beyond_constraints(const Inertia &inertia) const
       {
-        const unsigned long n_conditions =
+        const unsigned long n_constraints =
           equations.model().numbering.constraints().n_multipliers();
-        return inertia.negative > n_conditions ? inertia.negative - n_conditions
-                                               : 0;
+        return inertia.negative > n_constraints
+          ? inertia.negative - n_constraints
+          : 0;
       }
 
       /** Of what the next tangents are. */
@@ -57,13 +59,13 @@ namespace auxfem
         if (!is_done)
           return 0;
         const std::optional<Inertia> inertia = solver->new_inertia();
-        return inertia ? beyond_conditions(*inertia) : 0;
+        return inertia ? beyond_constraints(*inertia) : 0;
       }
 
       /** Joint and component that move most in the softest mode of the tangent
        * with @p factors; empty if there is none to be found. */
-      std::string place_of_softest_mode(const Evaluation     &evaluation,
-                                        const TangentFactors &factors)
+      std::string position_of_softest_mode(const Evaluation     &evaluation,
+                                           const TangentFactors &factors)
       {
         const DofNumbering &numbering = equations.model().numbering;
         const auto         &kinds     = numbering.unknowns().kinds;
@@ -112,53 +114,53 @@ namespace auxfem
 
       void note(const double at, const std::string &in)
       {
-        is_lost = true;
-        time    = at;
-        place   = in;
+        is_lost  = true;
+        time     = at;
+        location = in;
       }
 
       /** Begins the sentence of a finding. */
       void write(std::ostream &text) const
       {
-        const std::string loads = load_values_in_words(scene, time);
+        const std::string loads = load_values_text(scene, time);
         text << "Stability is lost at about t = " << time << " s"
              << (loads.empty() ? "" : " (" + loads + ")")
-             << (place.empty() ? "" : ", most at the " + place) << ": ";
+             << (location.empty() ? "" : ", most at the " + location) << ": ";
       }
 
       Finding finding(const std::string &text) const
       {
-        return {Verdict::doubtful, text, time, place};
+        return {Verdict::doubtful, text, time, location};
       }
 
       void save(Records &records) const
       {
         records.keep(stability_record + ": first loss",
                      {is_lost ? 1. : 0., time});
-        records.keep_text(stability_record + ": place", place);
+        records.keep_text(stability_record + ": location", location);
       }
 
       void resume(const Records &records)
       {
         const std::vector<double> values =
           records.values(stability_record + ": first loss", 2);
-        is_lost = values[0] != 0;
-        time    = values[1];
-        place   = records.text(stability_record + ": place");
+        is_lost  = values[0] != 0;
+        time     = values[1];
+        location = records.text(stability_record + ": location");
       }
 
     private:
       const Scene &scene;
       bool         is_lost = false;
       double       time    = 0; ///< s
-      std::string  place;
+      std::string  location;
     };
 
     /**
      * Of equilibria: the negative eigenvalues of their stiffness are those of
-     * conditions while they are stable. Newton's factorization is of a state on
-     * the way to the equilibrium; where it tells nothing new or nothing good,
-     * the stiffness of the equilibrium itself is factorized.
+     * constraints while they are stable. Newton's factorization is of a state
+     * on the way to the equilibrium; where it tells nothing new or nothing
+     * good, the stiffness of the equilibrium itself is factorized.
      */
     class EquilibriumWatch : public Watch
     {
@@ -175,7 +177,7 @@ namespace auxfem
                 TangentSolver &newtons) override
       {
         const std::optional<Inertia> on_the_way = newtons.new_inertia();
-        last = on_the_way && aside.beyond_conditions(*on_the_way) == 0
+        last = on_the_way && aside.beyond_constraints(*on_the_way) == 0
           ? 0
           : look_at(step);
         most = std::max(most, last);
@@ -221,7 +223,8 @@ namespace auxfem
         aside.evaluate(again);
         const unsigned long n = aside.n_unstable(again, stiffness);
         if (n > 0 && !first)
-          first.note(end.time, aside.place_of_softest_mode(again, stiffness));
+          first.note(end.time,
+                     aside.position_of_softest_mode(again, stiffness));
         return n;
       }
 
@@ -231,9 +234,9 @@ namespace auxfem
     };
 
     /**
-     * Of motions, now and then: whether K + s^2 M at rest in the place of the
-     * moment has more negative eigenvalues than conditions. Then a disturbance
-     * grows at least as exp(s t) for the time being.
+     * Of motions, now and then: whether K + s^2 M at rest in the positions of
+     * the moment has more negative eigenvalues than constraints. Then a
+     * disturbance grows at least as exp(s t) for the time being.
      */
     class MotionWatch : public Watch
     {
@@ -324,7 +327,7 @@ namespace auxfem
           found = rate;
         if (found > 0 && !first)
           first.note(at_rest.time,
-                     aside.place_of_softest_mode(instant, shifted(found)));
+                     aside.position_of_softest_mode(instant, shifted(found)));
         return found;
       }
 

@@ -19,7 +19,7 @@ namespace auxfem
     constexpr double doubtful_error = 0.05, ruinous_error = 0.25;
 
     /** Turn of a joint in one step (rad). */
-    constexpr double doubtful_turn = 0.5;
+    constexpr double doubtful_increment = 0.5;
 
     /**
      * Error of the trapezoidal rule in a step, dt^3 u''' / 12, by the third
@@ -47,7 +47,7 @@ namespace auxfem
         if (step.event_at_from)
           n_before = 0;
         add_way(step);
-        add_turn(step);
+        add_increment(step);
         time = step.to.time;
       }
 
@@ -55,16 +55,17 @@ namespace auxfem
       {
         const UnknownLayout      &layout = equations.unknowns().layout;
         const std::vector<double> sums   = layout.sum({error, way});
-        const LargestInTime       turn   = largest_turn.of_all_ranks(layout);
-        std::vector<Finding>      found;
+        const LargestInTime  increment = largest_increment.of_all_ranks(layout);
+        std::vector<Finding> found;
         if (!(sums[0] <= doubtful_error * sums[1]))
           found.push_back(error_finding(sums[0] / sums[1]));
-        if (turn.value > doubtful_turn)
+        if (increment.value > doubtful_increment)
           {
             std::ostringstream text;
-            text << "A joint turns by " << turn.value
+            text << "A joint turns by " << increment.value
                  << " rad in one step; shorten the step.";
-            found.push_back({Verdict::doubtful, text.str(), turn.time, ""});
+            found.push_back(
+              {Verdict::doubtful, text.str(), increment.time, ""});
           }
         return found;
       }
@@ -73,9 +74,9 @@ namespace auxfem
       {
         const UnknownLayout      &layout = equations.unknowns().layout;
         const std::vector<double> sums   = layout.sum({error, way});
-        const LargestInTime       turn   = largest_turn.of_all_ranks(layout);
+        const LargestInTime increment = largest_increment.of_all_ranks(layout);
         records.keep(step_record,
-                     {sums[0], sums[1], time, turn.value, turn.time});
+                     {sums[0], sums[1], time, increment.value, increment.time});
       }
 
       void resume(const Records &records) override
@@ -86,7 +87,7 @@ namespace auxfem
         error               = is_first ? values[0] : 0;
         way                 = is_first ? values[1] : 0;
         time                = values[2];
-        largest_turn        = {values[3], values[4]};
+        largest_increment   = {values[3], values[4]};
       }
 
     private:
@@ -133,14 +134,14 @@ namespace auxfem
         dt_before = step.dt;
       }
 
-      void add_turn(const Evaluation &step)
+      void add_increment(const Evaluation &step)
       {
-        double turn = 0;
+        double increment = 0;
         for (const int i : rotations)
-          turn = std::max(turn,
-                          std::abs(step.to.displacement[i] -
-                                   step.from.displacement[i]));
-        largest_turn.add(turn, step.to.time);
+          increment = std::max(increment,
+                               std::abs(step.to.displacement[i] -
+                                        step.from.displacement[i]));
+        largest_increment.add(increment, step.to.time);
       }
 
       Finding error_finding(const double relative) const
@@ -163,7 +164,7 @@ namespace auxfem
       const Equations &equations;
       double           error = 0, way = 0; ///< m, summed up on this rank
       double           time = 0;           ///< s
-      LargestInTime    largest_turn;       ///< rad
+      LargestInTime    largest_increment;  ///< rad
 
       /** Owned and free ones of n_unknowns owned in all. */
       std::vector<int> translations, rotations;

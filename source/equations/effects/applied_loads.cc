@@ -150,8 +150,8 @@ namespace auxfem
   {
     if (const int i = numbering.rotations().with(unknown);
         i >= 0 && !step.to.rotations.empty())
-      return rotations.spatial_turn(step,
-                                    i)[numbering.rotations().axis(unknown)];
+      return rotations
+        .spatial_increment(step, i)[numbering.rotations().axis(unknown)];
     return step.to.displacement[unknown] - step.from.displacement[unknown];
   }
 } // namespace auxfem

@@ -39,8 +39,8 @@ namespace auxfem
                          }))
           continue;
         ends.number = number;
-        if (ends.counted)
-          counted.push_back(connectors.size());
+        if (ends.owned)
+          owned.push_back(connectors.size());
         connectors.push_back(ends);
       }
   }
@@ -61,7 +61,7 @@ namespace auxfem
         ends.unknowns[i] =
           joint == invalid_index ? -1 : numbering.joint_unknown(joint, i % 3);
       }
-    ends.counted     = numbering.layout().is_owned(ends.unknowns[0]);
+    ends.owned       = numbering.layout().is_owned(ends.unknowns[0]);
     ends.span        = pair.second == invalid_index
              ? ground_offset
              : lattice.joints[pair.second] - lattice.joints[pair.first];
@@ -198,7 +198,7 @@ namespace auxfem
     if (evaluation.kind != Evaluation::Kind::static_step)
       return results.direction[i] * results.velocity_difference[i];
     // Without inertia velocities are differences over steps in which the line
-    // turns; those of the extension do not see the turn.
+    // turns; those of the extension do not see the rotation.
     const BackwardDifference difference_in(evaluation.from, evaluation.dt);
     double                   rate = difference_in.now * increment;
     if (const auto &before = evaluation.from.before)
@@ -293,19 +293,19 @@ namespace auxfem
         if (follows_line)
           {
             // The line turns with the ends: force and rate change direction.
-            const double turning =
+            const double rotating =
               factors.stiffness / of_group.current_length[i];
             for (unsigned int a = 0; a < 3; ++a)
               for (unsigned int b = 0; b < 3; ++b)
                 {
                   const double across = (a == b ? 1. : 0.) - n[a] * n[b];
-                  D[a][b] += turning * of_group.response[i].force * across;
+                  D[a][b] += rotating * of_group.response[i].force * across;
                   if (evaluation.kind == Evaluation::Kind::static_step)
                     continue;
                   const double rate_by_position =
                     of_group.velocity_difference[i][b] -
                     of_group.motion[i].rate * n[b];
-                  D[a][b] += turning * of_group.response[i].damping * n[a] *
+                  D[a][b] += rotating * of_group.response[i].damping * n[a] *
                     rate_by_position;
                 }
           }
@@ -322,7 +322,7 @@ namespace auxfem
         const ConnectorResponse   &response = results.response[i];
         const dealii::Tensor<1, 3> e        = results.direction[i];
         dealii::Tensor<1, 3>       now      = e;
-        double                     turning  = 0;
+        double                     rotating = 0;
         if (follows_line)
           {
             const Ends &ends = connectors[i];
@@ -333,14 +333,14 @@ namespace auxfem
               (ends.span +
                difference(ends, evaluation.from.displacement.data()))
                 .norm();
-            turning =
+            rotating =
               response.force / (length_before + results.current_length[i]);
           }
         double D[3][3];
         for (unsigned int a = 0; a < 3; ++a)
           for (unsigned int b = 0; b < 3; ++b)
             D[a][b] = response.stiffness * e[a] * now[b] +
-              turning * ((a == b ? 1. : 0.) - e[a] * now[b]);
+              rotating * ((a == b ? 1. : 0.) - e[a] * now[b]);
         add_block(i, D, matrix);
       }
   }
@@ -369,13 +369,13 @@ namespace auxfem
           law->energy(of_group.motion[i],
                       step.from.history.data() + at,
                       step.to.history.data() + at);
-        if (connectors[i].counted)
+        if (connectors[i].owned)
           account.add(stored_entry, energy.stored);
         if (!law->is_viscous())
           continue;
         step.to.history[first_dissipated + i] =
           step.from.history[first_dissipated + i] + energy.dissipated;
-        if (!connectors[i].counted)
+        if (!connectors[i].owned)
           continue;
         account.add_in_step(dissipated_entry, energy.dissipated);
         // Between two states the mean force does what is stored and lost.
@@ -467,7 +467,7 @@ namespace auxfem
 
   unsigned int ConnectorForces::n_reported() const
   {
-    return counted.size();
+    return owned.size();
   }
 
   ConnectorReport ConnectorForces::report(const unsigned int   i,
@@ -475,7 +475,7 @@ namespace auxfem
                                           const EffectResults *results) const
   {
     const auto &of_group    = static_cast<const ConnectorResults &>(*results);
-    const unsigned int c    = counted[i];
+    const unsigned int c    = owned[i];
     const Ends        &ends = connectors[c];
     ConnectorReport    report;
     report.ends[0] = lattice.joints[ends.first_joint];

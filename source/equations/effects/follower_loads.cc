@@ -98,10 +98,10 @@ namespace auxfem
   Quaternion FollowerLoads::rotation(const Joint &joint,
                                      const State &state) const
   {
-    const int turn_about_z = joint[rotation_z];
+    const int rotation_about_z = joint[rotation_z];
     return is_planar
-      ? exponential(SpaceVector({0, 0, state.displacement[turn_about_z]}))
-      : state.rotations[numbering.rotations().with(turn_about_z)];
+      ? exponential(SpaceVector({0, 0, state.displacement[rotation_about_z]}))
+      : state.rotations[numbering.rotations().with(rotation_about_z)];
   }
 
   void FollowerLoads::subtract(const double      factor,

@@ -16,13 +16,13 @@ namespace auxfem
       block[n * i + j] = block[n * j + i] = value;
     }
 
-    /** Forces along @p column in column j of such a block, of a condition with the gradient @p row in row j. */
+    /** Forces along @p column in column j of such a block, of a constraint with the gradient @p row in row j. */
     template <std::size_t n>
-    void set_condition(std::array<double, n * n> &block,
-                       const unsigned int         i,
-                       const unsigned int         j,
-                       const double               column,
-                       const double               row)
+    void set_constraint(std::array<double, n * n> &block,
+                        const unsigned int         i,
+                        const unsigned int         j,
+                        const double               column,
+                        const double               row)
     {
       block[n * i + j] = column;
       block[n * j + i] = row;
@@ -30,7 +30,7 @@ namespace auxfem
   } // namespace
 
   template <int dim>
-  void NaturalParts<dim>::add_conditions(const NaturalBody<dim> &body)
+  void NaturalParts<dim>::add_constraints(const NaturalBody<dim> &body)
   {
     const RigidPart &part = lattice.rigid_parts[body.part];
     unsigned int     next = 0;
@@ -45,10 +45,10 @@ namespace auxfem
     bases.push_back(base);
     for (unsigned int k = 2; k < part.joints.size(); ++k)
       {
-        const NaturalPlace place =
-          place_in<dim>(part, lattice, lattice.joints[part.joints[k]]);
+        const NaturalPosition position =
+          position_in<dim>(part, lattice, lattice.joints[part.joints[k]]);
         Joint joint;
-        joint.place_in_part = k;
+        joint.index_in_part = k;
         std::copy(body.base.begin(),
                   body.base.end(),
                   joint.unknowns.begin() + dim);
@@ -56,7 +56,7 @@ namespace auxfem
           {
             joint.unknowns[c] = numbering.joint_unknown(part.joints[k], c);
             joint.unknowns[3 * dim + c] = multiplier();
-            joint.shapes[c]             = shape<dim>(place, c);
+            joint.shapes[c]             = shape<dim>(position, c);
           }
         joints.push_back(joint);
       }
@@ -81,12 +81,13 @@ namespace auxfem
     if (evaluation.kind != Evaluation::Kind::between || !large_rotation)
       return gradient(clamp, u1);
     // With the mean of the normals, e_1 . d_1 - e_0 . d_0 is that times the
-    // increment of d, plus the turned mean times the mean of d and the turn.
+    // increment of d, plus the turned mean times the mean of d and the
+    // increment of rotation.
     const double     *u0   = evaluation.from.displacement.data();
-    const PlaneVector mean = (clamp.condition.normal(u0[clamp.unknowns[4]]) +
-                              clamp.condition.normal(u1[clamp.unknowns[4]])) /
+    const PlaneVector mean = (clamp.constraint.normal(u0[clamp.unknowns[4]]) +
+                              clamp.constraint.normal(u1[clamp.unknowns[4]])) /
       2,
-                      d = clamp.condition.rest +
+                      d = clamp.constraint.rest +
       (across_base<2>(clamp.unknowns, u0) +
        across_base<2>(clamp.unknowns, u1)) /
         2;
@@ -114,14 +115,15 @@ namespace auxfem
             row += G *
               across_base<dim>(unknowns, evaluation.to.acceleration->data());
             if (large_rotation)
-              row += base.condition.curvature() *
+              row += base.constraint.curvature() *
                 across_base<dim>(unknowns, evaluation.to.velocity->data())
                   .norm_square();
           }
         else
           {
             const Vec stretch = across_base<dim>(unknowns, u);
-            row += large_rotation ? base.condition.value(stretch) : G * stretch;
+            row +=
+              large_rotation ? base.constraint.value(stretch) : G * stretch;
           }
       }
   }
@@ -180,15 +182,15 @@ namespace auxfem
               {
                 const double      rate = v[unknowns[4]];
                 const PlaneVector d =
-                  clamp.condition.rest + across_base<2>(unknowns, u);
+                  clamp.constraint.rest + across_base<2>(unknowns, u);
                 row += 2 * rate *
-                    (clamp.condition.normal_derivative(u[unknowns[4]]) *
+                    (clamp.constraint.normal_derivative(u[unknowns[4]]) *
                      across_base<2>(unknowns, v)) -
                   rate * rate * (along * d);
               }
           }
         else if (large_rotation)
-          row += along * (clamp.condition.rest + across_base<2>(unknowns, u));
+          row += along * (clamp.constraint.rest + across_base<2>(unknowns, u));
         else
           row += along * across_base<2>(unknowns, u) + turn * u[unknowns[4]];
       }
@@ -207,13 +209,13 @@ namespace auxfem
         const Vec    G                  = gradient(base, u);
         const Vec    direction          = force_direction(base, evaluation);
         const double geometric          = large_rotation ? factors.stiffness *
-            u[base.unknowns[2 * dim]] * base.condition.curvature()
+            u[base.unknowns[2 * dim]] * base.constraint.curvature()
                                                          : 0.;
         std::array<double, n *n> values = {};
         for (unsigned int c = 0; c < dim; ++c)
           {
-            set_condition<n>(values, c, 2 * dim, -direction[c], -G[c]);
-            set_condition<n>(values, dim + c, 2 * dim, direction[c], G[c]);
+            set_constraint<n>(values, c, 2 * dim, -direction[c], -G[c]);
+            set_constraint<n>(values, dim + c, 2 * dim, direction[c], G[c]);
             set_pair<n>(values, c, c, geometric);
             set_pair<n>(values, dim + c, dim + c, geometric);
             set_pair<n>(values, c, dim + c, -geometric);
@@ -252,19 +254,19 @@ namespace auxfem
         const auto [along, turn]         = gradient(clamp, u);
         const auto             direction = force_direction(clamp, evaluation);
         std::array<double, 36> values    = {};
-        set_condition<6>(values, 4, 5, direction.second, turn);
+        set_constraint<6>(values, 4, 5, direction.second, turn);
         for (unsigned int c = 0; c < 2; ++c)
           {
-            set_condition<6>(values, c, 5, -direction.first[c], -along[c]);
-            set_condition<6>(values, 2 + c, 5, direction.first[c], along[c]);
+            set_constraint<6>(values, c, 5, -direction.first[c], -along[c]);
+            set_constraint<6>(values, 2 + c, 5, direction.first[c], along[c]);
           }
         if (large_rotation)
           {
             const double      force = factors.stiffness * u[clamp.unknowns[5]];
             const PlaneVector d =
-              clamp.condition.rest + across_base<2>(clamp.unknowns, u);
+              clamp.constraint.rest + across_base<2>(clamp.unknowns, u);
             const PlaneVector derivative =
-              clamp.condition.normal_derivative(u[clamp.unknowns[4]]);
+              clamp.constraint.normal_derivative(u[clamp.unknowns[4]]);
             set_pair<6>(values, 4, 4, -force * (along * d));
             for (unsigned int c = 0; c < 2; ++c)
               {
@@ -320,7 +322,7 @@ namespace auxfem
     report.forces.resize(lattice.rigid_parts[body.part].joints.size());
 
     // What the joints exert is the body's inertia less its weight, and what
-    // its conditions take up.
+    // its constraints take up.
     std::array<double, 2 *dim> on_base = {};
     for (unsigned int r = 0; r < 2 * dim; ++r)
       for (unsigned int s = 0; s < 2 * dim; ++s)
@@ -338,7 +340,7 @@ namespace auxfem
         {
           const Joint &joint  = joints[k];
           const double lambda = u[joint.unknowns[3 * dim + c]];
-          report.forces[joint.place_in_part][c] = lambda;
+          report.forces[joint.index_in_part][c] = lambda;
           for (unsigned int r = 0; r < 2 * dim; ++r)
             on_base[r] -= lambda * joint.shapes[c][r];
         }

@@ -233,8 +233,8 @@ namespace auxfem
            const std::optional<dealii::Tensor<1, 3>> & /*reference*/,
            const dealii::Tensor<1, 3> &rotation)
       {
-        const double         turn = large_rotation ? rotation[2] : 0.;
-        const double         c = std::cos(turn), s = std::sin(turn);
+        const double         angle = large_rotation ? rotation[2] : 0.;
+        const double         c = std::cos(angle), s = std::sin(angle);
         const double         normal[2] = {-tangent[1], tangent[0]};
         dealii::Tensor<2, 3> axes;
         for (unsigned int d = 0; d < 2; ++d)

@@ -69,7 +69,7 @@ namespace auxfem
       double sum = 0;
       for_each([&](const auto &body) {
         constexpr unsigned int n = std::tuple_size_v<decltype(body.base)>;
-        if (body.counted)
+        if (body.owned)
           for (unsigned int i = 0; i < n; ++i)
             for (unsigned int j = 0; j < n; ++j)
               sum += body.mass[n * i + j] * x[body.base[i]] * y[body.base[j]];

@@ -92,7 +92,7 @@ namespace auxfem
             block = factors.stiffness * tangent.by_spin +
               (factors.damping * tangent.by_velocity +
                factors.mass * tangent.by_acceleration) *
-                rotations.turn_by_spin(evaluation, rotation);
+                rotations.increment_by_spin(evaluation, rotation);
           }
         double values[9];
         for (unsigned int r = 0; r < 3; ++r)

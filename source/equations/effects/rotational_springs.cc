@@ -1,4 +1,4 @@
-#include <auxfem/elements/cayley_turn.h>
+#include <auxfem/elements/cayley_rotation.h>
 #include <auxfem/equations/effects/rotational_springs.h>
 
 #include <cmath>
@@ -78,7 +78,7 @@ namespace auxfem
         const int base = spring.unknowns[0], end = spring.unknowns[1];
         double    moment =
           spring.stiffness * (angle(spring, u0) + angle(spring, u1)) / 2;
-        // Moments do work on Cayley's measure of the turns.
+        // Moments do work on Cayley's measure of the increments.
         if (is_large)
           {
             const double d_base = base >= 0 ? (u1[base] - u0[base]) / 2 : 0.,

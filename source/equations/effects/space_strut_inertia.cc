@@ -40,15 +40,15 @@ namespace auxfem
       {
         for (const DofNumbering::Element &element : numbering.elements())
           {
-            const Strut   &strut    = lattice.struts[element.place.strut];
+            const Strut   &strut    = lattice.struts[element.interval.strut];
             const Section &section  = sections[strut.section];
             const double   jacobian = lattice.length(strut) *
-              (element.place.end - element.place.begin) / 2;
+              (element.interval.end - element.interval.begin) / 2;
             elements.push_back({section.mass_per_length() * jacobian,
                                 section.mass_proportional_damping,
                                 element.is_owned});
             if (rotary)
-              add_rotary_inertia(lattice, element.place, section, jacobian);
+              add_rotary_inertia(lattice, element.interval, section, jacobian);
           }
       }
 
@@ -140,7 +140,7 @@ namespace auxfem
       {
         double mass;    ///< rho A times half the length (kg)
         double damping; ///< alpha (1/s)
-        bool   counted;
+        bool   owned;
       };
 
       /** What the nodes of an element do in turning. */
@@ -197,15 +197,15 @@ namespace auxfem
       }
 
       /** M_ab of one element more, in the global frame at rest. */
-      void add_rotary_inertia(const Lattice          &lattice,
-                              const StrutMesh::Place &place,
-                              const Section          &section,
-                              const double            jacobian)
+      void add_rotary_inertia(const Lattice             &lattice,
+                              const StrutMesh::Interval &interval,
+                              const Section             &section,
+                              const double               jacobian)
       {
         // One more point than the mass of a straight strut needs, as the axes
         // turn along an arc.
         static const dealii::QGauss<1> rule(order + 2);
-        const Strut                   &strut = lattice.struts[place.strut];
+        const Strut                   &strut = lattice.struts[interval.strut];
         const std::size_t              first = pair_inertias.size();
         pair_inertias.resize(first + n_pairs);
         const std::array<double, 3> values =
@@ -215,7 +215,7 @@ namespace auxfem
             dealii::Point<3> position;
             SpaceVector      tangent;
             const double     xi = 2 * rule.point(q)[0] - 1;
-            lattice.axis(strut, place.at(xi), position, tangent);
+            lattice.axis(strut, interval.at(xi), position, tangent);
             const SpaceTensor inertia =
               with_principal_values(section_frame(tangent, section.reference),
                                     SpaceVector(
@@ -274,17 +274,17 @@ namespace auxfem
         SpaceTensor    by_spin[order + 1];
         for (int i = 0; i <= order; ++i)
           by_spin[i] =
-            node_rotations.turn_by_spin(evaluation,
-                                        numbering.rotations().with(
-                                          unknowns[n_components * i + 3]));
+            node_rotations.increment_by_spin(evaluation,
+                                             numbering.rotations().with(
+                                               unknowns[n_components * i + 3]));
         for (int i = 0; i <= order; ++i)
           {
-            const SpaceTensor turning =
+            const SpaceTensor rotational =
               factors.damping * cross_product_tensor(rotating.velocity[i]);
             for (int j = 0; j <= order; ++j)
               {
                 const SpaceTensor &M      = pair_inertia(e, i, j);
-                SpaceTensor        values = mass * M + turning * M;
+                SpaceTensor        values = mass * M + rotational * M;
                 if (i == j)
                   values -= factors.damping *
                     cross_product_tensor(rotating.momentum[i]);
@@ -304,7 +304,7 @@ namespace auxfem
       {
         double sum = 0;
         for (unsigned int e = 0; e < elements.size(); ++e)
-          if (elements[e].counted)
+          if (elements[e].owned)
             {
               const int *unknowns   = numbering.element_unknowns(e);
               const auto v          = gather(x.data(), unknowns, 0);

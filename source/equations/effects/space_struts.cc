@@ -9,13 +9,13 @@ namespace auxfem
   {
     /** Beam3D with large rotations for BeamForces. */
     template <int p, bool damped>
-    struct TurningMotion
+    struct RotatingMotion
     {
       static constexpr int order = p;
       Beam3D::Node         nodes[order + 1];
       Beam3D::NodeVelocity velocities[damped ? order + 1 : 1];
       /** Rotation vectors added up over the steps. */
-      SpaceVector turns[order + 1];
+      SpaceVector rotations[order + 1];
     };
 
     /** Unknowns and velocities of the small-displacement form. */
@@ -45,7 +45,7 @@ namespace auxfem
         double            damping_time; ///< s
       };
       using Motion = std::conditional_t<large_rotation,
-                                        TurningMotion<p, damped>,
+                                        RotatingMotion<p, damped>,
                                         SmallMotion<p, damped>>;
 
       static Motion motion(const DofNumbering &numbering,
@@ -71,8 +71,8 @@ namespace auxfem
               const int        *node = unknowns + n_components * a;
               const Quaternion &rotation =
                 state.rotations[numbering.rotations().with(node[3])];
-              motion.nodes[a] = {vector_at(u, node), rotation};
-              motion.turns[a] = vector_at(u, node + 3);
+              motion.nodes[a]     = {vector_at(u, node), rotation};
+              motion.rotations[a] = vector_at(u, node + 3);
               if constexpr (damped)
                 motion.velocities[a] = {vector_at(v, node),
                                         rotated(rotation,
@@ -294,7 +294,7 @@ namespace auxfem
         if constexpr (large_rotation)
           {
             for (int a = 0; a <= order; ++a)
-              sum += shape_values[a] * motion.turns[a];
+              sum += shape_values[a] * motion.rotations[a];
             return rotation_vector_near(
               Beam3D::RelativeRotations<order>(motion.nodes).at(shape_values),
               sum);
@@ -359,7 +359,7 @@ namespace auxfem
                 cross_product_tensor(motion.velocities[a].angular) +
               factors.damping *
                 rotated(evaluation.to.rotations[i],
-                        rotations.turn_by_spin(evaluation, i));
+                        rotations.increment_by_spin(evaluation, i));
           }
         return by_spin;
       }

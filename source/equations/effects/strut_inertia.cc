@@ -22,10 +22,10 @@ namespace auxfem
       {
         for (const DofNumbering::Element &element : numbering.elements())
           {
-            const Strut   &strut    = lattice.struts[element.place.strut];
+            const Strut   &strut    = lattice.struts[element.interval.strut];
             const Section &section  = sections[strut.section];
             const double   jacobian = lattice.length(strut) *
-              (element.place.end - element.place.begin) / 2;
+              (element.interval.end - element.interval.begin) / 2;
             elements.push_back(
               {section.mass_per_length() * jacobian,
                rotary_inertia
@@ -122,7 +122,7 @@ namespace auxfem
         double mass;    ///< rho A times half the length (kg)
         double rotary;  ///< rho I times half the length (kg m2)
         double damping; ///< alpha (1/s)
-        bool   counted;
+        bool   owned;
       };
 
       template <class Weight>
@@ -131,7 +131,7 @@ namespace auxfem
       {
         double sum = 0;
         for (unsigned int e = 0; e < elements.size(); ++e)
-          if (elements[e].counted)
+          if (elements[e].owned)
             {
               const int *unknowns = numbering.element_unknowns(e);
               double     linear = 0, rotary = 0;

@@ -182,7 +182,7 @@ namespace auxfem
       if (chord.norm() == 0.)
         throw InputError(item.where +
                          "has zero length: its two joints lie at the same "
-                         "place. Make a ring of two or more arcs.");
+                         "position. Make a ring of two or more arcs.");
       check_normal(strut, chord, item);
 
       for (const UnitStrut &other : cell.struts)

@@ -134,9 +134,9 @@ namespace auxfem
         std::vector<double>      x, unused;
         gmsh::model::mesh::getNodes(nodes, x, unused);
         for (std::size_t i = 0; i < nodes.size(); ++i)
-          mesh.places[nodes[i]] = {unit * x[3 * i],
-                                   unit * x[3 * i + 1],
-                                   unit * x[3 * i + 2]};
+          mesh.positions[nodes[i]] = {unit * x[3 * i],
+                                      unit * x[3 * i + 1],
+                                      unit * x[3 * i + 2]};
       }
 
       void read_lines(LineMesh &mesh) const

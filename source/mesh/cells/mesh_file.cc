@@ -1,7 +1,7 @@
 #include <auxfem/mesh/arc.h>
 #include <auxfem/mesh/cells/entries.h>
 #include <auxfem/mesh/cells/gmsh_reader.h>
-#include <auxfem/mesh/place_text.h>
+#include <auxfem/mesh/position_text.h>
 #include <auxfem/parameters/errors.h>
 
 #include <algorithm>
@@ -63,36 +63,36 @@ namespace auxfem
       /** Largest extent of the lines (m). */
       double size() const
       {
-        const dealii::Point<3> start  = place(mesh.lines.front().first);
+        const dealii::Point<3> start  = position(mesh.lines.front().first);
         dealii::Point<3>       lowest = start, highest = start;
         for (const LineMesh::Line &line : mesh.lines)
           for (const std::size_t node : {line.first, line.second})
             for (unsigned int d = 0; d < 3; ++d)
               {
-                lowest[d]  = std::min(lowest[d], place(node)[d]);
-                highest[d] = std::max(highest[d], place(node)[d]);
+                lowest[d]  = std::min(lowest[d], position(node)[d]);
+                highest[d] = std::max(highest[d], position(node)[d]);
               }
         const dealii::Tensor<1, 3> extent = highest - lowest;
         return std::max({extent[0], extent[1], extent[2]});
       }
 
-      const dealii::Point<3> &place(const std::size_t node) const
+      const dealii::Point<3> &position(const std::size_t node) const
       {
-        return mesh.places.at(node);
+        return mesh.positions.at(node);
       }
 
       /**
        * In the plane without the round-off of a rotation in space, if it has
        * any.
        */
-      dealii::Point<3> checked_place(const std::size_t node) const
+      dealii::Point<3> checked_position(const std::size_t node) const
       {
-        const dealii::Point<3> &p = place(node);
+        const dealii::Point<3> &p = position(node);
         if (!is_planar)
           return p;
         if (std::abs(p[2]) > tolerance)
           throw InputError(where + "node " + std::to_string(node) +
-                           " lies at " + place_text(p, 3) +
+                           " lies at " + position_text(p, 3) +
                            ".\nIn a planar scene all nodes of lines must have "
                            "z = 0. Set Dimension = 3 at the top of the "
                            "parameter file for a frame in space.");
@@ -107,7 +107,7 @@ namespace auxfem
         for (auto &[node, joint] : joint_of_node)
           {
             joint = cell.joints.size();
-            cell.joints.push_back(checked_place(node));
+            cell.joints.push_back(checked_position(node));
           }
       }
 
@@ -136,13 +136,15 @@ namespace auxfem
        */
       void set_shape(const LineMesh::Line &line, UnitStrut &strut) const
       {
-        const dealii::Point<3>     start = checked_place(line.first);
-        const dealii::Tensor<1, 3> chord = checked_place(line.second) - start;
+        const dealii::Point<3>     start = checked_position(line.first);
+        const dealii::Tensor<1, 3> chord =
+          checked_position(line.second) - start;
         if (chord.norm() <= tolerance)
-          throw InputError(text_of(line) +
-                           " has zero length: its ends lie at the same place. "
-                           "Remove it, or divide a ring into two or more "
-                           "arcs.");
+          throw InputError(
+            text_of(line) +
+            " has zero length: its ends lie at the same position. "
+            "Remove it, or divide a ring into two or more "
+            "arcs.");
         if (line.middle == LineMesh::no_node)
           return;
         if (joint_of_node.count(line.middle) > 0)
@@ -152,7 +154,8 @@ namespace auxfem
                            "Struts meet at their ends only: divide the line "
                            "there.");
 
-        const auto arc = arc_through(chord, checked_place(line.middle) - start);
+        const auto arc =
+          arc_through(chord, checked_position(line.middle) - start);
         if (!arc)
           throw InputError(text_of(line) + " turns back: its middle node " +
                            std::to_string(line.middle) +

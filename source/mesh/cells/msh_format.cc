@@ -260,7 +260,7 @@ namespace auxfem
             {
               read_tag("number of an entity");
               for (unsigned int c = 0; c < (dimension == 0 ? 3 : 6); ++c)
-                words.real("place of an entity");
+                words.real("position of an entity");
               read_tags("number of physical groups", "physical group");
               if (dimension > 0)
                 read_tags("number of boundaries", "boundary");
@@ -283,7 +283,7 @@ namespace auxfem
         nodes.insert(tag);
       }
 
-      void read_place(const long long n_numbers)
+      void read_position(const long long n_numbers)
       {
         for (long long c = 0; c < n_numbers; ++c)
           words.real("coordinate of a node");
@@ -295,7 +295,7 @@ namespace auxfem
         for (long long i = 0; i < n; ++i)
           {
             add_node();
-            read_place(3);
+            read_position(3);
           }
       }
 
@@ -315,7 +315,7 @@ namespace auxfem
             for (long long i = 0; i < size; ++i)
               add_node();
             for (long long i = 0; i < size; ++i)
-              read_place(3 + (is_parametric ? dimension : 0));
+              read_position(3 + (is_parametric ? dimension : 0));
             found += size;
           }
         expect_total(n, found, "nodes");

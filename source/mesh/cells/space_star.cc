@@ -50,10 +50,11 @@ namespace auxfem
     {
       for (unsigned int tip = 0; tip < n_tips; ++tip)
         {
-          dealii::Point<3> place;
+          dealii::Point<3> position;
           for (unsigned int axis = 0; axis < 3; ++axis)
-            place[axis] = tip_is_positive(tip, axis) ? coordinate : -coordinate;
-          cell.joints.push_back(place);
+            position[axis] =
+              tip_is_positive(tip, axis) ? coordinate : -coordinate;
+          cell.joints.push_back(position);
           cell.joint_sets["tips"].push_back(tip);
         }
     }
@@ -63,9 +64,9 @@ namespace auxfem
     {
       for (unsigned int side = 0; side < space_star_sides.size(); ++side)
         {
-          dealii::Point<3> place;
-          place[side / 2] = side_is_positive(side) ? distance : -distance;
-          cell.joints.push_back(place);
+          dealii::Point<3> position;
+          position[side / 2] = side_is_positive(side) ? distance : -distance;
+          cell.joints.push_back(position);
         }
     }
 

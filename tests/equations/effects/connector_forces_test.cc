@@ -12,12 +12,13 @@ using namespace auxfem::testing_support;
 namespace
 {
   /** A bent strut of two pieces, joints (0, 0), (3, 4), (1, 6). */
-  std::string with_connector(const std::string &law, const std::string &place)
+  std::string with_connector(const std::string &law,
+                             const std::string &position)
   {
     return frame_scene("0 0; 3 4; 1 6",
                        "0 1; 1 2",
                        "subsection Connectors\n  subsection one\n" + law +
-                         place + "  end\nend\n");
+                         position + "  end\nend\n");
   }
 
   const std::string spring         = "set Law = spring\n"
@@ -45,10 +46,10 @@ namespace
   struct ConnectorAlone
   {
     explicit ConnectorAlone(const std::string &law,
-                            const std::string &place,
+                            const std::string &position,
                             const bool         large_rotation = true,
                             const bool         is_dynamic     = true)
-      : of_scene(with_connector(law, place), {}, MPI_COMM_SELF)
+      : of_scene(with_connector(law, position), {}, MPI_COMM_SELF)
       , forces(of_scene.scene.connectors[0],
                select_pairs(of_scene.lattice,
                             of_scene.scene.connectors[0].between,
@@ -299,13 +300,13 @@ namespace
 TEST(ConnectorForces, TangentIsTheDerivativeOfTheForceAtLargeRotations)
 {
   for (const std::string &law : {spring, kelvin_voigt, maxwell})
-    for (const std::string &place :
+    for (const std::string &position :
          {from_0_to_1, along_1_1, to_the_ground, ground_along_x})
       for (const bool large : {true, false})
         {
-          SCOPED_TRACE(law + place);
-          ConnectorAlone in_dynamics(law, place, large),
-            in_statics(law, place, large, /*is_dynamic=*/false);
+          SCOPED_TRACE(law + position);
+          ConnectorAlone in_dynamics(law, position, large),
+            in_statics(law, position, large, /*is_dynamic=*/false);
           check_tangent(in_dynamics, {0.8, 1.7, 3.});
           // There a velocity is a difference over the step.
           check_tangent(in_statics, {0.8, 0.8 / in_statics.dt, 0.});
@@ -493,7 +494,7 @@ TEST(ConnectorForces, ANonlinearLawMakesAllEquationsNonlinear)
 TEST(ConnectorForces, ALineOfLengthZeroIsRefused)
 {
   const std::string message = input_error_of([] {
-    // Two joints at one place, not connected by a strut.
+    // Two joints at one position, not connected by a strut.
     EquationsOnRanks(with_connector(spring, "set Between = 1 3\n"),
                      {"Lattice/Joints=0 0; 3 4; 1 6; 3 4",
                       "Lattice/Struts=0 1; 2 3"});

@@ -128,9 +128,9 @@ TEST(FollowerLoads, WorkOfASmallStepIsThatOfTheLoadAlongIt)
         work -= rows[i] * (one.to.displacement[i] - one.from.displacement[i]);
     }
   const SpaceVector turn =
-    one.rotations.spatial_turn(step,
-                               dofs.rotations().with(
-                                 dofs.joint_unknown(1, rotation_z)));
+    one.rotations.spatial_increment(step,
+                                    dofs.rotations().with(
+                                      dofs.joint_unknown(1, rotation_z)));
   for (unsigned int c = 0; c < 3; ++c)
     work -= rows[dofs.joint_unknown(1, 3 + c)] * turn[c];
   // The mean of both ends of the step against its end: the square of it.

@@ -29,7 +29,7 @@ namespace
 
   struct Connector
   {
-    std::string law, place;
+    std::string law, position;
   };
 
   std::vector<Connector> all_connectors()
@@ -47,14 +47,14 @@ namespace
       "set Spring stiffness = 2\nset Damping coefficient = 30\n",
       "set Law = generalized-maxwell\nset Long-time stiffness = 0.4\n"
       "set Stiffnesses = 1, 0.3\nset Relaxation times = 0.05, 4\n"};
-    const std::vector<std::string> places = {
+    const std::vector<std::string> positions = {
       "set Between = 0 1\n",
       "set Between = 0 1\nset Geometry = direction\nset Direction = 1 1\n",
       "set Between = ground: 1\nset Ground offset = 0 -2\n"};
     std::vector<Connector> result;
     for (const std::string &law : laws)
-      for (const std::string &place : places)
-        result.push_back({law, place});
+      for (const std::string &position : positions)
+        result.push_back({law, position});
     return result;
   }
 
@@ -75,11 +75,11 @@ TEST(MeanForces, WorkOfConnectorsIsStoredOrLost)
     for (const bool large_rotation : {true, false})
       for (unsigned int seed = 1; seed <= 5; ++seed)
         {
-          SCOPED_TRACE(connector.law + connector.place);
+          SCOPED_TRACE(connector.law + connector.position);
           MeanStep   step(frame_scene("0 0; 3 1; 1 2",
                                     "0 1; 1 2",
                                     "subsection Connectors\nsubsection one\n" +
-                                      connector.law + connector.place +
+                                      connector.law + connector.position +
                                       "end\nend\n"),
                         seed,
                         large_rotation);
@@ -93,9 +93,9 @@ TEST(MeanForces, WorkOfConnectorsIsStoredOrLost)
                       mean_forces_round_off);
           EXPECT_GE(after.dissipated(), 0);
           const bool to_the_ground =
-            connector.place.find("ground") != std::string::npos;
+            connector.position.find("ground") != std::string::npos;
           const bool turns_no_direction =
-            connector.place.find("direction") == std::string::npos &&
+            connector.position.find("direction") == std::string::npos &&
             large_rotation;
           const auto sums = step.resultants(evaluated.residual.data());
           if (!to_the_ground)
@@ -185,7 +185,7 @@ TEST(MeanForces, MeanOfADeadMomentDoesItsWorkOnTheAngle)
               mean_forces_round_off);
 }
 
-TEST(MeanForces, MultipliersWorkOnTheChangeOfTheirConditions)
+TEST(MeanForces, MultipliersWorkOnTheChangeOfTheirConstraints)
 {
   const std::string plate = frame_scene("0 0; 2 0.3; 1.6 1.1; 0.2 1.4; 3 2",
                                         "0 1; 1 2; 0 3; 2 4; 3 4",
@@ -198,17 +198,17 @@ TEST(MeanForces, MultipliersWorkOnTheChangeOfTheirConditions)
                                         "end\n");
   for (const bool large_rotation : {true, false})
     {
-      MeanStep                  step(plate, 2, large_rotation);
-      const auto               &dofs = step.of_scene.dofs();
-      const RigidPartConditions conditions(step.of_scene.model.bodies,
-                                           step.of_scene.lattice,
-                                           dofs,
-                                           large_rotation,
-                                           {});
-      const EvaluatedAlone      end(conditions, step.evaluation());
+      MeanStep                   step(plate, 2, large_rotation);
+      const auto                &dofs = step.of_scene.dofs();
+      const RigidPartConstraints constraints(step.of_scene.model.bodies,
+                                             step.of_scene.lattice,
+                                             dofs,
+                                             large_rotation,
+                                             {});
+      const EvaluatedAlone       end(constraints, step.evaluation());
       // Their values at the start.
       State                now = step.from;
-      const EvaluatedAlone start(conditions,
+      const EvaluatedAlone start(constraints,
                                  Evaluation::step(step.from, now, step.dt));
       double               work = 0;
       for (const int multiplier : dofs.constraints().multipliers())
@@ -218,7 +218,7 @@ TEST(MeanForces, MultipliersWorkOnTheChangeOfTheirConditions)
       EXPECT_NEAR(step.work(end.residual.data()), work, mean_forces_round_off);
       if (!large_rotation)
         continue;
-      // Two multipliers of each joint off the base hold a place; what is
+      // Two multipliers of each joint off the base hold a position; what is
       // missing to it, at random here, is the lever of their pair of forces.
       double moment = 0;
       for (const unsigned int joint : {0, 1})

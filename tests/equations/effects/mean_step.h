@@ -96,7 +96,8 @@ namespace auxfem
         return sum;
       }
 
-      /** Sums of forces, and of moments about the mean places of the step. */
+      /** Sums of forces, and of moments about the mean positions of the step.
+       */
       std::array<double, 3> resultants(const double *forces) const
       {
         const std::vector<NamedUnknown> names = name_unknowns(of_scene.model);
@@ -116,11 +117,11 @@ namespace auxfem
                 continue;
               }
             sums[component] += forces[i];
-            std::get<3>(partner)     = 1 - component;
-            const unsigned int other = unknowns.at(partner);
-            const double       place = names[i].position[1 - component] +
+            std::get<3>(partner)        = 1 - component;
+            const unsigned int other    = unknowns.at(partner);
+            const double       position = names[i].position[1 - component] +
               (from.displacement[other] + to.displacement[other]) / 2;
-            sums[2] += (component == 1 ? 1 : -1) * place * forces[i];
+            sums[2] += (component == 1 ? 1 : -1) * position * forces[i];
           }
         return sums;
       }

@@ -27,8 +27,8 @@ namespace
       masses.register_in(layout);
       make_room(layout, from);
       make_room(layout, to);
-      fill_by_place(of_scene.model, 3., *to.velocity);
-      fill_by_place(of_scene.model, 4., *to.acceleration);
+      fill_by_position(of_scene.model, 3., *to.velocity);
+      fill_by_position(of_scene.model, 4., *to.acceleration);
     }
 
     Evaluation step()

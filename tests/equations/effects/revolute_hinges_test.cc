@@ -1,5 +1,5 @@
 #include <auxfem/equations/effects/revolute_hinges.h>
-#include <auxfem/model/unknown_words.h>
+#include <auxfem/model/unknown_names.h>
 #include <auxfem/parameters/errors.h>
 
 #include <equations/effects/space_effect.h>
@@ -34,7 +34,7 @@ namespace
                 "0 1; 1 2; 1 3",
                 revolute("1", "1, 2", "1 2 -0.5"));
 
-  /** The hinge conditions of the forked alone. */
+  /** The hinge constraints of the forked alone. */
   struct ForkHinges : SpaceEffect
   {
     explicit ForkHinges(const bool large_rotation)
@@ -59,14 +59,14 @@ namespace
   };
 } // namespace
 
-TEST(RevoluteHinges, EveryReleasedStrutHasTwoConditions)
+TEST(RevoluteHinges, EveryReleasedStrutHasTwoConstraints)
 {
   const EquationsOnRanks of_scene(forked, {}, MPI_COMM_SELF);
   const auto            &dofs = of_scene.dofs();
   EXPECT_EQ(dofs.constraints().n_multipliers(), 4u);
-  EXPECT_EQ(of_scene.equations.reporting().conditions.size(), 1u);
+  EXPECT_EQ(of_scene.equations.reporting().constraints.size(), 1u);
   EXPECT_EQ(describe(dofs, dofs.constraints().hinge_multiplier(1, 0)),
-            "condition of the revolute hinge at joint 1");
+            "constraint of the revolute hinge at joint 1");
 }
 
 TEST(RevoluteHinges, TangentIsThatOfDifferences)
@@ -79,16 +79,16 @@ TEST(RevoluteHinges, TangentIsThatOfDifferences)
     }
 }
 
-TEST(RevoluteHinges, MomentsAreDerivativesOfTheConditions)
+TEST(RevoluteHinges, MomentsAreDerivativesOfTheConstraints)
 {
   for (const bool large_rotation : {true, false})
     {
       ForkHinges forked(large_rotation);
-      forked.expect_forces_by_conditions(forked.hinges);
+      forked.expect_forces_by_constraints(forked.hinges);
     }
 }
 
-TEST(RevoluteHinges, RatesAreThoseOfTheConditions)
+TEST(RevoluteHinges, RatesAreThoseOfTheConstraints)
 {
   for (const bool large_rotation : {true, false})
     {

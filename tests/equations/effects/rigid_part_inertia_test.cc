@@ -48,11 +48,11 @@ namespace
     {
       for (unsigned int joint = 0; joint < 3; ++joint)
         {
-          const auto &place = of_scene.lattice.joints[joint];
+          const auto &position = of_scene.lattice.joints[joint];
           vector[of_scene.dofs().joint_unknown(joint, 0)] =
-            -rate * (place[1] - y);
+            -rate * (position[1] - y);
           vector[of_scene.dofs().joint_unknown(joint, 1)] =
-            rate * (place[0] - x);
+            rate * (position[0] - x);
         }
     }
 

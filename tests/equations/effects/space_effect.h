@@ -1,9 +1,9 @@
 #ifndef auxfem_tests_equations_effects_space_effect_h
 #define auxfem_tests_equations_effects_space_effect_h
 
-#include <auxfem/equations/conditions.h>
+#include <auxfem/equations/constraints.h>
 #include <auxfem/equations/node_rotations.h>
-#include <auxfem/model/unknown_words.h>
+#include <auxfem/model/unknown_names.h>
 
 #include <equations/effects/effect_alone.h>
 #include <equations/equations_on_ranks.h>
@@ -106,7 +106,7 @@ end
         Vector increment(to.displacement);
         for (unsigned int i = 0; i < n; ++i)
           increment[i] = size * direction[i];
-        rotations.turn(Evaluation::step(from, state, 1.), increment);
+        rotations.rotate(Evaluation::step(from, state, 1.), increment);
         add_multiple(1., increment, state.displacement);
         add_multiple(factors.damping, increment, *state.velocity);
         add_multiple(factors.mass, increment, *state.acceleration);
@@ -149,10 +149,10 @@ end
             << describe(of_scene.dofs(), i);
       }
 
-      /** Expects forces of multipliers to be derivatives of the conditions. */
-      void expect_forces_by_conditions(const Effect &conditions)
+      /** Expects forces of multipliers to be derivatives of the constraints. */
+      void expect_forces_by_constraints(const Effect &constraints)
       {
-        const std::vector<double> rows = residual(conditions, to);
+        const std::vector<double> rows = residual(constraints, to);
         const double              h    = 1e-5;
         for (unsigned int i = 0; i < n; ++i)
           {
@@ -160,8 +160,8 @@ end
               continue;
             std::vector<double> direction(n, 0.);
             direction[i]        = 1;
-            const auto forward  = residual(conditions, moved(direction, h)),
-                       backward = residual(conditions, moved(direction, -h));
+            const auto forward  = residual(constraints, moved(direction, h)),
+                       backward = residual(constraints, moved(direction, -h));
             double work         = 0;
             for (unsigned int k = 0; k < n; ++k)
               if (is_multiplier(k))
@@ -173,17 +173,17 @@ end
 
       /** Expects first and second derivatives in time to be those of
        * differences. */
-      void expect_time_derivatives(const Conditions &conditions)
+      void expect_time_derivatives(const Constraints &constraints)
       {
         const double        small = 1e-5, long_step = 1e-3;
         std::vector<double> rates(n, 0.);
-        conditions.find_rates(to, rates.data());
-        const auto second   = residual_of_rates(conditions),
-                   here     = residual(conditions, to),
-                   forward  = residual(conditions, at_time(small)),
-                   backward = residual(conditions, at_time(-small)),
-                   later    = residual(conditions, at_time(long_step)),
-                   before   = residual(conditions, at_time(-long_step));
+        constraints.find_rates(to, rates.data());
+        const auto second   = residual_of_rates(constraints),
+                   here     = residual(constraints, to),
+                   forward  = residual(constraints, at_time(small)),
+                   backward = residual(constraints, at_time(-small)),
+                   later    = residual(constraints, at_time(long_step)),
+                   before   = residual(constraints, at_time(-long_step));
         for (unsigned int i = 0; i < n; ++i)
           if (is_multiplier(i))
             {

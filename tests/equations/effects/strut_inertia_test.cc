@@ -115,10 +115,10 @@ TEST(StrutInertia, MassProportionalDampingIsAForceOnTheVelocity)
     "Sections/band/Mass-proportional damping=0.7"};
   InertiaAlone by_velocity(oblique_strut, damped, true, true),
     by_acceleration(oblique_strut, damped, true, true);
-  fill_by_place(by_velocity.of_scene.model, 1., *by_velocity.to.velocity);
-  fill_by_place(by_acceleration.of_scene.model,
-                0.7,
-                *by_acceleration.to.acceleration);
+  fill_by_position(by_velocity.of_scene.model, 1., *by_velocity.to.velocity);
+  fill_by_position(by_acceleration.of_scene.model,
+                   0.7,
+                   *by_acceleration.to.acceleration);
   const EvaluatedAlone moving      = by_velocity.evaluated();
   const EvaluatedAlone accelerated = by_acceleration.evaluated();
   for (unsigned int i = 0; i < moving.residual.size(); ++i)
@@ -132,7 +132,7 @@ TEST(StrutInertia, MassProportionalDampingTakesThePowerOfTheStepsOwnMotion)
                    true,
                    true);
   Vector      &v = *one.from.velocity;
-  fill_by_place(one.of_scene.model, 1., v);
+  fill_by_position(one.of_scene.model, 1., v);
   // In a second at this velocity a v.M v is lost, twice a times the kinetic
   // energy, and nothing is taken by anything else.
   *one.to.velocity    = v;

@@ -68,20 +68,20 @@ namespace auxfem
       for (unsigned int e = 0; e < n_elements; ++e)
         {
           const DofNumbering::Element &element = numbering.elements()[e];
-          const Strut   &strut   = lattice.struts[element.place.strut];
+          const Strut   &strut   = lattice.struts[element.interval.strut];
           const Section &section = sections[strut.section];
           const double   length  = lattice.length(strut);
 
           Element data;
           data.length = length;
           data.jacobian =
-            length * (element.place.end - element.place.begin) / 2;
+            length * (element.interval.end - element.interval.begin) / 2;
           data.stiffness =
             Beam::stiffness(section, shear_flexibility ? 0. : length);
-          data.counted           = element.is_owned;
+          data.owned             = element.is_owned;
           data.strain_per_energy = strain_per_energy(section);
           elements.push_back(data);
-          set_frames(element.place,
+          set_frames(element.interval,
                      strut,
                      section,
                      data.jacobian,
@@ -222,10 +222,10 @@ namespace auxfem
                                    const unsigned int n_points) const override
     {
       const DofNumbering::Element &element = numbering.elements()[e];
-      const Strut                 &strut = lattice.struts[element.place.strut];
-      const int                   *unknowns = numbering.element_unknowns(e);
-      const Element               &data     = elements[e];
-      const typename Beam::Motion  motion =
+      const Strut   &strut    = lattice.struts[element.interval.strut];
+      const int     *unknowns = numbering.element_unknowns(e);
+      const Element &data     = elements[e];
+      const typename Beam::Motion motion =
         Beam::motion(numbering, unknowns, state);
       SectionForces elastic[order], viscous[order] = {};
       section_forces(e, motion, elastic, viscous);
@@ -239,7 +239,7 @@ namespace auxfem
           shape.gauss_interpolation_at(xi, H);
           StrutPoint          &point = points[i];
           dealii::Tensor<1, 3> tangent;
-          lattice.axis(strut, element.place.at(xi), point.position, tangent);
+          lattice.axis(strut, element.interval.at(xi), point.position, tangent);
           point.displacement = interpolated(N, unknowns, state.displacement);
           if (state.velocity)
             point.velocity = interpolated(N, unknowns, *state.velocity);
@@ -278,8 +278,8 @@ namespace auxfem
           double       N[order + 1];
           shape.values_at(xi, N);
           dealii::Tensor<1, 3> tangent;
-          lattice.axis(lattice.struts[element.place.strut],
-                       element.place.at(xi),
+          lattice.axis(lattice.struts[element.interval.strut],
+                       element.interval.at(xi),
                        points[i],
                        tangent);
           points[i] += interpolated(N, unknowns, displacement);
@@ -299,11 +299,11 @@ namespace auxfem
       for (unsigned int e = 0; e < elements.size(); ++e)
         {
           const Element &data = elements[e];
-          if (!data.counted ||
+          if (!data.owned ||
               2 * data.strain_per_energy * energies[e] <=
                 largest.value * largest.value * weight * data.jacobian)
             continue;
-          const unsigned int strut = numbering.elements()[e].place.strut;
+          const unsigned int strut = numbering.elements()[e].interval.strut;
           const double       strain =
             largest_strain(state, e, sections[lattice.struts[strut].section]);
           if (strain > largest.value)
@@ -324,7 +324,7 @@ namespace auxfem
       double                   length; ///< of the strut (m)
       double                   jacobian;
       typename Beam::Stiffness stiffness;
-      bool                     counted;
+      bool                     owned;
       /** See strain_per_energy() (1/N). */
       double strain_per_energy;
     };
@@ -395,7 +395,7 @@ namespace auxfem
       for (unsigned int e = 0; e < elements.size(); ++e)
         {
           const double beta = elements[e].stiffness.damping_time;
-          if (!elements[e].counted || beta == 0)
+          if (!elements[e].owned || beta == 0)
             continue;
           const ViscousForces start(*this, e, step.from, *step.from.velocity),
             end(*this, e, step.to, *step.to.velocity),
@@ -471,7 +471,7 @@ namespace auxfem
         {
           const int       *unknowns   = numbering.element_unknowns(e);
           const BeamEnergy of_element = element_force(e, force);
-          if (elements[e].counted)
+          if (elements[e].owned)
             {
               energy.strain += of_element.strain;
               energy.dissipation += of_element.dissipation;
@@ -581,19 +581,19 @@ namespace auxfem
      * Frames of the true axis; r0' is that of the interpolated axis, so the
      * strut is free of stress at rest.
      */
-    void set_frames(const StrutMesh::Place &place,
-                    const Strut            &strut,
-                    const Section          &section,
-                    const double            jacobian,
-                    typename Beam::Frame   *frame) const
+    void set_frames(const StrutMesh::Interval &interval,
+                    const Strut               &strut,
+                    const Section             &section,
+                    const double               jacobian,
+                    typename Beam::Frame      *frame) const
     {
       dealii::Point<3>     nodes[order + 1], position;
       dealii::Tensor<1, 3> tangent;
       for (int a = 0; a <= order; ++a)
-        lattice.axis(strut, place.at(shape.node[a]), nodes[a], tangent);
+        lattice.axis(strut, interval.at(shape.node[a]), nodes[a], tangent);
       for (int g = 0; g < order; ++g)
         {
-          lattice.axis(strut, place.at(shape.point[g]), position, tangent);
+          lattice.axis(strut, interval.at(shape.point[g]), position, tangent);
           dealii::Tensor<1, 3> slope;
           for (int a = 0; a <= order; ++a)
             slope += shape.derivative[g][a] / jacobian * nodes[a];

@@ -100,7 +100,7 @@ namespace auxfem
       unsigned int         first_joint, second_joint, cell;
       /** Among all pairs of the group. */
       unsigned int number;
-      bool         counted; ///< by this rank
+      bool         owned; ///< by this rank
     };
 
     /** Unknowns and geometry of a pair at rest. */
@@ -155,7 +155,7 @@ namespace auxfem
     dealii::Tensor<1, 3>                ground_offset;
     const Lattice                      &lattice;
     std::vector<Ends>                   connectors;
-    std::vector<unsigned int>           counted;
+    std::vector<unsigned int>           owned;
     /** Index of the first internal variable and of the first dissipated energy
      * in State::history. */
     std::size_t  first_history = 0, first_dissipated = 0;

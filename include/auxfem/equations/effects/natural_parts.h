@@ -20,8 +20,8 @@ namespace auxfem
   }
 
   /** In space: the shortest turn from @p rest to @p now (rad). */
-  inline SpaceVector shortest_turn(const SpaceVector &rest,
-                                   const SpaceVector &now)
+  inline SpaceVector shortest_rotation(const SpaceVector &rest,
+                                       const SpaceVector &now)
   {
     const SpaceVector across = dealii::cross_product_3d(rest, now);
     const double      sine   = across.norm();
@@ -31,7 +31,7 @@ namespace auxfem
 
   /**
    * Rigid parts in natural coordinates: bodies in the plane (dim = 2), with a
-   * condition for each clamped strut, and bars in space (dim = 3).
+   * constraint for each clamped strut, and bars in space (dim = 3).
    */
   template <int dim>
   class NaturalParts : public RigidPartGroup
@@ -47,8 +47,8 @@ namespace auxfem
     {
       for (unsigned int b = 0; b < bodies.size(); ++b)
         {
-          add_conditions(bodies[b]);
-          if (bodies[b].counted)
+          add_constraints(bodies[b]);
+          if (bodies[b].owned)
             reported.push_back(b);
         }
       joint_begin.push_back(joints.size());
@@ -69,12 +69,12 @@ namespace auxfem
     {
       // Numbered consecutively: bases, then joints, then clamps.
       bool       is_first = true;
-      const auto add_all  = [&](const auto &conditions) {
-        for (const auto &condition : conditions)
+      const auto add_all  = [&](const auto &constraints) {
+        for (const auto &constraint : constraints)
           {
             const std::size_t block =
-              pattern.register_block(condition.unknowns.data(),
-                                     condition.unknowns.size());
+              pattern.register_block(constraint.unknowns.data(),
+                                     constraint.unknowns.size());
             if (is_first)
               first_block = block;
             is_first = false;
@@ -132,7 +132,7 @@ namespace auxfem
           const double lambda = std::abs(u[clamp.unknowns[5]]);
           for (unsigned int i = 0; i < 4; ++i)
             raise(forces, clamp.unknowns[i], lambda);
-          raise(forces, clamp.unknowns[4], lambda * clamp.condition.length);
+          raise(forces, clamp.unknowns[4], lambda * clamp.constraint.length);
         }
     }
 
@@ -180,8 +180,9 @@ namespace auxfem
                       : across / (body.length * body.length);
         }
       else
-        result = large_rotation ? shortest_turn(body.rest, body.rest + stretch)
-                                : dealii::cross_product_3d(body.rest, stretch) /
+        result = large_rotation
+          ? shortest_rotation(body.rest, body.rest + stretch)
+          : dealii::cross_product_3d(body.rest, stretch) /
             (body.length * body.length);
       return result;
     }
@@ -213,12 +214,12 @@ namespace auxfem
     struct Base
     {
       std::array<int, 2 * dim + 1> unknowns; ///< base, multiplier
-      DistanceCondition<dim>       condition;
+      DistanceConstraint<dim>      constraint;
     };
-    /** Place of another joint. */
+    /** Position of another joint. */
     struct Joint
     {
-      unsigned int             place_in_part; ///< index into RigidPart::joints
+      unsigned int             index_in_part; ///< index into RigidPart::joints
       std::array<int, 4 * dim> unknowns;      ///< joint's, base, multipliers
       std::array<std::array<double, 2 * dim>, dim> shapes;
     };
@@ -226,15 +227,15 @@ namespace auxfem
     struct Clamp
     {
       std::array<int, 6> unknowns; ///< base, rotation, multiplier
-      ClampCondition     condition;
+      ClampConstraint    constraint;
     };
 
-    void add_conditions(const NaturalBody<dim> &body);
+    void add_constraints(const NaturalBody<dim> &body);
 
     /**
      * Of the multiplier's forces: of a step between two states such that it
-     * gives increments of the condition exactly, moments doing work on Cayley's
-     * measure of turns.
+     * gives increments of the constraint exactly, moments doing work on
+     * Cayley's measure of increments.
      */
     Vec force_direction(const Base &base, const Evaluation &evaluation) const
     {
@@ -249,7 +250,7 @@ namespace auxfem
 
     Vec gradient(const Base &base, const double *u) const
     {
-      return base.condition.gradient(
+      return base.constraint.gradient(
         large_rotation ? across_base<dim>(base.unknowns, u) : Vec());
     }
 
@@ -258,12 +259,12 @@ namespace auxfem
                                             const double *u) const
     {
       if (!large_rotation)
-        return {clamp.condition.normal(0), -clamp.condition.length};
+        return {clamp.constraint.normal(0), -clamp.constraint.length};
       const double      phi = u[clamp.unknowns[4]];
       const PlaneVector d =
-        clamp.condition.rest + across_base<2>(clamp.unknowns, u);
-      return {clamp.condition.normal(phi),
-              clamp.condition.normal_derivative(phi) * d};
+        clamp.constraint.rest + across_base<2>(clamp.unknowns, u);
+      return {clamp.constraint.normal(phi),
+              clamp.constraint.normal_derivative(phi) * d};
     }
 
     void add_base_rows(const Evaluation &evaluation, double *residual) const;
@@ -279,7 +280,7 @@ namespace auxfem
                           TangentMatrix        &matrix,
                           std::size_t          &block) const;
     void find_clamp_rates(const State &state, double *rates) const;
-    /** Takes what the conditions of clamps hand on from the @p forces on a body's base. */
+    /** Takes what the constraints of clamps hand on from the @p forces on a body's base. */
     void take_clamp_forces(unsigned int                 body,
                            const double                *u,
                            std::array<double, 2 * dim> &forces) const;

@@ -1,7 +1,7 @@
 #ifndef auxfem_equations_effects_revolute_hinges_h
 #define auxfem_equations_effects_revolute_hinges_h
 
-#include <auxfem/equations/conditions.h>
+#include <auxfem/equations/constraints.h>
 #include <auxfem/equations/node_rotations.h>
 
 namespace auxfem
@@ -14,9 +14,9 @@ namespace auxfem
    * g_i = l (P_1 b_i) . (P_2 a) = 0, i = 1, 2
    * @endcode
    * The moments between both are l lambda_i (P_1 b_i) x (P_2 a). With small
-   * rotations the conditions are linearized about rest.
+   * rotations the constraints are linearized about rest.
    */
-  class RevoluteHinges : public Conditions
+  class RevoluteHinges : public Constraints
   {
   public:
     /** @param length l (m). */

@@ -1,7 +1,7 @@
 #ifndef auxfem_equations_effects_rigid_part_group_h
 #define auxfem_equations_effects_rigid_part_group_h
 
-#include <auxfem/equations/conditions.h>
+#include <auxfem/equations/constraints.h>
 #include <auxfem/model/rigid_bodies.h>
 
 #include <memory>
@@ -27,19 +27,19 @@ namespace auxfem
     SpaceVector displacement, velocity;
   };
 
-  /** What conditions on rigid parts need to know besides the parts. */
+  /** What constraints on rigid parts need to know besides the parts. */
   struct RigidPartSetting
   {
     const Lattice      &lattice;
     const DofNumbering &numbering;
-    /** False: the conditions are linearized about rest. */
+    /** False: the constraints are linearized about rest. */
     bool large_rotation;
     /** For the reported forces (m/s2), zero if it is left out. */
     SpaceVector gravity;
   };
 
-  /** The conditions that keep rigid parts of one kind rigid. */
-  class RigidPartGroup : public Conditions
+  /** The constraints that keep rigid parts of one kind rigid. */
+  class RigidPartGroup : public Constraints
   {
   public:
     /** Number of parts this rank reports on. */
@@ -73,8 +73,8 @@ namespace auxfem
                      const RigidPartSetting              &setting);
 
   std::unique_ptr<RigidPartGroup>
-  make_turning_parts(const std::vector<TurningBody> &bodies,
-                     const RigidPartSetting         &setting);
+  make_rotating_parts(const std::vector<RotatingBody> &bodies,
+                      const RigidPartSetting          &setting);
   ///@}
 } // namespace auxfem
 

@@ -29,15 +29,15 @@ namespace auxfem
       }
     };
 
-    std::map<std::size_t, dealii::Point<3>>         places; ///< of nodes (m)
-    std::vector<Line>                               lines;  ///< by tag
+    std::map<std::size_t, dealii::Point<3>>         positions; ///< of nodes (m)
+    std::vector<Line>                               lines;     ///< by tag
     std::map<int, std::vector<std::string>>         groups_of_curve;
     std::map<std::string, std::vector<std::size_t>> point_groups;
 
     template <class Archive>
     void serialize(Archive &archive, const unsigned int /*version*/)
     {
-      archive &places &lines &groups_of_curve &point_groups;
+      archive &positions &lines &groups_of_curve &point_groups;
     }
   };
 

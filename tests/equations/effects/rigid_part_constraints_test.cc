@@ -1,5 +1,5 @@
-#include <auxfem/equations/effects/rigid_part_conditions.h>
-#include <auxfem/model/unknown_words.h>
+#include <auxfem/equations/effects/rigid_part_constraints.h>
+#include <auxfem/model/unknown_names.h>
 
 #include <equations/effects/effect_alone.h>
 #include <equations/equations_on_ranks.h>
@@ -30,17 +30,17 @@ namespace
                                         "  set Order = 1\n"
                                         "end\n");
 
-  /** The conditions of the plate alone, in an irregular motion. */
-  struct PlateConditions
+  /** The constraints of the plate alone, in an irregular motion. */
+  struct PlateConstraints
   {
-    explicit PlateConditions(const bool large_rotation)
+    explicit PlateConstraints(const bool large_rotation)
       : of_scene(plate, {}, MPI_COMM_SELF)
-      , conditions(rigid_bodies(of_scene.lattice, of_scene.dofs()),
-                   of_scene.lattice,
-                   of_scene.dofs(),
-                   large_rotation,
-                   {})
-      , tangent(conditions, of_scene.dofs())
+      , constraints(rigid_bodies(of_scene.lattice, of_scene.dofs()),
+                    of_scene.lattice,
+                    of_scene.dofs(),
+                    large_rotation,
+                    {})
+      , tangent(constraints, of_scene.dofs())
       , from(of_scene.equations.initial_state())
       , to(from)
       , n(of_scene.dofs().layout().n_global())
@@ -60,7 +60,7 @@ namespace
 
     EvaluatedAlone evaluated()
     {
-      return {conditions, Evaluation::step(from, to, 1.)};
+      return {constraints, Evaluation::step(from, to, 1.)};
     }
 
     std::vector<double> residual()
@@ -71,7 +71,7 @@ namespace
     /** Of the instant `to`. */
     std::vector<double> residual_of_rates()
     {
-      return EvaluatedAlone(conditions, Evaluation::rates(from, to)).residual;
+      return EvaluatedAlone(constraints, Evaluation::rates(from, to)).residual;
     }
 
     /** lambda . g at the present motion with displacement @p i at @p value. */
@@ -108,11 +108,11 @@ namespace
         to.displacement[i] += size * direction[i];
     }
 
-    EquationsOnRanks    of_scene;
-    RigidPartConditions conditions;
-    TangentAlone        tangent;
-    State               from, to;
-    const unsigned int  n;
+    EquationsOnRanks     of_scene;
+    RigidPartConstraints constraints;
+    TangentAlone         tangent;
+    State                from, to;
+    const unsigned int   n;
   };
 
   /** A bar of 2 m and 3 kg from joint 0, at the origin, to @p end. */
@@ -142,21 +142,21 @@ namespace
                               "end\n";
 } // namespace
 
-TEST(RigidPartConditions, ThePlateHasAConditionForEachThatItsJointsLose)
+TEST(RigidPartConstraints, ThePlateHasAConstraintForEachThatItsJointsLose)
 {
-  PlateConditions plate(true);
-  unsigned int    n_multipliers = 0;
+  PlateConstraints plate(true);
+  unsigned int     n_multipliers = 0;
   for (unsigned int i = 0; i < plate.n; ++i)
     n_multipliers += plate.is_multiplier(i);
   // 4 joints keep 3 of 8 freedoms, two sections turn along.
   EXPECT_EQ(n_multipliers, 7u);
 }
 
-TEST(RigidPartConditions, ForcesAreDerivativesOfTheConditions)
+TEST(RigidPartConstraints, ForcesAreDerivativesOfTheConstraints)
 {
   for (const bool large_rotation : {true, false})
     {
-      PlateConditions           plate(large_rotation);
+      PlateConstraints          plate(large_rotation);
       const std::vector<double> rows = plate.residual();
       const double              h    = 1e-5;
       for (unsigned int i = 0; i < plate.n; ++i)
@@ -175,11 +175,11 @@ TEST(RigidPartConditions, ForcesAreDerivativesOfTheConditions)
     }
 }
 
-TEST(RigidPartConditions, TangentIsThatOfDifferencesAtALargeRotation)
+TEST(RigidPartConstraints, TangentIsThatOfDifferencesAtALargeRotation)
 {
   for (const bool large_rotation : {true, false})
     {
-      PlateConditions           plate(large_rotation);
+      PlateConstraints          plate(large_rotation);
       const std::vector<double> direction = plate.direction(),
                                 product   = plate.tangent_times(direction);
       const double h                      = 1e-5;
@@ -198,11 +198,11 @@ TEST(RigidPartConditions, TangentIsThatOfDifferencesAtALargeRotation)
     }
 }
 
-TEST(RigidPartConditions, AtRestInTimeTheRowsAreSecondDerivatives)
+TEST(RigidPartConstraints, AtRestInTimeTheRowsAreSecondDerivatives)
 {
   for (const bool large_rotation : {true, false})
     {
-      PlateConditions           plate(large_rotation);
+      PlateConstraints          plate(large_rotation);
       const std::vector<double> rows = plate.residual_of_rates();
       const Vector              u    = plate.to.displacement;
       const auto                at   = [&](const double t) {
@@ -225,11 +225,11 @@ TEST(RigidPartConditions, AtRestInTimeTheRowsAreSecondDerivatives)
     }
 }
 
-TEST(RigidPartConditions, SmallDisplacementsAreLinear)
+TEST(RigidPartConstraints, SmallDisplacementsAreLinear)
 {
-  PlateConditions plate(false);
-  EXPECT_TRUE(plate.conditions.is_linear());
-  EXPECT_FALSE(PlateConditions(true).conditions.is_linear());
+  PlateConstraints plate(false);
+  EXPECT_TRUE(plate.constraints.is_linear());
+  EXPECT_FALSE(PlateConstraints(true).constraints.is_linear());
   // A linear residual without constant is its tangent times the unknowns.
   const std::vector<double> unknowns(plate.to.displacement.data(),
                                      plate.to.displacement.data() + plate.n);
@@ -239,9 +239,9 @@ TEST(RigidPartConditions, SmallDisplacementsAreLinear)
     EXPECT_NEAR(product[i], rows[i], 1e-13);
 }
 
-TEST(RigidPartConditions, AFiniteRigidMotionMeetsThem)
+TEST(RigidPartConstraints, AFiniteRigidMotionMeetsThem)
 {
-  PlateConditions plate(true);
+  PlateConstraints plate(true);
   plate.to.displacement.assign(plate.to.displacement.size(), 0.);
   const double angle = 2.2;
   for (unsigned int joint = 0; joint < 4; ++joint)
@@ -258,7 +258,7 @@ TEST(RigidPartConditions, AFiniteRigidMotionMeetsThem)
     }
   for (const double row : plate.residual())
     EXPECT_NEAR(row, 0, 1e-14);
-  EXPECT_NEAR(plate.conditions.rotation(0, plate.to)[2], angle, 1e-14);
+  EXPECT_NEAR(plate.constraints.rotation(0, plate.to)[2], angle, 1e-14);
 
   // Whole turns of the sections are no other motion.
   for (const unsigned int joint : {2u, 3u})
@@ -269,13 +269,13 @@ TEST(RigidPartConditions, AFiniteRigidMotionMeetsThem)
     EXPECT_NEAR(row, 0, 1e-14);
 }
 
-TEST(RigidPartConditions, RatesAreThoseOfTheConditions)
+TEST(RigidPartConstraints, RatesAreThoseOfTheConstraints)
 {
   for (const bool large_rotation : {true, false})
     {
-      PlateConditions plate(large_rotation);
-      const Vector    u  = plate.to.displacement;
-      const auto      at = [&](const double t) {
+      PlateConstraints plate(large_rotation);
+      const Vector     u  = plate.to.displacement;
+      const auto       at = [&](const double t) {
         for (unsigned int i = 0; i < plate.n; ++i)
           plate.to.displacement[i] = u[i] + t * (*plate.to.velocity)[i];
         return plate.residual();
@@ -284,7 +284,7 @@ TEST(RigidPartConditions, RatesAreThoseOfTheConditions)
       const auto   forward = at(h), backward = at(-h);
       plate.to.displacement = u;
       std::vector<double> rates(plate.n, 0.);
-      plate.conditions.find_rates(plate.to, rates.data());
+      plate.constraints.find_rates(plate.to, rates.data());
       for (unsigned int i = 0; i < plate.n; ++i)
         EXPECT_NEAR(rates[i],
                     plate.is_multiplier(i)
@@ -294,7 +294,7 @@ TEST(RigidPartConditions, RatesAreThoseOfTheConditions)
     }
 }
 
-TEST(RigidPartConditions, AHangingBarIsHeldByItsWeight)
+TEST(RigidPartConstraints, AHangingBarIsHeldByItsWeight)
 {
   const SceneRun        run(bar("0 -2", pivot + gravity));
   const RigidPartReport report =
@@ -306,7 +306,7 @@ TEST(RigidPartConditions, AHangingBarIsHeldByItsWeight)
   EXPECT_NEAR(run.reaction("pivot", 1), 3 * 9.81, 1e-13);
 }
 
-TEST(RigidPartConditions, AHorizontalBarFallsOffItsHinge)
+TEST(RigidPartConstraints, AHorizontalBarFallsOffItsHinge)
 {
   // Released: angular acceleration 3 g / (2 L), hinge force m g / 4.
   const SceneRun        run(bar("2 0", pivot + gravity));
@@ -317,7 +317,7 @@ TEST(RigidPartConditions, AHorizontalBarFallsOffItsHinge)
   EXPECT_NEAR(report.forces[1].norm(), 0, 1e-13);
 }
 
-TEST(RigidPartConditions, ATurningBarIsHeldByTheCentripetalForce)
+TEST(RigidPartConstraints, ATurningBarIsHeldByTheCentripetalForce)
 {
   // 3 kg, their centre at 1 m, 5 rad/s.
   const SceneRun        run(bar("2 0",

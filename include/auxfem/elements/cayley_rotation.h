@@ -1,29 +1,29 @@
-#ifndef auxfem_elements_cayley_turn_h
-#define auxfem_elements_cayley_turn_h
+#ifndef auxfem_elements_cayley_rotation_h
+#define auxfem_elements_cayley_rotation_h
 
 #include <cmath>
 
 /**
  * @file
- * Turns in the plane over a step as Cayley's transform measures them. A turn by
- * the angle a takes a vector r_0 to r_1 such that
+ * Rotation increments in the plane as Cayley's transform measures them. A
+ * rotation by the angle a takes a vector r_0 to r_1 such that
  * @code
  * r_1 - r_0 = 2 tan(a/2) J (r_0 + r_1) / 2
  * @endcode
- * with J the turn by a right angle. So the vector product with the mean
+ * with J the rotation by a right angle. So the vector product with the mean
  * position, which is what a virtual rotation makes, gives finite increments
  * exactly if the rotation is measured by 2 tan(a/2), and by nothing else.
  */
 namespace auxfem
 {
-  /** 2 tan(a/2) of a turn by the angle a = @p angle (rad), |a| < pi. */
-  inline double cayley_turn(const double angle)
+  /** 2 tan(a/2) of a rotation by the angle a = @p angle (rad), |a| < pi. */
+  inline double cayley_rotation(const double angle)
   {
     return 2 * std::tan(angle / 2);
   }
 
   /**
-   * @name Functions of half a turn in a step, which is small. Series are exact
+   * @name Functions of half the rotation increment of a step, which is small. Series are exact
    * to the last digit there and cost a fraction of the library's functions.
    */
   ///@{
@@ -43,7 +43,7 @@ namespace auxfem
   }
 
   /** cos(x). */
-  inline double cosine_of_turn(const double x)
+  inline double cosine_of_small(const double x)
   {
     const double y = x * x;
     if (y > 0.1)
@@ -62,9 +62,9 @@ namespace auxfem
    * a / (2 tan(a/2)): a moment times this does on 2 tan(a/2) the work that the
    * moment does on the angle a = @p angle (rad).
    */
-  inline double angle_per_cayley_turn(const double angle)
+  inline double angle_per_cayley_rotation(const double angle)
   {
-    return angle == 0 ? 1. : angle / cayley_turn(angle);
+    return angle == 0 ? 1. : angle / cayley_rotation(angle);
   }
 } // namespace auxfem
 

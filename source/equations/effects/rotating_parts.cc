@@ -14,11 +14,11 @@ namespace auxfem
      * g = u - u_c - (P - I) X = 0, in space; lambda is the joint's force on the
      * part.
      */
-    class TurningParts : public RigidPartGroup
+    class RotatingParts : public RigidPartGroup
     {
     public:
-      TurningParts(const std::vector<TurningBody> &bodies,
-                   const RigidPartSetting         &setting)
+      RotatingParts(const std::vector<RotatingBody> &bodies,
+                    const RigidPartSetting          &setting)
         : bodies(bodies)
         , lattice(setting.lattice)
         , numbering(setting.numbering)
@@ -26,8 +26,8 @@ namespace auxfem
       {
         for (unsigned int b = 0; b < bodies.size(); ++b)
           {
-            const TurningBody &body = bodies[b];
-            const RigidPart   &part = lattice.rigid_parts[body.part];
+            const RotatingBody &body = bodies[b];
+            const RigidPart    &part = lattice.rigid_parts[body.part];
             joint_begin.push_back(joints.size());
             for (unsigned int k = 0; k < part.joints.size(); ++k)
               {
@@ -47,7 +47,7 @@ namespace auxfem
                 longest_arm = std::max(longest_arm, joint.arm.norm());
                 joints.push_back(joint);
               }
-            if (body.counted)
+            if (body.owned)
               reported.push_back(b);
           }
         joint_begin.push_back(joints.size());
@@ -88,7 +88,7 @@ namespace auxfem
                                                              evaluation.to)),
                               row = evaluation.wants_constraint_accelerations()
               ? second_derivative(joint, evaluation.to)
-              : condition(joint, evaluation.to);
+              : constraint(joint, evaluation.to);
             for (unsigned int c = 0; c < 3; ++c)
               {
                 residual[joint.unknowns[c]] += lambda[c];
@@ -236,7 +236,7 @@ namespace auxfem
       }
 
       /** P; the identity if rotations are small. */
-      Quaternion quaternion(const TurningBody &body, const State &state) const
+      Quaternion quaternion(const RotatingBody &body, const State &state) const
       {
         return large_rotation
           ? state.rotations[numbering.rotations().with(body.rotation[0])]
@@ -267,7 +267,7 @@ namespace auxfem
                        values(vector, joint, 6));
       }
 
-      SpaceVector condition(const Joint &joint, const State &state) const
+      SpaceVector constraint(const Joint &joint, const State &state) const
       {
         return relative(state.displacement, joint) - turn(joint, state);
       }
@@ -288,11 +288,11 @@ namespace auxfem
         return result;
       }
 
-      const std::vector<TurningBody> bodies;
-      const Lattice                 &lattice;
-      const DofNumbering            &numbering;
-      const bool                     large_rotation;
-      std::vector<Joint>             joints;
+      const std::vector<RotatingBody> bodies;
+      const Lattice                  &lattice;
+      const DofNumbering             &numbering;
+      const bool                      large_rotation;
+      std::vector<Joint>              joints;
       /** Those of body b: from [b] to [b + 1]. */
       std::vector<unsigned int> joint_begin;
       std::vector<unsigned int> reported; ///< bodies
@@ -302,9 +302,9 @@ namespace auxfem
   } // namespace
 
   std::unique_ptr<RigidPartGroup>
-  make_turning_parts(const std::vector<TurningBody> &bodies,
-                     const RigidPartSetting         &setting)
+  make_rotating_parts(const std::vector<RotatingBody> &bodies,
+                      const RigidPartSetting          &setting)
   {
-    return std::make_unique<TurningParts>(bodies, setting);
+    return std::make_unique<RotatingParts>(bodies, setting);
   }
 } // namespace auxfem

@@ -1,5 +1,5 @@
-#ifndef auxfem_model_claimed_unknowns_h
-#define auxfem_model_claimed_unknowns_h
+#ifndef auxfem_model_unknown_distribution_h
+#define auxfem_model_unknown_distribution_h
 
 #include <auxfem/model/global_numbers.h>
 
@@ -12,7 +12,7 @@ namespace auxfem
    * gives it the next of its own numbers. To be asked in the same order on
    * every rank.
    */
-  class ClaimedUnknowns
+  class UnknownDistribution
   {
   public:
     /** Who owns an unknown (-1: nobody, it does not exist) and its number
@@ -24,31 +24,31 @@ namespace auxfem
     using Motion = std::array<Unknown, n_motion_components>;
 
     /** Nothing is claimed yet. */
-    ClaimedUnknowns(const Lattice &lattice,
-                    const Ties    &ties,
-                    unsigned int   n_ranks);
+    UnknownDistribution(const Lattice &lattice,
+                        const Ties    &ties,
+                        unsigned int   n_ranks);
 
     /**
      * An end of an elastic strut: the joint's displacement, and its rotation or
      * that of the released end. Claimed by @p rank.
      */
-    const Unknown *claim_end(unsigned int strut,
-                             unsigned int end,
-                             unsigned int component,
-                             int          rank);
+    const Unknown *assign_end(unsigned int strut,
+                              unsigned int end,
+                              unsigned int component,
+                              int          rank);
 
     /** An unknown of an inner node, claimed by @p rank if it is new. */
-    const Unknown *claim(Unknown &unknown, int rank);
+    const Unknown *assign(Unknown &unknown, int rank);
 
     /** The displacements of all joints no elastic strut has claimed. */
-    void claim_joints(const StrutMesh &mesh);
+    void assign_joints(const StrutMesh &mesh);
 
     /** Own unknowns and multipliers of rigid parts, on the rank of their first
      * joint. */
-    void claim_rigid_parts();
+    void assign_rigid_parts();
 
     /** Multipliers of hinges, on the rank of the rotation that they guide. */
-    void claim_hinges();
+    void assign_hinges();
 
     unsigned int n_joints() const
     {
@@ -72,13 +72,13 @@ namespace auxfem
     }
 
     /** A rigid part's own unknowns, if it has a rotation of its own. */
-    struct RigidPartClaims
+    struct RigidPartUnknowns
     {
       Motion                    motion;
       std::vector<unsigned int> clamped_joints; ///< in the plane
       std::vector<Unknown>      multipliers;
     };
-    const std::vector<RigidPartClaims> &rigid_parts() const
+    const std::vector<RigidPartUnknowns> &rigid_parts() const
     {
       return of_part;
     }
@@ -90,16 +90,16 @@ namespace auxfem
     }
 
   private:
-    /** The rotation that @p turning has. */
-    Motion       &motion_of(const Turning &turning);
-    const Motion &motion_of(const Turning &turning) const;
+    /** The rotation that @p rotation_owner has. */
+    Motion       &motion_of(const RotationOwner &rotation_owner);
+    const Motion &motion_of(const RotationOwner &rotation_owner) const;
 
     const Lattice                                          &lattice;
     const Ties                                             &ties;
-    const std::vector<Turning>                              rotation_of_joint;
+    const std::vector<RotationOwner>                        rotation_of_joint;
     std::vector<Motion>                                     of_joint;
     std::map<std::pair<unsigned int, unsigned int>, Motion> of_released_end;
-    std::vector<RigidPartClaims>                            of_part;
+    std::vector<RigidPartUnknowns>                          of_part;
     std::vector<std::array<Unknown, 2>>                     of_hinge;
     std::vector<int>                                        count;
   };

@@ -1,20 +1,20 @@
-#ifndef auxfem_equations_effects_rigid_part_conditions_h
-#define auxfem_equations_effects_rigid_part_conditions_h
+#ifndef auxfem_equations_effects_rigid_part_constraints_h
+#define auxfem_equations_effects_rigid_part_constraints_h
 
 #include <auxfem/equations/effects/rigid_part_group.h>
 
 namespace auxfem
 {
-  /** The conditions that keep rigid parts rigid, of all kinds there are. */
-  class RigidPartConditions : public RigidPartGroup
+  /** The constraints that keep rigid parts rigid, of all kinds there are. */
+  class RigidPartConstraints : public RigidPartGroup
   {
   public:
     /** @param gravity for the reported forces (m/s2), zero if it is left out. */
-    RigidPartConditions(const RigidBodies          &bodies,
-                        const Lattice              &lattice,
-                        const DofNumbering         &numbering,
-                        bool                        large_rotation,
-                        const dealii::Tensor<1, 3> &gravity);
+    RigidPartConstraints(const RigidBodies          &bodies,
+                         const Lattice              &lattice,
+                         const DofNumbering         &numbering,
+                         bool                        large_rotation,
+                         const dealii::Tensor<1, 3> &gravity);
 
     bool        is_linear() const override;
     std::string without_mean_forces() const override;

@@ -1,17 +1,17 @@
-#ifndef auxfem_equations_conditions_h
-#define auxfem_equations_conditions_h
+#ifndef auxfem_equations_constraints_h
+#define auxfem_equations_constraints_h
 
 #include <auxfem/equations/effect.h>
 
 namespace auxfem
 {
   /**
-   * Conditions g = 0 (m) on the motion, with their Lagrange multipliers lambda
-   * (N): forces G^T lambda, and the conditions themselves in the rows of the
+   * Constraints g = 0 (m) on the motion, with their Lagrange multipliers lambda
+   * (N): forces G^T lambda, and the constraints themselves in the rows of the
    * multipliers. In an evaluation of rates with inertia these rows hold
    * d2g/dt2, which determines consistent accelerations.
    */
-  class Conditions : public Effect
+  class Constraints : public Effect
   {
   public:
     /**
@@ -20,7 +20,7 @@ namespace auxfem
      */
     virtual void find_rates(const State &state, double *rates) const = 0;
 
-    /** Length (m) whose round-off is in the conditions besides that of
+    /** Length (m) whose round-off is in the constraints besides that of
      * displacements. */
     virtual double length() const
     {

@@ -1,18 +1,18 @@
-#include <auxfem/model/claimed_unknowns.h>
+#include <auxfem/model/unknown_distribution.h>
 
 namespace auxfem
 {
-  std::vector<Turning>
+  std::vector<RotationOwner>
   joint_rotations(const Lattice                          &lattice,
                   const std::vector<std::array<bool, 2>> &released)
   {
-    using What = Turning::What;
-    std::vector<Turning> turning(lattice.joints.size());
+    using What = RotationOwner::What;
+    std::vector<RotationOwner> rotation_owner(lattice.joints.size());
     for (unsigned int s = 0; s < lattice.struts.size(); ++s)
       for (unsigned int end = 0; end < 2; ++end)
         if (const unsigned int joint = lattice.struts[s].joints[end];
             !lattice.struts[s].is_rigid() && !released[s][end])
-          turning[joint] = {What::joint, joint, 0};
+          rotation_owner[joint] = {What::joint, joint, 0};
 
     std::vector<unsigned int> n_parts(lattice.joints.size(), 0);
     for (const RigidPart &part : lattice.rigid_parts)
@@ -22,15 +22,15 @@ namespace auxfem
     for (unsigned int p = 0; p < lattice.rigid_parts.size(); ++p)
       if (const RigidPart &part = lattice.rigid_parts[p]; part.has_rotation)
         for (const unsigned int joint : part.joints)
-          if (turning[joint].what == What::joint ? part.clamps_struts
-                                                 : n_parts[joint] == 1)
-            turning[joint] = {What::rigid_part, p, 0};
-    return turning;
+          if (rotation_owner[joint].what == What::joint ? part.clamps_struts
+                                                        : n_parts[joint] == 1)
+            rotation_owner[joint] = {What::rigid_part, p, 0};
+    return rotation_owner;
   }
 
-  ClaimedUnknowns::ClaimedUnknowns(const Lattice     &lattice,
-                                   const Ties        &ties,
-                                   const unsigned int n_ranks)
+  UnknownDistribution::UnknownDistribution(const Lattice     &lattice,
+                                           const Ties        &ties,
+                                           const unsigned int n_ranks)
     : lattice(lattice)
     , ties(ties)
     , rotation_of_joint(joint_rotations(lattice, ties.released))
@@ -45,74 +45,75 @@ namespace auxfem
           of_released_end[{s, end}];
   }
 
-  const ClaimedUnknowns::Unknown *ClaimedUnknowns::claim(Unknown  &unknown,
-                                                         const int rank)
+  const UnknownDistribution::Unknown *
+  UnknownDistribution::assign(Unknown &unknown, const int rank)
   {
     if (unknown.owner < 0)
       unknown = {rank, count[rank]++};
     return &unknown;
   }
 
-  ClaimedUnknowns::Motion &ClaimedUnknowns::motion_of(const Turning &turning)
+  UnknownDistribution::Motion &
+  UnknownDistribution::motion_of(const RotationOwner &rotation_owner)
   {
-    switch (turning.what)
+    switch (rotation_owner.what)
       {
-        case Turning::What::strut_end:
-          return of_released_end.at({turning.index, turning.end});
-        case Turning::What::rigid_part:
-          return of_part[turning.index].motion;
+        case RotationOwner::What::strut_end:
+          return of_released_end.at({rotation_owner.index, rotation_owner.end});
+        case RotationOwner::What::rigid_part:
+          return of_part[rotation_owner.index].motion;
         default:
-          return of_joint[turning.index];
+          return of_joint[rotation_owner.index];
       }
   }
 
-  const ClaimedUnknowns::Motion &
-  ClaimedUnknowns::motion_of(const Turning &turning) const
+  const UnknownDistribution::Motion &
+  UnknownDistribution::motion_of(const RotationOwner &rotation_owner) const
   {
-    return const_cast<ClaimedUnknowns *>(this)->motion_of(turning);
+    return const_cast<UnknownDistribution *>(this)->motion_of(rotation_owner);
   }
 
-  const ClaimedUnknowns::Unknown *
-  ClaimedUnknowns::claim_end(const unsigned int strut,
-                             const unsigned int end,
-                             const unsigned int component,
-                             const int          rank)
+  const UnknownDistribution::Unknown *
+  UnknownDistribution::assign_end(const unsigned int strut,
+                                  const unsigned int end,
+                                  const unsigned int component,
+                                  const int          rank)
   {
     const unsigned int joint  = lattice.struts[strut].joints[end];
     Motion            &motion = component < first_rotation ? of_joint[joint]
                  : ties.released[strut][end] ? of_released_end.at({strut, end})
                                              : motion_of(rotation_of_joint[joint]);
-    return claim(motion[component], rank);
+    return assign(motion[component], rank);
   }
 
-  void ClaimedUnknowns::claim_joints(const StrutMesh &mesh)
+  void UnknownDistribution::assign_joints(const StrutMesh &mesh)
   {
-    const auto claim_displacements = [&](const unsigned int joint,
-                                         const int          rank) {
+    const auto assign_displacements = [&](const unsigned int joint,
+                                          const int          rank) {
       for (unsigned int component = 0; component < lattice.dimension;
            ++component)
-        claim(of_joint[joint][component], rank);
+        assign(of_joint[joint][component], rank);
     };
     for (unsigned int s = 0; s < lattice.struts.size(); ++s)
       if (lattice.struts[s].is_rigid())
         for (const unsigned int joint : lattice.struts[s].joints)
-          claim_displacements(joint, mesh.rank(s));
+          assign_displacements(joint, mesh.rank(s));
     // A joint without struts (a mass on connectors) has displacements only.
     for (unsigned int joint = 0; joint < of_joint.size(); ++joint)
-      claim_displacements(joint, 0);
+      assign_displacements(joint, 0);
   }
 
-  void ClaimedUnknowns::claim_rigid_parts()
+  void UnknownDistribution::assign_rigid_parts()
   {
     for (unsigned int p = 0; p < of_part.size(); ++p)
       {
         const RigidPart   &part   = lattice.rigid_parts[p];
-        RigidPartClaims   &claims = of_part[p];
+        RigidPartUnknowns &claims = of_part[p];
         const int          rank   = of_joint[part.joints[0]][0].owner;
         const unsigned int d = lattice.dimension, n = part.joints.size();
         if (part.has_rotation)
           for (Unknown &unknown : claims.motion)
-            claim(unknown, rank);
+            assign(unknown, rank);
         else if (part.clamps_struts)
           for (const unsigned int joint : part.joints)
             if (of_joint[joint][rotation_z].owner >= 0)
@@ -121,22 +122,23 @@ namespace auxfem
                                                     : 1 + d * (n - 2) +
                                       claims.clamped_joints.size());
         for (Unknown &multiplier : claims.multipliers)
-          claim(multiplier, rank);
+          assign(multiplier, rank);
       }
   }
 
-  void ClaimedUnknowns::claim_hinges()
+  void UnknownDistribution::assign_hinges()
   {
     for (unsigned int h = 0; h < of_hinge.size(); ++h)
       for (Unknown &multiplier : of_hinge[h])
-        claim(multiplier, motion_of(ties.hinged[h].end)[rotation_z].owner);
+        assign(multiplier, motion_of(ties.hinged[h].end)[rotation_z].owner);
   }
 
-  ClaimedUnknowns::Motion ClaimedUnknowns::joint(const unsigned int joint) const
+  UnknownDistribution::Motion
+  UnknownDistribution::joint(const unsigned int joint) const
   {
     Motion        motion   = of_joint[joint];
     const Motion &rotation = motion_of(rotation_of_joint[joint]);
-    if (rotation_of_joint[joint].what != Turning::What::ground)
+    if (rotation_of_joint[joint].what != RotationOwner::What::ground)
       std::copy(rotation.begin() + first_rotation,
                 rotation.end(),
                 motion.begin() + first_rotation);

@@ -1,5 +1,5 @@
-#ifndef auxfem_model_unknown_words_h
-#define auxfem_model_unknown_words_h
+#ifndef auxfem_model_unknown_names_h
+#define auxfem_model_unknown_names_h
 
 #include <auxfem/model/numbering.h>
 
@@ -9,7 +9,7 @@ namespace auxfem
 {
   /** Words for a component of motion, e.g. `vertical displacement` or `rotation
    * about x`. */
-  const char *motion_in_words(unsigned int component, unsigned int dimension);
+  const char *motion_name(unsigned int component, unsigned int dimension);
 
   /**
    * Words for a local unknown, e.g. `rotation of joint 12 at (0.01, 0.02)`; for

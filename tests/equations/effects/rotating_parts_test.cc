@@ -1,5 +1,5 @@
-#include <auxfem/equations/effects/rigid_part_conditions.h>
-#include <auxfem/model/unknown_words.h>
+#include <auxfem/equations/effects/rigid_part_constraints.h>
+#include <auxfem/model/unknown_names.h>
 
 #include <equations/effects/space_effect.h>
 #include <mesh/cell_from_text.h>
@@ -39,14 +39,14 @@ namespace
   {
     explicit BodyAndBar(const bool large_rotation)
       : SpaceEffect(body_and_bar, large_rotation)
-      , conditions(rigid_bodies(of_scene.lattice, of_scene.dofs()),
-                   of_scene.lattice,
-                   of_scene.dofs(),
-                   large_rotation,
-                   {})
+      , constraints(rigid_bodies(of_scene.lattice, of_scene.dofs()),
+                    of_scene.lattice,
+                    of_scene.dofs(),
+                    large_rotation,
+                    {})
     {}
 
-    RigidPartConditions conditions;
+    RigidPartConstraints constraints;
   };
 
   const std::string gravity_down = "subsection Gravity\n"
@@ -54,7 +54,7 @@ namespace
                                    "end\n";
 } // namespace
 
-TEST(TurningParts, ConditionsAreThreeAJointAndThoseOfABar)
+TEST(RotatingParts, ConstraintsAreThreeAJointAndThoseOfABar)
 {
   const EquationsOnRanks of_scene(body_and_bar, {}, MPI_COMM_SELF);
   EXPECT_TRUE(of_scene.lattice.rigid_parts.at(0).has_rotation);
@@ -64,7 +64,7 @@ TEST(TurningParts, ConditionsAreThreeAJointAndThoseOfABar)
   EXPECT_EQ(of_scene.dofs().constraints().n_multipliers(1), 4u);
 }
 
-TEST(TurningParts, ClampedStrutsHaveTheRotationOfTheBody)
+TEST(RotatingParts, ClampedStrutsHaveTheRotationOfTheBody)
 {
   const EquationsOnRanks of_scene(body_and_bar, {}, MPI_COMM_SELF);
   const auto            &dofs = of_scene.dofs();
@@ -80,48 +80,48 @@ TEST(TurningParts, ClampedStrutsHaveTheRotationOfTheBody)
             "rotation about y of the rigid part of joints 0 1 2 3");
 }
 
-TEST(TurningParts, TangentIsThatOfDifferences)
+TEST(RotatingParts, TangentIsThatOfDifferences)
 {
   for (const bool large_rotation : {true, false})
     {
       BodyAndBar parts(large_rotation);
-      parts.expect_tangent(parts.conditions, {1., 3., 5.});
-      EXPECT_EQ(parts.conditions.is_linear(), !large_rotation);
+      parts.expect_tangent(parts.constraints, {1., 3., 5.});
+      EXPECT_EQ(parts.constraints.is_linear(), !large_rotation);
     }
 }
 
-TEST(TurningParts, ForcesAreDerivativesOfTheConditions)
+TEST(RotatingParts, ForcesAreDerivativesOfTheConstraints)
 {
   for (const bool large_rotation : {true, false})
     {
       BodyAndBar parts(large_rotation);
-      parts.expect_forces_by_conditions(parts.conditions);
+      parts.expect_forces_by_constraints(parts.constraints);
     }
 }
 
-TEST(TurningParts, RatesAreThoseOfTheConditions)
+TEST(RotatingParts, RatesAreThoseOfTheConstraints)
 {
   for (const bool large_rotation : {true, false})
     {
       BodyAndBar parts(large_rotation);
-      parts.expect_time_derivatives(parts.conditions);
+      parts.expect_time_derivatives(parts.constraints);
     }
 }
 
-TEST(TurningParts, MotionOfItsJointsIsThatOfTheBody)
+TEST(RotatingParts, MotionOfItsJointsIsThatOfTheBody)
 {
   BodyAndBar  parts(true);
   const auto &dofs = parts.of_scene.dofs();
-  // Joints where the conditions want them.
-  const auto rows = parts.residual(parts.conditions, parts.to);
+  // Joints where the constraints want them.
+  const auto rows = parts.residual(parts.constraints, parts.to);
   for (unsigned int k = 0; k < 4; ++k)
     {
       const unsigned int joint =
         parts.of_scene.lattice.rigid_parts[0].joints[k];
       const PointMotion motion =
-        parts.conditions.motion(0,
-                                parts.of_scene.lattice.joints[joint],
-                                parts.to);
+        parts.constraints.motion(0,
+                                 parts.of_scene.lattice.joints[joint],
+                                 parts.to);
       for (unsigned int c = 0; c < 3; ++c)
         EXPECT_NEAR(motion.displacement[c],
                     parts.to.displacement[dofs.joint_unknown(joint, c)] -
@@ -130,7 +130,7 @@ TEST(TurningParts, MotionOfItsJointsIsThatOfTheBody)
     }
 }
 
-TEST(TurningParts, AHangingBodyIsHeldByItsWeight)
+TEST(RotatingParts, AHangingBodyIsHeldByItsWeight)
 {
   // A tripod of three legs of 2 m, hung up at its ends.
   SceneRun run(
@@ -168,7 +168,7 @@ TEST(TurningParts, AHangingBodyIsHeldByItsWeight)
     }
 }
 
-TEST(TurningParts, LoadsOnRigidStrutsAndMomentsActAtTheirPlace)
+TEST(RotatingParts, LoadsOnRigidStrutsAndMomentsActAtTheirPlace)
 {
   // An L in the x-y plane, only its leg along y loaded, and a moment about z;
   // free in space.
@@ -202,7 +202,7 @@ TEST(TurningParts, LoadsOnRigidStrutsAndMomentsActAtTheirPlace)
     }
 }
 
-TEST(TurningParts, TwoClampingBodiesAtAJointAreRefused)
+TEST(RotatingParts, TwoClampingBodiesAtAJointAreRefused)
 {
   const std::string message = input_error_of([] {
     const EquationsOnRanks of_scene(

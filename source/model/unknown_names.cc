@@ -1,5 +1,5 @@
 #include <auxfem/model/rigid_parts.h>
-#include <auxfem/model/unknown_words.h>
+#include <auxfem/model/unknown_names.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -8,8 +8,8 @@
 
 namespace auxfem
 {
-  const char *motion_in_words(const unsigned int component,
-                              const unsigned int dimension)
+  const char *motion_name(const unsigned int component,
+                          const unsigned int dimension)
   {
     constexpr std::array<const char *, n_motion_components> in_plane = {
       {"horizontal displacement",
@@ -44,9 +44,9 @@ namespace auxfem
           const GlobalNumbers::OfMotion &motion = numbers.rigid_parts[p].motion;
           std::ostringstream             words;
           if (has(numbers.rigid_parts[p].multipliers))
-            words << "condition";
+            words << "constraint";
           else if (has(motion))
-            words << motion_in_words(
+            words << motion_name(
               std::find(motion.begin(), motion.end(), global) - motion.begin(),
               lattice.dimension);
           else
@@ -60,7 +60,7 @@ namespace auxfem
         }
       for (const GlobalNumbers::OfHinge &hinge : numbers.hinges)
         if (has(hinge.multipliers))
-          return "condition of the revolute hinge at joint " +
+          return "constraint of the revolute hinge at joint " +
             std::to_string(hinge.joint);
       return "";
     }
@@ -75,8 +75,8 @@ namespace auxfem
           if (numbering.global().joints[j][c] == global)
             {
               std::ostringstream words;
-              words << motion_in_words(c, lattice.dimension) << " of joint "
-                    << j << " at (" << lattice.joints[j][0] << ", "
+              words << motion_name(c, lattice.dimension) << " of joint " << j
+                    << " at (" << lattice.joints[j][0] << ", "
                     << lattice.joints[j][1];
               if (lattice.dimension == 3)
                 words << ", " << lattice.joints[j][2];
@@ -100,15 +100,14 @@ namespace auxfem
                              std::find(begin, end, static_cast<int>(unknown));
           if (found == end)
             continue;
-          const unsigned int number = numbering.elements()[e].place.strut;
+          const unsigned int number = numbering.elements()[e].interval.strut;
           const Strut       &strut  = lattice.struts[number];
           std::ostringstream words;
-          words
-            << motion_in_words(numbering.components()[(found - begin) %
+          words << motion_name(numbering.components()[(found - begin) %
                                                       numbering.n_components()],
                                lattice.dimension)
-            << " of strut " << number << " (joints " << strut.joints[0] << " - "
-            << strut.joints[1] << ")";
+                << " of strut " << number << " (joints " << strut.joints[0]
+                << " - " << strut.joints[1] << ")";
           return words.str();
         }
       return "";
@@ -133,16 +132,16 @@ namespace auxfem
   {
     namespace MPI = dealii::Utilities::MPI;
 
-    const UnknownLayout &layout  = numbering.layout();
-    const auto           place   = std::max_element(size.begin(), size.end());
-    const double         largest = size.empty() ? -1. : *place;
+    const UnknownLayout &layout   = numbering.layout();
+    const auto           interval = std::max_element(size.begin(), size.end());
+    const double         largest  = size.empty() ? -1. : *interval;
     // Every rank gets the words of the lowest rank that has the largest value.
     const unsigned int who =
       MPI::min(largest == layout.largest(largest) ? layout.rank()
                                                   : layout.n_ranks(),
                layout.communicator());
     const std::string words =
-      who == layout.rank() ? describe(numbering, place - size.begin()) : "";
+      who == layout.rank() ? describe(numbering, interval - size.begin()) : "";
     return MPI::broadcast(layout.communicator(), words, who);
   }
 
