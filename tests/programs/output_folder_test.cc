@@ -144,9 +144,10 @@ namespace
 
   TEST_F(FilesOfTheUser, TwoRunsAtOnceDoNotMix)
   {
-    // The first one waits for the end of its screen, which is a pipe.
+    // The first one is long enough to be still there when it is stopped.
     const std::string program =
-      "'" AUXFEM_EXECUTABLE "' scene.prm --output out";
+      "'" AUXFEM_EXECUTABLE
+      "' scene.prm --output out --set 'Time/End time=10 ms'";
     const ProgramRun both =
       run_program({"sh",
                    "-c",
