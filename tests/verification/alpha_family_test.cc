@@ -1,8 +1,8 @@
 #include <deal.II/lac/lapack_full_matrix.h>
 
 #include <support/scene_run.h>
-#include <verification/comparison_table.h>
 #include <verification/one_mass_scene.h>
+#include <verification/result_table.h>
 
 #include <verification/label.h>
 #include <verification/schemes.h>

@@ -1,4 +1,4 @@
-#include <verification/comparison_table.h>
+#include <verification/result_table.h>
 #include <verification/space_scene.h>
 
 #include <cmath>
@@ -160,18 +160,18 @@ namespace
   /** Prints errors of the tip on four meshes; returns the last rate. */
   double observed_rate(const unsigned int order,
                        const unsigned int coarsest,
-                       const SpaceVector &exact)
+                       const SpaceVector &exact,
+                       ResultTable       &table)
   {
     double before = 0, rate = 0;
     for (unsigned int n = coarsest; n < coarsest + 4; ++n)
       {
         const double error = (tip_at_600(order, n) - exact).norm();
         rate               = std::log2(before / error);
-        std::cout << "| " << order << " | " << (1 << n) << " | "
-                  << std::scientific << std::setprecision(2) << error << " | ";
-        if (n > coarsest)
-          std::cout << std::fixed << rate;
-        std::cout << " |\n" << std::defaultfloat;
+        table.row({std::to_string(order),
+                   std::to_string(1 << n),
+                   formatted("%.2e", error),
+                   n > coarsest ? formatted("%.2f", rate) : ""});
         before = error;
       }
     return rate;
@@ -182,11 +182,10 @@ TEST(Bend45, OrderOfConvergence)
 {
   // Agrees with the rod equation to its six decimals (first test).
   const SpaceVector exact = tip_at_600(4, 4);
-  std::cout << "\n**Tip of the 45-degree bend at P = 600**\n\n"
-            << "| order | elements | error | rate |\n|---|---|---|---|\n";
+  ResultTable       table("Tip of the 45-degree bend at P = 600",
+                    {"order", "elements", "error (m)", "rate"});
   // Nodes converge with the order of p-point Gauss quadrature.
-  EXPECT_NEAR(observed_rate(1, 2, exact), 2, 0.1);
-  EXPECT_NEAR(observed_rate(2, 1, exact), 4, 0.2);
-  EXPECT_NEAR(observed_rate(3, 0, exact), 6, 0.4);
-  std::cout << std::endl;
+  EXPECT_NEAR(observed_rate(1, 2, exact, table), 2, 0.1);
+  EXPECT_NEAR(observed_rate(2, 1, exact, table), 4, 0.2);
+  EXPECT_NEAR(observed_rate(3, 0, exact, table), 6, 0.4);
 }

@@ -1,5 +1,5 @@
 #include <support/cell_scene.h>
-#include <verification/comparison_table.h>
+#include <verification/result_table.h>
 
 #include <cmath>
 

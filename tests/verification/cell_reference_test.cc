@@ -1,5 +1,5 @@
 #include <verification/cell_reference.h>
-#include <verification/comparison_table.h>
+#include <verification/result_table.h>
 
 // The rigid cell of Shokri Rad, Mohsenizadeh and Ahmad, their Table 1 with
 // L1 = 0.5 m and m2 = 3 m1, against an integrator and equations of their own,

@@ -5,6 +5,8 @@
 #include <iomanip>
 #include <iostream>
 
+#include "result_table.h"
+
 using namespace auxfem::testing_support;
 
 namespace
@@ -83,7 +85,8 @@ namespace
    */
   Error observed_rates(const unsigned int order,
                        const unsigned int coarsest,
-                       const RodEquation &exact)
+                       const RodEquation &exact,
+                       ResultTable       &table)
   {
     Error before{0, 0}, rate{0, 0};
     for (unsigned int refinements = coarsest; refinements < coarsest + 4;
@@ -96,16 +99,14 @@ namespace
           rate = {std::log2(before.l2 / error.l2),
                   std::log2(before.tip / error.tip)};
         const auto shown = [&](const double value) {
-          std::ostringstream stream;
-          if (refinements > coarsest)
-            stream << std::fixed << std::setprecision(2) << value;
-          return stream.str();
+          return refinements > coarsest ? formatted("%.2f", value) : "";
         };
-        std::cout << "| " << order << " | " << (1 << refinements) << " | "
-                  << std::scientific << std::setprecision(2) << error.l2
-                  << " | " << shown(rate.l2) << " | " << error.tip << " | "
-                  << shown(rate.tip) << " |\n"
-                  << std::defaultfloat;
+        table.row({std::to_string(order),
+                   std::to_string(1 << refinements),
+                   formatted("%.2e", error.l2),
+                   shown(rate.l2),
+                   formatted("%.2e", error.tip),
+                   shown(rate.tip)});
         before = error;
       }
     return rate;
@@ -124,14 +125,17 @@ namespace
     EXPECT_GT(exact[n_steps][2] - clamped_arc.curvature, 1.5)
       << "not a large rotation";
 
-    std::cout
-      << "\n**Displacement error of a bent arc, Reissner's equation**\n\n"
-      << "| order | elements | error L2 (m) | rate | error at the tip "
-         "(m) | rate |\n|---|---|---|---|---|---|\n";
+    ResultTable table("Displacement error of a bent arc, Reissner's equation",
+                      {"order",
+                       "elements",
+                       "error L2 (m)",
+                       "rate",
+                       "error at the tip (m)",
+                       "rate"});
     for (const unsigned int order : {1, 2, 3, 4})
       {
         const unsigned int coarsest = order == 1 ? 2 : order < 4 ? 1 : 0;
-        const Error        rate     = observed_rates(order, coarsest, exact);
+        const Error        rate = observed_rates(order, coarsest, exact, table);
         // The interpolation error of order p + 1 dominates; the rate comes from
         // below and is within a tenth on these meshes.
         EXPECT_GT(rate.l2, order + 1 - 0.1) << "order " << order;
@@ -142,6 +146,5 @@ namespace
             EXPECT_GT(rate.tip, 2 * order - 0.2) << "order " << order;
           }
       }
-    std::cout << std::endl;
   }
 } // namespace

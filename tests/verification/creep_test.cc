@@ -1,6 +1,6 @@
 #include <support/scene_run.h>
-#include <verification/comparison_table.h>
 #include <verification/one_mass_scene.h>
+#include <verification/result_table.h>
 
 #include <functional>
 

@@ -1,6 +1,6 @@
 #include <support/scene_run.h>
-#include <verification/comparison_table.h>
 #include <verification/frame_text.h>
+#include <verification/result_table.h>
 
 #include <array>
 #include <cmath>

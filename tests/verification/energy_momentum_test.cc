@@ -1,5 +1,5 @@
-#include <verification/comparison_table.h>
 #include <verification/frame_text.h>
+#include <verification/result_table.h>
 
 #include <verification/momenta.h>
 

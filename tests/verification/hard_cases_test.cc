@@ -1,7 +1,7 @@
 #include <auxfem/parameters/errors.h>
 
-#include <verification/comparison_table.h>
 #include <verification/node_unknowns.h>
+#include <verification/result_table.h>
 #include <verification/star_scene.h>
 
 #include <support/pi.h>

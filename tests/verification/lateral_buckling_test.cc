@@ -1,4 +1,4 @@
-#include <verification/comparison_table.h>
+#include <verification/result_table.h>
 #include <verification/singular_tangent.h>
 #include <verification/space_scene.h>
 
@@ -174,13 +174,14 @@ TEST(LateralBuckling, PathBeyondTheCriticalForce)
   // the lateral displacement a percent beyond that force a few percent before
   // it.
   const std::vector<Deflection> path = pulled(1e-3, 1.2, 0.02);
-  std::cout << "\n**Cantilever frame pulled along +x, lateral force of 1e-3 of "
-               "the force**\n\n| force (N) | lateral displacement (mm) "
-               "|\n|---|---|\n";
+  ResultTable                   table(
+    "Cantilever frame pulled along +x, lateral force of 1e-3 of the force",
+    {"force (N)", "lateral displacement (mm)"});
   for (const Deflection &point : path)
     if (point.force > 0.9)
       {
-        std::cout << "| " << point.force << " | " << point.lateral << " |\n";
+        table.row(
+          {formatted("%g", point.force), formatted("%g", point.lateral)});
         if (point.force < 1.05)
           {
             EXPECT_LT(point.lateral, 1.5) << "at " << point.force;
@@ -190,5 +191,4 @@ TEST(LateralBuckling, PathBeyondTheCriticalForce)
             EXPECT_GT(point.lateral, 15) << "at " << point.force;
           }
       }
-  std::cout << std::endl;
 }

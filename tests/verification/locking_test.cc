@@ -5,6 +5,8 @@
 #include <iomanip>
 #include <iostream>
 
+#include "result_table.h"
+
 using namespace auxfem::testing_support;
 
 namespace
@@ -49,9 +51,8 @@ namespace
   // must be that of the slenderness 100, whatever the order.
   void expect_no_locking(const std::string &name, const double curvature)
   {
-    std::cout << "\n**Error of the tip, " << name << ", by slenderness**\n\n"
-              << "| order | elements | 10 | 100 | 1000 | 10000 |\n"
-                 "|---|---|---|---|---|---|\n";
+    ResultTable table("Error of the tip, " + name + ", by slenderness",
+                      {"order", "elements", "10", "100", "1000", "10000"});
     for (const unsigned int order : {1, 2, 3, 4})
       {
         const unsigned int  refinements = order == 1 ? 3 : order == 2 ? 1 : 0;
@@ -60,11 +61,11 @@ namespace
           errors.push_back(error_of_tip(slender_rod(slenderness, curvature),
                                         order,
                                         refinements));
-        std::cout << "| " << order << " | " << (1 << refinements);
+        ResultTable::Cells cells = {std::to_string(order),
+                                    std::to_string(1 << refinements)};
         for (const double error : errors)
-          std::cout << std::scientific << std::setprecision(3) << " | " << error
-                    << std::defaultfloat;
-        std::cout << " |\n";
+          cells.push_back(formatted("%.3e", error));
+        table.row(cells);
         // Stretch and shear are 1e-4 of the bending flexibility at 100, and
         // 1e-2 at 10, where they change solution and error by some percent.
         EXPECT_NEAR(errors[0], errors[1], 0.1 * errors[1]) << "order " << order;
@@ -73,7 +74,6 @@ namespace
         EXPECT_NEAR(errors[2], errors[1], 1e-3 * errors[1] + 1e-6);
         EXPECT_NEAR(errors[3], errors[1], 1e-3 * errors[1] + 1e-6);
       }
-    std::cout << std::endl;
   }
 
   TEST(Locking, StraightCantilever)

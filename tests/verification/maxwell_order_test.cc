@@ -1,7 +1,7 @@
 #include <support/scene_run.h>
-#include <verification/comparison_table.h>
 #include <verification/linear_ode.h>
 #include <verification/one_mass_scene.h>
+#include <verification/result_table.h>
 
 #include <verification/label.h>
 

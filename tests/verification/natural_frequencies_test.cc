@@ -1,7 +1,7 @@
 #include <support/scene_run.h>
-#include <verification/comparison_table.h>
 #include <verification/frame_text.h>
 #include <verification/lowest_frequencies.h>
+#include <verification/result_table.h>
 
 #include <algorithm>
 #include <array>

@@ -8,6 +8,8 @@
 #include <iostream>
 #include <vector>
 
+#include "result_table.h"
+
 using namespace auxfem;
 using namespace auxfem::testing_support;
 
@@ -78,20 +80,27 @@ TEST(Newton3d, ConvergesQuadraticallyAtLargeRotations)
   // axial over bending stiffness, by which stretching has to be undone after a
   // turn. Round-off ends the sequence.
   const double constant = 500, near = 1e-2, round_off = 1e-13;
-  std::cout << "\n**Full Newton's method, knee in space**\n\n| load | "
-               "iteration | relative residual | error | error / previous error "
-               "squared |\n|---|---|---|---|---|\n"
-            << std::setprecision(2);
-  State before = run.state;
+  ResultTable  table("Full Newton's method, knee in space",
+                    {"load",
+                      "iteration",
+                      "relative residual",
+                      "error",
+                      "error / previous error squared"});
+  State        before = run.state;
   run.run([&] {
     const std::vector<Iterate> found = iterates(run, before);
     for (unsigned int i = 0; i < found.size(); ++i)
       {
-        std::cout << "| " << run.state.time << " | " << i + 1 << " | "
-                  << found[i].residual << " | " << found[i].error << " | ";
-        if (i > 0 && found[i].error > round_off)
-          std::cout << found[i].error / std::pow(found[i - 1].error, 2);
-        std::cout << " |\n";
+        const bool is_round_off = i == 0 || found[i].error <= round_off;
+        table.row(
+          {formatted("%g", run.state.time),
+           std::to_string(i + 1),
+           formatted("%.2g", found[i].residual),
+           formatted("%.2g", found[i].error),
+           is_round_off
+             ? ""
+             : formatted("%.2g",
+                         found[i].error / std::pow(found[i - 1].error, 2))});
         if (i > 0 && found[i - 1].error < near)
           {
             EXPECT_LT(found[i].error,
@@ -101,6 +110,5 @@ TEST(Newton3d, ConvergesQuadraticallyAtLargeRotations)
       }
     before = run.state;
   });
-  std::cout << std::endl;
   EXPECT_GT(rotation_vector(run.rotation(2)).norm(), 2.5) << "hardly turned";
 }

@@ -1,8 +1,8 @@
 #include <support/energy_amount.h>
 #include <support/scene_run.h>
-#include <verification/comparison_table.h>
 #include <verification/linear_ode.h>
 #include <verification/one_mass_scene.h>
+#include <verification/result_table.h>
 
 #include <verification/label.h>
 #include <verification/schemes.h>

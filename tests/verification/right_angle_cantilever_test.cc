@@ -1,4 +1,4 @@
-#include <verification/comparison_table.h>
+#include <verification/result_table.h>
 #include <verification/round_beam.h>
 
 #include <array>

@@ -1,4 +1,4 @@
-#include <verification/comparison_table.h>
+#include <verification/result_table.h>
 #include <verification/space_frame.h>
 #include <verification/space_text.h>
 

@@ -2,7 +2,7 @@
 #include <support/cell_scene.h>
 #include <support/run_program.h>
 #include <support/scene_run.h>
-#include <verification/comparison_table.h>
+#include <verification/result_table.h>
 
 #include <cmath>
 #include <iomanip>
@@ -166,8 +166,10 @@ namespace
 
 TEST(RigidCellVerification, ConvergesToTheReducedEquations)
 {
-  std::cout << "\n| case | steps | theta | f2 | orders | balance | drift (m) "
-               "|\n|---|---|---|---|---|---|---|\n";
+  ResultTable table(
+    "Cell of rigid parts by newmark, largest differences from "
+    "the reduced equations by arkode, of the largest value",
+    {"case", "steps", "theta", "f2", "orders", "balance", "drift (m)"});
   for (const unsigned int number : {1, 4, 5, 8})
     {
       CellCase                      c         = table_case(number);
@@ -179,20 +181,24 @@ TEST(RigidCellVerification, ConvergesToTheReducedEquations)
           c.n_steps = n_steps;
           LatticeCell      cell(c);
           const Difference now = difference(cell, reference);
-          std::cout << "| " << number << " | " << n_steps << std::scientific
-                    << std::setprecision(2) << " | " << now.theta << " | "
-                    << now.f2 << " | ";
-          const bool is_doubled = n_steps > 250 && n_steps < 20000;
+          std::string      orders;
+          const bool       is_doubled = n_steps > 250 && n_steps < 20000;
           if (is_doubled)
             {
               const double theta_order = std::log2(before.theta / now.theta),
                            f2_order    = std::log2(before.f2 / now.f2);
-              std::cout << std::fixed << theta_order << ", " << f2_order
-                        << std::scientific;
+              orders =
+                formatted("%.2f", theta_order) + formatted("; %.2f", f2_order);
               EXPECT_NEAR(theta_order, 2, 0.1) << "case " << number;
               EXPECT_NEAR(f2_order, 2, 0.1) << "case " << number;
             }
-          std::cout << " | " << now.balance << " | " << now.drift << " |\n";
+          table.row({std::to_string(number),
+                     std::to_string(n_steps),
+                     formatted("%.2e", now.theta),
+                     formatted("%.2e", now.f2),
+                     orders,
+                     formatted("%.2e", now.balance),
+                     formatted("%.2e", now.drift)});
           // Some roundings of coordinates of up to 0.6 m.
           EXPECT_LT(now.drift, 1e-14 * std::sqrt(n_steps));
           before = now;
@@ -201,7 +207,6 @@ TEST(RigidCellVerification, ConvergesToTheReducedEquations)
       EXPECT_LT(before.f2, 1e-6) << "case " << number;
       EXPECT_LT(before.balance, 1e-8) << "case " << number;
     }
-  std::cout << std::defaultfloat << std::endl;
 }
 
 TEST(RigidCellVerification, HingeForcesBalanceTheParts)
@@ -345,8 +350,9 @@ TEST(RigidCellVerification, ElasticBarsConvergeToRigidOnes)
                      q = rigid.lattice.joint_sets.at("q").front();
   const double Y1 = rigid.motion(n, 1), Y2 = rigid.motion(q, 1);
 
-  std::cout << "\n| EA (N) | Y1 off (m) | Y2 off (m) | order |\n"
-               "|---|---|---|---|\n";
+  ResultTable table(
+    "Cell with elastic bars, differences from rigid ones at 50 ms",
+    {"EA (N)", "Y1 off (m)", "Y2 off (m)", "order"});
   double before = 0;
   for (const double E : {1e10, 1e11, 1e12, 1e13})
     {
@@ -358,15 +364,16 @@ TEST(RigidCellVerification, ElasticBarsConvergeToRigidOnes)
                    off2  = std::abs(elastic.motion(q, 1) - Y2);
       const double off   = std::hypot(off1, off2);
       const double order = before > 0 ? std::log10(before / off) : 0;
-      std::cout << "| " << E * 1e-4 << " | " << off1 << " | " << off2 << " | "
-                << order << " |\n";
+      table.row({formatted("%g", E * 1e-4),
+                 formatted("%.3g", off1),
+                 formatted("%.3g", off2),
+                 before > 0 ? formatted("%.3f", order) : ""});
       if (before > 0)
         {
           EXPECT_NEAR(order, 1, 0.1) << "E = " << E;
         }
       before = off;
     }
-  std::cout << std::endl;
   EXPECT_LT(before, 1e-7);
 }
 

@@ -1,5 +1,5 @@
 #include <support/scene_run.h>
-#include <verification/comparison_table.h>
+#include <verification/result_table.h>
 #include <verification/rigid_frame.h>
 
 #include <array>

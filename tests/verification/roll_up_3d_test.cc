@@ -1,6 +1,6 @@
 #include <auxfem/output/rotation_vectors.h>
 
-#include <verification/comparison_table.h>
+#include <verification/result_table.h>
 #include <verification/space_scene.h>
 
 #include <cmath>

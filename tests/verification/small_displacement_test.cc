@@ -1,8 +1,8 @@
 #include <deal.II/base/tensor.h>
 
 #include <support/scene_run.h>
-#include <verification/comparison_table.h>
 #include <verification/frame_text.h>
+#include <verification/result_table.h>
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
-#include <verification/comparison_table.h>
 #include <verification/lowest_frequencies.h>
+#include <verification/result_table.h>
 #include <verification/space_text.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 #include <support/run_program.h>
-#include <verification/comparison_table.h>
+#include <verification/result_table.h>
 #include <verification/space_frame.h>
 #include <verification/space_text.h>
 

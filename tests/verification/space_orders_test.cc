@@ -7,6 +7,8 @@
 #include <iostream>
 #include <vector>
 
+#include "result_table.h"
+
 using namespace auxfem;
 using namespace auxfem::testing_support;
 
@@ -72,16 +74,12 @@ namespace
   void observe_order(const std::string              &name,
                      const std::vector<std::string> &scheme)
   {
-    std::cout << "\n**Changes with halved steps in space, " << name
-              << "**\n\n| step (s) |";
+    ResultTable::Cells columns = {"step (s)"};
     for (const char *quantity : names)
-      std::cout << ' ' << quantity << " | rate |";
-    std::cout << "\n|---|";
-    for (unsigned int k = 0; k < n_quantities; ++k)
-      std::cout << "---|---|";
-    std::cout << '\n';
-    double                           turn = 0;
-    EndMotion                        before{};
+      columns.insert(columns.end(), {quantity, "rate"});
+    ResultTable table("Changes with halved steps in space, " + name, columns);
+    double      turn = 0;
+    EndMotion   before{};
     std::array<double, n_quantities> changes{}, rates{};
     double                           dt = 0.02;
     for (unsigned int halving = 0; halving < 5; ++halving, dt /= 2)
@@ -89,19 +87,16 @@ namespace
         const EndMotion now = motion_with(scheme, dt, turn);
         if (halving > 0)
           {
-            std::cout << "| " << text(dt) << " | ";
+            ResultTable::Cells cells = {text(dt)};
             for (unsigned int k = 0; k < n_quantities; ++k)
               {
                 const double change = (now[k] - before[k]).norm();
                 rates[k]            = std::log2(changes[k] / change);
                 changes[k]          = change;
-                std::cout << std::scientific << std::setprecision(2) << change
-                          << " | " << std::fixed;
-                if (halving > 1)
-                  std::cout << rates[k];
-                std::cout << " | " << std::defaultfloat;
+                cells.push_back(formatted("%.2e", change));
+                cells.push_back(halving > 1 ? formatted("%.2f", rates[k]) : "");
               }
-            std::cout << '\n';
+            table.row(cells);
           }
         before = now;
       }

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 #include <support/scene_run.h>
-#include <verification/comparison_table.h>
+#include <verification/result_table.h>
 
 #include <cmath>
 
