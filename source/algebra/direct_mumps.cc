@@ -96,7 +96,10 @@ namespace auxfem
 
     Mumps::~Mumps()
     {
-      stop();
+      // All ranks have to stop it together: not if an exception, maybe of this
+      // one alone, ends the run.
+      if (std::uncaught_exceptions() == 0)
+        stop();
     }
 
     MUMPS_INT &Mumps::setting(const int number)

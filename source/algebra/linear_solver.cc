@@ -213,10 +213,12 @@ namespace auxfem
     // Far above round-off, also where stiffness stands beside constraints; far
     // below what a wrong factor would leave.
     constexpr double largest_error = 1e-3;
+    const bool       is_finite =
+      std::all_of(right_side.begin(), right_side.end(), [](const double value) {
+        return std::isfinite(value);
+      });
     if (current->n_iterations() == 0 &&
-        std::all_of(right_side.begin(),
-                    right_side.end(),
-                    [](const double value) { return std::isfinite(value); }))
+        matrix.pattern().unknowns().layout.largest(is_finite ? 0. : 1.) == 0)
       {
         const double error =
           backward_error(matrix, values, right_side, symmetry);

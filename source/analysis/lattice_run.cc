@@ -135,6 +135,13 @@ namespace auxfem
       recorder.begin(equations);
       has_begun = true;
     };
+    const auto finish = [&](const std::string &exit_state) {
+      if (!has_begun)
+        begin();
+      recorder.finish(solution, result(exit_state));
+    };
+    // Else ranks may know nothing of an exception of another, and would wait.
+    const bool is_alone = model.numbering.layout().n_ranks() == 1;
     try
       {
         {
@@ -155,18 +162,21 @@ namespace auxfem
       {
         throw;
       }
+    catch (const ComputationError &failure)
+      {
+        finish(failure.what());
+        throw;
+      }
     catch (const std::bad_alloc &)
       {
-        // On several ranks the others know nothing of it, and would wait.
-        if (has_begun && model.numbering.layout().n_ranks() == 1)
-          recorder.finish(solution, result(out_of_memory_text()));
+        if (has_begun && is_alone)
+          finish(out_of_memory_text());
         throw;
       }
     catch (const std::exception &failure)
       {
-        if (!has_begun)
-          begin();
-        recorder.finish(solution, result(failure.what()));
+        if (is_alone)
+          finish(failure.what());
         throw;
       }
     RunResult completed = result("completed");

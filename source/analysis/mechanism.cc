@@ -65,8 +65,10 @@ namespace auxfem
     const UnknownLayout &layout   = numbering.layout();
     TangentMatrix       &matrix   = solver.matrix();
     const Vector         diagonal = matrix.diagonal();
-    const double         stiffest =
-      layout.largest(*std::max_element(diagonal.begin(), diagonal.end()));
+    // A rank of a small lattice may have no unknown.
+    const double stiffest = layout.largest(
+      diagonal.empty() ? 0.
+                       : *std::max_element(diagonal.begin(), diagonal.end()));
     const double length = model.mean_strut_length;
     Vector       weight(diagonal), shift(diagonal.size(), 0.);
     for (unsigned int i = 0; i < layout.n_owned(); ++i)

@@ -166,6 +166,12 @@ namespace auxfem
                              scene.context,
                              definition.path + "/Struts"))
             chosen[strut] = true;
+          for (const RigidPart &part : lattice.rigid_parts)
+            for (const unsigned int strut : part.struts)
+              if (chosen[strut])
+                refuse_point_beside(part,
+                                    lattice,
+                                    lattice.centroid(lattice.struts[strut]));
           for (unsigned int c = 0; c < lattice.dimension; ++c)
             {
               if (definition.components[c].is_zero())

@@ -72,7 +72,34 @@ namespace auxfem
         weights.push_back(arm * dual);
       return weights;
     }
+
+    /** The joints of @p part about its centre of mass (m). */
+    std::vector<SpaceVector> arms_of(const RigidPart &part,
+                                     const Lattice   &lattice)
+    {
+      std::vector<SpaceVector> arms;
+      for (const unsigned int joint : part.joints)
+        arms.push_back(lattice.joints[joint] - part.centre_of_mass);
+      return arms;
+    }
   } // namespace
+
+  void refuse_point_beside(const RigidPart        &part,
+                           const Lattice          &lattice,
+                           const dealii::Point<3> &point)
+  {
+    if (!part.has_rotation)
+      return;
+    const std::vector<SpaceVector> arms = arms_of(part, lattice);
+    SpaceVector                    rest;
+    weights_of(arms, SpaceVector(point - part.centre_of_mass), rest);
+    constexpr double few_digits = 1e-6;
+    if (rest.norm() > few_digits * arms.front().norm())
+      throw InputError("Loads: a line load on a rigid arc acts beside the "
+                       "joints and the centre of mass of its part. Give the "
+                       "part a joint beside the line of its joints, or load "
+                       "joints (Type = joint).");
+  }
 
   RigidBodies rigid_bodies(const Lattice      &lattice,
                            const DofNumbering &numbering)
@@ -133,21 +160,13 @@ namespace auxfem
                            const dealii::Point<3> &point,
                            const unsigned int      component)
   {
-    const RigidPart         &part = lattice.rigid_parts[body.part];
-    std::vector<SpaceVector> arms;
-    for (const unsigned int joint : part.joints)
-      arms.push_back(lattice.joints[joint] - part.centre_of_mass);
-    const SpaceVector         target = point - part.centre_of_mass;
-    SpaceVector               rest;
-    const std::vector<double> weights    = weights_of(arms, target, rest);
-    constexpr double          few_digits = 1e-6;
-    if (rest.norm() > few_digits * arms.front().norm())
-      throw InputError("Loads: a line load on a rigid arc acts beside the "
-                       "joints and the centre of mass of its part. Give the "
-                       "part a joint beside the line of its joints, or load "
-                       "joints (Type = joint).");
-    ForceShares result;
-    double      on_centre = 1;
+    const RigidPart               &part   = lattice.rigid_parts[body.part];
+    const std::vector<SpaceVector> arms   = arms_of(part, lattice);
+    const SpaceVector              target = point - part.centre_of_mass;
+    SpaceVector                    rest;
+    const std::vector<double>      weights = weights_of(arms, target, rest);
+    ForceShares                    result;
+    double                         on_centre = 1;
     for (unsigned int k = 0; k < weights.size(); ++k)
       {
         result.emplace_back(numbering.joint_unknown(part.joints[k], component),

@@ -1,3 +1,4 @@
+#include <auxfem/equations/node_rotations.h>
 #include <auxfem/mesh/sets.h>
 #include <auxfem/output/first_rank.h>
 #include <auxfem/output/history.h>
@@ -31,6 +32,29 @@ namespace auxfem
                 "on the rotations it prescribes, without moments of its "
                 "forces"};
     }
+
+    /**
+     * Largest rotation (rad) of all nodes on this rank: in space an angle up to
+     * half a revolution.
+     */
+    double largest_of_nodes(const State &state, const DofNumbering &numbering)
+    {
+      double squared = 0;
+      for (const Quaternion &rotation : state.rotations)
+        squared = std::max(squared, rotation.vector.norm_square());
+      if (!state.rotations.empty())
+        return 2 * std::asin(std::min(1., std::sqrt(squared)));
+      for (unsigned int i = 0; i < numbering.rotations().size(); ++i)
+        squared = std::max(
+          squared,
+          NodeRotations(numbering).values(state.displacement, i).norm_square());
+      double largest = std::sqrt(squared);
+      if (numbering.rotations().size() == 0)
+        for (unsigned int i = 0; i < numbering.layout().n_owned(); ++i)
+          if (numbering.unknowns().is_rotation[i])
+            largest = std::max(largest, std::abs(state.displacement[i]));
+      return largest;
+    }
   } // namespace
 
   History::History(const Scene     &scene,
@@ -63,11 +87,6 @@ namespace auxfem
     for (const Column &column : energy_columns(equations.layout().energies))
       column_list.push_back(column);
     row.resize(column_list.size());
-    const DofNumbering &numbering = equations.model().numbering;
-    for (unsigned int i = 0; i < numbering.layout().n_owned(); ++i)
-      if (numbering.unknowns().is_rotation[i] &&
-          equations.model().lattice.dimension == 2)
-        rotations.push_back(i);
   }
 
   void History::define_probe(const ProbeDefinition &probe,
@@ -122,7 +141,11 @@ namespace auxfem
         const int unknown =
           equations.model().numbering.joint_unknown(joint, component);
         if (equations.model().numbering.layout().is_owned(unknown))
-          sum.unknowns.push_back(unknown);
+          {
+            sum.unknowns.push_back(unknown);
+            if (quantity == Quantity::rotation_vector)
+              rotation_vectors.choose(unknown);
+          }
       }
     sums.push_back(std::move(sum));
     column_list.push_back(
@@ -250,9 +273,9 @@ namespace auxfem
       row[column++] = energy;
     AssertDimension(column, row.size());
 
-    for (const int unknown : rotations)
-      rotation_so_far =
-        std::max(rotation_so_far, std::abs(state.displacement[unknown]));
+    rotation_so_far =
+      std::max(rotation_so_far,
+               largest_of_nodes(state, equations.model().numbering));
     return row;
   }
 

@@ -2,6 +2,8 @@
 #include <auxfem/model/rotation_numbers.h>
 #include <auxfem/output/rotation_vectors.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 
 namespace auxfem
@@ -24,29 +26,60 @@ namespace auxfem
       const SpaceVector nearest = rotation_vector_near(rotation, expected);
       return (nearest - expected).norm() < nearest_leap ? nearest : expected;
     }
+
+    /** Where the one with @p index is, or would be inserted. */
+    template <class Rotations>
+    auto find_rotation(Rotations &rotations, const unsigned int index)
+    {
+      return std::lower_bound(rotations.begin(),
+                              rotations.end(),
+                              index,
+                              [](const auto &rotation, const unsigned int i) {
+                                return rotation.index < i;
+                              });
+    }
   } // namespace
 
-  RotationVectors::RotationVectors(const LatticeModel &model)
-    : model(model)
-    , rotations(model.numbering.rotations().size())
+  RotationVectors::RotationVectors(const LatticeModel &model) : model(model)
   {}
+
+  void RotationVectors::choose(const int unknown)
+  {
+    const unsigned int index = model.numbering.rotations().with(unknown);
+    const auto         next  = find_rotation(rotations, index);
+    if (next == rotations.end() || next->index != index)
+      rotations.insert(next, {index, {}, {}});
+  }
 
   void RotationVectors::follow(const State &state)
   {
-    for (unsigned int i = 0; i < rotations.size(); ++i)
+    const NodeRotations of_nodes(model.numbering);
+    for (Rotation &rotation : rotations)
       {
         const SpaceVector entries =
-          NodeRotations(model.numbering).values(state.displacement, i);
-        SpaceVector &vector = rotations[i].vector;
+          of_nodes.values(state.displacement, rotation.index);
         if (state.rotations.empty())
-          vector = entries;
+          rotation.vector = entries;
         else
-          vector = followed(state.rotations[i],
-                            vector +
-                              rotated(state.rotations[i],
-                                      entries - rotations[i].entries));
-        rotations[i].entries = entries;
+          {
+            const Quaternion &now = state.rotations[rotation.index];
+            rotation.vector =
+              followed(now,
+                       rotation.vector +
+                         rotated(now, entries - rotation.entries));
+          }
+        rotation.entries = entries;
       }
+  }
+
+  std::vector<unsigned int> RotationVectors::numbers() const
+  {
+    const std::vector<unsigned int> of_all =
+      rotation_numbers(model.lattice, model.numbering);
+    std::vector<unsigned int> chosen;
+    for (const Rotation &rotation : rotations)
+      chosen.push_back(of_all[rotation.index]);
+    return chosen;
   }
 
   void RotationVectors::save(Records &records) const
@@ -56,32 +89,30 @@ namespace auxfem
       vectors.insert(vectors.end(),
                      rotation.vector.begin_raw(),
                      rotation.vector.end_raw());
-    records.keep(rotation_vectors_record,
-                 rotation_numbers(model.lattice, model.numbering),
-                 3,
-                 vectors);
+    records.keep(rotation_vectors_record, numbers(), 3, vectors);
   }
 
   void RotationVectors::resume(const State &state, const Records &records)
   {
     const std::vector<double> vectors =
-      records.values(rotation_vectors_record,
-                     rotation_numbers(model.lattice, model.numbering),
-                     3);
+      records.values(rotation_vectors_record, numbers(), 3);
     for (unsigned int i = 0; i < rotations.size(); ++i)
       {
         for (unsigned int c = 0; c < 3; ++c)
           rotations[i].vector[c] = vectors[3 * i + c];
         rotations[i].entries =
-          NodeRotations(model.numbering).values(state.displacement, i);
+          NodeRotations(model.numbering)
+            .values(state.displacement, rotations[i].index);
       }
   }
 
   double RotationVectors::operator[](const int unknown) const
   {
-    const DofNumbering &numbering = model.numbering;
-    return rotations[numbering.rotations().with(unknown)]
-      .vector[numbering.rotations().axis(unknown)];
+    const SpatialRotations &all   = model.numbering.rotations();
+    const auto              found = find_rotation(rotations, all.with(unknown));
+    Assert(found != rotations.end() && found->index == all.with(unknown),
+           dealii::ExcMessage("the rotation was not chosen"));
+    return found->vector[all.axis(unknown)];
   }
 
   double RotationVectors::largest() const

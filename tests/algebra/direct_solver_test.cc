@@ -441,7 +441,7 @@ TEST(DirectSolver, NewEntriesAndPatternsFollow)
 
 TEST(DirectSolver, LackOfMemoryIsReported)
 {
-#ifdef __SANITIZE_ADDRESS__
+#ifdef AUXFEM_SANITIZERS
   GTEST_SKIP() << "The address sanitizer takes all addresses there are.";
 #endif
   DistributedMatrix of(supported_grid(25, 10.));

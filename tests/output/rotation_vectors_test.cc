@@ -41,7 +41,11 @@ end
       , rotations(model.numbering)
       , state(equations.initial_state())
       , vectors(model)
-    {}
+    {
+      if (scene.dimension == 3)
+        for (const unsigned int joint : {1, 0})
+          vectors.choose(model.numbering.joint_unknown(joint, first_rotation));
+    }
 
     /** Turns all nodes from where they are to @p rotation. */
     void turn_to(const Quaternion &rotation)

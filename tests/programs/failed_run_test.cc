@@ -124,7 +124,7 @@ namespace
 
   TEST_F(FailedRun, OutOfMemory)
   {
-#ifdef __SANITIZE_ADDRESS__
+#ifdef AUXFEM_SANITIZERS
     GTEST_SKIP() << "The address sanitizer takes all addresses there are.";
 #endif
     // Whatever a former run has left stays until there is something new.

@@ -304,4 +304,115 @@ end
                        2,
                        "did not converge");
   }
+
+
+
+  TEST_F(ParallelProgram, AFollowerLoadThatEndsOnOneRankEndsAll)
+  {
+    write("scene.prm", data_text("star.prm"));
+    expect_one_message(
+      run_auxfem_on(2,
+                    {"scene.prm",
+                     "--set",
+                     "Time/Scheme=energy-momentum",
+                     "--set",
+                     "Loads/hit/Joints=nearest: 0, 0.04",
+                     "--set",
+                     "Loads/hit/Direction=follows the joint",
+                     "--set",
+                     "Loads/hit/Force y=-8 * sqrt(0.31e-3 - t)"}),
+      2,
+      "not a finite number at t = 0.0003");
+  }
+
+
+
+  TEST_F(ParallelProgram, ALineLoadBesideARigidArcIsRefusedOnAllRanks)
+  {
+    write("scene.prm", R"(
+set Dimension = 3
+subsection Lattice
+  set Cell   = frame
+  set Joints = 0 0; 1 0; 2 0; 3 0
+  set Struts = 0 1; 1 2 0.3; 2 3 -0.3
+end
+subsection Sections
+  subsection rod
+    set Shape           = circle
+    set Radius          = 10 mm
+    set Young's modulus = 70 GPa
+    set Density         = 2700 kg/m3
+  end
+end
+subsection Rigid parts
+  subsection arc
+    set Struts         = 1, 2
+    set Mass           = 1 kg
+    set Elastic struts = clamped
+  end
+end
+subsection Supports
+  subsection clamp
+    set Joints = 0
+  end
+end
+subsection Loads
+  subsection wind
+    set Type               = line
+    set Struts             = 1
+    set Force per length z = 1
+  end
+end
+)");
+    const std::string message = "a line load on a rigid arc";
+    expect_one_message(run_auxfem({"scene.prm"}), 1, message);
+    expect_one_message(run_auxfem_on(2, {"scene.prm"}), 1, message);
+  }
+
+
+
+  TEST_F(ParallelProgram, ARankMayHaveNoUnknowns)
+  {
+    write("scene.prm", R"(
+subsection Lattice
+  set Cell   = frame
+  set Joints = 0 0; 1 0; 0.5 1
+  set Struts = 0 1; 1 2; 2 0
+end
+subsection Sections
+  subsection rod
+    set Shape           = circle
+    set Radius          = 10 mm
+    set Young's modulus = 70 GPa
+  end
+end
+subsection Discretization
+  set Order = 1
+end
+subsection Supports
+  subsection foundation
+    set Joints = 0, 1
+  end
+end
+subsection Loads
+  subsection push
+    set Joints  = 2
+    set Force x = 100
+  end
+end
+subsection Time
+  set Scheme    = static
+  set Time step = 1 s
+end
+subsection Probes
+  set top = 2
+end
+)");
+    const ProgramRun one = run_auxfem({"scene.prm", "--output", "one"});
+    const ProgramRun three =
+      run_auxfem_on(3, {"scene.prm", "--output", "three"});
+    ASSERT_EQ(one.exit_code, 0) << one.errors;
+    ASSERT_EQ(three.exit_code, 0) << three.errors;
+    expect_same(history("one"), history("three"));
+  }
 } // namespace

@@ -40,7 +40,8 @@ namespace
       .time(1, step);
     SpaceRun        run(scene.str());
     RotationVectors rotations(run.model);
-    double          worst_position = 0, worst_rotation = 0, angle = 0;
+    rotations.choose(run.model.numbering.joint_unknown(1, first_rotation));
+    double worst_position = 0, worst_rotation = 0, angle = 0;
     run.run([&] {
       angle = 4 * pi * run.state.time;
       rotations.follow(run.state);

@@ -86,9 +86,18 @@ namespace auxfem
                            unsigned int            component);
 
   /**
+   * Throws InputError for a @p point (m, at rest) that is no weighted mean of
+   * the joints and the centre of mass of a @p part with a rotation of its own:
+   * no forces on these have their resultant there. To be asked on all ranks
+   * alike.
+   */
+  void refuse_point_beside(const RigidPart        &part,
+                           const Lattice          &lattice,
+                           const dealii::Point<3> &point);
+
+  /**
    * As above: forces on the centre of mass and the joints with the same
-   * resultant at the same point. Throws InputError for a point that is no
-   * weighted mean of these.
+   * resultant at the same point, which refuse_point_beside() has let pass.
    */
   ForceShares force_shares(const RotatingBody     &body,
                            const Lattice          &lattice,

@@ -66,8 +66,9 @@ namespace auxfem
     void resume(const State &state, const Records &records);
 
     /**
-     * Largest |rotation| (rad) in all rows so far, of unknowns of this rank; in
-     * those before resume() of all ranks.
+     * Largest |rotation| (rad) in all rows so far, of nodes of this rank; in
+     * those before resume() of all ranks. In space only those of probes and
+     * rigid parts count revolutions.
      */
     double largest_rotation() const;
 
@@ -122,9 +123,7 @@ namespace auxfem
     LargestStrain                   strain_so_far;
     std::vector<double>             row;
     EnergyRecord                    record;
-    /** Rotations in the plane: local numbers, owned by this rank. */
-    std::vector<int> rotations;
-    double           rotation_so_far = 0;
+    double                          rotation_so_far = 0;
   };
 
   /**

@@ -7,15 +7,19 @@
 namespace auxfem
 {
   /**
-   * Rotations of the nodes of this rank in space as rotation vectors since rest
-   * (rad), counted on past whole turns from state to state. None in the plane,
-   * where rotations are numbers.
+   * Chosen rotations in space as rotation vectors since rest (rad), counted on
+   * past whole turns from state to state. None in the plane, where rotations
+   * are numbers.
    */
   class RotationVectors
   {
   public:
     /** @param model must outlive the object. */
     explicit RotationVectors(const LatticeModel &model);
+
+    /** Chooses the rotation that local unknown @p unknown, a spin, belongs to.
+     */
+    void choose(int unknown);
 
     /**
      * Goes on to @p state. The sum of turns in between tells apart vectors
@@ -30,21 +34,25 @@ namespace auxfem
     /** Goes on from @p state, at which @p records were saved. */
     void resume(const State &state, const Records &records);
 
-    /** The entry that belongs to local unknown @p unknown, a spin (rad). */
+    /** The entry of local unknown @p unknown (rad), a spin of a chosen one. */
     double operator[](int unknown) const;
 
-    /** Largest angle (rad), ghosts included. */
+    /** Largest angle (rad). */
     double largest() const;
 
   private:
+    /** Names of the chosen ones, the same on any number of ranks. */
+    std::vector<unsigned int> numbers() const;
+
     struct Rotation
     {
-      SpaceVector vector;
-      SpaceVector entries; ///< of State::displacement
+      unsigned int index; ///< among DofNumbering::rotations()
+      SpaceVector  vector;
+      SpaceVector  entries; ///< of State::displacement
     };
 
     const LatticeModel   &model;
-    std::vector<Rotation> rotations;
+    std::vector<Rotation> rotations; ///< rising by index
   };
 } // namespace auxfem
 

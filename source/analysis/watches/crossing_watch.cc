@@ -216,11 +216,13 @@ namespace auxfem
        */
       double moved_since(const Vector &displacement) const
       {
-        if (last_displacement.size() != displacement.size())
+        const DofNumbering &numbering = model.numbering;
+        // Ranks may differ: one may have no unknowns, or have got ghosts.
+        const bool is_new = last_displacement.size() != displacement.size();
+        if (numbering.layout().largest(is_new ? 1. : 0.) > 0)
           return std::numeric_limits<double>::infinity();
-        const DofNumbering &numbering    = model.numbering;
-        const unsigned int  n_components = numbering.n_components(),
-                           dimension     = model.lattice.dimension;
+        const unsigned int n_components = numbering.n_components(),
+                           dimension    = model.lattice.dimension;
         std::vector<double> sum(4, 0.);
         const auto          for_ways = [&](const auto &act) {
           for (unsigned int e = 0; e < numbering.elements().size(); ++e)

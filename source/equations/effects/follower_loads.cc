@@ -138,24 +138,32 @@ namespace auxfem
   {
     const StepTravel travel(step, numbering);
     for (const Load &load : loads)
-      for (const Joint &joint : load.joints)
-        {
-          const Values mean = mean_values(load, joint, step);
-          for (unsigned int c = 0; c < n_motion_components; ++c)
-            if (const int i = joint[c]; i >= 0)
-              residual[i] -= (c < 3 ? mean.force : mean.moment)[c % 3] *
-                travel.increment_per_travel(i);
-        }
+      {
+        const Ends ends = values_at_ends(load, step);
+        for (const Joint &joint : load.joints)
+          {
+            const Values mean = mean_values(ends, joint, step);
+            for (unsigned int c = 0; c < n_motion_components; ++c)
+              if (const int i = joint[c]; i >= 0)
+                residual[i] -= (c < 3 ? mean.force : mean.moment)[c % 3] *
+                  travel.increment_per_travel(i);
+          }
+      }
   }
 
-  FollowerLoads::Values FollowerLoads::mean_values(const Load       &load,
+  FollowerLoads::Ends
+  FollowerLoads::values_at_ends(const Load &load, const Evaluation &step) const
+  {
+    return {values_before(load, step), values_now(load, step)};
+  }
+
+  FollowerLoads::Values FollowerLoads::mean_values(const Ends       &ends,
                                                    const Joint      &joint,
                                                    const Evaluation &step) const
   {
     // The moment is constant in axes that turn with the joint, as is the turn
     // itself.
-    const Values before        = values_before(load, step),
-                 now           = values_now(load, step);
+    const auto &[before, now]  = ends;
     const double factor_before = step.from.load_factor,
                  factor_now    = step.to.load_factor;
     return {(factor_before * rotated(rotation(joint, step.from), before.force) +
@@ -202,17 +210,20 @@ namespace auxfem
   {
     // As for dead loads, by the mean of the forces over the step.
     for (const Load &load : loads)
-      for (const Joint &joint : load.joints)
-        {
-          if (!numbering.layout().is_owned(joint[0]))
-            continue;
-          const Values mean = mean_values(load, joint, step);
-          for (unsigned int c = 0; c < n_motion_components; ++c)
-            if (joint[c] >= 0)
-              account.add_in_step(load.work_entry,
-                                  (c < 3 ? mean.force : mean.moment)[c % 3] *
-                                    (step.to.displacement[joint[c]] -
-                                     step.from.displacement[joint[c]]));
-        }
+      {
+        const Ends ends = values_at_ends(load, step);
+        for (const Joint &joint : load.joints)
+          {
+            if (!numbering.layout().is_owned(joint[0]))
+              continue;
+            const Values mean = mean_values(ends, joint, step);
+            for (unsigned int c = 0; c < n_motion_components; ++c)
+              if (joint[c] >= 0)
+                account.add_in_step(load.work_entry,
+                                    (c < 3 ? mean.force : mean.moment)[c % 3] *
+                                      (step.to.displacement[joint[c]] -
+                                       step.from.displacement[joint[c]]));
+          }
+      }
   }
 } // namespace auxfem

@@ -73,9 +73,16 @@ namespace auxfem
     static Values values_now(const Load &load, const Evaluation &evaluation);
     /** When the step begins. */
     Values values_before(const Load &load, const Evaluation &step) const;
+    /** At start and end of a step. To be asked on all ranks alike: functions of
+     * time may have no value there. */
+    struct Ends
+    {
+      Values before, now;
+    };
+    Ends values_at_ends(const Load &load, const Evaluation &step) const;
     /** Means over the step of what acts on a joint, in the global frame; the
      * moment is. */
-    Values mean_values(const Load       &load,
+    Values mean_values(const Ends       &ends,
                        const Joint      &joint,
                        const Evaluation &step) const;
     /** Of a step between two states: such that moments too do their work. */
