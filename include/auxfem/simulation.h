@@ -12,8 +12,8 @@ namespace auxfem
 {
   /**
    * One run from a scene to the folder of results that it names: the analysis
-   * that the scene asks for. Throws InputError or ComputationError; what was
-   * computed until then is on disk.
+   * that the scene asks for. Collective, as are the functions below. Throws
+   * InputError or ComputationError; what was computed until then is on disk.
    * @param start of this rank, for the summary.
    * @param rules for what lies in the folder before the run.
    */

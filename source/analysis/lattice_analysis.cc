@@ -15,9 +15,7 @@ namespace auxfem
   void check_lattice(const Scene &scene, const MPI_Comm communicator)
   {
     LatticeRun run(scene, communicator);
-    run.refuse_undetermined();
-    if (!scene.time.static_start)
-      run.start();
+    run.prepare();
     refuse_columns_of_nothing(scene, run.lattice);
     print_overview(scene, run.equations);
   }

@@ -68,6 +68,14 @@ namespace auxfem
                        : std::optional<double>(scene.time.step));
   }
 
+  void LatticeRun::prepare()
+  {
+    const SetUpWatch watch(work_done);
+    refuse_undetermined();
+    if (!scene.time.static_start)
+      start();
+  }
+
   void LatticeRun::start()
   {
     stepper.start(solution);
@@ -144,14 +152,9 @@ namespace auxfem
     const bool is_alone = model.numbering.layout().n_ranks() == 1;
     try
       {
-        {
-          const SetUpWatch watch(work_done);
-          refuse_undetermined();
-          // Mistakes it finds must not cost the results of an earlier run; a
-          // search for equilibrium that fails is no mistake.
-          if (!scene.time.static_start)
-            start();
-        }
+        // Mistakes it finds must not cost the results of an earlier run; a
+        // search for equilibrium that fails is no mistake.
+        prepare();
         begin();
         if (scene.time.static_start)
           start();

@@ -42,7 +42,7 @@ namespace auxfem
   /**
    * Refuses constraints that follow from others, or from the supports: the
    * forces in rigid parts and hinges would not be determined. Throws
-   * InputError, naming one of them.
+   * InputError, naming one of them. Collective, as are the others.
    */
   void refuse_overconstrained(TangentSolver &solver, const State &state);
 } // namespace auxfem

@@ -14,7 +14,10 @@ namespace auxfem
     Records records; ///< of the run and of its recorder
   };
 
-  /** A scene with a lattice, set up and taken through time on all ranks. */
+  /**
+   * A scene with a lattice, set up and taken through time on all ranks: what
+   * computes is collective.
+   */
   class LatticeRun
   {
     Work work_done;
@@ -40,10 +43,12 @@ namespace auxfem
     LatticeRun &operator=(const LatticeRun &) = delete;
 
     /**
-     * Throws InputError if the scene has no unique solution from the start: it
-     * can move without resistance, or constraints follow from others.
+     * All that comes before the first result, which a wrong scene does not get
+     * past: throws InputError if the scene has no unique solution from the
+     * start, since it can move without resistance or constraints follow from
+     * others; then start(), but for a search for static equilibrium.
      */
-    void refuse_undetermined();
+    void prepare();
 
     /** Brings the solution at t = 0 into order, as TimeStepper::start(). */
     void start();
@@ -79,6 +84,8 @@ namespace auxfem
     const Work &work() const;
 
   private:
+    void refuse_undetermined();
+
     RunResult result(const std::string &exit_state) const;
 
     TimeStepper stepper;

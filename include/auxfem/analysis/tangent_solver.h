@@ -9,7 +9,8 @@ namespace auxfem
 {
   /**
    * The equations with room for a tangent and its factorization; counts and
-   * times all that is done with them.
+   * times all that is done with them. What computes is collective, as is the
+   * constructor.
    */
   class TangentSolver
   {

@@ -12,14 +12,14 @@ namespace auxfem
   /**
    * Takes the lattice through time. A step that does not converge is undone and
    * repeated as the step control says; an unconverged trial never becomes the
-   * solution.
+   * solution. All functions but solver() are collective.
    */
   class TimeStepper
   {
   public:
     /**
-     * @param equations, work must outlive the object. @p work takes up all that
-     *   is done.
+     * @param equations, scene, work must outlive the object. @p work takes up
+     *   all that is done.
      */
     TimeStepper(Equations &equations, const Scene &scene, Work &work);
 
@@ -54,7 +54,7 @@ namespace auxfem
     /** For what has to be solved before the start; gone after save(). */
     TangentSolver &solver();
 
-    /** What the watches have found so far. Collective. */
+    /** What the watches have found so far. */
     std::vector<Finding> findings() const;
 
   private:

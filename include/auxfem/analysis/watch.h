@@ -46,7 +46,8 @@ namespace auxfem
   class Watches
   {
   public:
-    /** @param work takes up what they do; outlives the object. */
+    /** @param scene, equations, work must outlive the object; @p work takes up
+     * what they do. */
     Watches(const Scene &scene, const Equations &equations, Work &work);
 
     void start(const State &state);

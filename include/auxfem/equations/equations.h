@@ -77,7 +77,7 @@ namespace auxfem
 
     /**
      * Fills the residual and the internal variables of evaluation.to, and
-     * @p results.
+     * @p results. Collective.
      */
     void residual(const Evaluation  &evaluation,
                   EvaluationResults &results) const;
@@ -96,7 +96,7 @@ namespace auxfem
 
     /**
      * Completes evaluation.to with history, work and energies. The step may
-     * still be undone.
+     * still be undone. Collective.
      * @param results of residual() in the same evaluation
      */
     void accept(const Evaluation        &evaluation,
@@ -179,6 +179,7 @@ namespace auxfem
   /**
    * Norm (m) up to which the constraints are met: their round-off. A looser
    * tolerance would return as forces, divided by the square of the step.
+   * Collective.
    */
   double constraint_tolerance(const Equations &equations, const State &state);
 

@@ -23,7 +23,7 @@ namespace auxfem
    * By what velocities of prescribed unknowns in @p after exceed those in
    * @p before, a state at the same time, into the owned prescribed rows of
    * @p jumps; of large rotations in space as spins. Returns the largest over
-   * all ranks.
+   * all ranks. Collective.
    */
   double find_velocity_jumps(const LatticeModel &model,
                              const State        &before,

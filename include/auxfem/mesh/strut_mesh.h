@@ -44,7 +44,7 @@ namespace auxfem
 
     /**
      * Makes 2^refinements cells for every strut of @p lattice and divides the
-     * struts among the ranks of @p communicator.
+     * struts among the ranks of @p communicator. Collective.
      */
     StrutMesh(const Lattice &lattice,
               unsigned int   refinements,

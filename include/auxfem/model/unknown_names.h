@@ -18,9 +18,9 @@ namespace auxfem
   std::string describe(const DofNumbering &numbering, unsigned int unknown);
 
   /**
-   * Words for the owned unknown of largest @p size (by owned unknown, rotations
-   * made comparable by the caller) over all ranks; the same on every rank.
-   * Collective.
+   * Words for the owned unknown of largest @p size (by local unknown, of which
+   * the owned ones count; rotations made comparable by the caller) over all
+   * ranks; the same on every rank. Collective.
    */
   std::string describe_largest(const DofNumbering        &numbering,
                                const std::vector<double> &size);

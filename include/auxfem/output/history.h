@@ -35,7 +35,6 @@ namespace auxfem
   public:
     /**
      * Finds the probes. Throws InputError as refuse_columns_of_nothing().
-     * Collective.
      * @param equations must outlive the history.
      */
     History(const Scene     &scene,

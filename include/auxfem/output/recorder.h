@@ -31,8 +31,8 @@ namespace auxfem
   /**
    * Whoever wants to know what an analysis computes, while it does: a folder of
    * files, a table in memory. It is told of every solution and takes what it
-   * needs. All ranks call the same functions, of lattices the first group, of
-   * the reduced cell, which the first rank computes, the second.
+   * needs. Of lattices all ranks call the first group of functions together; of
+   * the reduced cell, which the first rank computes, it alone calls the second.
    */
   class Recorder
   {

@@ -34,7 +34,7 @@ namespace auxfem
   {
   public:
     /**
-     * Makes the subfolders of @p folder. Throws InputError if that fails. Collective, as are the other functions.
+     * Makes the subfolders of @p folder. Throws InputError if that fails. Collective, as is write().
      * @param scene, equations must outlive the writer.
      */
     VtuWriter(const Scene       &scene,
