@@ -7,6 +7,7 @@
 #include <equations/equations_on_ranks.h>
 #include <gtest/gtest.h>
 #include <support/run_program.h>
+#include <support/scene_text.h>
 
 #include <array>
 #include <cmath>
@@ -179,8 +180,7 @@ TEST(Checkpoint, APlaneLatticeWithConnectorsGoesOnFromIt)
   for (const char *scheme : {"newmark", "generalized-alpha", "static"})
     {
       const Course course =
-        compare_halves(star_with_everything(2, 2) +
-                         "subsection Probes\n  set top = top\nend\n",
+        compare_halves(star_with_everything(2, 2).probe("top", "top"),
                        {std::string("Time/Scheme=") + scheme,
                         "Solver/Type=klu",
                         "Output/Effective strains=true"});
@@ -197,25 +197,12 @@ TEST(Checkpoint, ALatticeInSpaceWithEverythingGoesOnFromIt)
 namespace
 {
   /** Two struts in free space that turn by 40 rad in 2 s. */
-  const std::string spinning_struts = "set Dimension = 3\n" +
-    frame_scene("0 0 0; 1 0 0; 2 0.5 0",
-                "0 1; 1 2",
-                R"(
-subsection Initial velocities
-  subsection spin
-    set Joints = all
-    set Angular velocity z = 20
-  end
-end
-subsection Time
-  set Scheme = generalized-alpha
-  set End time = 2
-  set Time step = 0.01
-end
-subsection Probes
-  set end = 2
-end
-)");
+  const SceneText spinning_struts =
+    frame_scene("0 0 0; 1 0 0; 2 0.5 0", "0 1; 1 2")
+      .dimension(3)
+      .add("Initial velocities/spin", "Joints = all | Angular velocity z = 20")
+      .time(2, 0.01, "generalized-alpha")
+      .probe("end", "2");
 } // namespace
 
 TEST(Checkpoint, TurnsInSpaceAreCountedOn)
@@ -230,79 +217,28 @@ TEST(Checkpoint, TurnsInSpaceAreCountedOn)
 namespace
 {
   /** Two bars that are thrown round a pivot, by 12 rad each second. */
-  const std::string rigid_bars = R"(
-subsection Lattice
-  set Cell = frame
-  set Joints = 0 0; 1 0; 1.5 0
-  set Struts = 0 1; 1 2
-end
-subsection Rigid parts
-  subsection bars
-    set Struts = all
-    set Parts = single struts
-    set Mass = 0.5
-  end
-end
-subsection Supports
-  subsection pivot
-    set Joints = 0
-    set Type = pin
-  end
-end
-subsection Initial velocities
-  subsection throw
-    set Joints = 1
-    set Velocity y = 12
-  end
-  subsection throw end
-    set Joints = 2
-    set Velocity y = 18
-  end
-end
-subsection Gravity
-  set Acceleration y = -1
-end
-subsection Time
-  set End time = 1
-  set Time step = 0.01
-end
-subsection Probes
-  set bar = rigid: 0 @ 1
-end
-)";
+  const SceneText rigid_bars =
+    SceneText()
+      .frame("0 0; 1 0; 1.5 0", "0 1; 1 2")
+      .add("Rigid parts/bars",
+           "Struts = all | Parts = single struts | Mass = 0.5")
+      .support("pivot", "0", "pin")
+      .add("Initial velocities/throw", "Joints = 1 | Velocity y = 12")
+      .add("Initial velocities/throw end", "Joints = 2 | Velocity y = 18")
+      .set("Gravity/Acceleration y", -1)
+      .time(1, 0.01)
+      .probe("bar", "rigid: 0 @ 1");
 
   /** A body of three joints and a bar in free space, turning about z. */
-  const std::string rigid_body_in_space = R"(
-set Dimension = 3
-subsection Lattice
-  set Cell = frame
-  set Joints = 0 0 0; 1 0 0; 0 1 0; 1.2 0 0
-  set Struts = 0 1; 0 2; 1 3
-end
-subsection Rigid parts
-  subsection body
-    set Struts = 0, 1
-    set Mass = 0.5
-  end
-  subsection bar
-    set Struts = 2
-    set Mass = 0.5
-  end
-end
-subsection Initial velocities
-  subsection throw
-    set Joints = all
-    set Angular velocity z = 20
-  end
-end
-subsection Time
-  set End time = 1
-  set Time step = 0.01
-end
-subsection Probes
-  set body = rigid: 0 @ 1
-end
-)";
+  const SceneText rigid_body_in_space =
+    SceneText()
+      .dimension(3)
+      .frame("0 0 0; 1 0 0; 0 1 0; 1.2 0 0", "0 1; 0 2; 1 3")
+      .rigid_part("body", "0, 1", 0.5)
+      .rigid_part("bar", "2", 0.5)
+      .add("Initial velocities/throw", "Joints = all | Angular velocity z = 20")
+      .time(1, 0.01)
+      .probe("body", "rigid: 0 @ 1");
 } // namespace
 
 TEST(Checkpoint, TurnsOfRigidPartsAreCountedOn)
@@ -324,62 +260,27 @@ TEST(Checkpoint, TurnsOfRigidPartsAreCountedOn)
 TEST(Checkpoint, StepsThatAreRepeatedAreThoseOfTheWholeRun)
 {
   // With so few iterations every step is divided.
-  const Course course = compare_halves(frame_scene("0 0; 1 0; 2 0",
-                                                   "0 1; 1 2",
-                                                   R"(
-subsection Supports
-  subsection wall
-    set Joints = 0
-    set Type = clamp
-  end
-end
-subsection Loads
-  subsection tip
-    set Joints = 2
-    set Force y = 0.5 * t
-  end
-end
-subsection Time
-  set Scheme = static
-  set End time = 1
-  set Time step = 0.25
-end
-subsection Probes
-  set tip = 2
-end
-)"),
-                                       {"Newton/Maximum iterations=3",
-                                        "Newton/Factorization=every iteration",
-                                        "Solver/Type=klu"});
+  const Course course =
+    compare_halves(frame_scene("0 0; 1 0; 2 0", "0 1; 1 2")
+                     .support("wall", "0", "clamp")
+                     .add("Loads/tip", "Joints = 2 | Force y = 0.5 * t")
+                     .time(1, 0.25, "static")
+                     .probe("tip", "2"),
+                   {"Newton/Maximum iterations=3",
+                    "Newton/Factorization=every iteration",
+                    "Solver/Type=klu"});
   EXPECT_GT(course.retries[0], 0u);
   EXPECT_GT(course.retries[1], 0u);
 }
 
 TEST(Checkpoint, ItMayBeTakenAtTheTimeOfAJump)
 {
-  const std::string text = frame_scene("0 0; 1 0; 2 0",
-                                       "0 1; 1 2",
-                                       R"(
-subsection Supports
-  subsection wall
-    set Joints = 0
-    set Type = clamp
-  end
-end
-subsection Loads
-  subsection tip
-    set Joints = 2
-    set Force y = if(t < 0.5, 0.1, -0.2)
-  end
-end
-subsection Time
-  set End time = 1
-  set Time step = 0.05
-end
-subsection Probes
-  set tip = 2
-end
-)");
+  const SceneText text =
+    frame_scene("0 0; 1 0; 2 0", "0 1; 1 2")
+      .support("wall", "0", "clamp")
+      .add("Loads/tip", "Joints = 2 | Force y = if(t < 0.5, 0.1, -0.2)")
+      .time(1, 0.05)
+      .probe("tip", "2");
   for (const char *scheme : {"newmark", "generalized-alpha"})
     compare_halves(text,
                    {std::string("Time/Scheme=") + scheme, "Solver/Type=klu"});

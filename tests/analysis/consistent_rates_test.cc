@@ -3,6 +3,7 @@
 #include <equations/equations_on_ranks.h>
 #include <gtest/gtest.h>
 #include <mesh/cell_from_text.h>
+#include <support/scene_text.h>
 
 using namespace auxfem;
 using namespace auxfem::testing_support;
@@ -27,17 +28,9 @@ namespace
     return by_name(of_scene.model, *state.acceleration);
   }
 
-  const std::string falling = frame_scene("0 0; 3 4; 5 4",
-                                          "0 1; 1 2",
-                                          "subsection Gravity\n"
-                                          "  set Acceleration y = -9\n"
-                                          "end\n"
-                                          "subsection Masses\n"
-                                          "  subsection weight\n"
-                                          "    set Joints = 1\n"
-                                          "    set Mass = 4\n"
-                                          "  end\n"
-                                          "end\n");
+  const SceneText falling = frame_scene("0 0; 3 4; 5 4", "0 1; 1 2")
+                              .set("Gravity/Acceleration y", -9)
+                              .mass("weight", "1", 4);
 } // namespace
 
 TEST(ConsistentRates, AFreeFrameFallsAtTheAccelerationOfGravity)
@@ -58,16 +51,10 @@ TEST(ConsistentRates, InitialAccelerationIsFoundWithoutRotaryInertia)
 
 TEST(ConsistentRates, AShakenBaseAcceleratesAsPrescribed)
 {
-  const auto acceleration =
-    initial_acceleration(frame_scene("0 0; 1 0",
-                                     "0 1",
-                                     "subsection Supports\n"
-                                     "  subsection base\n"
-                                     "    set Joints = 0\n"
-                                     "    set Type = prescribed\n"
-                                     "    set Displacement x = 2 * t^2\n"
-                                     "  end\n"
-                                     "end\n"));
+  const auto acceleration = initial_acceleration(
+    frame_scene("0 0; 1 0", "0 1")
+      .add("Supports/base",
+           "Joints = 0 | Type = prescribed | Displacement x = 2 * t^2"));
   EXPECT_EQ(acceleration.at({true, 0, 0., 0}), 4.);
   EXPECT_NEAR(acceleration.at({true, 0, 0., 1}), 0., 1e-12);
 }
@@ -75,32 +62,15 @@ TEST(ConsistentRates, AShakenBaseAcceleratesAsPrescribed)
 namespace
 {
   /** A rigid bar from (0, 0) to (1, 0), turned about its end by 3 rad/s. */
-  std::string rotating_bar(const std::string &speed_apart)
+  SceneText rotating_bar(const std::string &speed_apart)
   {
-    return "subsection Lattice\n"
-           "  set Cell = frame\n"
-           "  set Joints = 0 0; 1 0\n"
-           "  set Struts = 0 1\n"
-           "end\n"
-           "subsection Rigid parts\n"
-           "  subsection bar\n"
-           "    set Struts = 0\n"
-           "    set Mass = 2\n"
-           "  end\n"
-           "end\n"
-           "subsection Initial velocities\n"
-           "  subsection spin\n"
-           "    set Joints = all\n"
-           "    set Velocity y = 1.5\n"
-           "    set Angular velocity z = 3\n"
-           "  end\n"
-           "  subsection stretch\n"
-           "    set Joints = 1\n"
-           "    set Velocity x = " +
-      speed_apart +
-      "\n    set Velocity y = 3\n"
-      "  end\n"
-      "end\n";
+    return SceneText()
+      .frame("0 0; 1 0", "0 1")
+      .rigid_part("bar", "0", 2)
+      .add("Initial velocities/spin",
+           "Joints = all | Velocity y = 1.5 | Angular velocity z = 3")
+      .add("Initial velocities/stretch",
+           "Joints = 1 | Velocity x = " + speed_apart + " | Velocity y = 3");
   }
 } // namespace
 
@@ -188,9 +158,8 @@ TEST(ConsistentRates, ConjugateGradientsFindWhatADirectSolutionDoes)
 
 TEST(ConsistentRates, ConjugateGradientsFindWhatADirectSolutionDoesInSpace)
 {
-  std::string text = space_star_with_everything();
   // A hinge without constraints.
-  const std::string revolute = "set Type = revolute\n    set Axis = 1 2 3";
-  text.replace(text.find(revolute), revolute.size(), "set Type = hinge");
-  expect_those_of_direct_solution(text);
+  expect_those_of_direct_solution(space_star_with_everything()
+                                    .remove("Joints/axles/Axis")
+                                    .set("Joints/axles/Type", "hinge"));
 }

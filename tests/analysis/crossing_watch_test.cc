@@ -1,5 +1,6 @@
 #include <analysis/findings_of.h>
 #include <gtest/gtest.h>
+#include <support/scene_text.h>
 
 using namespace auxfem;
 using namespace auxfem::testing_support;
@@ -7,62 +8,39 @@ using namespace auxfem::testing_support;
 namespace
 {
   /** Bars of radius 10 mm; joint 0 is moved. */
-  std::string bars(const std::string &dimension,
-                   const std::string &joints,
-                   const std::string &struts,
-                   const std::string &held,
-                   const std::string &motion)
+  SceneText bars(const unsigned int dimension,
+                 const std::string &joints,
+                 const std::string &struts,
+                 const std::string &held,
+                 const std::string &motion)
   {
-    return "set Dimension = " + dimension +
-      "\nsubsection Lattice\n  set Cell = frame\n  set Joints = " + joints +
-      "\n  set Struts = " + struts + R"(
-end
-subsection Sections
-  subsection s
-    set Shape           = circle
-    set Radius          = 10 mm
-    set Young's modulus = 1 GPa
-    set Density         = 1000
-  end
-end
-subsection Supports
-  subsection held
-    set Type   = clamp
-    set Joints = )" +
-      held + R"(
-  end
-  subsection moved
-    set Type   = prescribed
-    set Joints = 0
-)" + motion +
-      R"(  end
-end
-subsection Time
-  set Scheme    = static
-  set Time step = 0.01
-  set End time  = 1
-end
-)";
+    return SceneText()
+      .dimension(dimension)
+      .frame(joints, struts)
+      .circle("s", "10 mm", {"1 GPa", 1000})
+      .support("held", held, "clamp")
+      .add("Supports/moved", "Joints = 0 | Type = prescribed | " + motion)
+      .time(1, 0.01, "static");
   }
 
   /** A cantilever, whose end is bent through a bar at y = 0.2. */
   std::string bent_through(const std::string &motion)
   {
-    return bars("2",
+    return bars(2,
                 "0.9 0; 0 0; 0.6 0.2; 1.5 0.2",
                 "0 1; 2 3",
                 "1, 2, 3",
-                "    set Displacement y = " + motion + '\n');
+                "Displacement y = " + motion);
   }
 
   /** The same in space, beside the bar. */
   std::string bent_past(const std::string &z)
   {
-    return bars("3",
+    return bars(3,
                 "0.9 0 0; 0 0 0; 0.8 0.2 " + z + "; 0.8 0.2 -1",
                 "0 1; 2 3",
                 "1, 2, 3",
-                "    set Displacement y = 0.4 * t\n");
+                "Displacement y = 0.4 * t");
   }
 } // namespace
 
@@ -82,25 +60,22 @@ TEST(CrossingWatch, SaysWhichStrutsCrossAndWhen)
 
 TEST(CrossingWatch, WhatCrossesAtRestMay)
 {
-  const auto found = findings_of(bars("2",
+  const auto found = findings_of(bars(2,
                                       "0.9 0; 0 0; 0.3 -1; 0.3 1",
                                       "0 1; 2 3",
                                       "1, 2, 3",
-                                      "    set Displacement y = 0.2 * t\n"));
+                                      "Displacement y = 0.2 * t"));
   EXPECT_TRUE(found.empty()) << verdict_text(found);
 }
 
 TEST(CrossingWatch, AStrutMayCrossItself)
 {
   // Its end turned by more than once round and led past its beginning.
-  const std::string motion =
-    "    set Displacement x = -0.95 * t\n"
-    "    set Displacement y = 0.3 * sin(pi * t) - 0.05 * t\n"
-    "    set Rotation z     = 2 * pi * t\n";
-  const std::string loop = bars("2", "1 0; 0 0", "0 1", "1", motion) +
-    "subsection Discretization\n  set Order = 3\n"
-    "  set Global refinements = 3\nend\n";
-  const auto found = findings_of(loop);
+  const std::string motion = "Displacement x = -0.95 * t | "
+                             "Displacement y = 0.3 * sin(pi * t) - 0.05 * t | "
+                             "Rotation z = 2 * pi * t";
+  const SceneText   loop   = bars(2, "1 0; 0 0", "0 1", "1", motion).mesh(3, 3);
+  const auto        found  = findings_of(loop);
   ASSERT_FALSE(found.empty());
   bool is_told = false;
   for (const Finding &finding : found)

@@ -80,9 +80,8 @@ namespace
     return "";
   }
 
-  const std::string ten_steps = "set Scheme = newmark\n"
-                                "set End time = 1\n"
-                                "set Time step = 0.1\n";
+  const std::string ten_steps =
+    "Scheme = newmark | End time = 1 | Time step = 0.1";
 } // namespace
 
 TEST(LatticeRun, TellsItsRecorderInOrder)
@@ -202,12 +201,11 @@ TEST(LatticeRun, AStartThatFailsIsBegunAndFinishedWithoutSolutions)
 TEST(LatticeRun, AMistakeInTheSceneIsNoRun)
 {
   // A hinged strut that nothing holds.
-  const Scene scene =
-    read_scene_from_text(cantilever("0.3", "set Scheme = static\n"),
-                         "test.prm",
-                         {"Supports/wall/Type=pin"});
-  LatticeRun        run(scene, MPI_COMM_SELF);
-  Diary             diary;
+  const Scene scene = read_scene_from_text(cantilever("0.3", "Scheme = static"),
+                                           "test.prm",
+                                           {"Supports/wall/Type=pin"});
+  LatticeRun  run(scene, MPI_COMM_SELF);
+  Diary       diary;
   const std::string message = input_error_of([&] { run.run(diary); });
   EXPECT_TRUE(contains(message, "not supported")) << message;
   EXPECT_TRUE(diary.calls.empty());

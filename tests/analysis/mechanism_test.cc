@@ -3,6 +3,7 @@
 #include <equations/equations_on_ranks.h>
 #include <gtest/gtest.h>
 #include <mesh/cell_from_text.h>
+#include <support/scene_text.h>
 
 using namespace auxfem;
 using namespace auxfem::testing_support;
@@ -41,35 +42,21 @@ namespace
   }
 
   /** A square of four struts, joints 0..3 counterclockwise from the origin. */
-  std::string square(const std::string &further)
+  SceneText square(const SceneText &further = {})
   {
-    return frame_scene("0 0; 1 0; 1 1; 0 1", "0 1; 1 2; 2 3; 3 0", further) +
-      "subsection Time\n  set Scheme = static\nend\n";
+    return frame_scene("0 0; 1 0; 1 1; 0 1", "0 1; 1 2; 2 3; 3 0", further)
+      .set("Time/Scheme", "static");
   }
 
-  const std::string hinges = "subsection Joints\n"
-                             "  subsection corners\n"
-                             "    set Joints = all\n"
-                             "  end\n"
-                             "end\n";
+  const SceneText hinges = SceneText().hinge("corners", "all");
 
-  const std::string two_pins = "subsection Supports\n"
-                               "  subsection ground\n"
-                               "    set Joints = 0, 1\n"
-                               "    set Type = pin\n"
-                               "  end\n"
-                               "end\n";
+  const SceneText two_pins = SceneText().support("ground", "0, 1", "pin");
 
-  std::string brace(const std::string &stiffness)
+  SceneText brace(const std::string &stiffness)
   {
-    return "subsection Connectors\n"
-           "  subsection brace\n"
-           "    set Law = spring\n"
-           "    set Spring stiffness = " +
-      stiffness +
-      "\n    set Between = 0 2\n"
-      "  end\n"
-      "end\n";
+    return SceneText().add("Connectors/brace",
+                           "Law = spring | Spring stiffness = " + stiffness +
+                             " | Between = 0 2");
   }
 } // namespace
 
@@ -95,14 +82,9 @@ TEST(Mechanism, ASoftBraceHoldsASquareToo)
 
 TEST(Mechanism, ADashpotHoldsASquareForAStepButNotForEver)
 {
-  const std::string text = square(hinges + two_pins +
-                                  "subsection Connectors\n"
-                                  "  subsection brace\n"
-                                  "    set Law = dashpot\n"
-                                  "    set Damping coefficient = 1\n"
-                                  "    set Between = 0 2\n"
-                                  "  end\n"
-                                  "end\n");
+  const std::string text = square(SceneText(hinges).add(two_pins).add(
+    "Connectors/brace",
+    "Law = dashpot | Damping coefficient = 1 | Between = 0 2"));
   EXPECT_EQ(mechanism_of(text, {}, 0.1), "");
   EXPECT_NE(mechanism_of(text), "");
 }
@@ -114,45 +96,32 @@ TEST(Mechanism, ARigidSquareOnTwoPinsStands)
 
 TEST(Mechanism, AHingedSquareWithRotationalSpringsStands)
 {
-  EXPECT_EQ(mechanism_of(square("subsection Joints\n"
-                                "  subsection corners\n"
-                                "    set Joints = all\n"
-                                "    set Type = rotational spring\n"
-                                "    set Stiffness = 0.01\n"
-                                "  end\n"
-                                "end\n" +
-                                two_pins)),
-            "");
+  EXPECT_EQ(
+    mechanism_of(square(
+      SceneText()
+        .add("Joints/corners",
+             "Joints = all | Type = rotational spring | Stiffness = 0.01")
+        .add(two_pins))),
+    "");
 }
 
 TEST(Mechanism, AStructureWithoutSupportsIsRefused)
 {
-  EXPECT_TRUE(contains(mechanism_of(square("")), "not supported"));
+  EXPECT_TRUE(contains(mechanism_of(square()), "not supported"));
 }
 
 TEST(Mechanism, OnePinLeavesARotation)
 {
-  EXPECT_NE(mechanism_of(square("subsection Supports\n"
-                                "  subsection ground\n"
-                                "    set Joints = 0\n"
-                                "    set Type = pin\n"
-                                "  end\n"
-                                "end\n")),
+  EXPECT_NE(mechanism_of(square(SceneText().support("ground", "0", "pin"))),
             "");
 }
 
 TEST(Mechanism, APieceOfItsOwnIsFound)
 {
   // The second strut touches nothing.
-  const std::string message = mechanism_of(frame_scene("0 0; 1 0; 3 0; 4 0",
-                                                       "0 1; 2 3",
-                                                       "subsection Supports\n"
-                                                       "  subsection wall\n"
-                                                       "    set Joints = 0\n"
-                                                       "    set Type = clamp\n"
-                                                       "  end\n"
-                                                       "end\n"),
-                                           {"Time/Scheme=static"});
+  const std::string message = mechanism_of(
+    frame_scene("0 0; 1 0; 3 0; 4 0", "0 1; 2 3").support("wall", "0", "clamp"),
+    {"Time/Scheme=static"});
   EXPECT_TRUE(contains(message, "joint 2") || contains(message, "joint 3") ||
               contains(message, "strut 1"))
     << message;
@@ -161,18 +130,12 @@ TEST(Mechanism, APieceOfItsOwnIsFound)
 TEST(Mechanism, ASlenderCantileverOfManyElementsStands)
 {
   // Bending a million times softer than stretching, in 64 elements.
-  EXPECT_EQ(mechanism_of(frame_scene("0 0; 1 0",
-                                     "0 1",
-                                     "subsection Supports\n"
-                                     "  subsection wall\n"
-                                     "    set Joints = 0\n"
-                                     "    set Type = clamp\n"
-                                     "  end\n"
-                                     "end\n"),
-                         {"Time/Scheme=static",
-                          "Discretization/Global refinements=6",
-                          "Sections/band/Second moment of area=3e-6"}),
-            "");
+  EXPECT_EQ(
+    mechanism_of(frame_scene("0 0; 1 0", "0 1").support("wall", "0", "clamp"),
+                 {"Time/Scheme=static",
+                  "Discretization/Global refinements=6",
+                  "Sections/band/Second moment of area=3e-6"}),
+    "");
 }
 
 TEST(Mechanism, ALargeStarArrayOnItsFoundationStands)
@@ -196,24 +159,22 @@ TEST(Mechanism, UnitsDoNotMatter)
 
 TEST(Mechanism, ABodyInSpaceThatTurnsAboutItsHingeIsRefused)
 {
-  const std::string door     = "set Dimension = 3\nsubsection Lattice\n"
-                               "  set Cell = frame\n"
-                               "  set Joints = 0 0 0; 1 0 0; 1 1 0\n"
-                               "  set Struts = 0 1; 1 2\nend\n"
-                               "subsection Rigid parts\n  subsection door\n"
-                               "    set Struts = all\n    set Mass = 1\n"
-                               "  end\nend\n"
-                               "subsection Supports\n  subsection pivot\n"
-                               "    set Joints = 0\n    set Type = pin\n"
-                               "  end\nend\n"
-                               "subsection Joints\n  subsection hinge\n"
-                               "    set Joints = 0\n";
-  const std::string revolute = "    set Type = revolute\n"
-                               "    set Axis = 0 1 0\n  end\nend\n",
-                    spring   = "    set Type = rotational spring\n"
-                               "    set Stiffness = 3\n  end\nend\n";
+  const SceneText door =
+    SceneText()
+      .dimension(3)
+      .frame("0 0 0; 1 0 0; 1 1 0", "0 1; 1 2")
+      .rigid_part("door", "all", 1)
+      .support("pivot", "0", "pin")
+      .add("Joints/hinge", "Joints = 0 | Type = revolute | Axis = 0 1 0");
   // Its constraints need a direct solver.
-  EXPECT_NE(refusal_with("auto", door + revolute, {}, std::nullopt), "");
+  EXPECT_NE(refusal_with("auto", door, {}, std::nullopt), "");
   // A spring to the ground holds it.
-  EXPECT_EQ(refusal_with("auto", door + spring, {}, std::nullopt), "");
+  EXPECT_EQ(refusal_with("auto",
+                         SceneText(door)
+                           .remove("Joints/hinge/Axis")
+                           .add("Joints/hinge",
+                                "Type = rotational spring | Stiffness = 3"),
+                         {},
+                         std::nullopt),
+            "");
 }

@@ -13,7 +13,7 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  const std::string in_statics = "  set Scheme = static\n";
+  const std::string in_statics = "Scheme = static";
 
   /** One static step of a scene from rest. */
   struct StaticStep
@@ -135,25 +135,14 @@ TEST(Newton, NoLoadNeedsNoForceScale)
 
 TEST(Newton, PrescribedUnknownsMoveToTheirPlaceInOneIteration)
 {
-  StaticStep moved(frame_scene("0 0; 1 0",
-                               "0 1",
-                               "subsection Supports\n"
-                               "  subsection wall\n"
-                               "    set Joints = 0\n"
-                               "    set Type = clamp\n"
-                               "  end\n"
-                               "  subsection grip\n"
-                               "    set Joints = 1\n"
-                               "    set Type = prescribed\n"
-                               "    set Displacement x = 0.01\n"
-                               "    set Displacement y = 0.2\n"
-                               "    set Rotation z = -0.3\n"
-                               "  end\n"
-                               "end\n"
-                               "subsection Time\n"
-                               "  set Scheme = static\n"
-                               "end\n"),
-                   {});
+  StaticStep moved(
+    frame_scene("0 0; 1 0", "0 1")
+      .support("wall", "0", "clamp")
+      .add("Supports/grip",
+           "Joints = 1 | Type = prescribed | Displacement x = 0.01 | "
+           "Displacement y = 0.2 | Rotation z = -0.3")
+      .set("Time/Scheme", "static"),
+    {});
   EXPECT_TRUE(moved.solve().converged);
   // Increments are exact but for the solution's round-off.
   EXPECT_NEAR(moved.tip(0), 0.01, 1e-15);
@@ -178,28 +167,11 @@ TEST(Newton, AStructureWithoutResistanceIsReported)
 {
   // The joint in the middle of two hinged struts in
   // line has no resistance across.
-  StaticStep           hinged(frame_scene("0 0; 1 0; 2 0",
-                                "0 1; 1 2",
-                                "subsection Joints\n"
-                                          "  subsection all of them\n"
-                                          "    set Joints = all\n"
-                                          "  end\n"
-                                          "end\n"
-                                          "subsection Loads\n"
-                                          "  subsection push\n"
-                                          "    set Joints = 1\n"
-                                          "    set Force y = 1\n"
-                                          "  end\n"
-                                          "end\n"
-                                          "subsection Supports\n"
-                                          "  subsection ends\n"
-                                          "    set Joints = 0, 2\n"
-                                          "    set Type = pin\n"
-                                          "  end\n"
-                                          "end\n"
-                                          "subsection Time\n"
-                                          "  set Scheme = static\n"
-                                          "end\n"),
+  StaticStep           hinged(frame_scene("0 0; 1 0; 2 0", "0 1; 1 2")
+                      .hinge("all of them", "all")
+                      .add("Loads/push", "Joints = 1 | Force y = 1")
+                      .support("ends", "0, 2", "pin")
+                      .set("Time/Scheme", "static"),
                     {});
   const Newton::Result result = hinged.solve();
   EXPECT_FALSE(result.converged);

@@ -3,6 +3,7 @@
 #include <equations/equations_on_ranks.h>
 #include <gtest/gtest.h>
 #include <mesh/cell_from_text.h>
+#include <support/scene_text.h>
 
 using namespace auxfem;
 using namespace auxfem::testing_support;
@@ -22,31 +23,20 @@ namespace
     });
   }
 
-  std::string rigid(const std::string &struts)
+  SceneText rigid(const std::string &struts)
   {
-    return "subsection Rigid parts\n"
-           "  subsection bars\n"
-           "    set Struts = " +
-      struts +
-      "\n    set Parts = single struts\n"
-      "    set Mass = 1\n"
-      "  end\n"
-      "end\n";
+    return SceneText().add("Rigid parts/bars",
+                           "Struts = " + struts +
+                             " | Parts = single struts | Mass = 1");
   }
 
-  std::string pins(const std::string &joints)
+  SceneText pins(const std::string &joints)
   {
-    return "subsection Supports\n"
-           "  subsection ground\n"
-           "    set Joints = " +
-      joints +
-      "\n    set Type = pin\n"
-      "  end\n"
-      "end\n";
+    return SceneText().support("ground", joints, "pin");
   }
 
   /** A square of side 2 with both diagonals, 4 and 5. */
-  std::string braced_square(const std::string &further)
+  SceneText braced_square(const SceneText &further)
   {
     return frame_scene("0 0; 2 0; 2 2; 0 2",
                        "0 1; 1 2; 2 3; 3 0; 0 2; 1 3",
@@ -82,7 +72,7 @@ TEST(Overconstrained, ASecondDiagonalIsRefused)
   for (const char *supports : {"", "0"})
     {
       const std::string message = overconstraint_of(braced_square(
-        rigid("all") + (*supports ? pins(supports) : std::string())));
+        rigid("all") + (*supports ? pins(supports) : SceneText())));
       EXPECT_TRUE(contains(message, "constraint of the rigid part of joints"))
         << message;
     }
@@ -109,25 +99,17 @@ TEST(Overconstrained, TheSecondPinOfADeterminateSquareIsRefused)
               braced_square(rigid("0, 1, 2, 3, 4") + pins("0, 2"))),
             "");
   // A roller across the diagonal's direction leaves it free.
-  EXPECT_EQ(overconstraint_of(braced_square(rigid("0, 1, 2, 3, 4") + pins("0") +
-                                            "subsection Supports\n"
-                                            "  subsection slide\n"
-                                            "    set Joints = 1\n"
-                                            "    set Type = roller x\n"
-                                            "  end\n"
-                                            "end\n")),
-            "");
+  EXPECT_EQ(
+    overconstraint_of(braced_square(
+      rigid("0, 1, 2, 3, 4").add(pins("0")).support("slide", "1", "roller x"))),
+    "");
 }
 
 TEST(Overconstrained, PrescribedMotionCountsAsSupport)
 {
-  const std::string driven = "subsection Supports\n"
-                             "  subsection shaker\n"
-                             "    set Joints = 1\n"
-                             "    set Type = prescribed\n"
-                             "    set Displacement x = 0.1 * t\n"
-                             "  end\n"
-                             "end\n";
+  const SceneText driven = SceneText().add(
+    "Supports/shaker",
+    "Joints = 1 | Type = prescribed | Displacement x = 0.1 * t");
   const std::string bar = "0 0; 1 0; 3 1", struts = "0 1; 1 2";
   EXPECT_NE(overconstraint_of(
               frame_scene(bar, struts, rigid("0") + pins("0") + driven)),
@@ -137,16 +119,9 @@ TEST(Overconstrained, PrescribedMotionCountsAsSupport)
 TEST(Overconstrained, TwoPartsThatShareTwoJointsAreRefused)
 {
   const std::string message =
-    overconstraint_of(frame_scene("0 0; 1 0; 2 1",
-                                  "0 1; 1 2",
-                                  "subsection Rigid parts\n"
-                                  "  subsection L\n"
-                                  "    set Struts = all\n"
-                                  "  end\n"
-                                  "  subsection twin\n"
-                                  "    set Joints = 0, 2\n"
-                                  "  end\n"
-                                  "end\n"));
+    overconstraint_of(frame_scene("0 0; 1 0; 2 1", "0 1; 1 2")
+                        .set("Rigid parts/L/Struts", "all")
+                        .set("Rigid parts/twin/Joints", "0, 2"));
   EXPECT_TRUE(contains(message, "constraint of the rigid part of joints"))
     << message;
 }
@@ -181,20 +156,18 @@ TEST(Overconstrained, ScenesWithoutRigidPartsPass)
 namespace
 {
   /** An L of rigid struts in space with @p further supports and hinges. */
-  std::string rigid_l(const std::string &further)
+  SceneText rigid_l(const SceneText &further)
   {
-    return "set Dimension = 3\nsubsection Lattice\n  set Cell = frame\n"
-           "  set Joints = 0 0 0; 0 0 2; 1 0 2\n"
-           "  set Struts = 0 1; 1 2\nend\n"
-           "subsection Rigid parts\n  subsection L\n    set Struts = all\n"
-           "    set Mass = 1\n  end\nend\n" +
-      further;
+    return SceneText()
+      .dimension(3)
+      .frame("0 0 0; 0 0 2; 1 0 2", "0 1; 1 2")
+      .rigid_part("L", "all", 1)
+      .add(further);
   }
 
-  const std::string revolute = "subsection Joints\n  subsection door\n"
-                               "    set Joints = 0\n"
-                               "    set Type = revolute\n"
-                               "    set Axis = 0 0 1\n  end\nend\n";
+  const SceneText revolute =
+    SceneText().add("Joints/door",
+                    "Joints = 0 | Type = revolute | Axis = 0 0 1");
 } // namespace
 
 TEST(Overconstrained, ABodyInSpaceOnOneHingePasses)
@@ -205,7 +178,7 @@ TEST(Overconstrained, ABodyInSpaceOnOneHingePasses)
 
 TEST(Overconstrained, ASecondPinOnTheAxisIsRefused)
 {
-  for (const std::string &hinge : {std::string(), revolute})
+  for (const SceneText &hinge : {SceneText(), revolute})
     {
       const std::string message =
         overconstraint_of(rigid_l(pins("0, 1") + hinge));
@@ -218,10 +191,8 @@ TEST(Overconstrained, ASecondPinOnTheAxisIsRefused)
 TEST(Overconstrained, ARevoluteHingeInAHeldBodyIsRefused)
 {
   // Three joints held against all that is left.
-  EXPECT_NE(overconstraint_of(rigid_l(
-              pins("0") + revolute +
-              "subsection Supports\n  subsection slide\n    set Joints = 2\n"
-              "    set Type = prescribed\n    set Displacement z = 0\n"
-              "  end\nend\n")),
+  EXPECT_NE(overconstraint_of(rigid_l(pins("0").add(revolute).add(
+              "Supports/slide",
+              "Joints = 2 | Type = prescribed | Displacement z = 0"))),
             "");
 }

@@ -4,6 +4,7 @@
 #include <equations/equations_on_ranks.h>
 #include <gtest/gtest.h>
 #include <support/scene_run.h>
+#include <support/scene_text.h>
 
 using namespace auxfem;
 using namespace auxfem::testing_support;
@@ -14,27 +15,13 @@ namespace
    * A shallow toggle of two hinged bars (EA = 3, span 2, rise 0.3) with @p force
    * down on its apex, joint 1. It snaps through at 0.029 N.
    */
-  std::string toggle(const std::string &force, const std::string &time)
+  SceneText toggle(const std::string &force, const std::string &time)
   {
-    return frame_scene("0 0; 1 0.3; 2 0",
-                       "0 1; 1 2",
-                       "subsection Joints\n"
-                       "  subsection hinges\n"
-                       "    set Joints = all\n"
-                       "  end\n"
-                       "end\n"
-                       "subsection Supports\n"
-                       "  subsection ends\n"
-                       "    set Joints = 0, 2\n"
-                       "    set Type = pin\n"
-                       "  end\n"
-                       "end\n"
-                       "subsection Loads\n"
-                       "  subsection apex\n"
-                       "    set Joints = 1\n"
-                       "    set Force y = -(" +
-                         force + ")\n  end\nend\nsubsection Time\n" + time +
-                         "end\n");
+    return frame_scene("0 0; 1 0.3; 2 0", "0 1; 1 2")
+      .hinge("hinges", "all")
+      .support("ends", "0, 2", "pin")
+      .add("Loads/apex", "Joints = 1 | Force y = -(" + force + ")")
+      .add("Time", time);
   }
 
   std::string error_of(SceneRun &run)
@@ -54,9 +41,7 @@ namespace
 TEST(TimeStepper, TimesAreMultiplesOfTheStep)
 {
   SceneRun run(cantilever("0.01 * t",
-                          "set Scheme = newmark\n"
-                          "set End time = 1\n"
-                          "set Time step = 0.1\n"));
+                          "Scheme = newmark | End time = 1 | Time step = 0.1"));
   EXPECT_EQ(run.scene.time.n_steps(), 10u);
   run.run([&run] {
     // Sums of ten times 0.1 would differ in the last digits.
@@ -68,10 +53,9 @@ TEST(TimeStepper, TimesAreMultiplesOfTheStep)
 
 TEST(TimeStepper, TheLastStepIsShorterIfTheEndTimeAsksForIt)
 {
-  SceneRun run(cantilever("0.01 * t",
-                          "set Scheme = newmark\n"
-                          "set End time = 1.05\n"
-                          "set Time step = 0.1\n"));
+  SceneRun run(
+    cantilever("0.01 * t",
+               "Scheme = newmark | End time = 1.05 | Time step = 0.1"));
   EXPECT_EQ(run.scene.time.n_steps(), 11u);
   std::vector<double> lengths;
   while (run.state.step < run.scene.time.n_steps())
@@ -91,9 +75,8 @@ TEST(TimeStepper, RoundOffInTheNumberOfStepsAddsNone)
                                      std::tuple("0.6", "0.2", 3u)})
     {
       SceneRun run(cantilever("0",
-                              std::string("set Scheme = static\n") +
-                                "set End time = " + end +
-                                "\nset Time step = " + step + "\n"));
+                              std::string("Scheme = static | End time = ") +
+                                end + " | Time step = " + step));
       EXPECT_EQ(run.scene.time.n_steps(), n);
       run.run();
       EXPECT_EQ(run.state.time, std::stod(end));
@@ -102,11 +85,10 @@ TEST(TimeStepper, RoundOffInTheNumberOfStepsAddsNone)
 
 TEST(TimeStepper, ALinearSceneWithAConstantStepIsFactorizedOnce)
 {
-  SceneRun run(cantilever("0.3 * t",
-                          "set Scheme = generalized-alpha\n"
-                          "set End time = 3\n"
-                          "set Time step = 0.1\n"),
-               {"Effects/Large rotation=off"});
+  SceneRun run(
+    cantilever("0.3 * t",
+               "Scheme = generalized-alpha | End time = 3 | Time step = 0.1"),
+    {"Effects/Large rotation=off"});
   run.run();
   EXPECT_EQ(run.work().factorizations, 1u);
   EXPECT_EQ(run.work().iterations, 30u);
@@ -114,9 +96,7 @@ TEST(TimeStepper, ALinearSceneWithAConstantStepIsFactorizedOnce)
 
 TEST(TimeStepper, AStepThatFailsIsUndoneAndDoneInParts)
 {
-  const std::string time = "set Scheme = static\n"
-                           "set End time = 1\n"
-                           "set Time step = 1\n";
+  const std::string time = "Scheme = static | End time = 1 | Time step = 1";
   SceneRun          coarse(cantilever("2 * t", time),
                   {"Newton/Maximum iterations=4",
                             "Newton/Factorization=every iteration"});
@@ -139,12 +119,9 @@ TEST(TimeStepper, WorkOfAStepInPartsIsTheSumOfItsParts)
 {
   // With few iterations some steps are divided; the balance of a linear path
   // in the load does not notice.
-  SceneRun     run(cantilever("2 * t",
-                          "set Scheme = static\n"
-                              "set End time = 1\n"
-                              "set Time step = 0.25\n"),
-               {"Newton/Maximum iterations=3",
-                    "Newton/Factorization=every iteration"});
+  SceneRun run(
+    cantilever("2 * t", "Scheme = static | End time = 1 | Time step = 0.25"),
+    {"Newton/Maximum iterations=3", "Newton/Factorization=every iteration"});
   unsigned int substeps = 0;
   while (run.state.step < run.scene.time.n_steps())
     substeps += run.advance().substeps;
@@ -164,10 +141,8 @@ TEST(TimeStepper, AToggleIsFollowedToItsLimitLoadInEverSmallerSteps)
   const double cosine = 1 / std::sqrt(1.09), c = std::cbrt(cosine);
   const double limit = 2 * 3 * std::sqrt(1 - c * c) * (1 - cosine / c);
   SceneRun     run(toggle(std::to_string(2 * limit) + " * t",
-                      "set Scheme = static\n"
-                          "set End time = 1\n"
-                          "set Time step = 0.15\n"
-                          "set Smallest time step = 1e-4\n"),
+                      "Scheme = static | End time = 1 | Time step = 0.15 | "
+                          "Smallest time step = 1e-4"),
                {"Discretization/Order=1", "Newton/Maximum iterations=6"});
   unsigned int retries = 0;
   while (run.state.step < 3)
@@ -187,13 +162,12 @@ TEST(TimeStepper, AfterAFailureTheStateIsTheLastAcceptedOne)
 {
   // From t = 0.16 on the force is far beyond what five iterations reach. It is
   // smooth: at a jump a step would end.
-  const std::string text = cantilever("0.1 * t + 25 * (1 + tanh((t - 0.16) / "
-                                      "1e-3))",
-                                      "set Scheme = static\n"
-                                      "set End time = 1\n"
-                                      "set Time step = 0.1\n"
-                                      "set Smallest time step = 0.02\n");
-  SceneRun          run(text, {"Newton/Maximum iterations=5"});
+  const std::string text =
+    cantilever("0.1 * t + 25 * (1 + tanh((t - 0.16) / "
+               "1e-3))",
+               "Scheme = static | End time = 1 | Time step = 0.1 | "
+               "Smallest time step = 0.02");
+  SceneRun run(text, {"Newton/Maximum iterations=5"});
   run.advance();
   EXPECT_EQ(run.state.step, 1u);
   const std::string error = error_of(run);
@@ -217,12 +191,13 @@ TEST(TimeStepper, AFailedFirstStepLeavesTheStartUntouched)
 {
   for (const char *scheme : {"static", "newmark", "generalized-alpha"})
     {
-      SceneRun    run(cantilever("if(t > 0, 1e4, 0)",
-                              std::string("set Scheme = ") + scheme +
-                                "\nset End time = 10\n"
-                                   "set Time step = 10\n"
-                                   "set Smallest time step = 6\n"),
-                   {"Newton/Maximum iterations=2"});
+      SceneRun run(
+        cantilever(
+          "if(t > 0, 1e4, 0)",
+          std::string(
+            "End time = 10 | Time step = 10 | Smallest time step = 6 | Scheme = ") +
+            scheme),
+        {"Newton/Maximum iterations=2"});
       const State before = run.state;
       EXPECT_NE(error_of(run), "") << scheme;
       EXPECT_EQ(run.state.time, 0.);
@@ -239,11 +214,10 @@ TEST(TimeStepper, AFailedFirstStepLeavesTheStartUntouched)
 
 TEST(TimeStepper, AStaticStartIsAnEquilibriumAtRest)
 {
-  SceneRun     run(cantilever("0.3",
-                          "set Scheme = newmark\n"
-                              "set End time = 1\n"
-                              "set Time step = 0.05\n"
-                              "set Start from = static equilibrium\n"));
+  SceneRun run(
+    cantilever("0.3",
+               "Scheme = newmark | End time = 1 | Time step = 0.05 | "
+               "Start from = static equilibrium"));
   const double tip = run.motion(1, 1);
   EXPECT_GT(tip, 0.1);
   EXPECT_EQ(run.state.time, 0.);
@@ -262,19 +236,12 @@ TEST(TimeStepper, ASmoothMotionKeepsItsEnergy)
   // rotations and a viscous connector: work = energy + losses to second order.
   const auto largest_error = [](const std::string &step) {
     SceneRun run(cantilever("0.4 * sin(t)^2",
-                            "set Scheme = newmark\n"
-                            "set End time = 4\n"
-                            "set Time step = " +
-                              step + "\n") +
-                   "subsection Connectors\n"
-                   "  subsection damper\n"
-                   "    set Law = maxwell\n"
-                   "    set Spring stiffness = 0.3\n"
-                   "    set Damping coefficient = 0.2\n"
-                   "    set Between = ground: 1\n"
-                   "    set Ground offset = 0 1\n"
-                   "  end\n"
-                   "end\n",
+                            "Scheme = newmark | End time = 4 | Time step = " +
+                              step)
+                   .add("Connectors/damper",
+                        "Law = maxwell | Spring stiffness = 0.3 | "
+                        "Damping coefficient = 0.2 | Between = ground: 1 | "
+                        "Ground offset = 0 1"),
                  {"Sections/band/Stiffness-proportional damping=0.1",
                   "Sections/band/Mass-proportional damping=0.2"});
     double   largest = 0;

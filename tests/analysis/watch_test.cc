@@ -1,6 +1,7 @@
 #include <analysis/findings_of.h>
 #include <gtest/gtest.h>
 #include <support/run_program.h>
+#include <support/scene_text.h>
 #include <verification/one_mass_scene.h>
 
 using namespace auxfem;
@@ -10,50 +11,18 @@ namespace
 {
   /** A clamped column of EI = 2 N m2 and 1 m, pressed: it buckles at
    * (pi / 2)^2 EI = 4.93 N, which is reached at t = 0.123 s. */
-  const std::string column = R"(
-subsection Lattice
-  set Cell   = frame
-  set Joints = 0 0; 1 0
-  set Struts = 0 1
-end
-subsection Sections
-  subsection s
-    set Shape                 = given
-    set Area                  = 0.01
-    set Shear area            = 0.01
-    set Second moment of area = 2e-6
-    set Young's modulus       = 1e6
-    set Poisson's ratio       = 0
-    set Density               = 100
-  end
-end
-subsection Supports
-  subsection foot
-    set Joints = 0
-    set Type   = clamp
-  end
-end
-subsection Loads
-  subsection press
-    set Joints  = 1
-    set Force x = -40 * t
-    set Force y = 0
-  end
-end
-subsection Discretization
-  set Order              = 3
-  set Global refinements = 2
-end
-subsection Time
-  set Scheme    = static
-  set Time step = 10 ms
-  set End time  = 0.2 s
-end
-)";
+  const SceneText column =
+    SceneText()
+      .frame("0 0; 1 0", "0 1")
+      .given("s", {0.01, 0.01, 2e-6}, {1e6, 100, 0})
+      .support("foot", "0", "clamp")
+      .add("Loads/press", "Joints = 1 | Force x = -40 * t | Force y = 0")
+      .mesh(3, 2)
+      .time("0.2 s", "10 ms", "static");
 
   const std::string swinging_mass =
-    one_mass_scene("    set Law = spring\n    set Spring stiffness = 4\n",
-                   "  set End time = 20\n  set Time step = 0.1\n",
+    one_mass_scene("Law = spring | Spring stiffness = 4",
+                   "End time = 20 | Time step = 0.1",
                    mass_and_velocity(1, 1));
 } // namespace
 
@@ -110,14 +79,7 @@ TEST(StabilityWatch, SaysWhenAColumnBucklesInMotion)
 
 TEST(StabilityWatch, AFreeBodyIsStable)
 {
-  const auto free = findings_of(replaced(column,
-                                         "subsection Supports\n"
-                                         "  subsection foot\n"
-                                         "    set Joints = 0\n"
-                                         "    set Type   = clamp\n"
-                                         "  end\n"
-                                         "end\n",
-                                         ""),
+  const auto free = findings_of(SceneText(column).remove("Supports/foot"),
                                 {"Time/Scheme=newmark",
                                  "Time/Time step=1 ms",
                                  "Time/End time=0.4",
@@ -151,15 +113,11 @@ TEST(StrainWatch, KnowsTheStrainOfABarAndItsOuterFibres)
   const auto bent = [](const double strain) {
     const double curvature = strain / 0.2,
                  stiffness = 1e6 * std::acos(-1.) / 4 * std::pow(0.2, 4);
-    return findings_of(replaced(column,
-                                "given\n    set Area                  = 0.01\n"
-                                "    set Shear area            = 0.01\n"
-                                "    set Second moment of area = 2e-6\n",
-                                "circle\n    set Radius = 0.2\n"),
-                       {"Loads/press/Force x=0",
-                        "Loads/press/Moment z=" +
-                          std::to_string(stiffness * curvature) +
-                          " * t / 0.2"});
+    return findings_of(
+      SceneText(column).remove("Sections/s").circle("s", 0.2, {1e6, 100, 0}),
+      {"Loads/press/Force x=0",
+       "Loads/press/Moment z=" + std::to_string(stiffness * curvature) +
+         " * t / 0.2"});
   };
   EXPECT_EQ(verdict_of(bent(0.49)), Verdict::sound);
   EXPECT_EQ(verdict_of(bent(0.51)), Verdict::doubtful);

@@ -2,6 +2,7 @@
 
 #include <equations/equations_on_ranks.h>
 #include <gtest/gtest.h>
+#include <support/scene_text.h>
 
 #include <iterator>
 
@@ -92,27 +93,11 @@ namespace
   };
 
   /** Four cantilevers side by side; the first is pulled along x. */
-  const std::string cantilevers =
-    frame_scene("0 0; 0 1; 1 0; 1 1; 2 0; 2 1; 3 0; 3 1",
-                "0 1; 2 3; 4 5; 6 7",
-                R"(
-subsection Supports
-  subsection ground
-    set Joints = 0, 2, 4, 6
-    set Type = clamp
-  end
-end
-subsection Loads
-  subsection pull
-    set Joints = 1
-    set Force x = 0.01
-  end
-end
-subsection Time
-  set Time step = 0.1
-  set End time = 4
-end
-)");
+  const SceneText cantilevers =
+    frame_scene("0 0; 0 1; 1 0; 1 1; 2 0; 2 1; 3 0; 3 1", "0 1; 2 3; 4 5; 6 7")
+      .support("ground", "0, 2, 4, 6", "clamp")
+      .add("Loads/pull", "Joints = 1 | Force x = 0.01")
+      .time(4, 0.1);
 
   /** Displacements of the free ends along x at the end. */
   std::vector<double> ends_of_run(const MPI_Comm communicator)

@@ -6,6 +6,8 @@
 
 #include <deal.II/fe/fe_q.h>
 
+#include <support/scene_text.h>
+
 #include <cmath>
 #include <map>
 #include <string>
@@ -199,50 +201,29 @@ namespace auxfem
 
     /**
      * A frame of straight struts with section stiffnesses of about one and a
-     * mass of 1.5 kg/m, with @p further subsections.
+     * mass of 1.5 kg/m, with @p further parameters.
      */
-    inline std::string frame_scene(const std::string &joints,
-                                   const std::string &struts,
-                                   const std::string &further)
+    inline SceneText frame_scene(const std::string &joints,
+                                 const std::string &struts,
+                                 const SceneText   &further = {})
     {
-      return "subsection Lattice\n  set Cell = frame\n  set Joints = " +
-        joints + "\n  set Struts = " + struts + R"(
-end
-subsection Sections
-  subsection band
-    set Shape = given
-    set Area = 3
-    set Shear area = 5
-    set Second moment of area = 0.7
-    set Young's modulus = 1
-    set Poisson's ratio = 0.25
-    set Density = 0.5
-  end
-end
-)" + further;
+      return SceneText()
+        .frame(joints, struts)
+        .given("band", {3, 5, 0.7}, {1, 0.5, 0.25})
+        .add(further);
     }
 
     /**
      * A cantilever of 1 m (EA = 3, EI = 0.7) with @p force across its free end,
-     * joint 1, and @p time in subsection Time.
+     * joint 1, and @p time in subsection Time; see SceneText::add().
      */
-    inline std::string cantilever(const std::string &force,
-                                  const std::string &time)
+    inline SceneText cantilever(const std::string &force,
+                                const std::string &time)
     {
-      return frame_scene("0 0; 1 0",
-                         "0 1",
-                         "subsection Supports\n"
-                         "  subsection wall\n"
-                         "    set Joints = 0\n"
-                         "    set Type = clamp\n"
-                         "  end\n"
-                         "end\n"
-                         "subsection Loads\n"
-                         "  subsection tip\n"
-                         "    set Joints = 1\n"
-                         "    set Force y = " +
-                           force + "\n  end\nend\nsubsection Time\n" + time +
-                           "end\n");
+      return frame_scene("0 0; 1 0", "0 1")
+        .support("wall", "0", "clamp")
+        .add("Loads/tip", "Joints = 1 | Force y = " + force)
+        .add("Time", time);
     }
 
     /**
@@ -250,115 +231,45 @@ end
      * everything a scene may have: hinges, rotational springs, connectors of
      * several laws, prescribed motion, masses, loads, gravity, damping.
      */
-    inline std::string star_with_everything(const unsigned int n_x,
-                                            const unsigned int n_y)
+    inline SceneText star_with_everything(const unsigned int n_x,
+                                          const unsigned int n_y)
     {
-      return "subsection Lattice\n"
-             "  set Cell = star\n"
-             "  set Cells x = " +
-        std::to_string(n_x) + "\n  set Cells y = " + std::to_string(n_y) +
-        R"(
-  set Strut length = 1
-  set Opening angle = 60 deg
-end
-subsection Sections
-  subsection band
-    set Shape = given
-    set Area = 3
-    set Shear area = 5
-    set Second moment of area = 0.7
-    set Young's modulus = 1
-    set Poisson's ratio = 0.3
-    set Density = 0.5
-    set Stiffness-proportional damping = 0.3
-    set Mass-proportional damping = 0.4
-  end
-end
-subsection Joints
-  subsection springs
-    set Joints = tips
-    set Type = rotational spring
-    set Stiffness = 0.8
-  end
-  subsection hinges
-    set Joints = top
-    set Type = hinge
-  end
-end
-subsection Connectors
-  subsection damper
-    set Law = kelvin-voigt
-    set Spring stiffness = 0.6
-    set Damping coefficient = 0.9
-  end
-  subsection relaxing
-    set Law = maxwell
-    set Spring stiffness = 0.7
-    set Damping coefficient = 1.1
-    set Between = in-cell x
-  end
-  subsection fixed direction
-    set Law = standard-linear-solid
-    set Long-time stiffness = 0.2
-    set Spring stiffness = 0.5
-    set Damping coefficient = 0.4
-    set Between = 0 5; 1 6
-    set Geometry = direction
-    set Direction = 1 2
-  end
-  subsection anchors
-    set Law = kelvin-voigt
-    set Spring stiffness = 0.4
-    set Damping coefficient = 0.2
-    set Between = ground: top
-    set Ground offset = 0.3 1.5
-  end
-end
-subsection Supports
-  subsection foundation
-    set Joints = bottom
-    set Type = clamp
-  end
-  subsection shaker
-    set Joints = left
-    set Type = prescribed
-    set Displacement x = 0.02 * sin(3 * t)
-  end
-end
-subsection Masses
-  subsection weights
-    set Joints = tips
-    set Mass = 0.3
-  end
-  subsection flywheels
-    set Joints = notches
-    set Mass = 0.1
-    set Rotary inertia = 0.2
-  end
-end
-subsection Loads
-  subsection push
-    set Joints = top
-    set Force y = -0.2 * t
-    set Force x = 0.05
-  end
-  subsection wind
-    set Type = line
-    set Struts = all
-    set Force per length x = 0.01 * t
-  end
-end
-subsection Gravity
-  set Acceleration y = -0.1
-end
-subsection Discretization
-  set Order = 2
-end
-subsection Time
-  set End time = 0.5
-  set Time step = 0.05
-end
-)";
+      return SceneText()
+        .cells("star", n_x, n_y)
+        .add("Lattice", "Strut length = 1 | Opening angle = 60 deg")
+        .given("band", {3, 5, 0.7}, {1, 0.5, 0.3})
+        .add("Sections/band",
+             "Stiffness-proportional damping = 0.3 | "
+             "Mass-proportional damping = 0.4")
+        .add("Joints/springs",
+             "Joints = tips | Type = rotational spring | Stiffness = 0.8")
+        .add("Joints/hinges", "Joints = top | Type = hinge")
+        .add("Connectors/damper",
+             "Law = kelvin-voigt | Spring stiffness = 0.6 | "
+             "Damping coefficient = 0.9")
+        .add("Connectors/relaxing",
+             "Law = maxwell | Spring stiffness = 0.7 | "
+             "Damping coefficient = 1.1 | Between = in-cell x")
+        .add("Connectors/fixed direction",
+             "Law = standard-linear-solid | Long-time stiffness = 0.2 | "
+             "Spring stiffness = 0.5 | Damping coefficient = 0.4 | "
+             "Between = 0 5; 1 6 | Geometry = direction | Direction = 1 2")
+        .add("Connectors/anchors",
+             "Law = kelvin-voigt | Spring stiffness = 0.4 | "
+             "Damping coefficient = 0.2 | Between = ground: top | "
+             "Ground offset = 0.3 1.5")
+        .support("foundation", "bottom", "clamp")
+        .add("Supports/shaker",
+             "Joints = left | Type = prescribed | "
+             "Displacement x = 0.02 * sin(3 * t)")
+        .mass("weights", "tips", 0.3)
+        .mass("flywheels", "notches", 0.1, 0.2)
+        .add("Loads/push", "Joints = top | Force y = -0.2 * t | Force x = 0.05")
+        .add("Loads/wind",
+             "Type = line | Struts = all | Force per length x = 0.01 * t")
+        .set("Gravity/Acceleration y", -0.1)
+        .mesh(2)
+        .time(0.5, 0.05);
     }
 
     /**
@@ -366,40 +277,22 @@ end
      * revolute hinge and loads in all directions: hit so hard that struts turn
      * far.
      */
-    inline std::string space_star_with_everything()
+    inline SceneText space_star_with_everything()
     {
-      std::string text    = star_with_everything(2, 2);
-      const auto  replace = [&text](const std::string &from,
-                                   const std::string &to) {
-        text.replace(text.find(from), from.size(), to);
-      };
-      replace("set Cell = star\n",
-              "set Cell = space star\n  set Cells z = 2\n");
-      replace("60 deg", "70 deg");
-      replace("set Direction = 1 2", "set Direction = 1 2 -1");
-      replace("set Ground offset = 0.3 1.5", "set Ground offset = 0.3 1.5 0.4");
-      replace("set Rotary inertia = 0.2", "set Rotary inertia = 0.2 0.1 0.3");
-      replace("set Force y = -0.2 * t", "set Force y = -3 * t");
-      return "set Dimension = 3\n" + text + R"(
-subsection Joints
-  subsection axles
-    set Joints = 8
-    set Struts = 0
-    set Type = revolute
-    set Axis = 1 2 3
-  end
-end
-subsection Loads
-  subsection turn
-    set Joints = notches
-    set Direction = follows the joint
-    set Force z = 0.3 * t
-    set Moment x = 0.4 * t
-    set Moment y = -0.2
-    set Moment z = 0.3 * t^2
-  end
-end
-)";
+      return star_with_everything(2, 2)
+        .dimension(3)
+        .add("Lattice",
+             "Cell = space star | Cells z = 2 | Opening angle = 70 deg")
+        .set("Connectors/fixed direction/Direction", "1 2 -1")
+        .set("Connectors/anchors/Ground offset", "0.3 1.5 0.4")
+        .set("Masses/flywheels/Rotary inertia", "0.2 0.1 0.3")
+        .set("Loads/push/Force y", "-3 * t")
+        .add("Joints/axles",
+             "Joints = 8 | Struts = 0 | Type = revolute | Axis = 1 2 3")
+        .add("Loads/turn",
+             "Joints = notches | Direction = follows the joint | "
+             "Force z = 0.3 * t | Moment x = 0.4 * t | Moment y = -0.2 | "
+             "Moment z = 0.3 * t^2");
     }
   } // namespace testing_support
 } // namespace auxfem

@@ -4,6 +4,7 @@
 
 #include <equations/equations_on_ranks.h>
 #include <gtest/gtest.h>
+#include <support/scene_text.h>
 
 using namespace auxfem;
 using namespace auxfem::testing_support;
@@ -444,28 +445,13 @@ TEST(Equations, LoadDerivativeIsTheDifferenceOfResiduals)
 namespace
 {
   /** Joint 1, 2 m from a wall, pulled along a strut and a Maxwell connector. */
-  const std::string relaxing = frame_scene("0 0; 2 0",
-                                           "0 1",
-                                           "subsection Supports\n"
-                                           "  subsection wall\n"
-                                           "    set Joints = 0\n"
-                                           "    set Type = clamp\n"
-                                           "  end\n"
-                                           "end\n"
-                                           "subsection Connectors\n"
-                                           "  subsection one\n"
-                                           "    set Law = maxwell\n"
-                                           "    set Spring stiffness = 2\n"
-                                           "    set Damping coefficient = 3\n"
-                                           "    set Between = 0 1\n"
-                                           "  end\n"
-                                           "end\n"
-                                           "subsection Loads\n"
-                                           "  subsection pull\n"
-                                           "    set Joints = 1\n"
-                                           "    set Force x = 7 * t\n"
-                                           "  end\n"
-                                           "end\n");
+  const SceneText relaxing =
+    frame_scene("0 0; 2 0", "0 1")
+      .support("wall", "0", "clamp")
+      .add("Connectors/one",
+           "Law = maxwell | Spring stiffness = 2 | "
+           "Damping coefficient = 3 | Between = 0 1")
+      .add("Loads/pull", "Joints = 1 | Force x = 7 * t");
 } // namespace
 
 TEST(Equations, AStageInsideAStepHasTheForcesOfItsOwnTime)

@@ -1,43 +1,33 @@
 #include <equations/effects/space_effect.h>
 #include <gtest/gtest.h>
 #include <mesh/cell_from_text.h>
+#include <support/scene_text.h>
 
 using namespace auxfem;
 using namespace auxfem::testing_support;
 
 namespace
 {
-  /** Two struts in line, joints 0, 1, 2 at x = 0, 1, 2, with @p further text. */
-  std::string two_struts_with(const std::string &further)
+  /** Two struts in line, joints 0, 1, 2 at x = 0, 1, 2, with @p further parameters. */
+  SceneText two_struts_with(const SceneText &further = {})
   {
     return frame_scene("0 0; 1 0; 2 0", "0 1; 1 2", further);
   }
 
-  std::string equations_refusal(const std::string &further)
+  std::string equations_refusal(const SceneText &further)
   {
     return input_error_of(
       [&] { EquationsOnRanks(two_struts_with(further), {}, MPI_COMM_SELF); });
   }
 
-  const std::string hinge_in_the_middle = "subsection Joints\n"
-                                          "  subsection middle\n"
-                                          "    set Joints = 1\n"
-                                          "  end\n"
-                                          "end\n";
+  const SceneText hinge_in_the_middle = SceneText().hinge("middle", "1");
 } // namespace
 
 TEST(MakeEquations, TwoSupportsMayHoldTheSameJointAtRest)
 {
-  const EquationsOnRanks of_scene(two_struts_with("subsection Supports\n"
-                                                  "  subsection wall\n"
-                                                  "    set Joints = 0\n"
-                                                  "    set Type = clamp\n"
-                                                  "  end\n"
-                                                  "  subsection floor\n"
-                                                  "    set Joints = 0, 2\n"
-                                                  "    set Type = roller x\n"
-                                                  "  end\n"
-                                                  "end\n"),
+  const EquationsOnRanks of_scene(two_struts_with()
+                                    .support("wall", "0", "clamp")
+                                    .support("floor", "0, 2", "roller x"),
                                   {},
                                   MPI_COMM_SELF);
   ASSERT_EQ(of_scene.model.supports.size(), 2u);
@@ -54,18 +44,11 @@ TEST(MakeEquations, TwoSupportsMayHoldTheSameJointAtRest)
 
 TEST(MakeEquations, ContradictingSupportsAreRefusedByName)
 {
-  const std::string message =
-    equations_refusal("subsection Supports\n"
-                      "  subsection wall\n"
-                      "    set Joints = 0\n"
-                      "    set Type = clamp\n"
-                      "  end\n"
-                      "  subsection shaker\n"
-                      "    set Joints = 0\n"
-                      "    set Type = prescribed\n"
-                      "    set Displacement y = 0.1 * t\n"
-                      "  end\n"
-                      "end\n");
+  const std::string message = equations_refusal(
+    SceneText()
+      .support("wall", "0", "clamp")
+      .add("Supports/shaker",
+           "Joints = 0 | Type = prescribed | Displacement y = 0.1 * t"));
   EXPECT_TRUE(contains(message, "Supports/shaker")) << message;
   EXPECT_TRUE(contains(message, "Supports/wall")) << message;
   EXPECT_TRUE(contains(message, "vertical displacement of joint 0")) << message;
@@ -73,55 +56,36 @@ TEST(MakeEquations, ContradictingSupportsAreRefusedByName)
 
 TEST(MakeEquations, TwoMotionsOfOneJointAreRefused)
 {
-  const std::string message = equations_refusal("subsection Supports\n"
-                                                "  subsection first\n"
-                                                "    set Joints = 2\n"
-                                                "    set Type = prescribed\n"
-                                                "    set Rotation z = 0.1 * t\n"
-                                                "  end\n"
-                                                "  subsection second\n"
-                                                "    set Joints = 2\n"
-                                                "    set Type = prescribed\n"
-                                                "    set Rotation z = 0.1 * t\n"
-                                                "  end\n"
-                                                "end\n");
+  const std::string message = equations_refusal(
+    SceneText()
+      .add("Supports/first",
+           "Joints = 2 | Type = prescribed | Rotation z = 0.1 * t")
+      .add("Supports/second",
+           "Joints = 2 | Type = prescribed | Rotation z = 0.1 * t"));
   EXPECT_TRUE(contains(message, "rotation of joint 2")) << message;
 }
 
 TEST(MakeEquations, AMomentOnAHingeIsRefused)
 {
-  const std::string message = equations_refusal(hinge_in_the_middle +
-                                                "subsection Loads\n"
-                                                "  subsection twist\n"
-                                                "    set Joints = 1\n"
-                                                "    set Moment z = 2\n"
-                                                "  end\n"
-                                                "end\n");
+  const std::string message =
+    equations_refusal(SceneText(hinge_in_the_middle)
+                        .add("Loads/twist", "Joints = 1 | Moment z = 2"));
   EXPECT_TRUE(contains(message, "Loads/twist/Moment z: joint 1")) << message;
 }
 
 TEST(MakeEquations, AForceOnAHingeIsNot)
 {
-  EXPECT_EQ(equations_refusal(hinge_in_the_middle +
-                              "subsection Loads\n"
-                              "  subsection push\n"
-                              "    set Joints = 1\n"
-                              "    set Force y = 2\n"
-                              "  end\n"
-                              "end\n"),
+  EXPECT_EQ(equations_refusal(SceneText(hinge_in_the_middle)
+                                .add("Loads/push", "Joints = 1 | Force y = 2")),
             "");
 }
 
 TEST(MakeEquations, ARotationPrescribedAtAHingeIsRefusedUnlessItIsZero)
 {
   const auto turned_by = [](const std::string &angle) {
-    return hinge_in_the_middle +
-      "subsection Supports\n"
-      "  subsection drive\n"
-      "    set Joints = 1\n"
-      "    set Type = prescribed\n"
-      "    set Rotation z = " +
-      angle + "\n  end\nend\n";
+    return SceneText(hinge_in_the_middle)
+      .add("Supports/drive",
+           "Joints = 1 | Type = prescribed | Rotation z = " + angle);
   };
   const std::string message = equations_refusal(turned_by("0.1 * t"));
   EXPECT_TRUE(contains(message, "Supports/drive/Rotation z: joint 1"))
@@ -131,19 +95,15 @@ TEST(MakeEquations, ARotationPrescribedAtAHingeIsRefusedUnlessItIsZero)
 
 TEST(MakeEquations, AHingeAtWhichNoneOfTheStrutsEndsIsRefused)
 {
-  const std::string message = equations_refusal("subsection Joints\n"
-                                                "  subsection middle\n"
-                                                "    set Joints = 0, 1\n"
-                                                "    set Struts = 1\n"
-                                                "  end\n"
-                                                "end\n");
+  const std::string message =
+    equations_refusal(SceneText().hinge("middle", "0, 1", "1"));
   EXPECT_TRUE(contains(message, "Joints/middle")) << message;
   EXPECT_TRUE(contains(message, "joint 0")) << message;
 }
 
 TEST(MakeEquations, HingesAddRotationsAndCanBeSwitchedOff)
 {
-  const EquationsOnRanks rigid(two_struts_with(""), {}, MPI_COMM_SELF),
+  const EquationsOnRanks rigid(two_struts_with(), {}, MPI_COMM_SELF),
     hinged(two_struts_with(hinge_in_the_middle), {}, MPI_COMM_SELF),
     off(two_struts_with(hinge_in_the_middle),
         {"Effects/Hinges=off"},
@@ -159,15 +119,14 @@ TEST(MakeEquations, ASpringActsBetweenTheReleasedStrutAndTheJoint)
   // Strut 1 released against strut 0, or both: the same relative rotation.
   for (const std::string struts : {"1", "all"})
     {
-      EquationsOnRanks of_scene(two_struts_with(
-                                  "subsection Joints\n  subsection middle\n"
-                                  "    set Joints = 1\n    set Struts = " +
-                                  struts +
-                                  "\n    set Type = rotational spring\n"
-                                  "    set Stiffness = 7\n  end\nend\n"),
-                                {"Time/Scheme=static"},
-                                MPI_COMM_SELF);
-      State            from = of_scene.equations.initial_state(), to = from;
+      EquationsOnRanks of_scene(
+        two_struts_with().add("Joints/middle",
+                              "Joints = 1 | Struts = " + struts +
+                                " | Type = rotational spring | "
+                                "Stiffness = 7"),
+        {"Time/Scheme=static"},
+        MPI_COMM_SELF);
+      State from = of_scene.equations.initial_state(), to = from;
       // All of strut 1 turns rigidly by a tiny angle, so it has no forces.
       const double angle = 1e-9;
       const auto   names = name_unknowns(of_scene.model);
@@ -199,15 +158,10 @@ TEST(MakeEquations, ASpringActsBetweenTheReleasedStrutAndTheJoint)
 TEST(MakeEquations, AReferenceVectorAlongAStrutIsRefused)
 {
   const auto scene = [](const std::string &reference) {
-    return "set Dimension = 3\n" +
-      frame_scene("0 0 0; 1 0 0; 1 2 0",
-                  "0 1; 1 2 0.5",
-                  "subsection Sections\n  subsection blade\n"
-                  "    set Struts = 1\n"
-                  "    set Shape = circle\n    set Radius = 0.1\n"
-                  "    set Young's modulus = 1\n    set Density = 1\n"
-                  "    set Reference vector = " +
-                    reference + "\n  end\nend\n");
+    return frame_scene("0 0 0; 1 0 0; 1 2 0", "0 1; 1 2 0.5")
+      .dimension(3)
+      .circle("blade", 0.1, {1, 1})
+      .add("Sections/blade", "Struts = 1 | Reference vector = " + reference);
   };
   // The arc 1 leads along y in its middle.
   expect_parts(input_error_of([&] {
@@ -222,7 +176,7 @@ TEST(MakeEquations, AReferenceVectorAlongAStrutIsRefused)
 
 TEST(MakeEquations, WithoutMeanForcesASchemeThatBalancesThemIsRefusedByName)
 {
-  const std::string              frame = space_frame("0 0 0; 1 0 0", "0 1", "");
+  const std::string              frame    = space_frame("0 0 0; 1 0 0", "0 1");
   const std::vector<std::string> balanced = {"Time/Scheme=energy-momentum"};
   const std::string              message =
     input_error_of([&] { EquationsOnRanks(frame, balanced, MPI_COMM_SELF); });
@@ -233,6 +187,5 @@ TEST(MakeEquations, WithoutMeanForcesASchemeThatBalancesThemIsRefusedByName)
   EXPECT_NO_THROW(EquationsOnRanks(frame,
                                    {balanced[0], "Effects/Large rotation=off"},
                                    MPI_COMM_SELF));
-  EXPECT_NO_THROW(
-    EquationsOnRanks(two_struts_with(""), balanced, MPI_COMM_SELF));
+  EXPECT_NO_THROW(EquationsOnRanks(two_struts_with(), balanced, MPI_COMM_SELF));
 }

@@ -4,6 +4,7 @@
 
 #include <equations/equations_on_ranks.h>
 #include <gtest/gtest.h>
+#include <support/scene_text.h>
 
 #include <map>
 
@@ -14,9 +15,9 @@ namespace
 {
   /** An L of two struts, 2 m along x and 1.5 m along y, and a half circle of
    * radius 1. */
-  std::string three_struts(const std::string &further)
+  SceneText three_struts()
   {
-    return frame_scene("0 0; 2 0; 2 1.5; 2 3.5", "0 1; 1 2; 2 3 1", further);
+    return frame_scene("0 0; 2 0; 2 1.5; 2 3.5", "0 1; 1 2; 2 3 1");
   }
 
   constexpr double total_length = 2 + 1.5 + dealii::numbers::PI;
@@ -64,17 +65,13 @@ namespace
 
 TEST(MakeLoads, AJointLoadActsOnItsJointOnlyAndFollowsTime)
 {
-  const AppliedForces applied(three_struts("subsection Loads\n"
-                                           "  subsection push\n"
-                                           "    set Joints = 2\n"
-                                           "    set Force x = 3 * t\n"
-                                           "    set Force y = -2\n"
-                                           "    set Moment z = t^2\n"
-                                           "  end\n"
-                                           "end\n"),
-                              0.5);
-  const auto         &dofs        = applied.of_scene.dofs();
-  const double        expected[3] = {1.5, -2., 0.25};
+  const AppliedForces applied(
+    three_struts().add(
+      "Loads/push",
+      "Joints = 2 | Force x = 3 * t | Force y = -2 | Moment z = t^2"),
+    0.5);
+  const auto  &dofs        = applied.of_scene.dofs();
+  const double expected[3] = {1.5, -2., 0.25};
   for (unsigned int c = 0; c < 3; ++c)
     {
       EXPECT_DOUBLE_EQ(
@@ -86,29 +83,22 @@ TEST(MakeLoads, AJointLoadActsOnItsJointOnlyAndFollowsTime)
 
 TEST(MakeLoads, LoadsOfOneJointAddUp)
 {
-  const AppliedForces applied(
-    three_struts("subsection Loads\n"
-                 "  subsection push\n    set Joints = 2\n    set Force x = 3\n"
-                 "  end\n"
-                 "  subsection pull\n    set Joints = 1, 2\n"
-                 "    set Force x = 0.5\n  end\n"
-                 "end\n"),
-    1.);
-  const auto &dofs = applied.of_scene.dofs();
+  const AppliedForces applied(three_struts()
+                                .add("Loads/push", "Joints = 2 | Force x = 3")
+                                .add("Loads/pull",
+                                     "Joints = 1, 2 | Force x = 0.5"),
+                              1.);
+  const auto         &dofs = applied.of_scene.dofs();
   EXPECT_DOUBLE_EQ(applied.forces[dofs.joint_unknown(2, 0)], 3.5);
   EXPECT_DOUBLE_EQ(applied.forces[dofs.joint_unknown(1, 0)], 0.5);
 }
 
 TEST(MakeLoads, ALineLoadSumsToForcePerLengthTimesLength)
 {
-  const std::string text = three_struts("subsection Loads\n"
-                                        "  subsection wind\n"
-                                        "    set Type = line\n"
-                                        "    set Struts = all\n"
-                                        "    set Force per length x = 4 * t\n"
-                                        "    set Force per length y = -1\n"
-                                        "  end\n"
-                                        "end\n");
+  const SceneText text = three_struts().add(
+    "Loads/wind",
+    "Type = line | Struts = all | Force per length x = 4 * t | "
+    "Force per length y = -1");
   for (const char *order : {"1", "2", "3", "4", "5", "6"})
     for (const char *refinements : {"0", "2"})
       {
@@ -125,14 +115,10 @@ TEST(MakeLoads, ALineLoadSumsToForcePerLengthTimesLength)
 
 TEST(MakeLoads, ALineLoadActsInTheMiddleOfItsStrut)
 {
-  const AppliedForces applied(three_struts("subsection Loads\n"
-                                           "  subsection wind\n"
-                                           "    set Type = line\n"
-                                           "    set Struts = 1\n"
-                                           "    set Force per length x = 4\n"
-                                           "  end\n"
-                                           "end\n"),
-                              1.);
+  const AppliedForces applied(
+    three_struts().add("Loads/wind",
+                       "Type = line | Struts = 1 | Force per length x = 4"),
+    1.);
   EXPECT_NEAR(applied.sum[0], 4 * 1.5, round_off);
   EXPECT_NEAR(applied.moment, -4 * 1.5 * 0.75, round_off);
   EXPECT_EQ(applied.forces[applied.of_scene.dofs().joint_unknown(0, 0)], 0.);
@@ -140,17 +126,10 @@ TEST(MakeLoads, ALineLoadActsInTheMiddleOfItsStrut)
 
 TEST(MakeLoads, GravityPullsStrutsAndPointMasses)
 {
-  const std::string   text = three_struts("subsection Gravity\n"
-                                          "  set Acceleration x = 2\n"
-                                          "  set Acceleration y = -10\n"
-                                          "end\n"
-                                          "subsection Masses\n"
-                                          "  subsection weights\n"
-                                          "    set Joints = 1, 3\n"
-                                          "    set Mass = 0.4\n"
-                                          "    set Rotary inertia = 5\n"
-                                          "  end\n"
-                                          "end\n");
+  const SceneText text =
+    three_struts()
+      .add("Gravity", "Acceleration x = 2 | Acceleration y = -10")
+      .mass("weights", "1, 3", 0.4, 5);
   const double        mass = 0.5 * 3 * total_length + 2 * 0.4;
   const AppliedForces applied(text, 1.);
   EXPECT_NEAR(applied.sum[0], 2 * mass, 10 * round_off);
@@ -163,7 +142,7 @@ TEST(MakeLoads, GravityPullsStrutsAndPointMasses)
 
 TEST(MakeLoads, ASceneWithoutLoadsHasNone)
 {
-  const EquationsOnRanks of_scene(three_struts(""), {}, MPI_COMM_SELF);
+  const EquationsOnRanks of_scene(three_struts(), {}, MPI_COMM_SELF);
   EXPECT_TRUE(make_loads(of_scene.scene,
                          of_scene.lattice,
                          of_scene.dofs(),
@@ -176,14 +155,9 @@ TEST(MakeLoads, ASceneWithoutLoadsHasNone)
 TEST(MakeLoads, InitialVelocitiesAreThoseOfARigidBody)
 {
   const EquationsOnRanks of_scene(
-    three_struts("subsection Initial velocities\n"
-                 "  subsection spin\n"
-                 "    set Joints = all\n"
-                 "    set Velocity x = 3\n"
-                 "    set Velocity y = -1\n"
-                 "    set Angular velocity z = 2\n"
-                 "  end\n"
-                 "end\n"),
+    three_struts().add("Initial velocities/spin",
+                       "Joints = all | Velocity x = 3 | Velocity y = -1 | "
+                       "Angular velocity z = 2"),
     {"Discretization/Order=4", "Discretization/Global refinements=1"},
     MPI_COMM_SELF);
   const State  state     = of_scene.equations.initial_state();
@@ -205,16 +179,13 @@ TEST(MakeLoads, InitialVelocitiesAreThoseOfARigidBody)
 
 TEST(MakeLoads, StrutsMoveAlongOnlyIfBothEndsDo)
 {
-  const EquationsOnRanks of_scene(three_struts("subsection Initial velocities\n"
-                                               "  subsection impact\n"
-                                               "    set Joints = 0, 1\n"
-                                               "    set Velocity y = -1\n"
-                                               "  end\n"
-                                               "end\n"),
-                                  {},
-                                  MPI_COMM_SELF);
-  const State            state = of_scene.equations.initial_state();
-  const auto             names = name_unknowns(of_scene.model);
+  const EquationsOnRanks of_scene(
+    three_struts().add("Initial velocities/impact",
+                       "Joints = 0, 1 | Velocity y = -1"),
+    {},
+    MPI_COMM_SELF);
+  const State state = of_scene.equations.initial_state();
+  const auto  names = name_unknowns(of_scene.model);
   for (unsigned int i = 0; i < names.size(); ++i)
     {
       const auto &[at_joint, index, fraction, component] = names[i].name;

@@ -2,6 +2,7 @@
 
 #include <equations/effects/space_effect.h>
 #include <gtest/gtest.h>
+#include <support/scene_text.h>
 
 #include <support/messages.h>
 
@@ -11,17 +12,8 @@ using namespace auxfem::testing_support;
 namespace
 {
   /** 0.4 kg on joint 1; 0.5 kg with rotary inertia on joints 1 and 2. */
-  const std::string masses = "subsection Masses\n"
-                             "  subsection first\n"
-                             "    set Joints = 1\n"
-                             "    set Mass = 0.4\n"
-                             "  end\n"
-                             "  subsection second\n"
-                             "    set Joints = 1, 2\n"
-                             "    set Mass = 0.5\n"
-                             "    set Rotary inertia = 0.1\n"
-                             "  end\n"
-                             "end\n";
+  const SceneText masses =
+    SceneText().mass("first", "1", 0.4).mass("second", "1, 2", 0.5, 0.1);
 
   /** Inertia forces of the masses alone under acceleration 1 everywhere. */
   std::vector<double> under_unit_acceleration(const EquationsOnRanks &of_scene)
@@ -75,11 +67,8 @@ TEST(MakeMasses, ThoseOfOneJointAddUpInSpace)
 TEST(MakeMasses, RotaryInertiaNeedsARotation)
 {
   // A joint on which no strut ends has displacements only.
-  const std::string lonely =
-    frame_scene("0 0; 2 0; 5 5",
-                "0 1",
-                "subsection Masses\n  subsection lump\n    set Joints = 2\n"
-                "    set Mass = 1\n    set Rotary inertia = 0.1\n  end\nend\n");
+  const SceneText lonely =
+    frame_scene("0 0; 2 0; 5 5", "0 1").mass("lump", "2", 1, 0.1);
   expect_parts(input_error_of(
                  [&] { EquationsOnRanks(lonely, {}, MPI_COMM_SELF); }),
                {"Masses/lump/Rotary inertia", "joint 2", "no rotation"});

@@ -7,6 +7,7 @@
 #include <equations/equations_on_ranks.h>
 #include <gtest/gtest.h>
 #include <support/run_program.h>
+#include <support/scene_text.h>
 
 #include <map>
 #include <set>
@@ -166,40 +167,20 @@ namespace
    * Stars with everything, whose stubs are rigid and clamped to their edges;
    * a few edges are rigid bars.
    */
-  std::string stars_with_rigid_parts()
+  SceneText stars_with_rigid_parts()
   {
-    std::string text    = star_with_everything(3, 3);
-    const auto  replace = [&text](const std::string &from,
-                                 const std::string &to) {
-      const std::size_t position = text.find(from);
-      EXPECT_NE(position, std::string::npos);
-      text.replace(position, from.size(), to);
-    };
     // No elastic strut is left at the top that could be released, none at the
     // bottom that could be clamped, and at some tips none a spring could act
     // on.
-    replace("  subsection hinges\n"
-            "    set Joints = top\n"
-            "    set Type = hinge\n"
-            "  end\n",
-            "");
-    replace("    set Type = rotational spring\n    set Stiffness = 0.8\n",
-            "    set Type = hinge\n");
-    replace("set Type = clamp", "set Type = pin");
-    return text + R"(
-subsection Rigid parts
-  subsection stubs
-    set Struts = stubs
-    set Mass = 0.4
-    set Elastic struts = clamped
-  end
-  subsection bars
-    set Struts = 0, 13, 37, 50
-    set Parts = single struts
-    set Mass = 0.2
-  end
-end
-)";
+    return star_with_everything(3, 3)
+      .remove("Joints/hinges")
+      .remove("Joints/springs/Stiffness")
+      .set("Joints/springs/Type", "hinge")
+      .set("Supports/foundation/Type", "pin")
+      .add("Rigid parts/stubs",
+           "Struts = stubs | Mass = 0.4 | Elastic struts = clamped")
+      .add("Rigid parts/bars",
+           "Struts = 0, 13, 37, 50 | Parts = single struts | Mass = 0.2");
   }
 
   /** From rest: rigid parts cannot follow a jump of velocities. */
@@ -313,42 +294,18 @@ TEST(Ranks, RigidPartsAreReportedOnceAndAlike)
 TEST(Ranks, RigidPartsAloneMoveAsOnOneRank)
 {
   // A chain of six bars: no finite element anywhere.
-  const std::string chain = R"(
-subsection Lattice
-  set Cell = frame
-  set Joints = 0 0; 1 0.2; 2 0; 3 0.1; 4 0; 5 0; 6 0.3
-  set Struts = 0 1; 1 2; 2 3; 3 4; 4 5; 5 6
-end
-subsection Rigid parts
-  subsection bars
-    set Struts = all
-    set Parts = single struts
-    set Mass = 0.5
-  end
-end
-subsection Supports
-  subsection pivot
-    set Joints = 0
-    set Type = pin
-  end
-end
-subsection Connectors
-  subsection anchor
-    set Law = kelvin-voigt
-    set Spring stiffness = 3
-    set Damping coefficient = 0.4
-    set Between = 1 5; 0 6
-  end
-end
-subsection Gravity
-  set Acceleration y = -1
-end
-subsection Time
-  set Scheme = generalized-alpha
-  set End time = 0.5
-  set Time step = 0.05
-end
-)";
+  const SceneText chain =
+    SceneText()
+      .frame("0 0; 1 0.2; 2 0; 3 0.1; 4 0; 5 0; 6 0.3",
+             "0 1; 1 2; 2 3; 3 4; 4 5; 5 6")
+      .add("Rigid parts/bars",
+           "Struts = all | Parts = single struts | Mass = 0.5")
+      .support("pivot", "0", "pin")
+      .add("Connectors/anchor",
+           "Law = kelvin-voigt | Spring stiffness = 3 | "
+           "Damping coefficient = 0.4 | Between = 1 5; 0 6")
+      .set("Gravity/Acceleration y", -1)
+      .time(0.5, 0.05, "generalized-alpha");
   compare_runs({}, chain);
   compare_runs({"Solver/Type=klu"}, chain);
 }

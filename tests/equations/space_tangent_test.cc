@@ -2,6 +2,7 @@
 
 #include <equations/equations_on_ranks.h>
 #include <gtest/gtest.h>
+#include <support/scene_text.h>
 
 #include <random>
 
@@ -11,120 +12,47 @@ using namespace auxfem::testing_support;
 namespace
 {
   /** A frame in space with everything a scene may have. */
-  const std::string frame_with_everything = R"(
-set Dimension = 3
-subsection Lattice
-  set Cell = frame
-  set Joints = 0 0 0; 1 0 0.2; 1 1 0; 0.2 1 1; 1.2 0.3 1; 1.8 0.9 0.9; 0.3 1.9 1
-  set Struts = 0 1; 1 2 0.2 0 0.3 1; 2 3; 3 4; 4 1; 4 5; 3 6
-end
-subsection Sections
-  subsection band
-    set Shape = given
-    set Area = 3
-    set Shear area = 5
-    set Shear area 3 = 4
-    set Second moment of area = 0.7
-    set Second moment of area 2 = 0.4
-    set Torsion constant = 0.5
-    set Young's modulus = 1
-    set Poisson's ratio = 0.3
-    set Density = 0.5
-    set Stiffness-proportional damping = 0.3
-    set Mass-proportional damping = 0.4
-  end
-end
-subsection Joints
-  subsection spring
-    set Joints = 1
-    set Struts = 4
-    set Type = rotational spring
-    set Stiffness = 0.8
-  end
-  subsection hinge
-    set Joints = 2
-    set Struts = 2
-    set Type = hinge
-  end
-  subsection door
-    set Joints = 3
-    set Struts = 3
-    set Type = revolute
-    set Axis = 1 2 3
-  end
-end
-subsection Rigid parts
-  subsection bar
-    set Struts = 6
-    set Mass = 0.7
-    set Rotary inertia = 0.2 0.3 0.4
-    set Elastic struts = clamped
-  end
-end
-subsection Connectors
-  subsection damper
-    set Law = kelvin-voigt
-    set Between = 0 3; 1 6
-    set Spring stiffness = 0.6
-    set Damping coefficient = 0.9
-  end
-  subsection relaxing
-    set Law = maxwell
-    set Between = 2 4
-    set Spring stiffness = 0.7
-    set Damping coefficient = 0.8
-  end
-  subsection slide
-    set Law = spring
-    set Between = ground: 5
-    set Geometry = direction
-    set Direction = 1 2 -1
-    set Ground offset = 0.1 0.5 0.2
-    set Spring stiffness = 0.5
-  end
-end
-subsection Supports
-  subsection wall
-    set Joints = 0
-    set Type = clamp
-  end
-  subsection mover
-    set Joints = 2
-    set Type = prescribed
-    set Displacement z = 0.1 * t
-  end
-end
-subsection Masses
-  subsection top
-    set Joints = 4, 5
-    set Mass = 0.6
-    set Rotary inertia = 0.1 0.2 0.3
-  end
-end
-subsection Loads
-  subsection dead
-    set Joints = 4
-    set Force x = 0.3
-    set Moment y = 0.4
-  end
-  subsection following
-    set Joints = 5
-    set Direction = follows the joint
-    set Force x = 0.5
-    set Force z = -0.7
-    set Moment x = 0.4
-    set Moment z = 0.6
-  end
-  subsection line
-    set Type = line
-    set Struts = 1
-    set Force per length z = 0.2
-  end
-end
-subsection Gravity
-  set Acceleration z = -1
-end
-)";
+  const SceneText frame_with_everything =
+    SceneText()
+      .dimension(3)
+      .frame(
+        "0 0 0; 1 0 0.2; 1 1 0; 0.2 1 1; 1.2 0.3 1; 1.8 0.9 0.9; 0.3 1.9 1",
+        "0 1; 1 2 0.2 0 0.3 1; 2 3; 3 4; 4 1; 4 5; 3 6")
+      .given("band", {3, 5, 0.7}, {1, 0.5, 0.3})
+      .add("Sections/band",
+           "Shear area 3 = 4 | Second moment of area 2 = 0.4 | "
+           "Torsion constant = 0.5 | "
+           "Stiffness-proportional damping = 0.3 | "
+           "Mass-proportional damping = 0.4")
+      .add("Joints/spring",
+           "Joints = 1 | Struts = 4 | Type = rotational spring | "
+           "Stiffness = 0.8")
+      .add("Joints/hinge", "Joints = 2 | Struts = 2 | Type = hinge")
+      .add("Joints/door",
+           "Joints = 3 | Struts = 3 | Type = revolute | Axis = 1 2 3")
+      .add("Rigid parts/bar",
+           "Struts = 6 | Mass = 0.7 | Rotary inertia = 0.2 0.3 0.4 | "
+           "Elastic struts = clamped")
+      .add("Connectors/damper",
+           "Law = kelvin-voigt | Between = 0 3; 1 6 | "
+           "Spring stiffness = 0.6 | Damping coefficient = 0.9")
+      .add("Connectors/relaxing",
+           "Law = maxwell | Between = 2 4 | Spring stiffness = 0.7 | "
+           "Damping coefficient = 0.8")
+      .add("Connectors/slide",
+           "Law = spring | Between = ground: 5 | Geometry = direction | "
+           "Direction = 1 2 -1 | Ground offset = 0.1 0.5 0.2 | "
+           "Spring stiffness = 0.5")
+      .support("wall", "0", "clamp")
+      .add("Supports/mover",
+           "Joints = 2 | Type = prescribed | Displacement z = 0.1 * t")
+      .mass("top", "4, 5", 0.6, "0.1 0.2 0.3")
+      .add("Loads/dead", "Joints = 4 | Force x = 0.3 | Moment y = 0.4")
+      .add("Loads/following",
+           "Joints = 5 | Direction = follows the joint | Force x = 0.5 | "
+           "Force z = -0.7 | Moment x = 0.4 | Moment z = 0.6")
+      .add("Loads/line", "Type = line | Struts = 1 | Force per length z = 0.2")
+      .set("Gravity/Acceleration z", -1);
 
   /** A trial state far from rest, all its rotations large. */
   struct SpaceTrial

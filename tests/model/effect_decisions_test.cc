@@ -2,6 +2,7 @@
 
 #include <equations/equations_on_ranks.h>
 #include <gtest/gtest.h>
+#include <support/scene_text.h>
 
 using namespace auxfem;
 using namespace auxfem::testing_support;
@@ -14,7 +15,7 @@ namespace
     return decide_effects(read_scene_from_text(text, "test.prm", overrides));
   }
 
-  const std::string plain = frame_scene("0 0; 1 0", "0 1", "");
+  const SceneText plain = frame_scene("0 0; 1 0", "0 1");
 
   const EffectDecision &decision(const SimulatedEffects &effects,
                                  const std::string      &name)
@@ -75,7 +76,7 @@ TEST(EffectDecisions, WhatTheUserSaysCounts)
 
 TEST(EffectDecisions, EveryDecisionHasAReason)
 {
-  for (const std::string &text : {plain, star_with_everything(1, 1)})
+  for (const SceneText &text : {plain, star_with_everything(1, 1)})
     for (const EffectDecision &one : decide(text).decisions)
       EXPECT_FALSE(one.reason.empty()) << one.name;
 }

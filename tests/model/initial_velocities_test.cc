@@ -1,5 +1,6 @@
 #include <equations/equations_on_ranks.h>
 #include <gtest/gtest.h>
+#include <support/scene_text.h>
 
 #include <sstream>
 
@@ -20,17 +21,12 @@ namespace
     return text.str();
   }
 
-  std::string group(const std::string &name,
-                    const std::string &joints,
-                    const std::string &entries)
+  SceneText group(const std::string &name,
+                  const std::string &joints,
+                  const std::string &entries)
   {
-    return "  subsection " + name + "\n    set Joints = " + joints + "\n" +
-      entries + "  end\n";
-  }
-
-  std::string velocities(const std::string &groups)
-  {
-    return "subsection Initial velocities\n" + groups + "end\n";
+    return SceneText().add("Initial velocities/" + name,
+                           "Joints = " + joints + " | " + entries);
   }
 
   /** Velocity of a rigid body, here (3, -1) m/s at the origin and 2 rad/s. */
@@ -45,21 +41,21 @@ namespace
                                                         {{2, 3.5}}};
 
   /** Struts and a half circle, of which each joint is given its velocity. */
-  std::string joint_by_joint(const std::string &further = "")
+  SceneText joint_by_joint(const SceneText &further = {})
   {
-    std::string groups;
+    SceneText groups;
     for (unsigned int joint = 0; joint < positions.size(); ++joint)
       {
         const auto v = rigid_in_plane(positions[joint][0], positions[joint][1]);
-        groups += group("v" + std::to_string(joint),
-                        std::to_string(joint),
-                        "    set Velocity x = " + number(v.at(0)) +
-                          "\n    set Velocity y = " + number(v.at(1)) +
-                          "\n    set Angular velocity z = 2\n");
+        groups.add(group("v" + std::to_string(joint),
+                         std::to_string(joint),
+                         "Velocity x = " + number(v.at(0)) +
+                           " | Velocity y = " + number(v.at(1)) +
+                           " | Angular velocity z = 2"));
       }
     return frame_scene("0 0; 2 0; 2 1.5; 2 3.5",
                        "0 1; 1 2; 2 3 1",
-                       velocities(groups) + further);
+                       groups + further);
   }
 
   void expect_rigid(const std::string              &scene,
@@ -92,9 +88,8 @@ TEST(InitialVelocities, JointsOfOneMotionMakeStrutsAndArcsMoveWithIt)
 
 TEST(InitialVelocities, HingedEndsTurnWithTheChord)
 {
-  const std::string hinge = "subsection Joints\n  subsection free\n"
-                            "    set Joints = 1\n    set Struts = 0\n"
-                            "    set Type = hinge\n  end\nend\n";
+  const SceneText hinge =
+    SceneText().add("Joints/free", "Joints = 1 | Struts = 0 | Type = hinge");
   expect_rigid(joint_by_joint(hinge), {"Discretization/Order=3"});
 }
 
@@ -103,14 +98,13 @@ TEST(InitialVelocities, AStrutBetweenTwoSetsIsBentAsABeam)
   // Ends at (0, 0) and (2, 0), the second moves across by 1 m/s and turns by
   // 0.5 rad/s: v = 3 s^2 - 2 s^3 - L s^2 (1 - s) / 2, the spin its slope.
   const EquationsOnRanks of_scene(
-    frame_scene("0 0; 2 0",
-                "0 1",
-                velocities(group("still", "0", "") +
-                           group("throw",
-                                 "1",
-                                 "    set Velocity x = 4\n"
-                                 "    set Velocity y = 1\n"
-                                 "    set Angular velocity z = 0.5\n"))),
+    frame_scene(
+      "0 0; 2 0",
+      "0 1",
+      (group("still", "0", "") +
+       group("throw",
+             "1",
+             "Velocity x = 4 | Velocity y = 1 | Angular velocity z = 0.5"))),
     {"Discretization/Order=4", "Discretization/Global refinements=1"});
   const State state = of_scene.equations.initial_state();
   const auto  names = name_unknowns(of_scene.model);
@@ -129,59 +123,48 @@ TEST(InitialVelocities, AStrutBetweenTwoSetsIsBentAsABeam)
 
 TEST(InitialVelocities, RefuseWhatASupportDoesNotAllow)
 {
-  const std::string clamp = "subsection Supports\n  subsection wall\n"
-                            "    set Joints = 0\n    set Type = clamp\n"
-                            "  end\nend\n";
+  const SceneText clamp = SceneText().support("wall", "0", "clamp");
   expect_parts(
-    refusal(frame_scene(
-      "0 0; 2 0",
-      "0 1",
-      clamp + velocities(group("fall", "all", "    set Velocity y = -3\n")))),
+    refusal(frame_scene("0 0; 2 0",
+                        "0 1",
+                        clamp + (group("fall", "all", "Velocity y = -3")))),
     {"Initial velocities/fall",
      "vertical displacement of joint 0",
      "Supports/wall",
      "starts with 0 m/s, not with -3 m/s",
      "Take the joint out of the set"});
   // What a later set says counts.
-  EXPECT_EQ(refusal(frame_scene(
-              "0 0; 2 0",
-              "0 1",
-              clamp +
-                velocities(group("fall", "all", "    set Velocity y = -3\n") +
-                           group("held", "0", "")))),
-            "");
-  // A rotation about the support.
   EXPECT_EQ(refusal(frame_scene("0 0; 2 0",
                                 "0 1",
                                 clamp +
-                                  velocities(
-                                    group("turn",
-                                          "all",
-                                          "    set Velocity y = 2\n"
-                                          "    set Angular velocity z = 2\n"))),
-                    {"Supports/wall/Type=pin"}),
+                                  (group("fall", "all", "Velocity y = -3") +
+                                   group("held", "0", "")))),
             "");
-  const std::string moving = "Supports/wall/Displacement y=-3 * t";
+  // A rotation about the support.
   EXPECT_EQ(
     refusal(frame_scene("0 0; 2 0",
                         "0 1",
                         clamp +
-                          velocities(
-                            group("fall", "all", "    set Velocity y = -3\n"))),
-            {"Supports/wall/Type=prescribed", moving}),
+                          (group("turn",
+                                 "all",
+                                 "Velocity y = 2 | Angular velocity z = 2"))),
+            {"Supports/wall/Type=pin"}),
     "");
+  const std::string moving = "Supports/wall/Displacement y=-3 * t";
+  EXPECT_EQ(refusal(frame_scene("0 0; 2 0",
+                                "0 1",
+                                clamp +
+                                  (group("fall", "all", "Velocity y = -3"))),
+                    {"Supports/wall/Type=prescribed", moving}),
+            "");
 }
 
 TEST(InitialVelocities, RefuseToTurnWhatHasNoRotation)
 {
-  const std::string bar  = "subsection Rigid parts\n  subsection bar\n"
-                           "    set Struts = 0\n    set Mass = 1\n"
-                           "  end\nend\n",
-                    spin = "    set Angular velocity z = 2\n";
+  const SceneText   bar  = SceneText().rigid_part("bar", "0", 1);
+  const std::string spin = "Angular velocity z = 2";
   const std::string one =
-    frame_scene("0 0; 2 0; 2 1",
-                "0 1; 1 2",
-                bar + velocities(group("turn", "0", spin)));
+    frame_scene("0 0; 2 0; 2 1", "0 1; 1 2", bar + (group("turn", "0", spin)));
   expect_parts(refusal(one, {"Sections/band/Struts=1"}),
                {"Initial velocities/turn/Angular velocity",
                 "joint 0 has no rotation of its own",

@@ -2,6 +2,7 @@
 
 #include <equations/effects/space_effect.h>
 #include <mesh/cell_from_text.h>
+#include <support/scene_text.h>
 
 using namespace auxfem;
 using namespace auxfem::testing_support;
@@ -10,30 +11,29 @@ namespace
 {
   using What = RotationOwner::What;
 
-  std::string definition(const std::string &name,
-                         const std::string &joint,
-                         const std::string &struts,
-                         const std::string &type)
+  SceneText definition(const std::string &name,
+                       const std::string &joint,
+                       const std::string &struts,
+                       const std::string &type)
   {
-    return "subsection Joints\n  subsection " + name +
-      "\n    set Joints = " + joint + "\n    set Struts = " + struts +
-      "\n    set Type = " + type + "\n  end\nend\n";
+    return SceneText().add("Joints/" + name,
+                           "Joints = " + joint + " | Struts = " + struts +
+                             " | Type = " + type);
   }
 
-  const std::string revolute = "revolute\n    set Axis = 0 0 1",
-                    spring   = "rotational spring\n    set Stiffness = 2";
+  const std::string revolute = "revolute | Axis = 0 0 1",
+                    spring   = "rotational spring | Stiffness = 2";
 
-  std::string rigid(const std::string &name, const std::string &struts)
+  SceneText rigid(const std::string &name, const std::string &struts)
   {
-    return "subsection Rigid parts\n  subsection " + name +
-      "\n    set Struts = " + struts + "\n    set Mass = 1\n  end\nend\n";
+    return SceneText().rigid_part(name, struts, 1);
   }
 
   /**
    * Three struts from joint 0, the last two of which go on at right angles, so
    * that they may be bodies; two struts that meet at joint 6.
    */
-  std::string tripod(const std::string &further)
+  SceneText tripod(const SceneText &further)
   {
     return space_frame("0 0 0; 1 0 0; 0 1 0; 0 0 1; 1 1 0; 0 1 1; -1 0 0",
                        "0 1; 0 2; 0 3; 2 4; 3 5; 0 6",
@@ -41,7 +41,7 @@ namespace
   }
 
   /** Base and end of each pair, in words. */
-  std::vector<std::string> pairs(const std::string &further)
+  std::vector<std::string> pairs(const SceneText &further)
   {
     const Scene   scene   = read_scene_from_text(tripod(further), "test.prm");
     const Lattice lattice = build_lattice(scene);
@@ -109,7 +109,7 @@ TEST(JointReleases, ALoneEndTurnsAgainstTheGround)
 
 TEST(JointReleases, ABodyTurnsAgainstTheGroundABodyOrTheStrutsThere)
 {
-  const std::string one = rigid("one", "1, 3"), other = rigid("other", "2, 4");
+  const SceneText one = rigid("one", "1, 3"), other = rigid("other", "2, 4");
   // Alone at its joint.
   EXPECT_EQ(pairs(one + definition("hinge", "4", "3", revolute)),
             (Words{"ground - part 0"}));

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 #include <mesh/cell_from_text.h>
+#include <support/scene_text.h>
 
 #include <algorithm>
 
@@ -23,46 +24,35 @@ namespace
   /** The lattice of a frame without sections and with rigid parts. */
   Lattice lattice_of(const std::string &joints,
                      const std::string &struts,
-                     const std::string &rigid_parts,
-                     const std::string &further = "")
+                     const SceneText   &rigid_parts,
+                     const SceneText   &further = {})
   {
     return build_lattice(read_scene_from_text(
-      "subsection Lattice\n  set Cell = frame\n  set Joints = " + joints +
-        "\n  set Struts = " + struts + "\nend\nsubsection Rigid parts\n" +
-        rigid_parts + "\nend\n" + further,
+      SceneText().frame(joints, struts).add(rigid_parts).add(further),
       "test.prm"));
   }
 
-  std::string part(const std::string &name, const std::string &content)
+  SceneText part(const std::string &name, const std::string &content)
   {
-    return "subsection " + name + "\n" + content + "\nend\n";
+    return SceneText().add("Rigid parts/" + name, content);
   }
 
   /** Two legs of 3 m and 1 m, then a bar and a lone strut. */
   const std::string six_joints  = "0 0; 3 0; 3 1; 5 1; 7 0; 8 0";
   const std::string four_struts = "0 1; 1 2; 2 3; 4 5";
 
-  const std::string sections = "subsection Sections\n"
-                               "  subsection band\n"
-                               "    set Shape = circle\n"
-                               "    set Radius = 1 mm\n"
-                               "    set Young's modulus = 70 GPa\n"
-                               "    set Density = 2700\n"
-                               "    set Struts = SET\n"
-                               "  end\n"
-                               "end\n";
-
-  std::string sections_for(const std::string &struts)
+  SceneText sections_for(const std::string &struts)
   {
-    std::string text = sections;
-    return text.replace(text.find("SET"), 3, struts);
+    return SceneText()
+      .circle("band", "1 mm", {"70 GPa", 2700})
+      .set("Sections/band/Struts", struts);
   }
 } // namespace
 
 TEST(RigidParts, StrutsThatMeetAreOnePart)
 {
   const Lattice lattice =
-    lattice_of(six_joints, four_struts, part("all", "set Struts = all"));
+    lattice_of(six_joints, four_struts, part("all", "Struts = all"));
   ASSERT_EQ(lattice.rigid_parts.size(), 2u);
   const RigidPart &chain = lattice.rigid_parts[0];
   EXPECT_EQ(chain.struts, (Indices{0, 1, 2}));
@@ -81,8 +71,7 @@ TEST(RigidParts, SingleStrutsAreBars)
     lattice_of(six_joints,
                four_struts,
                part("bars",
-                    "set Struts = all\nset Parts = single struts\n"
-                    "set Mass = 2 kg"));
+                    "Struts = all | Parts = single struts | Mass = 2 kg"));
   ASSERT_EQ(lattice.rigid_parts.size(), 4u);
   for (unsigned int i = 0; i < 4; ++i)
     {
@@ -104,7 +93,7 @@ TEST(RigidParts, JointsWithoutStrutsShareTheMass)
   const Lattice lattice =
     lattice_of("0 0; 1 0; 0 2; 4 0",
                "0 3",
-               part("plate", "set Joints = 0, 1, 2\nset Mass = 6 kg"),
+               part("plate", "Joints = 0, 1, 2 | Mass = 6 kg"),
                sections_for("all"));
   ASSERT_EQ(lattice.rigid_parts.size(), 1u);
   const RigidPart &plate = lattice.rigid_parts[0];
@@ -122,11 +111,10 @@ TEST(RigidParts, AnLHasItsClosedFormMassProperties)
 {
   // Legs of 3 m and 1 m with 1 kg/m: centre (3 * 1.5 + 3, 0.5) / 4; inertia of
   // each leg about its own middle and by Steiner.
-  const Lattice lattice =
-    lattice_of("0 0; 3 0; 3 1",
-               "0 1; 1 2",
-               part("L", "set Struts = all\nset Mass = 4"));
-  const RigidPart &L = lattice.rigid_parts.at(0);
+  const Lattice    lattice = lattice_of("0 0; 3 0; 3 1",
+                                     "0 1; 1 2",
+                                     part("L", "Struts = all | Mass = 4"));
+  const RigidPart &L       = lattice.rigid_parts.at(0);
   const double     x = 7.5 / 4, y = 0.5 / 4;
   EXPECT_EQ(L.mass, 4);
   EXPECT_NEAR(L.centre_of_mass.distance({x, y, 0}), 0, rigid_parts_round_off);
@@ -141,9 +129,7 @@ TEST(RigidParts, AHalfCircleHasItsClosedFormMassProperties)
   // Radius 2 m, bulging to the left of (0, 0) -> (4, 0): centre 2 R / pi above
   // the chord, inertia m R^2 about the circle's middle.
   const Lattice lattice =
-    lattice_of("0 0; 4 0",
-               "0 1 2",
-               part("bow", "set Struts = 0\nset Mass = 3"));
+    lattice_of("0 0; 4 0", "0 1 2", part("bow", "Struts = 0 | Mass = 3"));
   const RigidPart &bow = lattice.rigid_parts.at(0);
   EXPECT_NEAR(bow.centre_of_mass.distance({2, 4 / pi, 0}),
               0,
@@ -158,8 +144,7 @@ TEST(RigidParts, AGivenRotaryInertiaCounts)
   const Lattice lattice =
     lattice_of("0 0; 3 0",
                "0 1",
-               part("bar",
-                    "set Struts = 0\nset Mass = 3\nset Rotary inertia = 0.4"));
+               part("bar", "Struts = 0 | Mass = 3 | Rotary inertia = 0.4"));
   EXPECT_EQ(lattice.rigid_parts.at(0).rotary_inertia[2][2], 0.4);
   EXPECT_FALSE(lattice.rigid_parts.at(0).clamps_struts);
 }
@@ -167,12 +152,11 @@ TEST(RigidParts, AGivenRotaryInertiaCounts)
 TEST(RigidParts, SectionsAreForElasticStrutsOnly)
 {
   // Struts 0 and 1 are rigid, `all` of a section does not make them elastic.
-  const Lattice lattice = lattice_of(six_joints,
-                                     four_struts,
-                                     part("L",
-                                          "set Struts = 0, 1\n"
-                                          "set Elastic struts = clamped"),
-                                     sections_for("all"));
+  const Lattice lattice =
+    lattice_of(six_joints,
+               four_struts,
+               part("L", "Struts = 0, 1 | Elastic struts = clamped"),
+               sections_for("all"));
   EXPECT_EQ(lattice.n_elastic_struts(), 2u);
   EXPECT_EQ(lattice.struts[0].section, invalid_index);
   EXPECT_EQ(lattice.struts[2].section, 0u);
@@ -183,14 +167,14 @@ TEST(RigidParts, SectionsAreForElasticStrutsOnly)
   EXPECT_EQ(input_error_of([] {
               lattice_of(six_joints,
                          four_struts,
-                         part("L", "set Struts = 0, 1"),
+                         part("L", "Struts = 0, 1"),
                          sections_for("2, 3"));
             }),
             "");
   EXPECT_TRUE(contains(input_error_of([] {
                          lattice_of(six_joints,
                                     four_struts,
-                                    part("L", "set Struts = 0, 1"),
+                                    part("L", "Struts = 0, 1"),
                                     sections_for("2"));
                        }),
                        "Sections"));
@@ -201,8 +185,7 @@ TEST(RigidParts, AStrutOfTwoDefinitionsIsRefused)
   const std::string message = input_error_of([] {
     lattice_of(six_joints,
                four_struts,
-               part("chain", "set Struts = 0, 1") +
-                 part("tail", "set Struts = 1, 2"));
+               part("chain", "Struts = 0, 1") + part("tail", "Struts = 1, 2"));
   });
   for (const char *words : {"Rigid parts/tail/Struts",
                             "strut 1 belongs to Rigid parts/chain already"})
@@ -212,15 +195,13 @@ TEST(RigidParts, AStrutOfTwoDefinitionsIsRefused)
 TEST(RigidParts, APartWithoutDirectionIsRefused)
 {
   std::string message = input_error_of(
-    [] { lattice_of("0 0; 1 0", "0 1", part("dot", "set Joints = 1")); });
+    [] { lattice_of("0 0; 1 0", "0 1", part("dot", "Joints = 1")); });
   for (const char *words :
        {"Rigid parts/dot/Joints", "at least two joints", "joint 1 is alone"})
     EXPECT_TRUE(contains(message, words)) << message;
 
   message = input_error_of([] {
-    lattice_of("0 0; 1 0; 1 0; 2 0",
-               "0 1; 2 3",
-               part("dot", "set Joints = 1, 2"));
+    lattice_of("0 0; 1 0; 1 0; 2 0", "0 1; 2 3", part("dot", "Joints = 1, 2"));
   });
   for (const char *words :
        {"Rigid parts/dot", "joints 1 and 2 lie at one position"})
@@ -232,7 +213,7 @@ TEST(RigidParts, JointsOfPartsAreThoseFoundBySearch)
   const Lattice lattice =
     lattice_of(six_joints,
                four_struts,
-               part("leg", "set Struts = 0") + part("bar", "set Joints = 4, 5"),
+               part("leg", "Struts = 0") + part("bar", "Joints = 4, 5"),
                sections_for("1, 2, 3"));
   const std::vector<bool> of_part = joints_of_rigid_parts(lattice);
   ASSERT_EQ(of_part.size(), lattice.joints.size());
@@ -251,12 +232,12 @@ TEST(RigidParts, InSpaceAJointIsClampedToOnePartOnly)
   // Two bars that meet at joint 1, and one apart.
   const auto make = [](const std::string &first, const std::string &second) {
     return build_lattice(read_scene_from_text(
-      "set Dimension = 3\nsubsection Lattice\n  set Cell = frame\n"
-      "  set Joints = 0 0 0; 1 0 0; 1 1 1; 2 0 0; 2 1 0\n"
-      "  set Struts = 0 1; 1 2; 3 4\nend\nsubsection Rigid parts\n" +
-        part("lone", "set Struts = 2\nset Elastic struts = clamped") +
-        part("base", "set Struts = 0\nset Elastic struts = " + first) +
-        part("arm", "set Struts = 1\nset Elastic struts = " + second) + "end\n",
+      SceneText()
+        .dimension(3)
+        .frame("0 0 0; 1 0 0; 1 1 1; 2 0 0; 2 1 0", "0 1; 1 2; 3 4")
+        .add(part("lone", "Struts = 2 | Elastic struts = clamped"))
+        .add(part("base", "Struts = 0 | Elastic struts = " + first))
+        .add(part("arm", "Struts = 1 | Elastic struts = " + second)),
       "test.prm"));
   };
   EXPECT_EQ(make("clamped", "hinged").rigid_parts.size(), 3u);
@@ -273,7 +254,7 @@ TEST(RigidParts, UnknownSetsAreRefusedWithTheirPlace)
 {
   EXPECT_TRUE(
     contains(input_error_of([] {
-               lattice_of("0 0; 1 0", "0 1", part("bar", "set Struts = bras"));
+               lattice_of("0 0; 1 0", "0 1", part("bar", "Struts = bras"));
              }),
              "Rigid parts/bar/Struts"));
 }

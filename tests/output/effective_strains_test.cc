@@ -3,6 +3,7 @@
 #include <auxfem/output/effective_strains.h>
 
 #include <gtest/gtest.h>
+#include <support/scene_text.h>
 
 #include <support/messages.h>
 
@@ -13,23 +14,12 @@ namespace
   /** A frame of four joints; positions of the third dimension come by hand. */
   Scene scene_in(const unsigned int dimension)
   {
-    return read_scene_from_text("set Dimension = " + std::to_string(dimension) +
-                                  R"(
-subsection Lattice
-  set Cell   = frame
-  set Joints = 0 0; 4 0; 4 2; 0 2
-  set Struts = 0 1; 1 2; 2 3; 3 0
-end
-subsection Sections
-  subsection band
-    set Shape           = circle
-    set Radius          = 5 mm
-    set Young's modulus = 70 GPa
-    set Density         = 2700 kg/m3
-  end
-end
-)",
-                                "test.prm");
+    return read_scene_from_text(
+      SceneText()
+        .dimension(dimension)
+        .frame("0 0; 4 0; 4 2; 0 2", "0 1; 1 2; 2 3; 3 0")
+        .circle("band", "5 mm", {"70 GPa", "2700 kg/m3"}),
+      "test.prm");
   }
 
   void displace(State              &state,

@@ -127,8 +127,7 @@ TEST(EnergyRecord, ValuesStandInTheirColumns)
 
 TEST(EnergyRecord, AScenesColumnsAreThoseOfItsPhysics)
 {
-  const std::string dynamics = "set Scheme = newmark\n",
-                    statics  = "set Scheme = static\n";
+  const std::string dynamics = "Scheme = newmark", statics = "Scheme = static";
   // A clamp that stays does no work; the load has a cause of its own.
   EXPECT_EQ(columns_of(cantilever("1", dynamics)),
             (Words{"kinetic",

@@ -7,6 +7,7 @@
 #include <equations/equations_on_ranks.h>
 #include <gtest/gtest.h>
 #include <support/energy_amount.h>
+#include <support/scene_text.h>
 
 #include <algorithm>
 #include <map>
@@ -18,41 +19,15 @@ using namespace auxfem::testing_support;
 namespace
 {
   /** Four joints in a row, three struts; enough for two ranks. */
-  const std::string lattice_text = R"(
-subsection Lattice
-  set Cell   = frame
-  set Joints = 0 0; 1 0; 2 0; 3 0
-  set Struts = 0 1; 1 2; 2 3
-end
-subsection Sections
-  subsection band
-    set Shape           = circle
-    set Radius          = 5 mm
-    set Young's modulus = 70 GPa
-    set Poisson's ratio = 0.3
-    set Density         = 2700 kg/m3
-  end
-end
-subsection Supports
-  subsection wall
-    set Joints = 0, 3
-    set Type   = clamp
-  end
-end
-subsection Connectors
-  subsection damper
-    set Law                 = kelvin-voigt
-    set Spring stiffness    = 200 N/m
-    set Damping coefficient = 5 N s/m
-    set Between             = 0 1; 1 2
-  end
-end
-subsection Time
-  set Scheme    = newmark
-  set End time  = 1 s
-  set Time step = 0.1 s
-end
-)";
+  const SceneText lattice_text =
+    SceneText()
+      .frame("0 0; 1 0; 2 0; 3 0", "0 1; 1 2; 2 3")
+      .circle("band", "5 mm", {"70 GPa", "2700 kg/m3", 0.3})
+      .support("wall", "0, 3", "clamp")
+      .add("Connectors/damper",
+           "Law = kelvin-voigt | Spring stiffness = 200 N/m | "
+           "Damping coefficient = 5 N s/m | Between = 0 1; 1 2")
+      .time("1 s", "0.1 s", "newmark");
 
   /** The row of @p solution by column. */
   std::map<std::string, double> row_of(History        &history,
@@ -86,16 +61,9 @@ end
 TEST(History, RowHoldsMeansOfProbesAndSumsOfSupportsAndConnectors)
 {
   const EquationsOnRanks of_scene(
-    lattice_text +
-      "subsection Probes\n"
-      "  set middle = 1, 2\n"
-      "end\n"
-      "subsection Loads\n"
-      "  subsection push\n"
-      "    set Joints = 1\n"
-      "    set Force x = 1\n"
-      "  end\n"
-      "end\n",
+    SceneText(lattice_text)
+      .probe("middle", "1, 2")
+      .add("Loads/push", "Joints = 1 | Force x = 1"),
     {"Sections/band/Stiffness-proportional damping=0.1"});
   const LatticeModel &model = of_scene.model;
   History history(of_scene.scene, of_scene.equations, MPI_COMM_WORLD);
@@ -162,13 +130,10 @@ TEST(History, RowHoldsMeansOfProbesAndSumsOfSupportsAndConnectors)
 
 TEST(History, RowInSpaceHasThreeOfEach)
 {
-  const EquationsOnRanks of_scene("set Dimension = 3\n" + lattice_text +
-                                  "subsection Probes\n"
-                                  "  set middle = 1, 2\n"
-                                  "end\n"
-                                  "subsection Output\n"
-                                  "  set Effective strains = true\n"
-                                  "end\n");
+  const EquationsOnRanks of_scene(SceneText(lattice_text)
+                                    .dimension(3)
+                                    .probe("middle", "1, 2")
+                                    .set("Output/Effective strains", "true"));
   const LatticeModel    &model = of_scene.model;
   History history(of_scene.scene, of_scene.equations, MPI_COMM_WORLD);
 
@@ -241,10 +206,7 @@ TEST(History, EveryColumnHasAUnit)
 
 TEST(History, ProbeOnNothingIsRefused)
 {
-  const EquationsOnRanks of_scene(lattice_text +
-                                  "subsection Probes\n"
-                                  "  set lost = 17\n"
-                                  "end\n");
+  const EquationsOnRanks of_scene(SceneText(lattice_text).probe("lost", "17"));
   try
     {
       History history(of_scene.scene, of_scene.equations, MPI_COMM_WORLD);

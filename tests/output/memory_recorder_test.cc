@@ -14,10 +14,9 @@ namespace
 {
   /** 1 kg on a spring of 4 N/m, thrown with 1 m/s: u = sin(2 t) / 2. */
   const std::string thrown_mass =
-    one_mass_scene("    set Law = spring\n    set Spring stiffness = 4\n",
-                   "  set End time = 1\n  set Time step = 1 ms\n",
-                   mass_and_velocity(1, 1) +
-                     "subsection Output\n  set History interval = 100\nend\n");
+    one_mass_scene("Law = spring | Spring stiffness = 4",
+                   "End time = 1 | Time step = 1 ms",
+                   mass_and_velocity(1, 1).set("Output/History interval", 100));
 } // namespace
 
 TEST(MemoryRecorder, KeepsARowForEachStepAndWritesNothing)

@@ -2,6 +2,7 @@
 
 #include <equations/equations_on_ranks.h>
 #include <gtest/gtest.h>
+#include <support/scene_text.h>
 
 #include <support/messages.h>
 
@@ -13,12 +14,9 @@ namespace
   std::vector<std::string> notes_of(const std::string &height)
   {
     const EquationsOnRanks of_scene(
-      "subsection Lattice\n  set Cell = frame\n"
-      "  set Joints = 0 0; 1 0; 1 0.02\n  set Struts = 0 1; 1 2\nend\n"
-      "subsection Sections\n  subsection strip\n    set Shape = rectangle\n"
-      "    set Width = 5 mm\n    set Height = " +
-        height +
-        "\n    set Young's modulus = 1e9\n    set Density = 1\n  end\nend\n",
+      SceneText()
+        .frame("0 0; 1 0; 1 0.02", "0 1; 1 2")
+        .rectangle("strip", "5 mm", height, {1e9, 1}),
       {},
       MPI_COMM_SELF);
     return notes_on(of_scene.scene, of_scene.model);

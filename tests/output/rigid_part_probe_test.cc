@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <mesh/cell_from_text.h>
 #include <support/scene_run.h>
+#include <support/scene_text.h>
 
 #include <cmath>
 
@@ -18,15 +19,10 @@ using namespace auxfem::testing_support;
 namespace
 {
   /** Two rigid bars on a hinge, 2 kg each, then an elastic strut. */
-  const std::string bars = frame_scene("0 0; 1 0; 2 0; 3 0",
-                                       "0 1; 1 2; 2 3",
-                                       "subsection Rigid parts\n"
-                                       "  subsection bars\n"
-                                       "    set Struts = 0, 1\n"
-                                       "    set Parts = single struts\n"
-                                       "    set Mass = 2\n"
-                                       "  end\n"
-                                       "end\n");
+  const SceneText bars =
+    frame_scene("0 0; 1 0; 2 0; 3 0", "0 1; 1 2; 2 3")
+      .add("Rigid parts/bars",
+           "Struts = 0, 1 | Parts = single struts | Mass = 2");
 
   ProbeDefinition probe(const std::string &selection)
   {
@@ -107,19 +103,14 @@ TEST(RigidPartProbe, ForcesAreThoseOfTheChosenJoints)
 {
   // A bar of 3 kg on a pin at 0 and a roller at 2 m, 30 N down at 0.5 m of a
   // third joint.
-  SceneRun run("subsection Lattice\n  set Cell = frame\n"
-               "  set Joints = 0 0; 2 0; 0.5 0\n"
-               "  set Struts = 0 2; 2 1\nend\n"
-               "subsection Rigid parts\n  subsection bar\n"
-               "    set Struts = all\n    set Mass = 3\n  end\nend\n"
-               "subsection Supports\n  subsection pin\n    set Joints = 0\n"
-               "    set Type = pin\n  end\n  subsection roller\n"
-               "    set Joints = 1\n    set Type = roller x\n  end\nend\n"
-               "subsection Loads\n  subsection weight\n    set Joints = 2\n"
-               "    set Force y = -30\n  end\nend\n"
-               "subsection Gravity\n  set Acceleration y = -10\nend\n"
-               "subsection Time\n  set Scheme = static\n  set End time = 1\n"
-               "  set Time step = 1\nend\n");
+  SceneRun run(SceneText()
+                 .frame("0 0; 2 0; 0.5 0", "0 2; 2 1")
+                 .rigid_part("bar", "all", 3)
+                 .support("pin", "0", "pin")
+                 .support("roller", "1", "roller x")
+                 .add("Loads/weight", "Joints = 2 | Force y = -30")
+                 .set("Gravity/Acceleration y", -10)
+                 .time(1, 1, "static"));
   run.run();
   const auto values_of = [&](const std::string &selection) {
     RigidPartProbe chosen(probe(selection), run.scene, run.equations);

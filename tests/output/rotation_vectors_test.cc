@@ -4,6 +4,7 @@
 #include <auxfem/output/rotation_vectors.h>
 
 #include <gtest/gtest.h>
+#include <support/scene_text.h>
 
 #include <cmath>
 
@@ -11,30 +12,18 @@ using namespace auxfem;
 
 namespace
 {
-  const std::string strut_text = R"(
-subsection Lattice
-  set Cell   = frame
-  set Joints = 0 0; 1 0
-  set Struts = 0 1
-end
-subsection Sections
-  subsection band
-    set Shape           = circle
-    set Radius          = 5 mm
-    set Young's modulus = 70 GPa
-    set Density         = 2700 kg/m3
-  end
-end
-)";
+  const SceneText strut_text =
+    SceneText()
+      .frame("0 0; 1 0", "0 1")
+      .circle("band", "5 mm", {"70 GPa", "2700 kg/m3"});
 
   /** A strut in free space whose nodes are turned by hand. */
   class RotationVectorsTest : public testing::Test
   {
   protected:
     explicit RotationVectorsTest(
-      const std::string &head = "set Dimension = 3\n",
-      const std::string &tail = "")
-      : scene(read_scene_from_text(head + strut_text + tail, "test.prm"))
+      const SceneText &more = SceneText().dimension(3))
+      : scene(read_scene_from_text(strut_text + more, "test.prm"))
       , lattice(build_lattice(scene))
       , model(scene, lattice, MPI_COMM_WORLD)
       , equations(scene, model)
@@ -87,17 +76,15 @@ end
   {
   protected:
     SmallRotationVectorsTest()
-      : RotationVectorsTest("set Dimension = 3\n",
-                            "subsection Effects\n"
-                            "  set Large rotation = off\n"
-                            "end\n")
+      : RotationVectorsTest(
+          SceneText().dimension(3).set("Effects/Large rotation", "off"))
     {}
   };
 
   class PlanarRotationVectorsTest : public RotationVectorsTest
   {
   protected:
-    PlanarRotationVectorsTest() : RotationVectorsTest("")
+    PlanarRotationVectorsTest() : RotationVectorsTest(SceneText())
     {}
   };
 } // namespace

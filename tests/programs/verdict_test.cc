@@ -14,10 +14,8 @@ namespace
                                      "Output/Graphics=false"}) const
     {
       write("scene.prm",
-            one_mass_scene("    set Law = spring\n"
-                           "    set Spring stiffness = 4\n",
-                           "  set End time = 20\n  set Time step = " + step +
-                             "\n",
+            one_mass_scene("Law = spring | Spring stiffness = 4",
+                           "End time = 20 | Time step = " + step,
                            mass_and_velocity(1, 1)));
       Words arguments = {"scene.prm", "--output", "out"};
       for (const std::string &text : more)

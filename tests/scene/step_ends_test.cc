@@ -11,27 +11,25 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  const std::string spring = "    set Law = spring\n"
-                             "    set Spring stiffness = 4\n";
+  const std::string spring = "Law = spring | Spring stiffness = 4";
 
   /** A mass of 1 kg on a spring of 4 N/m, from rest, pushed by @p force. */
   std::string pushed_mass(const std::string &force, const std::string &time)
   {
-    return one_mass_scene(spring,
-                          time,
-                          mass_and_velocity(1, 0) +
-                            "subsection Loads\n  subsection push\n"
-                            "    set Joints = 0\n    set Force x = " +
-                            force + "\n  end\nend\n");
+    return one_mass_scene(
+      spring,
+      time,
+      mass_and_velocity(1, 0).add("Loads/push",
+                                  "Joints = 0 | Force x = " + force));
   }
 
   using Jump = StepEnd::Jump;
 
   std::vector<StepEnd> ends_of(const std::string &force)
   {
-    return step_ends(read_scene_from_text(
-      pushed_mass(force, "  set End time = 1\n  set Time step = 0.1\n"),
-      "test.prm"));
+    return step_ends(
+      read_scene_from_text(pushed_mass(force, "End time = 1 | Time step = 0.1"),
+                           "test.prm"));
   }
 
   /** Error of the displacement at t = 2 after a force of 3 N from 0.537 s on.
@@ -40,9 +38,9 @@ namespace
   {
     const double jump = 0.537, end = 2, omega = 2;
     SceneRun     run(pushed_mass("if(t < 0.537, 0, 3)",
-                             "  set Scheme = " + scheme +
-                               "\n  set End time = 2\n  set Time step = " +
-                               std::to_string(end / n_steps) + "\n"));
+                             "Scheme = " + scheme +
+                               " | End time = 2 | Time step = " +
+                               std::to_string(end / n_steps)));
     run.run();
     const double exact = 3. / 4 * (1 - std::cos(omega * (end - jump)));
     return std::abs(run.motion(0, 0) - exact);
@@ -74,14 +72,13 @@ TEST(StepEnds, OfMotionsAreBendsTooAndNoneIsLeftOut)
 {
   const auto ends_of_motion = [](const std::string &scheme) {
     return step_ends(read_scene_from_text(
-      one_mass_scene(spring,
-                     "  set Scheme = " + scheme +
-                       "\n  set End time = 1\n  set Time step = 0.1\n",
-                     mass_and_velocity(1, 0) +
-                       "subsection Supports\n  subsection shaker\n"
-                       "    set Joints = 0\n    set Type = prescribed\n"
-                       "    set Displacement x = max(0, t - 0.23)^2 + "
-                       "max(0, t - 0.52) + max(0, t - 0.53)\n  end\nend\n"),
+      one_mass_scene(
+        spring,
+        "Scheme = " + scheme + " | End time = 1 | Time step = 0.1",
+        mass_and_velocity(1, 0).add(
+          "Supports/shaker",
+          "Joints = 0 | Type = prescribed | "
+          "Displacement x = max(0, t - 0.23)^2 + max(0, t - 0.52) + max(0, t - 0.53)")),
       "test.prm"));
   };
   const std::vector<StepEnd> ends = ends_of_motion("newmark");
@@ -96,8 +93,8 @@ TEST(StepEnds, OfMotionsAreBendsTooAndNoneIsLeftOut)
 
 TEST(StepEnds, AStepIsDividedThereAndOnlyThere)
 {
-  SceneRun run(pushed_mass("max(0, t - 0.23)",
-                           "  set End time = 1\n  set Time step = 0.1\n"));
+  SceneRun run(
+    pushed_mass("max(0, t - 0.23)", "End time = 1 | Time step = 0.1"));
   for (unsigned int step = 1; step <= 10; ++step)
     {
       const StepReport report = run.advance();
@@ -109,8 +106,8 @@ TEST(StepEnds, AStepIsDividedThereAndOnlyThere)
 
 TEST(StepEnds, AKinkOnTheGridDividesNothing)
 {
-  SceneRun run(pushed_mass("min(t / 0.3, 1)",
-                           "  set End time = 1\n  set Time step = 0.1\n"));
+  SceneRun run(
+    pushed_mass("min(t / 0.3, 1)", "End time = 1 | Time step = 0.1"));
   for (unsigned int step = 1; step <= 10; ++step)
     EXPECT_EQ(run.advance().substeps, 1u);
 }
@@ -131,8 +128,8 @@ TEST(StepEnds, AForceThatIsSwitchedOnLeavesTheOrderTwo)
 TEST(StepEnds, WorkOfAForceThatIsSwitchedOnIsExact)
 {
   // Newmark 1/4, 1/2 keeps the balance of a linear scene to round-off.
-  SceneRun run(pushed_mass("if(t < 0.537, 0, 3)",
-                           "  set End time = 2\n  set Time step = 0.1\n"));
+  SceneRun run(
+    pushed_mass("if(t < 0.537, 0, 3)", "End time = 2 | Time step = 0.1"));
   run.run();
   EXPECT_GT(run.state.energies.external(), 1.);
   EXPECT_NEAR(run.balance(), 0., 1e-12);
@@ -140,10 +137,9 @@ TEST(StepEnds, WorkOfAForceThatIsSwitchedOnIsExact)
 
 TEST(StepEnds, AForceSwitchedOnJustAfterTheStartActsFromTheStart)
 {
-  SceneRun after(pushed_mass("if(t > 0, 3, 0)",
-                             "  set End time = 1\n  set Time step = 0.01\n"));
-  SceneRun always(
-    pushed_mass("3", "  set End time = 1\n  set Time step = 0.01\n"));
+  SceneRun after(
+    pushed_mass("if(t > 0, 3, 0)", "End time = 1 | Time step = 0.01"));
+  SceneRun always(pushed_mass("3", "End time = 1 | Time step = 0.01"));
   after.run();
   always.run();
   EXPECT_DOUBLE_EQ(after.motion(0, 0), always.motion(0, 0));
@@ -155,7 +151,7 @@ TEST(StepEnds, APulseShorterThanAStepHasItsImpulse)
   // A triangle of 2 ms and 500 N is 0.5 N s: the mass of 1 kg goes on with
   // 0.5 m/s, but for what the spring does meanwhile.
   SceneRun run(pushed_mass("500 * max(0, 1 - abs(t - 0.5137) / 0.001)",
-                           "  set End time = 0.52\n  set Time step = 0.01\n"));
+                           "End time = 0.52 | Time step = 0.01"));
   run.run();
   EXPECT_NEAR(run.velocity(0, 0), 0.5, 1e-4);
 }

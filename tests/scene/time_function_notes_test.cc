@@ -2,6 +2,7 @@
 #include <auxfem/scene/time_function_notes.h>
 
 #include <gtest/gtest.h>
+#include <support/scene_text.h>
 
 #include <fstream>
 
@@ -14,16 +15,11 @@ namespace
   std::vector<std::string> notes_of(const std::string &force)
   {
     return time_function_notes(read_scene_from_text(
-      "subsection Lattice\n  set Cell = frame\n  set Joints = 0 0; 1 0\n"
-      "  set Struts = 0 1\nend\n"
-      "subsection Sections\n  subsection s\n    set Shape = circle\n"
-      "    set Radius = 0.01\n    set Young's modulus = 1e9\n"
-      "    set Density = 1000\n  end\nend\n"
-      "subsection Loads\n  subsection blast\n    set Joints = 1\n"
-      "    set Force y = " +
-        force +
-        "\n  end\nend\n"
-        "subsection Time\n  set End time = 1\n  set Time step = 0.01\nend\n",
+      SceneText()
+        .frame("0 0; 1 0", "0 1")
+        .circle("s", 0.01, {1e9, 1000})
+        .add("Loads/blast", "Joints = 1 | Force y = " + force)
+        .time(1, 0.01),
       "scene.prm"));
   }
 } // namespace

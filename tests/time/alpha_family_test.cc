@@ -26,7 +26,7 @@ namespace
   struct BareStates
   {
     BareStates()
-      : of_scene(frame_scene("0 0; 1 0", "0 1", ""), {}, MPI_COMM_SELF)
+      : of_scene(frame_scene("0 0; 1 0", "0 1"), {}, MPI_COMM_SELF)
       , from(of_scene.dofs().layout().n_local(), layout())
       , to(from)
     {

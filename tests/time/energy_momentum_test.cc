@@ -17,7 +17,7 @@ namespace
   struct TwoStates
   {
     TwoStates()
-      : of_scene(frame_scene("0 0; 1 0", "0 1", ""),
+      : of_scene(frame_scene("0 0; 1 0", "0 1"),
                  {"Time/Scheme=energy-momentum"},
                  MPI_COMM_SELF)
       , scheme(of_scene.scene.time.implicit_scheme())
@@ -83,7 +83,7 @@ TEST(EnergyMomentum, AStepIsSoughtFromThePlacesAtItsStart)
 
 TEST(EnergyMomentum, SmallRotationsAreNotTurns)
 {
-  const EquationsOnRanks of_scene(frame_scene("0 0; 1 0", "0 1", ""),
+  const EquationsOnRanks of_scene(frame_scene("0 0; 1 0", "0 1"),
                                   {"Time/Scheme=energy-momentum",
                                    "Effects/Large rotation=off"},
                                   MPI_COMM_SELF);

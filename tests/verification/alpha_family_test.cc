@@ -15,8 +15,7 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  const std::string unit_spring =
-    "    set Law = spring\n    set Spring stiffness = 1";
+  const std::string unit_spring = "Law = spring | Spring stiffness = 1";
 
   /**
    * Matrix that takes (O^2 u, O v, O^2 a) over a step of length O, a being the
@@ -31,10 +30,10 @@ namespace
       {
         // The unit states are no motions of the mass: their energies mean
         // nothing.
-        SceneRun  run(one_mass_scene(unit_spring,
-                                    scheme.steps(O, O) +
-                                      "  set Largest energy error = 1e30\n",
-                                    mass_and_velocity(1, 1)));
+        SceneRun run(
+          one_mass_scene(unit_spring,
+                         scheme.steps(O, O) + " | Largest energy error = 1e30",
+                         mass_and_velocity(1, 1)));
         const int i              = run.model.numbering.joint_unknown(0, 0);
         State    &state          = run.state;
         Vector   &a              = state.algorithmic_acceleration

@@ -1,5 +1,6 @@
+#include <support/scene_text.h>
 #include <verification/result_table.h>
-#include <verification/space_scene.h>
+#include <verification/space_run.h>
 
 #include <cmath>
 #include <iomanip>
@@ -37,14 +38,15 @@ namespace
   }
 
   /** The arc as one strut. */
-  SpaceScene arc()
+  SceneText arc()
   {
-    return {joint_on_arc(0) + "; " + joint_on_arc(opening),
-            "0 1 " + text(radius * (1 - std::cos(opening / 2)))};
+    return static_space_frame(joint_on_arc(0) + "; " + joint_on_arc(opening),
+                              "0 1 " +
+                                text(radius * (1 - std::cos(opening / 2))));
   }
 
   /** Chords of @p n equal parts of the arc. */
-  SpaceScene polygon(const unsigned int n)
+  SceneText polygon(const unsigned int n)
   {
     std::string joints = joint_on_arc(0), struts;
     for (unsigned int i = 1; i <= n; ++i)
@@ -53,15 +55,15 @@ namespace
         struts +=
           (i > 1 ? "; " : "") + std::to_string(i - 1) + " " + std::to_string(i);
       }
-    return {joints, struts};
+    return static_space_frame(joints, struts);
   }
 
   /** The clamped strut or struts with P = t at joint @p tip. */
-  SpaceScene loaded(SpaceScene               scene,
-                    const Beam3D::Stiffness &section,
-                    const unsigned int       tip)
+  SceneText loaded(SceneText                scene,
+                   const Beam3D::Stiffness &section,
+                   const unsigned int       tip)
   {
-    scene.section(section)
+    scene.space_section(section)
       .load("tip", std::to_string(tip), {{"0", "0", "t"}}, {{"0", "0", "0"}})
       .support("clamp", "0", "clamp")
       .time(600, 75);
@@ -129,7 +131,7 @@ TEST(Bend45, TipAgainstTheRodEquation)
   // to the rod than that (last test).
   for (const ReferenceTips &model : models)
     {
-      SpaceScene scene = loaded(arc(), model.section, 1);
+      SceneText scene = loaded(arc(), model.section, 1);
       compare(model, scene.mesh(4, 3).str(), 1e-6);
     }
 }
@@ -142,7 +144,7 @@ TEST(Bend45, EightStraightLinearElements)
                                {SpaceVector({22.2958, 58.8609, 40.0770}),
                                 SpaceVector({18.5665, 52.3391, 48.3968}),
                                 SpaceVector({15.7424, 47.2600, 53.3742})}};
-  SpaceScene          scene = loaded(polygon(8), model.section, 8);
+  SceneText           scene = loaded(polygon(8), model.section, 8);
   compare(model, scene.mesh(1, 0).str(), 1e-4);
 }
 
@@ -151,8 +153,8 @@ namespace
   SpaceVector tip_at_600(const unsigned int order,
                          const unsigned int refinements)
   {
-    SpaceScene scene = loaded(arc(), square_section(polar, shear), 1);
-    SpaceRun   run(scene.mesh(order, refinements).str());
+    SceneText scene = loaded(arc(), square_section(polar, shear), 1);
+    SpaceRun  run(scene.mesh(order, refinements).str());
     run.run();
     return run.position(1);
   }

@@ -1,5 +1,6 @@
+#include <support/scene_text.h>
 #include <verification/result_table.h>
-#include <verification/space_scene.h>
+#include <verification/space_run.h>
 
 #include <array>
 #include <cmath>
@@ -15,18 +16,19 @@ using namespace auxfem::testing_support;
 namespace
 {
   /** A strut of @p length along x, clamped at joint 0. */
-  SpaceScene clamped(const double length, const Beam3D::Stiffness &section)
+  SceneText clamped(const double length, const Beam3D::Stiffness &section)
   {
-    SpaceScene scene("0 0 0; " + text(length) + " 0 0", "0 1");
-    scene.section(section).support("clamp", "0", "clamp");
+    SceneText scene =
+      static_space_frame("0 0 0; " + text(length) + " 0 0", "0 1");
+    scene.space_section(section).support("clamp", "0", "clamp");
     return scene;
   }
 
   // Ibrahimbegovic (1997): a cantilever coiled into a helix by a dead moment
   // about z, ten turns at factor 1, and a dead force along z.
-  SpaceScene coiled(const std::string &factor, const unsigned int refinements)
+  SceneText coiled(const std::string &factor, const unsigned int refinements)
   {
-    SpaceScene scene = clamped(10, {1e4, 1e4, 1e4, 100, 100, 100});
+    SceneText scene = clamped(10, {1e4, 1e4, 1e4, 100, 100, 100});
     scene
       .load("tip",
             "1",
@@ -165,7 +167,7 @@ TEST(Cantilever3D, PrincetonBeam)
   for (const PrincetonRow &row : princeton)
     {
       const double angle = row.angle * pi / 180;
-      SpaceScene   scene = clamped(0.508, section);
+      SceneText    scene = clamped(0.508, section);
       scene
         .load("tip",
               "1",

@@ -1,5 +1,5 @@
 #include <support/scene_run.h>
-#include <verification/frame_text.h>
+#include <support/scene_text.h>
 #include <verification/result_table.h>
 
 #include <array>
@@ -12,11 +12,11 @@ using namespace auxfem::testing_support;
 namespace
 {
   /** A straight cantilever of unit length, turned by @p angle at rest. */
-  StaticScene cantilever(const Stiffnesses &stiffnesses, const double angle = 0)
+  SceneText cantilever(const Stiffnesses &stiffnesses, const double angle = 0)
   {
-    StaticScene scene("0 0; " + text(std::cos(angle)) + " " +
-                        text(std::sin(angle)),
-                      "0 1");
+    SceneText scene = static_frame("0 0; " + text(std::cos(angle)) + " " +
+                                     text(std::sin(angle)),
+                                   "0 1");
     scene.section(stiffnesses).support("clamp", "0", "clamp");
     return scene;
   }
@@ -93,9 +93,10 @@ namespace
   TEST(RollUp, CircleUnrolls)
   {
     const double radius = 10 / (2 * pi);
-    StaticScene  scene("0 0; 0 " + text(2 * radius) + "; 0 0",
-                      "0 1 " + text(-radius) + "; 1 2 " + text(-radius));
-    SceneRun     run(scene.section({1200, 600, 100})
+    SceneText    scene =
+      static_frame("0 0; 0 " + text(2 * radius) + "; 0 0",
+                   "0 1 " + text(-radius) + "; 1 2 " + text(-radius));
+    SceneRun run(scene.section({1200, 600, 100})
                    .support("clamp", "0", "clamp")
                    .load("moment", "2", {"0", "0", "-20 * pi * t"})
                    .mesh(3, 3)

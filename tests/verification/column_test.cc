@@ -1,5 +1,5 @@
 #include <support/scene_run.h>
-#include <verification/frame_text.h>
+#include <support/scene_text.h>
 #include <verification/result_table.h>
 
 #include <array>
@@ -40,12 +40,12 @@ namespace
    * to the fourth row; the rows with no lateral force follow one after the
    * other.
    */
-  StaticScene column(const std::vector<unsigned int> &rows)
+  SceneText column(const std::vector<unsigned int> &rows)
   {
     std::vector<double> loads = {buckled[3].load, buckled[3].load};
     for (const unsigned int row : rows)
       loads.push_back(buckled[row].load);
-    StaticScene scene("0 0; 1 0", "0 1");
+    SceneText scene = static_frame("0 0; 1 0", "0 1");
     scene.section({column_axial_stiffness, column_axial_stiffness, 1})
       .support("clamp", "0", "clamp")
       .load("axial", "1", {through(loads, -critical), "0", "0"})
@@ -96,8 +96,8 @@ namespace
   {
     for (const double load : {0.99, 1.01})
       {
-        StaticScene scene("0 0; 1 0", "0 1");
-        SceneRun    run(
+        SceneText scene = static_frame("0 0; 1 0", "0 1");
+        SceneRun  run(
           scene.section({column_axial_stiffness, column_axial_stiffness, 1})
             .support("clamp", "0", "clamp")
             .load("axial", "1", {through({load, load}, -critical), "0", "0"})

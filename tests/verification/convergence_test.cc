@@ -1,4 +1,5 @@
 #include <support/scene_run.h>
+#include <support/scene_text.h>
 #include <verification/rod_equation.h>
 
 #include <cmath>
@@ -26,12 +27,12 @@ namespace
   /** A clamped arc of unit radius and length, bent by loads at its tip. */
   const ClampedRod clamped_arc = {{400, 150, 1}, 1, 1, 2, 2};
 
-  StaticScene arc_scene(const unsigned int order,
-                        const unsigned int refinements)
+  SceneText arc_scene(const unsigned int order, const unsigned int refinements)
   {
     // RotationOwner left, the arc bulges to the right of its chord.
-    StaticScene scene("0 0; " + text(std::sin(1)) + " " + text(1 - std::cos(1)),
-                      "0 1 " + text(std::cos(0.5) - 1));
+    SceneText scene =
+      static_frame("0 0; " + text(std::sin(1)) + " " + text(1 - std::cos(1)),
+                   "0 1 " + text(std::cos(0.5) - 1));
     scene.section(clamped_arc.stiffnesses)
       .support("clamp", "0", "clamp")
       .load("tip",

@@ -1,4 +1,5 @@
 #include <support/scene_run.h>
+#include <support/scene_text.h>
 #include <verification/one_mass_scene.h>
 #include <verification/result_table.h>
 
@@ -18,33 +19,30 @@ namespace
   constexpr double k = 1000, c = 50, tau = c / k, k0 = 400;
 
   const std::string kelvin_voigt_entries =
-    "    set Law = kelvin-voigt\n    set Spring stiffness = 1000\n"
-    "    set Damping coefficient = 50";
-  const std::string maxwell =
-    "    set Law = maxwell\n    set Spring stiffness = 1000\n"
-    "    set Damping coefficient = 50";
+    "Law = kelvin-voigt | Spring stiffness = 1000 | "
+    "Damping coefficient = 50";
+  const std::string maxwell = "Law = maxwell | Spring stiffness = 1000 | "
+                              "Damping coefficient = 50";
   const std::string standard_linear_solid =
-    "    set Law = standard-linear-solid\n    set Long-time stiffness = 400\n"
-    "    set Spring stiffness = 1000\n    set Damping coefficient = 50";
+    "Law = standard-linear-solid | Long-time stiffness = 400 | "
+    "Spring stiffness = 1000 | Damping coefficient = 50";
 
   std::string static_steps(const double dt, const double end)
   {
-    return "  set Scheme = static\n  set Time step = " + text(dt) +
-      "\n  set End time = " + text(end) + "\n";
+    return "Scheme = static | Time step = " + text(dt) +
+      " | End time = " + text(end);
   }
 
-  std::string force(const std::string &course)
+  SceneText force(const std::string &course)
   {
-    return "subsection Loads\n subsection weight\n  set Joints = 0\n"
-           "  set Force x = " +
-      course + "\n end\nend\n";
+    return SceneText().add("Loads/weight", "Joints = 0 | Force x = " + course);
   }
 
-  std::string motion(const std::string &course)
+  SceneText motion(const std::string &course)
   {
-    return "subsection Supports\n subsection drive\n  set Joints = 0\n"
-           "  set Type = prescribed\n  set Displacement x = " +
-      course + "\n end\nend\n";
+    return SceneText().add(
+      "Supports/drive",
+      "Joints = 0 | Type = prescribed | Displacement x = " + course);
   }
 
   /** Displacements under 1 N from t = 0 on, after @p n steps of @p dt each. */
@@ -199,8 +197,7 @@ TEST(ConnectorCycle, HasTheMaterialsModuliAndLoss)
       // With inertia, so that the rate of Kelvin-Voigt is that of the motion.
       SceneRun run(one_mass_scene(
         law.law,
-        "  set Time step = " + text(dt) +
-          "\n  set End time = " + text(n_periods * period) + "\n",
+        "Time step = " + text(dt) + " | End time = " + text(n_periods * period),
         mass_and_velocity(1e-9, 0) + motion("0.01 * sin(20 * t)")));
       double   in_phase = 0, out_of_phase = 0, loss_before = 0, work_before = 0;
       run.run([&] {

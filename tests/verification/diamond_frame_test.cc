@@ -1,5 +1,5 @@
 #include <support/scene_run.h>
-#include <verification/frame_text.h>
+#include <support/scene_text.h>
 #include <verification/result_table.h>
 
 #include <array>
@@ -22,11 +22,11 @@ namespace
   };
 
   /** Joints: 0 right, 1 top, 2 left, 3 bottom. */
-  StaticScene diamond(const bool is_pinned, const double direction)
+  SceneText diamond(const bool is_pinned, const double direction)
   {
     const std::string c = text(std::sqrt(0.5));
-    StaticScene       scene(c + " 0; 0 " + c + "; -" + c + " 0; 0 -" + c,
-                      "0 1; 1 2; 2 3; 3 0");
+    SceneText scene = static_frame(c + " 0; 0 " + c + "; -" + c + " 0; 0 -" + c,
+                                   "0 1; 1 2; 2 3; 3 0");
     const std::string sign     = direction > 0 ? "" : "-";
     const std::string opposite = direction > 0 ? "-" : "";
     scene.section({diamond_axial_stiffness, diamond_axial_stiffness, 1})

@@ -6,7 +6,7 @@
 #include <deal.II/base/symmetric_tensor.h>
 
 #include <support/scene_run.h>
-#include <verification/frame_text.h>
+#include <support/scene_text.h>
 #include <verification/result_table.h>
 
 #include <string>
@@ -30,9 +30,9 @@ namespace auxfem
      */
     struct LatticePart
     {
-      StaticScene               scene; ///< linear, without supports
-      std::vector<unsigned int> cuts;  ///< joints at the centres
-      double                    area;  ///< its share of the plane (m2)
+      SceneText scene = static_scene(); ///< linear, without supports
+      std::vector<unsigned int> cuts;   ///< joints at the centres
+      double                    area;   ///< its share of the plane (m2)
     };
 
     using PlaneTensor = dealii::SymmetricTensor<2, 2>;
@@ -49,7 +49,7 @@ namespace auxfem
       const auto name = [](const unsigned int joint) {
         return "cut " + std::to_string(joint);
       };
-      StaticScene scene = part.scene;
+      SceneText scene = part.scene;
       for (const unsigned int joint : part.cuts)
         {
           std::array<std::string, 3> motion = {{"0", "0", "free"}};

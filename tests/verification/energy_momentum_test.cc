@@ -1,4 +1,4 @@
-#include <verification/frame_text.h>
+#include <support/scene_text.h>
 #include <verification/result_table.h>
 
 #include <verification/momenta.h>
@@ -12,64 +12,33 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  std::string star_cell(const std::string &scheme,
-                        const double       dt,
-                        const double       end,
-                        const std::string &further = "")
+  SceneText star_cell(const std::string &scheme,
+                      const double       dt,
+                      const double       end,
+                      const SceneText   &further = {})
   {
-    return R"(
-subsection Lattice
-  set Cell          = star
-  set Strut length  = 20 mm
-  set Opening angle = 60 deg
-end
-subsection Sections
-  subsection strip
-    set Shape           = rectangle
-    set Width           = 20 mm
-    set Height          = 0.5 mm
-    set Young's modulus = 2 GPa
-    set Poisson's ratio = 0.4
-    set Density         = 1140
-  end
-end
-subsection Newton
-  set Tolerance = 1e-11
-end
-subsection Discretization
-  set Order = 2
-end
-subsection Time
-  set Scheme    = )" +
-      scheme + "\n  set Time step = " + text(dt) +
-      "\n  set End time = " + text(end) + "\nend\n" + further;
+    return SceneText()
+      .add("Lattice",
+           "Cell = star | Strut length = 20 mm | Opening angle = 60 deg")
+      .rectangle("strip", "20 mm", "0.5 mm", {"2 GPa", 1140, 0.4})
+      .set("Newton/Tolerance", 1e-11)
+      .mesh(2)
+      .time(end, dt, scheme)
+      .add(further);
   }
 
-  const std::string dampers = R"(
-subsection Connectors
-  subsection damper
-    set Law                 = kelvin-voigt
-    set Spring stiffness    = 100
-    set Damping coefficient = 0.5
-  end
-  subsection relaxing
-    set Law                 = maxwell
-    set Between             = in-cell x
-    set Spring stiffness    = 500
-    set Damping coefficient = 0.2
-  end
-end
-)";
+  const SceneText dampers =
+    SceneText()
+      .add("Connectors/damper",
+           "Law = kelvin-voigt | Spring stiffness = 100 | "
+           "Damping coefficient = 0.5")
+      .add("Connectors/relaxing",
+           "Law = maxwell | Between = in-cell x | "
+           "Spring stiffness = 500 | Damping coefficient = 0.2");
 
-  const std::string thrown = R"(
-subsection Initial velocities
-  subsection throw
-    set Joints     = top
-    set Velocity x = 18
-    set Velocity y = -30
-  end
-end
-)";
+  const SceneText thrown =
+    SceneText().add("Initial velocities/throw",
+                    "Joints = top | Velocity x = 18 | Velocity y = -30");
 
   /** Largest differences from the start in a run. */
   struct Drift
@@ -124,40 +93,25 @@ TEST(EnergyMomentumRuns, AThrownCellKeepsEnergyAndMomenta)
 
 TEST(EnergyMomentumRuns, WithLossesAndLoadsTheLedgerCloses)
 {
-  SceneRun run(star_cell("energy-momentum", 50e-6, 10e-3, dampers + R"(
-subsection Joints
-  subsection springs
-    set Joints    = tips
-    set Type      = rotational spring
-    set Stiffness = 0.2
-  end
-end
-subsection Supports
-  subsection foundation
-    set Joints = bottom
-    set Type   = clamp
-  end
-end
-subsection Loads
-  subsection push
-    set Joints   = top
-    set Force y  = if(t < 4e-3, -6, 0)
-    set Moment z = 5e-3 * sin(1000 * t)
-  end
-  subsection wind
-    set Joints    = left
-    set Direction = follows the joint
-    set Force x   = 1
-    set Moment z  = 2e-3
-  end
-end
-subsection Gravity
-  set Acceleration y = -9.81
-end
-)"),
-               {"Sections/strip/Stiffness-proportional damping=20e-6",
-                "Sections/strip/Mass-proportional damping=10"});
-  double   largest = 0, error = 0, lost = 0;
+  SceneRun run(
+    star_cell(
+      "energy-momentum",
+      50e-6,
+      10e-3,
+      SceneText(dampers)
+        .add("Joints/springs",
+             "Joints = tips | Type = rotational spring | Stiffness = 0.2")
+        .support("foundation", "bottom", "clamp")
+        .add("Loads/push",
+             "Joints = top | Force y = if(t < 4e-3, -6, 0) | "
+             "Moment z = 5e-3 * sin(1000 * t)")
+        .add("Loads/wind",
+             "Joints = left | Direction = follows the joint | Force x = 1 | "
+             "Moment z = 2e-3")
+        .set("Gravity/Acceleration y", -9.81)),
+    {"Sections/strip/Stiffness-proportional damping=20e-6",
+     "Sections/strip/Mass-proportional damping=10"});
+  double largest = 0, error = 0, lost = 0;
   run.run([&] {
     largest = std::max(largest, run.state.largest_energy);
     error   = std::max(error, std::abs(run.balance()));
@@ -177,17 +131,15 @@ TEST(EnergyMomentumRuns, SecondOrder)
 {
   double     turned    = 0;
   const auto positions = [&](const double dt) {
-    SceneRun run(star_cell("energy-momentum", dt, 2e-3, dampers + R"(
-subsection Loads
-  subsection push
-    set Joints    = top
-    set Direction = follows the joint
-    set Force x   = 10 * sin(1500 * t)^4
-    set Force y   = -20 * sin(1500 * t)^4
-    set Moment z  = 5e-2 * sin(1500 * t)^4
-  end
-end
-)"),
+    SceneRun run(star_cell("energy-momentum",
+                           dt,
+                           2e-3,
+                           SceneText(dampers).add(
+                             "Loads/push",
+                             "Joints = top | Direction = follows the joint | "
+                             "Force x = 10 * sin(1500 * t)^4 | "
+                             "Force y = -20 * sin(1500 * t)^4 | "
+                             "Moment z = 5e-2 * sin(1500 * t)^4")),
                  {"Sections/strip/Stiffness-proportional damping=20e-6"});
     run.run();
     turned = std::abs(run.motion(0, rotation_z));
@@ -220,52 +172,18 @@ end
 // constraints hold at the end of each step, their forces do no work.
 TEST(EnergyMomentumRuns, RigidPartsKeepTheEnergy)
 {
-  SceneRun run(R"(
-subsection Lattice
-  set Cell   = frame
-  set Joints = 0 0; 2 0.3; 1.6 1.1; 0.2 1.4; 3 2; -1 2
-  set Struts = 0 1; 1 2; 0 3; 2 4; 3 4; 3 5
-end
-subsection Sections
-  subsection band
-    set Shape = given
-    set Area = 3
-    set Shear area = 5
-    set Second moment of area = 0.7
-    set Young's modulus = 10
-    set Poisson's ratio = 0.25
-    set Density = 0.5
-  end
-end
-subsection Rigid parts
-  subsection plate
-    set Struts = 0, 1, 2
-    set Mass = 3
-    set Elastic struts = clamped
-  end
-end
-subsection Masses
-  subsection tip
-    set Joints = 5
-    set Mass = 0.5
-  end
-end
-subsection Loads
-  subsection push
-    set Joints = 4
-    set Force x = if(t < 1, 6, 0)
-    set Force y = if(t < 1, -3, 0)
-  end
-end
-subsection Newton
-  set Tolerance = 1e-11
-end
-subsection Time
-  set Scheme = energy-momentum
-  set Time step = 0.05
-  set End time = 15
-end
-)");
+  SceneRun run(SceneText()
+                 .frame("0 0; 2 0.3; 1.6 1.1; 0.2 1.4; 3 2; -1 2",
+                        "0 1; 1 2; 0 3; 2 4; 3 4; 3 5")
+                 .given("band", {3, 5, 0.7}, {10, 0.5, 0.25})
+                 .add("Rigid parts/plate",
+                      "Struts = 0, 1, 2 | Mass = 3 | Elastic struts = clamped")
+                 .mass("tip", "5", 0.5)
+                 .add("Loads/push",
+                      "Joints = 4 | Force x = if(t < 1, 6, 0) | "
+                      "Force y = if(t < 1, -3, 0)")
+                 .set("Newton/Tolerance", 1e-11)
+                 .time(15, 0.05, "energy-momentum"));
   double   error = 0, largest = 0, turned = 0;
   run.run([&] {
     error   = std::max(error, std::abs(run.balance()));
@@ -282,48 +200,20 @@ end
 
 TEST(EnergyMomentumRuns, InSpaceSmallRotationsCloseTheLedger)
 {
-  SceneRun run(R"(
-set Dimension = 3
-subsection Effects
-  set Large rotation = off
-end
-subsection Lattice
-  set Cell   = frame
-  set Joints = 0 0 0; 1 0 0.3; 1.5 0.9 0.2
-  set Struts = 0 1; 1 2
-end
-subsection Sections
-  subsection rod
-    set Shape = circle
-    set Radius = 0.1
-    set Young's modulus = 1000
-    set Density = 2
-    set Stiffness-proportional damping = 0.01
-    set Mass-proportional damping = 0.02
-  end
-end
-subsection Supports
-  subsection wall
-    set Joints = 0
-    set Type = clamp
-  end
-end
-subsection Loads
-  subsection push
-    set Joints = 2
-    set Force z = if(t < 1, 0.02, 0)
-    set Moment x = 0.01 * sin(3 * t)
-  end
-end
-subsection Newton
-  set Tolerance = 1e-12
-end
-subsection Time
-  set Scheme = energy-momentum
-  set Time step = 0.05
-  set End time = 10
-end
-)");
+  SceneRun run(SceneText()
+                 .dimension(3)
+                 .set("Effects/Large rotation", "off")
+                 .frame("0 0 0; 1 0 0.3; 1.5 0.9 0.2", "0 1; 1 2")
+                 .circle("rod", 0.1, {1000, 2})
+                 .add("Sections/rod",
+                      "Stiffness-proportional damping = 0.01 | "
+                      "Mass-proportional damping = 0.02")
+                 .support("wall", "0", "clamp")
+                 .add("Loads/push",
+                      "Joints = 2 | Force z = if(t < 1, 0.02, 0) | "
+                      "Moment x = 0.01 * sin(3 * t)")
+                 .set("Newton/Tolerance", 1e-12)
+                 .time(10, 0.05, "energy-momentum"));
   double   error = 0, largest = 0;
   run.run([&] {
     error   = std::max(error, std::abs(run.balance()));

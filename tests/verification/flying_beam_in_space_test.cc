@@ -1,3 +1,4 @@
+#include <support/scene_text.h>
 #include <verification/result_table.h>
 #include <verification/round_beam.h>
 #include <verification/space_momenta.h>
@@ -19,7 +20,7 @@ namespace
 {
   std::string flying_beam(const double dt)
   {
-    StaticScene scene = round_beam(1e4, 500);
+    SceneText scene = round_beam(1e4, 500);
     scene.set("Lattice/Joints", "6 0 0; 3 0 4; 0 0 8");
     scene.set("Lattice/Struts", "0 1; 1 2");
     scene.set("Loads/throw/Joints", "0");

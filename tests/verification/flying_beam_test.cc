@@ -1,4 +1,4 @@
-#include <verification/frame_text.h>
+#include <support/scene_text.h>
 #include <verification/result_table.h>
 
 #include <verification/label.h>
@@ -17,7 +17,7 @@ namespace
    * The rotary inertia of 10 a length is far above that of any section of these
    * stiffnesses: the section brings 0.01, masses on the joints the rest.
    */
-  std::string
+  SceneText
   spaghetti(const unsigned int n_struts, const double dt, const double end)
   {
     std::string joints, struts;
@@ -33,52 +33,16 @@ namespace
     const double      lump = 9.99 * 10 / n_struts;
     // A step ends at the jump, so the trapezoidal impulse is exact.
     const std::string pulse = "if(t < 2.5, 1, 0)";
-    return "subsection Lattice\n set Cell = frame\n set Joints = " + joints +
-      "\n set Struts = " + struts + R"(
-end
-subsection Sections
-  subsection pasta
-    set Shape                 = given
-    set Area                  = 1
-    set Shear area            = 2
-    set Second moment of area = 0.01
-    set Young's modulus       = 1e4
-    set Poisson's ratio       = 0
-    set Density               = 1
-  end
-end
-subsection Masses
-  subsection ends
-    set Joints         = 0, )" +
-      last + R"(
-    set Mass           = 0
-    set Rotary inertia = )" +
-      text(lump / 2) + R"(
-  end
-  subsection between
-    set Joints         = y > ymin + 1e-6 && y < ymax - 1e-6
-    set Mass           = 0
-    set Rotary inertia = )" +
-      text(lump) + R"(
-  end
-end
-subsection Loads
-  subsection throw
-    set Joints   = 0
-    set Force x  = 8 * )" +
-      pulse + R"(
-    set Moment z = -80 * )" +
-      pulse + R"(
-  end
-end
-subsection Discretization
-  set Order = 2
-end
-subsection Time
-  set End time  = )" +
-      text(end) + R"(
-  set Time step = )" +
-      text(dt) + "\nend\n";
+    return SceneText()
+      .frame(joints, struts)
+      .given("pasta", {1, 2, 0.01}, {1e4, 1, 0})
+      .mass("ends", "0, " + last, 0, lump / 2)
+      .mass("between", "y > ymin + 1e-6 && y < ymax - 1e-6", 0, lump)
+      .add("Loads/throw",
+           "Joints = 0 | Force x = 8 * " + pulse + " | Moment z = -80 * " +
+             pulse)
+      .mesh(2)
+      .time(end, dt);
   }
 
   struct PlaneMoment

@@ -1,6 +1,7 @@
+#include <support/scene_text.h>
 #include <verification/result_table.h>
 #include <verification/singular_tangent.h>
-#include <verification/space_scene.h>
+#include <verification/space_run.h>
 
 #include <cmath>
 
@@ -41,8 +42,8 @@ TEST(FollowerLoad3d, MomentAboutASkewAxisDeadAndFollower)
                           "form");
   for (const bool follows : {false, true})
     {
-      SpaceScene scene("0 0 0; 1 0 0", "0 1");
-      scene.section({100, 100, 100, torsion, bending, bending})
+      SceneText scene = static_space_frame("0 0 0; 1 0 0", "0 1");
+      scene.space_section({100, 100, 100, torsion, bending, bending})
         .load("tip", "1", no_force, times(moment, "t"))
         .support("clamp", "0", "clamp")
         .mesh(4, 3)
@@ -78,8 +79,8 @@ TEST(FollowerLoad3d, ForceTurnsWithTheTip)
 {
   // The clamp's force and moment balance the force where the tip has taken it.
   const SpaceVector force({-1., 4., 3.});
-  SpaceScene        scene("0 0 0; 1 0 0", "0 1");
-  scene.section({100, 100, 100, torsion, bending, bending})
+  SceneText         scene = static_space_frame("0 0 0; 1 0 0", "0 1");
+  scene.space_section({100, 100, 100, torsion, bending, bending})
     .load("tip", "1", times(force, "t"), no_force)
     .support("clamp", "0", "clamp")
     .mesh(3, 2)
@@ -101,10 +102,11 @@ TEST(FollowerLoad3d, LeesFrameInTheYZPlane)
   // shooting, shear-rigid. Out of its plane the frame is made stiff.
   const double axial = 7.2e6 * 6, bending_stiffness = 7.2e6 * 2, stiff = 1e9;
   const auto   eigenvalue = [&](const double load) {
-    SpaceScene scene("0 0 0; 0 0 120; 0 24 120; 0 120 120", "0 1; 1 2; 2 3");
+    SceneText scene = static_space_frame("0 0 0; 0 0 120; 0 24 120; 0 120 120",
+                                         "0 1; 1 2; 2 3");
     // Struts bend in the plane about axis 3.
     scene
-      .section(
+      .space_section(
         {axial, 1000 * axial, 1000 * axial, stiff, stiff, bending_stiffness})
       .set("Sections/all/Reference vector", "1 0 0");
     scene.prescribe("hinges", "0, 3", no_force, {{"free", "0", "0"}})

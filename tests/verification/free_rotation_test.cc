@@ -1,3 +1,4 @@
+#include <support/scene_text.h>
 #include <verification/result_table.h>
 #include <verification/round_beam.h>
 
@@ -115,7 +116,7 @@ namespace
                         const double       end,
                         const double       dt)
   {
-    StaticScene scene = round_beam(stiff, stiff);
+    SceneText   scene = round_beam(stiff, stiff);
     std::string joints, struts;
     for (const SpaceVector &joint : body.joints)
       joints += (joints.empty() ? "" : "; ") + text(joint);

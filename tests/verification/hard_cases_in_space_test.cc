@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <support/scene_text.h>
 #include <verification/round_beam.h>
 
 #include <cmath>
@@ -19,7 +20,7 @@ namespace
                              const double       end,
                              const double       dt)
   {
-    StaticScene scene = round_beam(stiffness, stiffness);
+    SceneText scene = round_beam(stiffness, stiffness);
     scene.set("Lattice/Joints", "0 0 0; 10 0 0");
     scene.set("Lattice/Struts", "0 1");
     scene.set("Initial velocities/spin/Joints", "all");
@@ -86,58 +87,26 @@ TEST(HardCasesInSpace, StepsOfMoreThanARadian)
 
 TEST(HardCasesInSpace, ABlockOfStarsBuckles)
 {
-  const std::string text = R"(
-set Dimension = 3
-subsection Lattice
-  set Cell          = space star
-  set Cells x       = 2
-  set Cells y       = 2
-  set Cells z       = 2
-  set Strut length  = 10 mm
-  set Opening angle = 65 deg
-end
-subsection Sections
-  subsection rubber
-    set Shape           = circle
-    set Radius          = 0.5 mm
-    set Young's modulus = 20 MPa
-    set Poisson's ratio = 0.45
-    set Density         = 1100 kg/m3
-    set Stiffness-proportional damping = 0.2 ms
-  end
-end
-subsection Supports
-  subsection lower plate
-    set Joints = bottom
-    set Type   = clamp
-  end
-  subsection upper plate
-    set Joints         = top
-    set Type           = prescribed
-    set Displacement x = 0
-    set Displacement y = -20e-3 * (t / 0.1)^2 * (3 - 2 * t / 0.1)
-    set Displacement z = 0
-  end
-end
-subsection Loads
-  subsection imperfection
-    set Joints  = all
-    set Force x = 1e-6
-    set Force z = 2e-6
-  end
-end
-subsection Discretization
-  set Order = 2
-end
-subsection Time
-  set Scheme          = generalized-alpha
-  set Spectral radius = 0.5
-  set End time        = 0.1
-  set Time step       = 0.5 ms
-end
-)";
-  SceneRun          run(text);
-  double            largest = 0, balance = 0;
+  const SceneText text =
+    SceneText()
+      .dimension(3)
+      .cells("space star", 2, 2)
+      .add("Lattice",
+           "Cells z = 2 | Strut length = 10 mm | Opening angle = 65 deg")
+      .circle("rubber", "0.5 mm", {"20 MPa", "1100 kg/m3", 0.45})
+      .set("Sections/rubber/Stiffness-proportional damping", "0.2 ms")
+      .support("lower plate", "bottom", "clamp")
+      .add("Supports/upper plate",
+           "Joints = top | Type = prescribed | Displacement x = 0 | "
+           "Displacement y = -20e-3 * (t / 0.1)^2 * (3 - 2 * t / 0.1) | "
+           "Displacement z = 0")
+      .add("Loads/imperfection",
+           "Joints = all | Force x = 1e-6 | Force z = 2e-6")
+      .mesh(2)
+      .time(0.1, "0.5 ms", "generalized-alpha")
+      .set("Time/Spectral radius", 0.5);
+  SceneRun run(text);
+  double   largest = 0, balance = 0;
   run.run([&] {
     largest = std::max(largest, run.state.energies.total());
     balance = std::max(balance, std::abs(run.balance()));

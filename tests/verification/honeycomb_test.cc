@@ -1,3 +1,4 @@
+#include <support/scene_text.h>
 #include <verification/effective_constants.h>
 
 #include <cmath>
@@ -34,10 +35,10 @@ namespace
   {
     const std::string x = text(cell.width() / 2);
     const std::string y = text((cell.height() - cell.h) / 2);
-    StaticScene scene("0 0; " + x + " " + y + "; -" + x + " " + y + "; 0 " +
-                        text(-cell.h / 2),
-                      "0 1; 0 2; 0 3");
-    scene.rectangle(thickness, 1, 0.3)
+    SceneText scene = static_frame("0 0; " + x + " " + y + "; -" + x + " " + y +
+                                     "; 0 " + text(-cell.h / 2),
+                                   "0 1; 0 2; 0 3");
+    scene.rectangle("wall", 1, thickness, {1, "", 0.3})
       .set("Effects/Shear flexibility", has_shear ? "on" : "off")
       .mesh(3, 0)
       .linear();
@@ -139,15 +140,15 @@ namespace
   // by W l/EA and W h/EA along the load more.
   constexpr double wall_axial_stiffness = 1e4;
 
-  StaticScene piece_of(const Hexagon     &cell,
-                       const unsigned int direction,
-                       const bool         is_pulled)
+  SceneText piece_of(const Hexagon     &cell,
+                     const unsigned int direction,
+                     const bool         is_pulled)
   {
     const double      s = cell.height() - cell.h, half = cell.h / 2;
     const std::string x = text(cell.width()), t = is_pulled ? "t" : "-t";
-    StaticScene       scene("0 " + text(-half) + "; 0 0; " + x + " " + text(s) +
-                        "; " + x + " " + text(s + half),
-                      "0 1; 1 2; 2 3");
+    SceneText scene = static_frame("0 " + text(-half) + "; 0 0; " + x + " " +
+                                     text(s) + "; " + x + " " + text(s + half),
+                                   "0 1; 1 2; 2 3");
     scene.section({wall_axial_stiffness, wall_axial_stiffness, 1})
       .support("foot", "0", "clamp")
       .prescribe("left mirror", "1", {"0", "free", "0"})

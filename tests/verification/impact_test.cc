@@ -1,4 +1,5 @@
 #include <support/scene_run.h>
+#include <support/scene_text.h>
 #include <verification/one_mass_scene.h>
 #include <verification/result_table.h>
 
@@ -14,55 +15,17 @@ namespace
    * A mass M = 2 kg hits the free end of a clamped rod, L = 1 m, of wave speed
    * c = 1 m/s and mass m = 1 kg (EA = 1 N), with V = 1e-3 m/s.
    */
-  std::string rod(const unsigned int refinements, const double dt)
+  SceneText rod(const unsigned int refinements, const double dt)
   {
-    return R"(
-subsection Lattice
-  set Cell   = frame
-  set Joints = 0 0; 1 0
-  set Struts = 0 1
-end
-subsection Sections
-  subsection rod
-    set Shape                 = given
-    set Area                  = 1
-    set Shear area            = 1
-    set Second moment of area = 1
-    set Young's modulus       = 1
-    set Density               = 1
-  end
-end
-subsection Supports
-  subsection wall
-    set Joints = 0
-    set Type   = clamp
-  end
-end
-subsection Masses
-  subsection hammer
-    set Joints = 1
-    set Mass   = 2
-  end
-end
-subsection Initial velocities
-  subsection hammer
-    set Joints     = 1
-    set Velocity x = -1e-3
-  end
-end
-subsection Discretization
-  set Order              = 2
-  set Global refinements = )" +
-      std::to_string(refinements) + R"(
-end
-subsection Effects
-  set Large rotation = off
-end
-subsection Time
-  set Scheme    = newmark
-  set End time  = 1.75
-  set Time step = )" +
-      text(dt) + "\nend\n";
+    return SceneText()
+      .frame("0 0; 1 0", "0 1")
+      .given("rod", {1, 1, 1}, {1, 1})
+      .support("wall", "0", "clamp")
+      .mass("hammer", "1", 2)
+      .add("Initial velocities/hammer", "Joints = 1 | Velocity x = -1e-3")
+      .mesh(2, refinements)
+      .set("Effects/Large rotation", "off")
+      .time(1.75, dt, "newmark");
   }
 
   struct RodImpact
@@ -124,12 +87,11 @@ namespace
   Rebound hit_connector(const std::string &law)
   {
     const double dt = 1e-3;
-    SceneRun     run(
-      one_mass_scene(law,
-                     "  set Time step = " + text(dt) + "\n  set End time = 4\n",
-                     mass_and_velocity(1, -1)));
-    Rebound result;
-    double  way = 0, force = 0, speed = -1;
+    SceneRun     run(one_mass_scene(law,
+                                "Time step = " + text(dt) + " | End time = 4",
+                                mass_and_velocity(1, -1)));
+    Rebound      result;
+    double       way = 0, force = 0, speed = -1;
     run.run([&] {
       const double way_now = run.motion(0, 0), speed_now = run.velocity(0, 0);
       const double force_now = run.connector(0, 0).force;
@@ -154,8 +116,8 @@ namespace
 
   std::string kelvin_voigt(const double ratio)
   {
-    return "    set Law = kelvin-voigt\n    set Spring stiffness = 1\n"
-           "    set Damping coefficient = " +
+    return "Law = kelvin-voigt | Spring stiffness = 1 | "
+           "Damping coefficient = " +
       text(2 * ratio);
   }
 } // namespace
@@ -190,8 +152,8 @@ TEST(Impact, MassReboundsFromConnectorsAsInClosedForm)
     }
   // Maxwell, tau = 1 / (2 z w0): exp(-pi z / sqrt(1 - z^2)) at zero force.
   const Rebound rebound =
-    hit_connector("    set Law = maxwell\n    set Spring stiffness = 1\n"
-                  "    set Damping coefficient = 5");
+    hit_connector("Law = maxwell | Spring stiffness = 1 | "
+                  "Damping coefficient = 5");
   table.row("Maxwell, restitution at zero force, z = 0.1",
             rebound.restitution_at_zero_force,
             0.7292476143,

@@ -1,6 +1,7 @@
+#include <support/scene_text.h>
 #include <verification/result_table.h>
 #include <verification/singular_tangent.h>
-#include <verification/space_scene.h>
+#include <verification/space_run.h>
 
 #include <cmath>
 
@@ -26,12 +27,12 @@ namespace
 
   /** Clamp, leg along x, leg down, force @p load along @p direction at its end.
    */
-  SpaceScene cantilever_frame(const double       torsion,
-                              const SpaceVector &direction,
-                              const double       load)
+  SceneText cantilever_frame(const double       torsion,
+                             const SpaceVector &direction,
+                             const double       load)
   {
-    SpaceScene scene("0 0; 240 0; 240 -240", "0 1; 1 2");
-    scene.section(thin_section(torsion))
+    SceneText scene = static_space_frame("0 0; 240 0; 240 -240", "0 1; 1 2");
+    scene.space_section(thin_section(torsion))
       .load("end", "2", times(load * direction, "t"), {{"0", "0", "0"}})
       .support("clamp", "0", "clamp")
       .mesh(4, 3);
@@ -84,10 +85,11 @@ TEST(LateralBuckling, HingedFrame)
   // mode.
   const double half_span = length / std::sqrt(2.);
   const auto   frame     = [&](const double torsion, const double moment) {
-    SpaceScene scene(text(-half_span) + " 0; 0 " + text(half_span) + "; " +
-                       text(half_span) + " 0",
-                     "0 1; 1 2");
-    scene.section(thin_section(torsion))
+    SceneText scene =
+      static_space_frame(text(-half_span) + " 0; 0 " + text(half_span) + "; " +
+                           text(half_span) + " 0",
+                         "0 1; 1 2");
+    scene.space_section(thin_section(torsion))
       .load("left", "0", {{"0", "0", "0"}}, {{"0", "0", text(moment) + " * t"}})
       .load("right",
             "2",
@@ -134,7 +136,7 @@ namespace
   std::vector<Deflection>
   pulled(const double imperfection, const double end, const double step)
   {
-    SpaceScene scene =
+    SceneText scene =
       cantilever_frame(full_torsion, SpaceVector({1., 0., imperfection}), 1);
     SpaceRun                run(scene.time(end, step).str());
     std::vector<Deflection> path;

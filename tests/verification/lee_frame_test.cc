@@ -1,5 +1,5 @@
 #include <support/scene_run.h>
-#include <verification/frame_text.h>
+#include <support/scene_text.h>
 #include <verification/result_table.h>
 
 #include <cmath>
@@ -23,9 +23,10 @@ namespace
   // on the path it is up to 8e-7.
   constexpr double shear_rigid_frame = 1000;
 
-  StaticScene lee_frame(const double shear_factor)
+  SceneText lee_frame(const double shear_factor)
   {
-    StaticScene scene("0 0; 0 120; 24 120; 120 120", "0 1; 1 2; 2 3");
+    SceneText scene =
+      static_frame("0 0; 0 120; 24 120; 120 120", "0 1; 1 2; 2 3");
     scene
       .section({lee_axial_stiffness,
                 shear_factor * lee_axial_stiffness,

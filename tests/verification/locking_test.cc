@@ -1,4 +1,5 @@
 #include <support/scene_run.h>
+#include <support/scene_text.h>
 #include <verification/rod_equation.h>
 
 #include <cmath>
@@ -28,8 +29,9 @@ namespace
     const double y = curvature > 0 ? (1 - std::cos(curvature)) / curvature : 0;
     const double rise =
       curvature > 0 ? (std::cos(curvature / 2) - 1) / curvature : 0;
-    StaticScene scene("0 0; " + text(x) + " " + text(y), "0 1 " + text(rise));
-    SceneRun    run(
+    SceneText scene =
+      static_frame("0 0; " + text(x) + " " + text(y), "0 1 " + text(rise));
+    SceneRun run(
       scene.section(rod.stiffnesses)
         .support("clamp", "0", "clamp")
         .load("tip",

@@ -1,4 +1,5 @@
 #include <support/scene_run.h>
+#include <support/scene_text.h>
 #include <verification/linear_ode.h>
 #include <verification/one_mass_scene.h>
 #include <verification/result_table.h>
@@ -21,14 +22,14 @@ namespace
                const double      dt,
                const std::string scheme)
   {
-    SceneRun run(one_mass_scene(
-      "    set Law = standard-linear-solid\n    set Long-time stiffness = " +
-        text(long_time_stiffness) +
-        "\n    set Spring stiffness = " + text(stiffness) +
-        "\n    set Damping coefficient = " + text(stiffness * tau),
-      "  set Scheme = " + scheme + "\n  set Time step = " + text(dt) +
-        "\n  set End time = " + text(end) + "\n",
-      mass_and_velocity(1, start_velocity)));
+    SceneRun run(
+      one_mass_scene("Law = standard-linear-solid | Long-time stiffness = " +
+                       text(long_time_stiffness) +
+                       " | Spring stiffness = " + text(stiffness) +
+                       " | Damping coefficient = " + text(stiffness * tau),
+                     "Scheme = " + scheme + " | Time step = " + text(dt) +
+                       " | End time = " + text(end),
+                     mass_and_velocity(1, start_velocity)));
     run.run();
     const OneMass exact{1, long_time_stiffness, 0, {{stiffness, tau}}};
     return std::abs(run.motion(0, 0) - exact.at(end, 0, start_velocity)(0)) *
@@ -67,14 +68,13 @@ namespace
   {
     const double w = 10;
     SceneRun     run(one_mass_scene(
-      "    set Law = maxwell\n    set Spring stiffness = 1\n"
-          "    set Damping coefficient = " +
+      "Law = maxwell | Spring stiffness = 1 | Damping coefficient = " +
         text(tau),
-      "  set Scheme = static\n  set Time step = " + text(dt) +
-        "\n  set End time = " + text(end) + "\n",
-      "subsection Supports\n subsection drive\n  set Joints = 0\n"
-          "  set Type = prescribed\n  set Displacement x = sin(10 * t)\n end\n"
-          "end\n"));
+      "Scheme = static | Time step = " + text(dt) +
+        " | End time = " + text(end),
+      SceneText().add(
+        "Supports/drive",
+        "Joints = 0 | Type = prescribed | Displacement x = sin(10 * t)")));
     double       largest_error = 0, largest_force = 0;
     run.run([&] {
       // F' + F / tau = k u'.

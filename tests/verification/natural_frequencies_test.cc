@@ -1,5 +1,5 @@
 #include <support/scene_run.h>
-#include <verification/frame_text.h>
+#include <support/scene_text.h>
 #include <verification/lowest_frequencies.h>
 #include <verification/result_table.h>
 
@@ -17,44 +17,22 @@ namespace
   constexpr unsigned int n_modes = 5;
   using Frequencies              = std::array<double, n_modes>;
 
-  const std::string timoshenko = "";
-  const std::string euler_bernoulli =
-    "subsection Effects\n  set Shear flexibility = off\n"
-    "  set Rotary inertia = off\nend\n";
+  const SceneText timoshenko;
+  const SceneText euler_bernoulli =
+    SceneText().add("Effects",
+                    "Shear flexibility = off | Rotary inertia = off");
 
-  std::string support(const std::string &name,
-                      const std::string &joint,
-                      const std::string &type)
+  SceneText bar(const SceneText   &supports,
+                const SceneText   &effects,
+                const unsigned int refinements)
   {
-    return "subsection Supports\n subsection " + name +
-      "\n  set Joints = " + joint + "\n  set Type = " + type + "\n end\nend\n";
-  }
-
-  std::string bar(const std::string &supports,
-                  const std::string &effects,
-                  const unsigned int refinements)
-  {
-    return R"(
-subsection Lattice
-  set Cell   = frame
-  set Joints = 0 0; 1 0
-  set Struts = 0 1
-end
-subsection Sections
-  subsection steel
-    set Shape            = rectangle
-    set Width            = 0.1 m
-    set Height           = 0.1 m
-    set Shear correction = 5/6
-    set Young's modulus  = 210 GPa
-    set Poisson's ratio  = 0.3
-    set Density          = 7850 kg/m3
-  end
-end
-subsection Discretization
-  set Order              = 6
-  set Global refinements = )" +
-      std::to_string(refinements) + "\nend\n" + supports + effects;
+    return SceneText()
+      .frame("0 0; 1 0", "0 1")
+      .rectangle("steel", "0.1 m", "0.1 m", {"210 GPa", "7850 kg/m3", 0.3})
+      .set("Sections/steel/Shear correction", "5/6")
+      .mesh(6, refinements)
+      .add(supports)
+      .add(effects);
   }
 
   /** Free unknowns but those along the bar, whose motion has no part in
@@ -74,8 +52,8 @@ subsection Discretization
   }
 
   /** The lowest frequencies (Hz) above zero. */
-  Frequencies frequencies(const std::string &supports,
-                          const std::string &effects,
+  Frequencies frequencies(const SceneText   &supports,
+                          const SceneText   &effects,
                           const unsigned int refinements)
   {
     SceneRun                  run(bar(supports, effects, refinements));
@@ -99,10 +77,10 @@ subsection Discretization
                 allowed[i]);
   }
 
-  const std::string free_free   = "";
-  const std::string clamped_end = support("wall", "0", "clamp");
-  const std::string pinned =
-    support("left", "0", "pin") + support("right", "1", "pin");
+  const SceneText free_free;
+  const SceneText clamped_end = SceneText().support("wall", "0", "clamp");
+  const SceneText pinned =
+    SceneText().support("left", "0", "pin").support("right", "1", "pin");
 } // namespace
 
 TEST(NaturalFrequencies, TimoshenkoBar)

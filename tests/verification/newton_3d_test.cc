@@ -1,7 +1,8 @@
 #include <auxfem/time/static.h>
 
 #include <gtest/gtest.h>
-#include <verification/space_scene.h>
+#include <support/scene_text.h>
+#include <verification/space_run.h>
 
 #include <cmath>
 #include <iomanip>
@@ -67,8 +68,9 @@ TEST(Newton3d, ConvergesQuadraticallyAtLargeRotations)
 {
   // A knee of two struts, the first an arc out of the plane, under forces and
   // moments, dead and following, that turn its end by almost half a turn.
-  SpaceScene scene("0 0 0; 1 0 0; 1 1 0.3", "0 1 0.2 0 1 0.5; 1 2");
-  scene.section({1e3, 1e3, 1e3, 0.8, 1, 2})
+  SceneText scene =
+    static_space_frame("0 0 0; 1 0 0; 1 1 0.3", "0 1 0.2 0 1 0.5; 1 2");
+  scene.space_section({1e3, 1e3, 1e3, 0.8, 1, 2})
     .load("tip", "2", {{"t", "-t", "2 * t"}}, {{"t", "0.5 * t", "0"}})
     .load("knee", "1", {{"0", "t", "t"}}, {{"0", "t", "0.5 * t"}})
     .support("clamp", "0", "clamp")

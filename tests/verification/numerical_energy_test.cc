@@ -2,6 +2,7 @@
 
 #include <support/energy_amount.h>
 #include <support/scene_run.h>
+#include <support/scene_text.h>
 #include <verification/one_mass_scene.h>
 #include <verification/result_table.h>
 
@@ -18,13 +19,13 @@ namespace
   Scheme newmark_of(const std::string &beta, const std::string &gamma)
   {
     return {"Newmark " + beta + ", " + gamma,
-            "  set Scheme = newmark\n  set Newmark beta = " + beta +
-              "\n  set Newmark gamma = " + gamma + "\n"};
+            "Scheme = newmark | Newmark beta = " + beta +
+              " | Newmark gamma = " + gamma};
   }
 
   const Scheme energy_momentum = {"energy-momentum",
-                                  "  set Scheme = energy-momentum\n"},
-               in_statics      = {"static", "  set Scheme = static\n"};
+                                  "Scheme = energy-momentum"},
+               in_statics      = {"static", "Scheme = static"};
 
   std::vector<Scheme> all_schemes()
   {
@@ -41,133 +42,90 @@ namespace
   }
 
   /** A bent frame on a support, with a mass on its end. */
-  std::string frame_scene(const Scheme      &scheme,
-                          const double       dt,
-                          const double       end,
-                          const std::string &section,
-                          const std::string &base,
-                          const std::string &further)
+  SceneText frame_scene(const Scheme      &scheme,
+                        const double       dt,
+                        const double       end,
+                        const std::string &section,
+                        const std::string &base,
+                        const SceneText   &further = {})
   {
-    return R"(
-subsection Lattice
-  set Cell   = frame
-  set Joints = 0 0; 1 0.2; 1.6 1
-  set Struts = 0 1; 1 2
-end
-subsection Sections
-  subsection band
-    set Shape           = rectangle
-    set Width           = 0.1
-    set Height          = 0.05
-    set Young's modulus = 2e6
-    set Poisson's ratio = 0.3
-    set Density         = 900
-)" + section +
-      R"(
-  end
-end
-subsection Supports
-  subsection base
-    set Joints = 0
-)" + base +
-      R"(
-  end
-end
-subsection Masses
-  subsection tip
-    set Joints = 2
-    set Mass   = 2
-    set Rotary inertia = 0.05
-  end
-end
-subsection Discretization
-  set Order = 2
-end
-subsection Newton
-  set Tolerance = 1e-14
-end
-subsection Time
-)" + scheme.steps(dt, end) +
-      "end\n" + further;
+    return SceneText()
+      .frame("0 0; 1 0.2; 1.6 1", "0 1; 1 2")
+      .rectangle("band", 0.1, 0.05, {2e6, 900, 0.3})
+      .add("Sections/band", section)
+      .add("Supports/base", "Joints = 0 | " + base)
+      .mass("tip", "2", 2, 0.05)
+      .mesh(2)
+      .set("Newton/Tolerance", 1e-14)
+      .add("Time", scheme.steps(dt, end))
+      .add(further);
   }
 
-  const std::string held   = "    set Type = clamp\n",
-                    moving = "    set Type = prescribed\n"
-                             "    set Displacement x = 0.02 * sin(5 * t)^3\n"
-                             "    set Displacement y = 0.03 * t\n"
-                             "    set Rotation z = 0.05 * (1 - cos(4 * t))\n",
-                    pushed = R"(
-subsection Loads
-  subsection push
-    set Joints   = 2
-    set Force x  = 8 * sin(9 * t)
-    set Moment z = 1.5 * t
-  end
-end
-)",
-                    stiffness_damping =
-                      "    set Stiffness-proportional damping = 0.01\n",
-                    mass_damping = "    set Mass-proportional damping = 0.7\n";
+  const std::string
+    held   = "Type = clamp",
+    moving = "Type = prescribed | Displacement x = 0.02 * sin(5 * t)^3 | "
+             "Displacement y = 0.03 * t | "
+             "Rotation z = 0.05 * (1 - cos(4 * t))",
+    stiffness_damping = "Stiffness-proportional damping = 0.01",
+    mass_damping      = "Mass-proportional damping = 0.7";
 
-  std::string connector(const std::string &law)
+  const SceneText pushed = SceneText().add(
+    "Loads/push",
+    "Joints = 2 | Force x = 8 * sin(9 * t) | Moment z = 1.5 * t");
+
+  SceneText connector(const std::string &law)
   {
-    return "subsection Connectors\n  subsection link\n"
-           "    set Between = ground: 2\n    set Ground offset = 1 -0.5\n" +
-      law + "  end\nend\n";
+    return SceneText().add("Connectors/link",
+                           "Between = ground: 2 | Ground offset = 1 -0.5 | " +
+                             law);
   }
 
   /** What a scene has beside the frame. */
   struct Feature
   {
-    std::string name, section, base, further;
+    std::string name, section, base;
+    SceneText   further;
   };
 
   std::vector<Feature> features()
   {
-    const std::string spring = "    set Spring stiffness = 90\n",
-                      damper = "    set Damping coefficient = 4\n",
-                      rest   = "    set Long-time stiffness = 30\n";
-    return {
-      {"load", "", held, pushed},
-      {"load that jumps",
-       "",
-       held,
-       R"(
-subsection Loads
-  subsection push
-    set Joints  = 2
-    set Force x = if(t < 0.51, 3, -8)
-  end
-end
-)"},
-      {"damping by stiffness", stiffness_damping, held, pushed},
-      {"damping by mass", mass_damping, held, pushed},
-      {"moving support", "", moving, pushed},
-      {"moving support, damped",
-       stiffness_damping + mass_damping,
-       moving,
-       pushed},
-      {"spring", "", held, connector("    set Law = spring\n" + spring)},
-      {"dashpot", "", held, connector("    set Law = dashpot\n" + damper)},
-      {"kelvin-voigt",
-       "",
-       held,
-       connector("    set Law = kelvin-voigt\n" + spring + damper)},
-      {"maxwell",
-       "",
-       held,
-       connector("    set Law = maxwell\n" + spring + damper)},
-      {"standard-linear-solid",
-       "",
-       held,
-       connector("    set Law = standard-linear-solid\n" + rest + spring +
-                 damper)},
-      {"generalized-maxwell",
-       "",
-       moving,
-       connector("    set Law = generalized-maxwell\n" + rest +
-                 "    set Stiffnesses = 50, 80\n"
-                 "    set Relaxation times = 0.02, 3\n")}};
+    const std::string spring = "Spring stiffness = 90",
+                      damper = "Damping coefficient = 4",
+                      rest   = "Long-time stiffness = 30";
+    return {{"load", "", held, pushed},
+            {"load that jumps",
+             "",
+             held,
+             SceneText().add("Loads/push",
+                             "Joints = 2 | Force x = if(t < 0.51, 3, -8)")},
+            {"damping by stiffness", stiffness_damping, held, pushed},
+            {"damping by mass", mass_damping, held, pushed},
+            {"moving support", "", moving, pushed},
+            {"moving support, damped",
+             stiffness_damping + " | " + mass_damping,
+             moving,
+             pushed},
+            {"spring", "", held, connector("Law = spring | " + spring)},
+            {"dashpot", "", held, connector("Law = dashpot | " + damper)},
+            {"kelvin-voigt",
+             "",
+             held,
+             connector("Law = kelvin-voigt | " + spring + " | " + damper)},
+            {"maxwell",
+             "",
+             held,
+             connector("Law = maxwell | " + spring + " | " + damper)},
+            {"standard-linear-solid",
+             "",
+             held,
+             connector("Law = standard-linear-solid | " + rest + " | " +
+                       spring + " | " + damper)},
+            {"generalized-maxwell",
+             "",
+             moving,
+             connector(
+               "Law = generalized-maxwell | " + rest +
+               " | Stiffnesses = 50, 80 | Relaxation times = 0.02, 3")}};
   }
 
   /** Largest error of the balance over the largest amount in the ledger. */
@@ -193,15 +151,15 @@ TEST(NumericalEnergy, LinearScenesBalanceToRoundOff)
       for (const Feature &feature : features())
         {
           const bool is_pushed =
-            feature.further.find("Loads") != std::string::npos;
-          SceneRun     run(frame_scene(scheme,
-                                   0.02,
-                                   1.2,
-                                   feature.section,
-                                   feature.base,
-                                   feature.further + (is_pushed ? "" : pushed)),
-                       {"Effects/Large rotation=off",
-                            "Time/Largest energy error=1e30"});
+            feature.further.str().find("Loads") != std::string::npos;
+          SceneRun run(
+            frame_scene(scheme,
+                        0.02,
+                        1.2,
+                        feature.section,
+                        feature.base,
+                        feature.further + (is_pushed ? SceneText() : pushed)),
+            {"Effects/Large rotation=off", "Time/Largest energy error=1e30"});
           const double error = relative_error(run);
           // Round-off of 60 steps, in each of which forces of stiff strains
           // are multiplied by small increments.
@@ -230,10 +188,9 @@ TEST(NumericalEnergy, IsThatOfTheIdentityOfTheScheme)
   ComparisonTable table("Energy taken from one mass by the scheme, 50 steps");
   for (const Member &member : members)
     {
-      SceneRun run(
-        one_mass_scene("    set Law = spring\n    set Spring stiffness = 3",
-                       member.scheme.steps(dt, 50 * dt),
-                       mass_and_velocity(m, 1)));
+      SceneRun  run(one_mass_scene("Law = spring | Spring stiffness = 3",
+                                  member.scheme.steps(dt, 50 * dt),
+                                  mass_and_velocity(m, 1)));
       const int i     = run.model.numbering.joint_unknown(0, 0);
       double    taken = 0;
       struct Motion
@@ -276,34 +233,14 @@ TEST(NumericalEnergy, IsThatOfTheIdentityOfTheScheme)
 TEST(NumericalEnergy, ADampedBeamOnASupportThatStartsWithASpeed)
 {
   const auto run_of = [](const Scheme &scheme, const double dt) {
-    SceneRun run(R"(
-subsection Lattice
-  set Cell = frame
-  set Joints = 0 0; 1 0
-  set Struts = 0 1
-end
-subsection Sections
-  subsection bar
-    set Shape = rectangle
-    set Width = 20 mm
-    set Height = 10 mm
-    set Young's modulus = 70 GPa
-    set Density = 2700
-    set Stiffness-proportional damping = 50 us
-  end
-end
-subsection Supports
-  subsection base
-    set Joints = 0
-    set Type = prescribed
-    set Displacement x = 0
-    set Displacement y = 0.5*t
-    set Rotation z = 0
-  end
-end
-subsection Time
-)" + scheme.steps(dt, 0.05) +
-                   "end\n",
+    SceneRun run(SceneText()
+                   .frame("0 0; 1 0", "0 1")
+                   .rectangle("bar", "20 mm", "10 mm", {"70 GPa", 2700})
+                   .set("Sections/bar/Stiffness-proportional damping", "50 us")
+                   .add("Supports/base",
+                        "Joints = 0 | Type = prescribed | Displacement x = 0 | "
+                        "Displacement y = 0.5*t | Rotation z = 0")
+                   .add("Time", scheme.steps(dt, 0.05)),
                  {"Time/Largest energy error=1e30"});
     run.run();
     return run.state.energies;
@@ -333,33 +270,18 @@ subsection Time
 TEST(NumericalEnergy, AtLargeRotationsTheBalanceIsOfSecondOrder)
 {
   const auto error_of = [](const Scheme &scheme, const double dt) {
-    SceneRun run(frame_scene(scheme,
-                             dt,
-                             1,
-                             stiffness_damping + mass_damping,
-                             "    set Type = prescribed\n"
-                             "    set Displacement x = 0.1 * sin(3 * t)^3\n"
-                             "    set Displacement y = 0\n"
-                             "    set Rotation z = 0.8 * sin(2 * t)^3\n",
-                             R"(
-subsection Connectors
-  subsection link
-    set Between = ground: 2
-    set Ground offset = 1 -0.5
-    set Law = standard-linear-solid
-    set Long-time stiffness = 30
-    set Spring stiffness = 90
-    set Damping coefficient = 4
-  end
-end
-subsection Loads
-  subsection push
-    set Joints  = 2
-    set Force y = -60 * sin(3 * t)^3
-  end
-end
-)"));
-    double   error = 0, turned = 0;
+    SceneRun run(
+      frame_scene(scheme,
+                  dt,
+                  1,
+                  stiffness_damping + " | " + mass_damping,
+                  "Type = prescribed | Displacement x = 0.1 * sin(3 * t)^3 | "
+                  "Displacement y = 0 | Rotation z = 0.8 * sin(2 * t)^3")
+        .add(
+          connector("Law = standard-linear-solid | Long-time stiffness = 30 | "
+                    "Spring stiffness = 90 | Damping coefficient = 4"))
+        .add("Loads/push", "Joints = 2 | Force y = -60 * sin(3 * t)^3"));
+    double error = 0, turned = 0;
     run.run([&] {
       error  = std::max(error, std::abs(run.balance()));
       turned = std::max(turned, std::abs(run.motion(2, rotation_z)));
@@ -383,23 +305,15 @@ end
 TEST(NumericalEnergy, OfAnElasticStaticPathTheBalanceIsOfThirdOrder)
 {
   const auto error_of = [](const double dt) {
-    SceneRun run(frame_scene(in_statics,
-                             dt,
-                             1,
-                             "",
-                             "    set Type = prescribed\n"
-                             "    set Displacement x = 0.1 * t^2\n"
-                             "    set Displacement y = 0\n"
-                             "    set Rotation z = 0.3 * t\n",
-                             R"(
-subsection Loads
-  subsection push
-    set Joints   = 2
-    set Force x  = 4 * sin(3 * t)
-    set Moment z = 1.5 * t
-  end
-end
-)"));
+    SceneRun run(
+      frame_scene(in_statics,
+                  dt,
+                  1,
+                  "",
+                  "Type = prescribed | Displacement x = 0.1 * t^2 | "
+                  "Displacement y = 0 | Rotation z = 0.3 * t")
+        .add("Loads/push",
+             "Joints = 2 | Force x = 4 * sin(3 * t) | Moment z = 1.5 * t"));
     return relative_error(run);
   };
   const double coarse = error_of(0.0125), fine = error_of(0.00625);

@@ -1,7 +1,7 @@
 #ifndef auxfem_tests_verification_one_mass_scene_h
 #define auxfem_tests_verification_one_mass_scene_h
 
-#include <verification/frame_text.h>
+#include <support/scene_text.h>
 
 #include <string>
 
@@ -14,73 +14,36 @@ namespace auxfem
      * and hangs on one connector to the ground. Its extension is minus the
      * displacement of the joint. The strut a frame must have is held at both
      * ends and takes no part.
-     * @param link entries of the connector, e.g. its law
+     * @param link entries of the connector, e.g. its law; see SceneText::add()
      * @param time entries of the subsection Time
-     * @param more further subsections
+     * @param more what else the scene has
      */
-    inline std::string one_mass_scene(const std::string &link,
-                                      const std::string &time,
-                                      const std::string &more = "")
+    inline SceneText one_mass_scene(const std::string &link,
+                                    const std::string &time,
+                                    const SceneText   &more = {})
     {
-      return R"(
-subsection Lattice
-  set Cell   = frame
-  set Joints = 0 0; 0 -1; 1 -1
-  set Struts = 1 2
-end
-subsection Sections
-  subsection idle
-    set Shape           = circle
-    set Radius          = 1e-3
-    set Young's modulus = 1
-    set Density         = 1
-  end
-end
-subsection Supports
-  subsection idle
-    set Joints = 1, 2
-    set Type   = clamp
-  end
-  subsection guide
-    set Joints = 0
-    set Type   = roller x
-  end
-end
-subsection Connectors
-  subsection link
-    set Between   = ground: 0
-    set Geometry  = direction
-    set Direction = 1 0
-)" + link +
-        R"(
-  end
-end
-subsection Discretization
-  set Order = 1
-end
-subsection Effects
-  set Large rotation = off
-end
-subsection Newton
-  set Tolerance = 1e-13
-end
-subsection Time
-)" + time +
-        R"(
-end
-)" + more;
+      return SceneText()
+        .frame("0 0; 0 -1; 1 -1", "1 2")
+        .circle("idle", 1e-3, {1, 1})
+        .support("idle", "1, 2", "clamp")
+        .support("guide", "0", "roller x")
+        .add("Connectors/link",
+             "Between = ground: 0 | Geometry = direction | Direction = 1 0")
+        .add("Connectors/link", link)
+        .mesh(1)
+        .set("Effects/Large rotation", "off")
+        .set("Newton/Tolerance", 1e-13)
+        .add("Time", time)
+        .add(more);
     }
 
-    /** Subsections that give joint 0 a mass (kg) and a velocity (m/s) at t = 0.
-     */
-    inline std::string mass_and_velocity(const double mass,
-                                         const double velocity)
+    /** Gives joint 0 a mass (kg) and a velocity (m/s) at t = 0. */
+    inline SceneText mass_and_velocity(const double mass, const double velocity)
     {
-      return "subsection Masses\n subsection body\n  set Joints = 0\n  set Mass = " +
-        text(mass) +
-        "\n end\nend\nsubsection Initial velocities\n subsection push\n"
-        "  set Joints = 0\n  set Velocity x = " +
-        text(velocity) + "\n end\nend\n";
+      return SceneText()
+        .mass("body", "0", mass)
+        .add("Initial velocities/push",
+             "Joints = 0 | Velocity x = " + text(velocity));
     }
   } // namespace testing_support
 } // namespace auxfem

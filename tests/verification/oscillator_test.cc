@@ -21,28 +21,23 @@ namespace
   };
 
   const std::vector<LawCase> laws = {
-    {"spring",
-     "    set Law = spring\n    set Spring stiffness = 100",
-     {1, 100, 0, {}}},
-    {"dashpot",
-     "    set Law = dashpot\n    set Damping coefficient = 2",
-     {1, 0, 2, {}}},
+    {"spring", "Law = spring | Spring stiffness = 100", {1, 100, 0, {}}},
+    {"dashpot", "Law = dashpot | Damping coefficient = 2", {1, 0, 2, {}}},
     {"kelvin-voigt",
-     "    set Law = kelvin-voigt\n    set Spring stiffness = 100\n"
-     "    set Damping coefficient = 2",
+     "Law = kelvin-voigt | Spring stiffness = 100 | "
+     "Damping coefficient = 2",
      {1, 100, 2, {}}},
     {"maxwell",
-     "    set Law = maxwell\n    set Spring stiffness = 100\n"
-     "    set Damping coefficient = 20",
+     "Law = maxwell | Spring stiffness = 100 | "
+     "Damping coefficient = 20",
      {1, 0, 0, {{100, 0.2}}}},
     {"standard-linear-solid",
-     "    set Law = standard-linear-solid\n    set Long-time stiffness = 100\n"
-     "    set Spring stiffness = 50\n    set Damping coefficient = 5",
+     "Law = standard-linear-solid | Long-time stiffness = 100 | "
+     "Spring stiffness = 50 | Damping coefficient = 5",
      {1, 100, 0, {{50, 0.1}}}},
     {"generalized-maxwell",
-     "    set Law = generalized-maxwell\n    set Long-time stiffness = 40\n"
-     "    set Stiffnesses = 50, 30, 20\n"
-     "    set Relaxation times = 0.02, 0.1, 0.5",
+     "Law = generalized-maxwell | Long-time stiffness = 40 | "
+     "Stiffnesses = 50, 30, 20 | Relaxation times = 0.02, 0.1, 0.5",
      {1, 40, 0, {{50, 0.02}, {30, 0.1}, {20, 0.5}}}}};
 
   const LawCase &law(const std::string &name)
@@ -141,7 +136,7 @@ namespace
     SceneRun     run(one_mass_scene(law(name).entries,
                                 newmark().steps(dt, moments.back().time) +
                                   // The stepper does not know of the release.
-                                  "  set Largest energy error = 1e30\n",
+                                  " | Largest energy error = 1e30",
                                 mass_and_velocity(1, v0)));
     if (u0 != 0)
       release(run, law(name).exact, u0);
@@ -208,14 +203,13 @@ TEST(OscillatorMotion, ForcedAmplitudeIsThatOfTheTransferFunction)
       const double       period         = 2 * std::acos(-1.) / w;
       const unsigned int n_periods      = std::ceil(16 / period) + 1;
       const double       dt             = period / steps_a_period;
-      SceneRun           run(one_mass_scene(
-        law("standard-linear-solid").entries,
-        newmark().steps(dt, n_periods * period),
-        mass_and_velocity(1, 0) +
-          "subsection Loads\n subsection shaker\n  set Joints = 0\n"
-                    "  set Force x = sin(" +
-          text(w) + " * t)\n end\nend\n"));
-      double             sine = 0, cosine = 0;
+      SceneRun           run(
+        one_mass_scene(law("standard-linear-solid").entries,
+                       newmark().steps(dt, n_periods * period),
+                       mass_and_velocity(1, 0).add(
+                         "Loads/shaker",
+                         "Joints = 0 | Force x = sin(" + text(w) + " * t)")));
+      double sine = 0, cosine = 0;
       run.run([&] {
         if (run.state.step <= (n_periods - 1) * steps_a_period)
           return;

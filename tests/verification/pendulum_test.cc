@@ -1,7 +1,6 @@
 #include <support/scene_run.h>
-#include <verification/frame_text.h>
+#include <support/scene_text.h>
 #include <verification/result_table.h>
-#include <verification/rigid_frame.h>
 
 #include <array>
 
@@ -17,38 +16,19 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  std::string rods(const std::string &joints,
-                   const std::string &struts,
-                   const std::string &more)
+  SceneText rods(const std::string &joints,
+                 const std::string &struts,
+                 const double       dt,
+                 const double       end)
   {
-    return "subsection Lattice\n set Cell = frame\n set Joints = " + joints +
-      "\n set Struts = " + struts + R"(
-end
-subsection Sections
-  subsection rod
-    set Shape           = rectangle
-    set Width           = 0.1
-    set Height          = 0.1
-    set Young's modulus = 1e12
-    set Density         = 100
-  end
-end
-subsection Supports
-  subsection pivot
-    set Joints = 0
-    set Type   = pin
-  end
-end
-subsection Gravity
-  set Acceleration y = -9.81
-end
-subsection Effects
-  set Rotary inertia = off
-end
-subsection Discretization
-  set Order = 2
-end
-)" + more;
+    return SceneText()
+      .frame(joints, struts)
+      .rectangle("rod", 0.1, 0.1, {1e12, 100})
+      .support("pivot", "0", "pin")
+      .set("Gravity/Acceleration y", -9.81)
+      .set("Effects/Rotary inertia", "off")
+      .mesh(2)
+      .time(end, dt);
   }
 
   /** Time (s) until a rod released at @p angle (rad) first hangs down. */
@@ -57,7 +37,8 @@ end
     SceneRun run(
       rods("0 0; " + text(std::sin(angle)) + " " + text(-std::cos(angle)),
            "0 1",
-           time(dt, end)));
+           dt,
+           end));
     double before = angle, crossing = 0;
     run.run([&] {
       const double now = angle + run.motion(0, rotation_z);
@@ -114,12 +95,8 @@ TEST(Pendulum, TwoRodsFollowTheRigidDoublePendulum)
     {1.5, {{-1.150325680, -2.099126132}}, {{2.55540829, -1.96637281}}},
     {2, {{-0.082758307, 0.407362075}}, {{-0.96114544, 11.89895505}}}};
 
-  const double    dt = 2.5e-4;
-  SceneRun        run(rods("0 0; 1 0; 2 0",
-                    "0 1; 1 2",
-                    "subsection Joints\n subsection knee\n  set Joints = 1\n"
-                           " end\nend\n" +
-                      time(dt, 2)));
+  const double dt = 2.5e-4;
+  SceneRun     run(rods("0 0; 1 0; 2 0", "0 1; 1 2", dt, 2).hinge("knee", "1"));
   ComparisonTable table("Double pendulum of two rods (rad, rad/s)");
   auto            moment = expected.begin();
   run.run([&] {

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 #include <support/scene_run.h>
-#include <verification/rigid_frame.h>
+#include <support/scene_text.h>
 
 #include <cmath>
 #include <filesystem>
@@ -24,23 +24,19 @@ namespace
     return {newmark(),
             hht("-0.05"),
             generalized_alpha("0.8"),
-            {"energy-momentum", "  set Scheme = energy-momentum\n"}};
-  }
-
-  std::string time_section(const std::string &entries)
-  {
-    return "subsection Time\n" + entries + "end\n";
+            {"energy-momentum", "Scheme = energy-momentum"}};
   }
 
   /** The pivot of a standing bar (1 m, 1 kg), moved sideways. */
-  std::string moved_bar(const std::string &displacement,
-                        const std::string &time)
+  SceneText moved_bar(const std::string &displacement, const std::string &time)
   {
-    return frame("0 0; 0 1", "0 1") + part("bar", "all", 1) +
-      "subsection Supports\n subsection pivot\n  set Joints = 0\n"
-      "  set Type = prescribed\n  set Displacement x = " +
-      displacement + "\n  set Displacement y = 0\n end\nend\n" +
-      time_section(time);
+    return SceneText()
+      .frame("0 0; 0 1", "0 1")
+      .rigid_part("bar", "all", 1)
+      .add("Supports/pivot",
+           "Joints = 0 | Type = prescribed | Displacement x = " + displacement +
+             " | Displacement y = 0")
+      .add("Time", time);
   }
 
   double angle(const SceneRun &run)
@@ -194,9 +190,9 @@ TEST(PrescribedMotion, WorkOfAStopIsThatOfItsImpulse)
 
 TEST(PrescribedMotion, ALatticeThatAlreadyMovesWithItsSupportIsNotStruck)
 {
-  SceneRun run(moved_bar("2 * t", newmark().steps(1e-3, 0.1)) +
-               "subsection Initial velocities\n subsection all\n"
-               "  set Joints = all\n  set Velocity x = 2\n end\nend\n");
+  SceneRun run(
+    moved_bar("2 * t", newmark().steps(1e-3, 0.1))
+      .add("Initial velocities/all", "Joints = all | Velocity x = 2"));
   EXPECT_EQ(run.state.energies.external(), 0);
   run.run();
   EXPECT_NEAR(spin(run), 0, 1e-13);
@@ -341,17 +337,17 @@ TEST(PrescribedMotion, EveryRowOfALinearTableStrikes)
 namespace
 {
   /** A cantilever of steel whose clamp moves up. */
-  std::string moved_cantilever(const std::string &displacement,
-                               const std::string &time)
+  SceneText moved_cantilever(const std::string &displacement,
+                             const std::string &time)
   {
-    return frame("0 0; 1 0", "0 1") +
-      "subsection Sections\n subsection steel\n  set Shape = rectangle\n"
-      "  set Width = 20 mm\n  set Height = 10 mm\n"
-      "  set Young's modulus = 210 GPa\n  set Density = 7800\n end\nend\n"
-      "subsection Supports\n subsection clamp\n  set Joints = 0\n"
-      "  set Type = prescribed\n  set Displacement x = 0\n"
-      "  set Displacement y = " +
-      displacement + "\n  set Rotation z = 0\n end\nend\n" + time_section(time);
+    return SceneText()
+      .frame("0 0; 1 0", "0 1")
+      .rectangle("steel", "20 mm", "10 mm", {"210 GPa", 7800})
+      .add("Supports/clamp",
+           "Joints = 0 | Type = prescribed | Displacement x = 0 | "
+           "Displacement y = " +
+             displacement + " | Rotation z = 0")
+      .add("Time", time);
   }
 } // namespace
 
@@ -403,21 +399,17 @@ namespace
 {
   /** A rod (EA = 1 N, 1 kg/m, so waves run 1 m/s) of 64 elements, moved along
    * its axis. */
-  std::string moved_rod(const std::string &displacement,
-                        const std::string &time)
+  SceneText moved_rod(const std::string &displacement, const std::string &time)
   {
-    return frame("0 0; 1 0", "0 1") +
-      "subsection Sections\n subsection rod\n  set Shape = given\n"
-      "  set Area = 1\n  set Shear area = 1\n  set Second moment of area = 1\n"
-      "  set Young's modulus = 1\n  set Density = 1\n end\nend\n"
-      "subsection Supports\n subsection end\n  set Joints = 0\n"
-      "  set Type = prescribed\n  set Displacement x = " +
-      displacement +
-      "\n  set Displacement y = 0\n  set Rotation z = 0\n end\nend\n"
-      "subsection Discretization\n set Order = 1\n"
-      " set Global refinements = 6\nend\n"
-      "subsection Effects\n set Large rotation = off\nend\n" +
-      time_section(time);
+    return SceneText()
+      .frame("0 0; 1 0", "0 1")
+      .given("rod", {1, 1, 1}, {1, 1})
+      .add("Supports/end",
+           "Joints = 0 | Type = prescribed | Displacement x = " + displacement +
+             " | Displacement y = 0 | Rotation z = 0")
+      .mesh(1, 6)
+      .set("Effects/Large rotation", "off")
+      .add("Time", time);
   }
 } // namespace
 
@@ -451,17 +443,17 @@ TEST(PrescribedMotion, ARotationInSpaceStrikesToo)
 {
   // A clamp that starts to turn a slender strut about an oblique axis: what the
   // impulse does is the energy that the strut has.
-  const std::string text = "set Dimension = 3\n" +
-    frame("0 0 0; 1 0 0", "0 1") +
-    "subsection Sections\n subsection steel\n  set Shape = circle\n"
-    "  set Radius = 10 mm\n  set Young's modulus = 210 GPa\n"
-    "  set Density = 7800\n end\nend\n"
-    "subsection Supports\n subsection clamp\n  set Joints = 0\n"
-    "  set Type = prescribed\n  set Displacement x = 0\n"
-    "  set Displacement y = 0\n  set Displacement z = 0.2 * t\n"
-    "  set Rotation x = 0.3 * t\n  set Rotation y = -t\n"
-    "  set Rotation z = if(t < 1e-3, 2 * t, 2e-3)\n end\nend\n" +
-    time_section(newmark().steps(1e-5, 2e-3));
+  const SceneText text =
+    SceneText()
+      .dimension(3)
+      .frame("0 0 0; 1 0 0", "0 1")
+      .circle("steel", "10 mm", {"210 GPa", 7800})
+      .add("Supports/clamp",
+           "Joints = 0 | Type = prescribed | Displacement x = 0 | "
+           "Displacement y = 0 | Displacement z = 0.2 * t | "
+           "Rotation x = 0.3 * t | Rotation y = -t | "
+           "Rotation z = if(t < 1e-3, 2 * t, 2e-3)")
+      .add("Time", newmark().steps(1e-5, 2e-3));
   SceneRun     run(text);
   const double work = run.state.energies.external();
   EXPECT_GT(work, 0);
@@ -474,7 +466,7 @@ TEST(PrescribedMotion, AJumpIsRefusedUnlessTheStartIsAnEquilibriumWithIt)
 {
   const std::string time = newmark().steps(0.01, 0.1),
                     from_equilibrium =
-                      time + "  set Start from = static equilibrium\n";
+                      time + " | Start from = static equilibrium";
   const auto refusal = [](const std::string &displacement,
                           const std::string &time) {
     return input_error_of(

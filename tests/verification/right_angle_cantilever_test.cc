@@ -1,3 +1,4 @@
+#include <support/scene_text.h>
 #include <verification/result_table.h>
 #include <verification/round_beam.h>
 
@@ -17,7 +18,7 @@ namespace
 {
   std::string right_angle(const double dt)
   {
-    StaticScene scene = round_beam(1e6, 1e3);
+    SceneText scene = round_beam(1e6, 1e3);
     scene.set("Lattice/Joints", "0 0 0; 10 0 0; 10 10 0");
     scene.set("Lattice/Struts", "0 1; 1 2");
     scene.support("wall", "0", "clamp");

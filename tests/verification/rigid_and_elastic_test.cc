@@ -1,5 +1,5 @@
 #include <support/scene_run.h>
-#include <verification/frame_text.h>
+#include <support/scene_text.h>
 #include <verification/result_table.h>
 
 #include <array>
@@ -17,24 +17,24 @@ namespace
   const Stiffnesses beam = {1e4, 1e4, 10};
 
   /** A cantilever of 1 m along x, clamped at the origin. */
-  StaticScene slender_cantilever(const std::string &joints,
-                                 const std::string &struts)
+  SceneText slender_cantilever(const std::string &joints,
+                               const std::string &struts)
   {
-    StaticScene scene(joints, struts);
+    SceneText scene = static_frame(joints, struts);
     scene.section(beam).support("wall", "0", "clamp").mesh(4, 2);
     return scene;
   }
 
-  StaticScene &plate(StaticScene       &scene,
-                     const std::string &struts,
-                     const std::string &elastic_struts)
+  SceneText &plate(SceneText         &scene,
+                   const std::string &struts,
+                   const std::string &elastic_struts)
   {
     const std::string path = "Rigid parts/plate/";
     scene.set(path + "Struts", struts);
     return scene.set(path + "Elastic struts", elastic_struts);
   }
 
-  void complete(StaticScene &scene, const bool is_linear)
+  void complete(SceneText &scene, const bool is_linear)
   {
     if (is_linear)
       scene.linear();
@@ -65,7 +65,7 @@ TEST(RigidAndElastic, ClampedPlateIsAMomentArm)
   // The plate's far joint is 0.2 m beyond the tip and 0.3 m above it.
   for (const bool is_linear : {false, true})
     {
-      StaticScene scene = slender_cantilever("0 0; 1 0; 1.2 0.3", "0 1; 1 2");
+      SceneText scene = slender_cantilever("0 0; 1 0; 1.2 0.3", "0 1; 1 2");
       plate(scene, "1", "clamped")
         .load("pull", "2", {{"-6 * t", "9 * t", "0"}});
       complete(scene, is_linear);
@@ -79,11 +79,11 @@ TEST(RigidAndElastic, ClampedPlateIsAMomentArm)
       EXPECT_GT(tip[2], 0.3);
 
       // Where the far joint has come to, seen from the tip.
-      const double x   = is_linear ? 0.2
-                                   : 0.2 * std::cos(turn) - 0.3 * std::sin(turn),
-                   y   = is_linear ? 0.3
-                                   : 0.2 * std::sin(turn) + 0.3 * std::cos(turn);
-      StaticScene bare = slender_cantilever("0 0; 1 0", "0 1");
+      const double x = is_linear ? 0.2
+                                 : 0.2 * std::cos(turn) - 0.3 * std::sin(turn),
+                   y = is_linear ? 0.3
+                                 : 0.2 * std::sin(turn) + 0.3 * std::cos(turn);
+      SceneText bare = slender_cantilever("0 0; 1 0", "0 1");
       bare.load("pull",
                 "1",
                 {{"-6 * t", "9 * t", text(x * 9 + y * 6) + " * t"}});
@@ -120,7 +120,7 @@ TEST(RigidAndElastic, AHingedBeamPassesOnNoMoment)
 {
   // Two equal columns under a rigid beam sway: it stays parallel, each carries
   // half the push at its tip.
-  StaticScene portal("0 0; 0 1; 2 1; 2 0", "0 1; 1 2; 2 3");
+  SceneText portal = static_frame("0 0; 0 1; 2 1; 2 0", "0 1; 1 2; 2 3");
   portal.section(beam).support("wall", "0, 3", "clamp").mesh(4, 2);
   plate(portal, "1", "hinged")
     .load("push", "1", {{"18 * t", "0", "0"}})
@@ -128,7 +128,7 @@ TEST(RigidAndElastic, AHingedBeamPassesOnNoMoment)
   SceneRun run(portal.str());
   run.run();
 
-  StaticScene column("0 0; 0 1", "0 1");
+  SceneText column = static_frame("0 0; 0 1", "0 1");
   column.section(beam)
     .support("wall", "0", "clamp")
     .mesh(4, 2)
@@ -157,7 +157,7 @@ TEST(RigidAndElastic, AClampedBeamKeepsTheColumnsUpright)
   // Small displacements, half the push on a column clamped at both ends:
   // F L^3 / (12 EI) + F L / kGA; the columns' axial forces +-N of the
   // overturning moment tilt the beam by 2 N L / (EA b).
-  StaticScene portal("0 0; 0 1; 2 1; 2 0", "0 1; 1 2; 2 3");
+  SceneText portal = static_frame("0 0; 0 1; 2 1; 2 0", "0 1; 1 2; 2 3");
   portal.section({1e12, 1e4, 10})
     .support("wall", "0, 3", "clamp")
     .mesh(4, 0)
@@ -180,7 +180,7 @@ TEST(RigidAndElastic, SupportsCarryTheWeightOfARigidPart)
 {
   // An L of 4 kg, legs of 3 m and 1 m, centre at x = 1.875 m, on a pin at 0
   // and a roller at 3 m.
-  StaticScene scene("0 0; 3 0; 3 1", "0 1; 1 2");
+  SceneText scene = static_frame("0 0; 3 0; 3 1", "0 1; 1 2");
   scene.set("Rigid parts/L/Struts", "all")
     .set("Rigid parts/L/Mass", 4)
     .set("Gravity/Acceleration y", -10)
@@ -196,7 +196,7 @@ TEST(RigidAndElastic, SupportsCarryTheWeightOfARigidPart)
 
 TEST(RigidAndElastic, AnElasticStrutCarriesTheWeightOfARigidPart)
 {
-  StaticScene scene = slender_cantilever("0 0; 1 0; 1.4 0.2", "0 1; 1 2");
+  SceneText scene = slender_cantilever("0 0; 1 0; 1.4 0.2", "0 1; 1 2");
   plate(scene, "1", "clamped")
     .set("Rigid parts/plate/Mass", 0.8)
     .set("Gravity/Acceleration y", -10)
@@ -217,7 +217,7 @@ TEST(RigidAndElastic, InertiaOfAClampedPlateIsThatOfAMassOnTheTip)
 {
   // A rigid bar across the tip, its centre there, and a mass with the same
   // rotary inertia on the bare tip move alike.
-  const auto dynamic = [](StaticScene scene) {
+  const auto dynamic = [](SceneText scene) {
     scene.section(beam)
       .support("wall", "0", "clamp")
       .mesh(3, 1)
@@ -226,10 +226,10 @@ TEST(RigidAndElastic, InertiaOfAClampedPlateIsThatOfAMassOnTheTip)
       .time(1, 2e-3);
     return scene;
   };
-  StaticScene crossed =
-    dynamic(StaticScene("0 0; 1 0; 1 0.3; 1 -0.3", "0 1; 1 2; 1 3"));
+  SceneText crossed =
+    dynamic(static_frame("0 0; 1 0; 1 0.3; 1 -0.3", "0 1; 1 2; 1 3"));
   plate(crossed, "1, 2", "clamped").set("Rigid parts/plate/Mass", 2);
-  StaticScene bare = dynamic(StaticScene("0 0; 1 0", "0 1"));
+  SceneText bare = dynamic(static_frame("0 0; 1 0", "0 1"));
   bare.set("Masses/tip/Joints", "1")
     .set("Masses/tip/Mass", 2)
     .set("Masses/tip/Rotary inertia", 2 * 0.6 * 0.6 / 12);

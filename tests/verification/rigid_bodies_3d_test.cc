@@ -1,3 +1,4 @@
+#include <support/scene_text.h>
 #include <verification/result_table.h>
 #include <verification/space_frame.h>
 #include <verification/space_text.h>
@@ -19,13 +20,17 @@ namespace
     "Time/Scheme=generalized-alpha"};
 
   /** A free strut of 2 kg with @p inertia that spins as @p rates say. */
-  std::string free_body(const SpaceVector &inertia,
-                        const SpaceVector &rates,
-                        const double       dt,
-                        const double       end)
+  SceneText free_body(const SpaceVector &inertia,
+                      const SpaceVector &rates,
+                      const double       dt,
+                      const double       end)
   {
-    return space("0 0 0; 1 0.4 -0.3", "0 1") + body("0", 2, inertia) +
-      initial_motion(vector(0.3, -0.2, 0.5), rates) + time(dt, end);
+    return SceneText()
+      .dimension(3)
+      .frame("0 0 0; 1 0.4 -0.3", "0 1")
+      .add(body("0", 2, inertia))
+      .add(initial_motion(vector(0.3, -0.2, 0.5), rates))
+      .time(end, dt);
   }
 } // namespace
 
@@ -127,14 +132,17 @@ TEST(RigidBodies3d, AFreeSymmetricTopPrecesses)
 namespace
 {
   /** The heavy top of Bruels & Cardona 2010, its point at the origin. */
-  std::string heavy_top(const double dt, const double end)
+  SceneText heavy_top(const double dt, const double end)
   {
     // The mean of the joints' positions is the centre of mass, (0, 1, 0).
-    return space("0 0 0; 0 2 0", "0 1") +
-      body("0", 15, vector(0.234375, 0.46875, 0.234375)) +
-      initial_motion(vector(4.61538, 0, 0), vector(0, 150, -4.61538)) +
-      pin("0") + "subsection Gravity\n set Acceleration z = -9.81\nend\n" +
-      time(dt, end);
+    return SceneText()
+      .dimension(3)
+      .frame("0 0 0; 0 2 0", "0 1")
+      .add(body("0", 15, vector(0.234375, 0.46875, 0.234375)))
+      .add(initial_motion(vector(4.61538, 0, 0), vector(0, 150, -4.61538)))
+      .support("pivot", "0", "pin")
+      .set("Gravity/Acceleration z", -9.81)
+      .time(end, dt);
   }
 
   struct TopState

@@ -2,6 +2,7 @@
 #include <support/cell_scene.h>
 #include <support/run_program.h>
 #include <support/scene_run.h>
+#include <support/scene_text.h>
 #include <verification/result_table.h>
 
 #include <cmath>
@@ -315,29 +316,13 @@ namespace
       throw std::logic_error("prm/rigid-cell.prm has changed");
     text.erase(position, bars.size());
     // Bars of 0.1 kg over 0.5 m.
-    return text.substr(0, text.find("subsection Probes")) + R"(
-subsection Sections
-  subsection bars
-    set Struts                = bars
-    set Shape                 = given
-    set Area                  = 1e-4
-    set Shear area            = 1e-4
-    set Second moment of area = 1e-7
-    set Drawing radius        = 1e-2
-    set Young's modulus       = 1e10
-    set Density               = 2000
-  end
-end
-subsection Joints
-  subsection hinges
-    set Joints = A + B + C + D + E + F
-    set Struts = bars
-  end
-end
-subsection Effects
-  set Rotary inertia = off
-end
-)";
+    return text.substr(0, text.find("subsection Probes")) +
+      SceneText()
+        .given("bars", {1e-4, 1e-4, 1e-7}, {1e10, 2000})
+        .add("Sections/bars", "Struts = bars | Drawing radius = 1e-2")
+        .hinge("hinges", "A + B + C + D + E + F", "bars")
+        .set("Effects/Rotary inertia", "off")
+        .str();
   }
 } // namespace
 

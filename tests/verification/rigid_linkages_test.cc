@@ -1,6 +1,6 @@
 #include <support/scene_run.h>
+#include <support/scene_text.h>
 #include <verification/result_table.h>
-#include <verification/rigid_frame.h>
 
 #include <array>
 
@@ -40,21 +40,22 @@ namespace
   }
 
   /** Prescribes x of joint 1, at @p radius from the crank's pivot. */
-  std::string crank_drive(const Drive &drive, const double radius)
+  SceneText crank_drive(const Drive &drive, const double radius)
   {
-    return "subsection Supports\n subsection drive\n  set Joints = 1\n"
-           "  set Type = prescribed\n  set Displacement x = " +
-      text(radius) + " * (cos(" + drive.expression() + ") - " +
-      text(std::cos(drive.start)) + ")\n end\nend\n";
+    return SceneText().add("Supports/drive",
+                           "Joints = 1 | Type = prescribed | "
+                           "Displacement x = " +
+                             text(radius) + " * (cos(" + drive.expression() +
+                             ") - " + text(std::cos(drive.start)) + ")");
   }
 
   // Numerical damping settles the multipliers: their rows have no dynamics of
   // their own, and Newmark's rule would let the start of the drive ring on.
-  std::string damped_time(const double dt, const double end)
+  SceneText damped_time(const double dt, const double end)
   {
-    return time(dt, end) +
-      "subsection Time\n set Scheme = generalized-alpha\n"
-      " set Spectral radius = 0.5\nend\n";
+    return SceneText()
+      .time(end, dt, "generalized-alpha")
+      .set("Time/Spectral radius", 0.5);
   }
 
   struct SliderState
@@ -72,20 +73,21 @@ namespace
     const Drive  drive(pi / 9); // 10 degrees for what the ramp's end leaves
     const double p = drive.start, r = 0.15, l = 0.3;
     const double ax = r * std::cos(p), ay = r * std::sin(p),
-                 bx = ax + std::sqrt(l * l - ay * ay);
-    const double dt = pi / 18 / n;
-    SceneRun     run(frame("0 0; " + position(ax, ay) + "; " + position(bx, 0) +
-                         "; " +
-                         position(-0.1 * std::sin(p), 0.1 * std::cos(p)) +
-                         "; " + position((ax + bx) / 2, ay / 2 + 0.08),
-                       "0 1; 0 3; 1 2; 1 4") +
-                 part("crank", "0, 1", 0.5) + part("rod", "2, 3", 0.7) +
-                 pin("0") + crank_drive(drive, r) +
-                 "subsection Supports\n subsection guide\n  set Joints = 2\n"
-                     "  set Type = roller x\n end\nend\n" +
-                 "subsection Masses\n subsection slider\n  set Joints = 2\n"
-                     "  set Mass = 0.3\n end\nend\n" +
-                 damped_time(dt, 12 * n * dt));
+                 bx             = ax + std::sqrt(l * l - ay * ay);
+    const double             dt = pi / 18 / n;
+    SceneRun                 run(SceneText()
+                   .frame("0 0; " + position(ax, ay) + "; " + position(bx, 0) +
+                            "; " +
+                            position(-0.1 * std::sin(p), 0.1 * std::cos(p)) +
+                            "; " + position((ax + bx) / 2, ay / 2 + 0.08),
+                          "0 1; 0 3; 1 2; 1 4")
+                   .rigid_part("crank", "0, 1", 0.5)
+                   .rigid_part("rod", "2, 3", 0.7)
+                   .support("pivot", "0", "pin")
+                   .add(crank_drive(drive, r))
+                   .support("guide", "2", "roller x")
+                   .mass("slider", "2", 0.3)
+                   .add(damped_time(dt, 12 * n * dt)));
     std::vector<SliderState> found;
     run.run([&] {
       const unsigned long step = run.state.step;
@@ -160,12 +162,14 @@ namespace
                  by     = ay + (along * dy + across * dx) / distance;
     const double dt     = pi / 18 / n;
     SceneRun     run(
-      frame("0 0; " + position(ax, ay) + "; " + position(bx, by) + "; 1 0",
-            "0 1; 1 2; 2 3") +
-      "subsection Rigid parts\n subsection bars\n"
-          "  set Struts = all\n  set Parts = single struts\n"
-          "  set Mass = 1\n end\nend\n" +
-      pin("0, 3") + crank_drive(drive, 0.4) + damped_time(dt, 3 * n * dt));
+      SceneText()
+        .frame("0 0; " + position(ax, ay) + "; " + position(bx, by) + "; 1 0",
+               "0 1; 1 2; 2 3")
+        .add("Rigid parts/bars",
+             "Struts = all | Parts = single struts | Mass = 1")
+        .support("pivot", "0, 3", "pin")
+        .add(crank_drive(drive, 0.4))
+        .add(damped_time(dt, 3 * n * dt)));
     run.run();
 
     const auto angle_and_rate = [&](const unsigned int from,

@@ -1,9 +1,8 @@
 #include <auxfem/model/rigid_bodies.h>
 
 #include <support/scene_run.h>
-#include <verification/frame_text.h>
+#include <support/scene_text.h>
 #include <verification/result_table.h>
-#include <verification/rigid_frame.h>
 
 #include <algorithm>
 #include <array>
@@ -22,11 +21,14 @@ namespace
   constexpr double gravity = 9.81;
 
   /** A bar of 1 m and 1 kg, hinged at the origin, released along x. */
-  std::string pendulum(const double dt, const double end)
+  SceneText pendulum(const double dt, const double end)
   {
-    return frame("0 0; 1 0", "0 1") + part("bar", "all", 1) + pin("0") +
-      "subsection Gravity\n set Acceleration y = " + text(-gravity) +
-      "\nend\n" + time(dt, end);
+    return SceneText()
+      .frame("0 0; 1 0", "0 1")
+      .rigid_part("bar", "all", 1)
+      .support("pivot", "0", "pin")
+      .set("Gravity/Acceleration y", -gravity)
+      .time(end, dt);
   }
 
   /** Time (s) until the bar first hangs down. */
@@ -159,11 +161,14 @@ namespace
   {
     const double dt = 4e-3, rate = 10;
     // The velocity is that of the joints' mean position.
-    SceneRun run(frame("0 0; 3 0; 3 1", "0 1; 1 2") + part("L", "all", 4) +
-                   "subsection Initial velocities\n subsection throw\n"
-                   "  set Joints = all\n  set Velocity x = 2\n"
-                   "  set Velocity y = 7\n  set Angular velocity z = " +
-                   text(rate) + "\n end\nend\n" + time(dt, end),
+    SceneRun         run(SceneText()
+                   .frame("0 0; 3 0; 3 1", "0 1; 1 2")
+                   .rigid_part("L", "all", 4)
+                   .add("Initial velocities/throw",
+                        "Joints = all | Velocity x = 2 | Velocity y = 7 | "
+                                "Angular velocity z = " +
+                          text(rate))
+                   .time(end, dt),
                  {"Time/Scheme=" + scheme});
     const RigidPart &part = run.lattice.rigid_parts.at(0);
     // Velocities of the centre of mass.
@@ -243,24 +248,16 @@ TEST(RigidMechanisms, AMasslessBarFollowsItsDashpot)
   // fixed in space, a force of 8 N/s t down. With the angle q from x, moments
   // about the hinge: 20 sin^2 q q' = -8 t cos q.
   const double dt = 1e-3, end = 0.5;
-  SceneRun run(frame("0 0; 0.6 0.8", "0 1") + part("bar", "0", 0) + pin("0") +
-               R"(
-subsection Connectors
- subsection dashpot
-  set Law = dashpot
-  set Damping coefficient = 20
-  set Between = ground: 1
-  set Geometry = direction
-  set Direction = 1 0
- end
-end
-subsection Loads
- subsection weight
-  set Joints = 1
-  set Force y = -8 * t
- end
-end
-)" + time(dt, end));
+  SceneRun     run(
+    SceneText()
+      .frame("0 0; 0.6 0.8", "0 1")
+      .rigid_part("bar", "0", 0)
+      .support("pivot", "0", "pin")
+      .add("Connectors/dashpot",
+           "Law = dashpot | Damping coefficient = 20 | "
+               "Between = ground: 1 | Geometry = direction | Direction = 1 0")
+      .add("Loads/weight", "Joints = 1 | Force y = -8 * t")
+      .time(end, dt));
   run.run();
   // Fourth-order Runge-Kutta with 5e-4 s: 1e-13.
   double     q    = std::atan2(0.8, 0.6);

@@ -1,5 +1,5 @@
 #include <support/scene_run.h>
-#include <verification/frame_text.h>
+#include <support/scene_text.h>
 #include <verification/result_table.h>
 
 #include <cmath>
@@ -24,9 +24,10 @@ namespace
   constexpr double ring_axial_stiffness = 1e4;
 
   /** The quarter of a ring R = EI = 1 between 0 deg and the load at 90 deg. */
-  StaticScene quarter_ring(const double direction)
+  SceneText quarter_ring(const double direction)
   {
-    StaticScene scene("1 0; 0 1", "0 1 " + text(std::sqrt(0.5) - 1));
+    SceneText scene =
+      static_frame("1 0; 0 1", "0 1 " + text(std::sqrt(0.5) - 1));
     scene.section({ring_axial_stiffness, ring_axial_stiffness, 1})
       .prescribe("side", "0", {"free", "0", "0"})
       .prescribe("loaded", "1", {"0", "free", "0"})
@@ -94,9 +95,9 @@ namespace
   TEST(Ring, WholeRingUnderASmallLoad)
   {
     const std::string rise = text(std::sqrt(0.5) - 1);
-    SceneRun          run(StaticScene("1 0; 0 1; -1 0; 0 -1",
-                             "0 1 " + rise + "; 1 2 " + rise + "; 2 3 " + rise +
-                               "; 3 0 " + rise)
+    SceneRun          run(static_frame("1 0; 0 1; -1 0; 0 -1",
+                              "0 1 " + rise + "; 1 2 " + rise + "; 2 3 " +
+                                rise + "; 3 0 " + rise)
                    .section({ring_axial_stiffness, ring_axial_stiffness, 1})
                    .prescribe("bottom", "3", {"0", "0", "free"})
                    .prescribe("top", "1", {"0", "free", "free"})
@@ -123,14 +124,15 @@ namespace
     double load, u, v, rotation;
   };
 
-  StaticScene arch(const double stiffness)
+  SceneText arch(const double stiffness)
   {
     const double      half = 107.5 * pi / 180, radius = 100;
     const std::string x    = text(radius * std::sin(half));
     const std::string y    = text(radius * std::cos(half));
     const std::string rise = text(radius * (1 - std::cos(half / 2)));
-    StaticScene       scene("-" + x + " " + y + "; 0 100; " + x + " " + y,
-                      "0 1 " + rise + "; 1 2 " + rise);
+    SceneText         scene =
+      static_frame("-" + x + " " + y + "; 0 100; " + x + " " + y,
+                   "0 1 " + rise + "; 1 2 " + rise);
     scene.section({stiffness, stiffness, 1e6})
       .support("clamp", "0", "clamp")
       .support("hinge", "2", "pin")

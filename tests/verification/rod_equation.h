@@ -2,7 +2,7 @@
 #define auxfem_tests_verification_rod_equation_h
 
 #include <gtest/gtest.h>
-#include <verification/frame_text.h>
+#include <support/scene_text.h>
 
 #include <array>
 #include <cmath>

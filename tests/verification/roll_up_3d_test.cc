@@ -1,7 +1,8 @@
 #include <auxfem/output/rotation_vectors.h>
 
+#include <support/scene_text.h>
 #include <verification/result_table.h>
-#include <verification/space_scene.h>
+#include <verification/space_run.h>
 
 #include <cmath>
 
@@ -16,10 +17,10 @@ namespace
   const SpaceTexts no_components = {{"0", "0", "0"}};
 
   /** A strut of length 1 along @p axis, clamped at joint 0, EI = 2. */
-  SpaceScene clamped_strut(const SpaceVector &axis)
+  SceneText clamped_strut(const SpaceVector &axis)
   {
-    SpaceScene scene("0 0 0; " + text(axis), "0 1");
-    scene.section({100, 100, 100, 1.5, 2, 2})
+    SceneText scene = static_space_frame("0 0 0; " + text(axis), "0 1");
+    scene.space_section({100, 100, 100, 1.5, 2, 2})
       .support("clamp", "0", "clamp")
       .mesh(4, 4);
     return scene;
@@ -35,7 +36,7 @@ namespace
                const double       step,
                ComparisonTable   &table)
   {
-    SpaceScene scene = clamped_strut(axis);
+    SceneText scene = clamped_strut(axis);
     scene.load("tip", "1", no_components, times(8 * pi * normal, "t"))
       .time(1, step);
     SpaceRun        run(scene.str());
@@ -102,7 +103,7 @@ TEST(RollUp3d, TwoTurnsOfTwist)
   // A moment about the strut's own axis twists it, M L / (G J), and no more.
   const SpaceVector axis =
     rotated(exponential(SpaceVector({0.4, -0.9, 0.7})), unit(0));
-  SpaceScene scene = clamped_strut(axis);
+  SceneText scene = clamped_strut(axis);
   scene.load("tip", "1", no_components, times(6 * pi * axis, "t")).time(1, 0.2);
   SpaceRun        run(scene.str());
   RotationVectors rotations(run.model);
@@ -119,11 +120,11 @@ TEST(RollUp3d, TwoTurnsOfTwist)
 namespace
 {
   /** The strut under torsion and two transverse forces, by factors of each. */
-  SpaceScene twisted_and_bent(const std::string &torsion,
-                              const std::string &force_y,
-                              const std::string &force_z)
+  SceneText twisted_and_bent(const std::string &torsion,
+                             const std::string &force_y,
+                             const std::string &force_z)
   {
-    SpaceScene scene = clamped_strut(unit(0));
+    SceneText scene = clamped_strut(unit(0));
     scene.load("tip",
                "1",
                {{"0", "3 * (" + force_y + ")", "2 * (" + force_z + ")"}},
@@ -134,11 +135,11 @@ namespace
 
 TEST(RollUp3d, AClosedPathOfLoadsEndsWhereItBegan)
 {
-  SpaceScene scene = twisted_and_bent(through({1, 1, 1, 0, 0, 0}),
-                                      through({0, 1, 1, 1, 0, 0}),
-                                      through({0, 0, 1, 1, 1, 0}));
-  SpaceRun   run(scene.time(6, 0.2).str());
-  SpaceRun   at_once(twisted_and_bent("t", "t", "t").time(1, 0.1).str());
+  SceneText scene = twisted_and_bent(through({1, 1, 1, 0, 0, 0}),
+                                     through({0, 1, 1, 1, 0, 0}),
+                                     through({0, 0, 1, 1, 1, 0}));
+  SpaceRun  run(scene.time(6, 0.2).str());
+  SpaceRun  at_once(twisted_and_bent("t", "t", "t").time(1, 0.1).str());
   at_once.run();
   run.run([&] {
     if (std::abs(run.state.time - 3) < 1e-9)

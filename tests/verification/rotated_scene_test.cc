@@ -1,6 +1,7 @@
 #include <auxfem/model/unknown_names.h>
 
 #include <gtest/gtest.h>
+#include <support/scene_text.h>
 #include <verification/space_text.h>
 
 #include <iostream>
@@ -43,7 +44,7 @@ namespace
     }
   };
 
-  void add_lattice(StaticScene &scene, const Turned &v)
+  void add_lattice(SceneText &scene, const Turned &v)
   {
     scene.set("Dimension", "3");
     scene.set("Lattice/Cell", "frame");
@@ -82,7 +83,7 @@ namespace
     scene.set("Rigid parts/stick/Mass", "0.5");
   }
 
-  void add_joints_and_supports(StaticScene &scene, const Turned &v)
+  void add_joints_and_supports(SceneText &scene, const Turned &v)
   {
     scene.set("Joints/pivot/Joints", "3");
     scene.set("Joints/pivot/Type", "rotational spring");
@@ -104,7 +105,7 @@ namespace
     scene.set(mass + "Rotary inertia", text(v.turned_inertia()));
   }
 
-  void add_connectors(StaticScene &scene, const Turned &v)
+  void add_connectors(SceneText &scene, const Turned &v)
   {
     const std::string line = "Connectors/line/", along = "Connectors/along/",
                       ground = "Connectors/ground/";
@@ -124,7 +125,7 @@ namespace
       }
   }
 
-  void add_loads(StaticScene &scene, const Turned &v)
+  void add_loads(SceneText &scene, const Turned &v)
   {
     scene.set("Loads/dead/Joints", "4");
     set_vector(scene, "Loads/dead/Force", v(30, -60, 20), "2 * t");
@@ -140,7 +141,7 @@ namespace
     set_vector(scene, "Gravity/Acceleration", v(2, -9, 3));
   }
 
-  void add_initial_velocity(StaticScene &scene, const Turned &v)
+  void add_initial_velocity(SceneText &scene, const Turned &v)
   {
     scene.set("Initial velocities/kick/Joints", "2");
     set_vector(scene, "Initial velocities/kick/Velocity", v(0.5, -0.3, 1));
@@ -149,7 +150,7 @@ namespace
 
   std::string frame(const Turned &turned, const bool is_dynamic)
   {
-    StaticScene scene;
+    SceneText scene = static_scene();
     add_lattice(scene, turned);
     add_joints_and_supports(scene, turned);
     add_connectors(scene, turned);

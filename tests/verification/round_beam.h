@@ -1,6 +1,7 @@
 #ifndef auxfem_tests_verification_round_beam_h
 #define auxfem_tests_verification_round_beam_h
 
+#include <support/scene_text.h>
 #include <verification/space_text.h>
 
 #include <algorithm>
@@ -16,9 +17,9 @@ namespace auxfem
      * GA = @p axial (N), EI = GJ = @p bending (N m2), 1 kg/m, rotary inertia 20
      * kg m about the axis and 10 kg m across. Lacks joints and struts.
      */
-    inline StaticScene round_beam(const double axial, const double bending)
+    inline SceneText round_beam(const double axial, const double bending)
     {
-      StaticScene scene;
+      SceneText scene = static_scene();
       scene.set("Dimension", "3");
       scene.set("Lattice/Cell", "frame");
       const std::string section = "Sections/beam/";

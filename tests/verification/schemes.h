@@ -1,7 +1,7 @@
 #ifndef auxfem_tests_verification_schemes_h
 #define auxfem_tests_verification_schemes_h
 
-#include <verification/frame_text.h>
+#include <support/scene_text.h>
 
 #include <string>
 
@@ -17,28 +17,26 @@ namespace auxfem
       /** Entries of the subsection Time for steps of @p dt to @p end (s). */
       std::string steps(const double dt, const double end) const
       {
-        return entries + "  set Time step = " + text(dt) +
-          "\n  set End time = " + text(end) + "\n";
+        return entries + " | Time step = " + text(dt) +
+          " | End time = " + text(end);
       }
     };
 
     /** The average-acceleration rule. */
     inline Scheme newmark()
     {
-      return {"Newmark 1/4, 1/2", "  set Scheme = newmark\n"};
+      return {"Newmark 1/4, 1/2", "Scheme = newmark"};
     }
 
     inline Scheme hht(const std::string &alpha)
     {
-      return {"HHT " + alpha,
-              "  set Scheme = hht\n  set HHT alpha = " + alpha + "\n"};
+      return {"HHT " + alpha, "Scheme = hht | HHT alpha = " + alpha};
     }
 
     inline Scheme generalized_alpha(const std::string &radius)
     {
       return {"generalized-alpha " + radius,
-              "  set Scheme = generalized-alpha\n  set Spectral radius = " +
-                radius + "\n"};
+              "Scheme = generalized-alpha | Spectral radius = " + radius};
     }
   } // namespace testing_support
 } // namespace auxfem

@@ -1,7 +1,7 @@
 #include <deal.II/base/tensor.h>
 
 #include <support/scene_run.h>
-#include <verification/frame_text.h>
+#include <support/scene_text.h>
 #include <verification/result_table.h>
 
 #include <cmath>
@@ -16,12 +16,12 @@ namespace
   const Stiffnesses strut = {2e4, 500, 3};
 
   /** A cantilever of @p length at @p angle, linear. */
-  StaticScene
+  SceneText
   cantilever(const double length, const double angle, const unsigned int order)
   {
-    StaticScene scene("0 0; " + text(length * std::cos(angle)) + " " +
-                        text(length * std::sin(angle)),
-                      "0 1");
+    SceneText scene = static_frame("0 0; " + text(length * std::cos(angle)) +
+                                     " " + text(length * std::sin(angle)),
+                                   "0 1");
     scene.section(strut).support("clamp", "0", "clamp").mesh(order, 1).linear();
     return scene;
   }
@@ -73,7 +73,7 @@ namespace
     for (const unsigned int refinements : {0, 1, 4})
       {
         const double n = 1 << refinements;
-        SceneRun     run(StaticScene("0 0; 1 0", "0 1")
+        SceneRun     run(static_frame("0 0; 1 0", "0 1")
                        .section(strut)
                        .support("clamp", "0", "clamp")
                        .load("tip", "1", {"0", "1", "0"})
@@ -119,7 +119,7 @@ namespace
             const double      c = std::cos(angle), s = std::sin(angle);
             const std::string x     = text(along * c - across * s);
             const std::string y     = text(along * s + across * c);
-            StaticScene       scene = cantilever(L, angle, order);
+            SceneText         scene = cantilever(L, angle, order);
             if (is_weight)
               scene.set("Gravity/Acceleration x", x)
                 .set("Gravity/Acceleration y", y)
@@ -154,7 +154,7 @@ namespace
   {
     const double h = 2, l = 3, H = 0.7, EI = 5, EI_beam = 8;
     const double k = EI_beam / EI * h / l;
-    SceneRun     run(StaticScene("0 0; 0 2; 3 2; 3 0", "0 1; 1 2; 2 3")
+    SceneRun     run(static_frame("0 0; 0 2; 3 2; 3 0", "0 1; 1 2; 2 3")
                    .section({1e8, 1, EI})
                    .section({1e8, 1, EI_beam}, "1")
                    .set("Effects/Shear flexibility", "off")
@@ -194,7 +194,7 @@ namespace
   // Bars of stiffness EA/L along unit vectors e: K = sum EA/L e e^T.
   TEST(TwoBarTruss, SkewLoadOnUnequalBars)
   {
-    SceneRun run(StaticScene("0 0; 1 2; 4 0.5", "0 1; 1 2")
+    SceneRun run(static_frame("0 0; 1 2; 4 0.5", "0 1; 1 2")
                    .section({1e3, 1e3, 1})
                    .section({4e3, 1e3, 1}, "1")
                    .hinge("apex", "1")
@@ -227,7 +227,7 @@ namespace
   TEST(RotationalSpring, InACantilever)
   {
     const double a = 0.7, b = 0.5, L = a + b, spring = 4, P = 0.2;
-    SceneRun     run(StaticScene("0 0; 0.7 0; 1.2 0", "0 1; 1 2")
+    SceneRun     run(static_frame("0 0; 0.7 0; 1.2 0", "0 1; 1 2")
                    .section(strut)
                    .set("Joints/spring/Joints", "1")
                    .set("Joints/spring/Struts", "1")
@@ -258,7 +258,7 @@ namespace
   {
     const double spring = 2, angle = 1.2, stiff = 1e7;
     SceneRun     run(
-      StaticScene("-1 0; 0 0; 1 0", "0 1; 1 2")
+      static_frame("-1 0; 0 0; 1 0", "0 1; 1 2")
         .section({stiff, stiff, stiff})
         .set("Joints/spring/Joints", "1")
         .set("Joints/spring/Struts", "1")

@@ -1,5 +1,5 @@
 #include <support/scene_run.h>
-#include <verification/frame_text.h>
+#include <support/scene_text.h>
 #include <verification/result_table.h>
 
 #include <array>
@@ -15,13 +15,13 @@ namespace
    * Two struts from (-half_span, 0) and (half_span, 0) to the apex 1, whose
    * @p deflection is prescribed.
    */
-  StaticScene toggle(const double       half_span,
-                     const double       rise,
-                     const std::string &deflection)
+  SceneText toggle(const double       half_span,
+                   const double       rise,
+                   const std::string &deflection)
   {
-    StaticScene scene(text(-half_span) + " 0; 0 " + text(rise) + "; " +
-                        text(half_span) + " 0",
-                      "0 1; 1 2");
+    SceneText scene = static_frame(text(-half_span) + " 0; 0 " + text(rise) +
+                                     "; " + text(half_span) + " 0",
+                                   "0 1; 1 2");
     scene.prescribe("apex", "1", {"free", "-(" + deflection + ")", "free"});
     return scene;
   }
@@ -122,13 +122,13 @@ namespace
   constexpr double shear_rigid           = 1000;
   constexpr double shear_rigid_tolerance = 1e-6;
 
-  StaticScene williams(const double       rise,
-                       const double       shear_factor,
-                       const std::string &deflection)
+  SceneText williams(const double       rise,
+                     const double       shear_factor,
+                     const std::string &deflection)
   {
     const double E = 10.3e6, width = 0.753, height = 0.243,
                  area = width * height;
-    StaticScene scene = toggle(williams_half_span, rise, deflection);
+    SceneText scene   = toggle(williams_half_span, rise, deflection);
     scene
       .section(
         {E * area, shear_factor * E * area, E * area * height * height / 12})

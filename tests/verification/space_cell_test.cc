@@ -1,5 +1,6 @@
+#include <support/scene_text.h>
 #include <verification/result_table.h>
-#include <verification/space_scene.h>
+#include <verification/space_run.h>
 
 #include <cmath>
 
@@ -17,7 +18,7 @@ namespace
   /** A cell without supports; its stub ends come in pairs -x, x, -y, y, ... */
   struct CubicCell
   {
-    SpaceScene   scene;
+    SceneText    scene = static_scene().dimension(3);
     unsigned int first_stub_end;
     double       side;
   };
@@ -31,7 +32,7 @@ namespace
   /** E1 and so on of the cell stretched along x between fixed sides. */
   CubicConstants effective_constants(const CubicCell &cell)
   {
-    SpaceScene scene = cell.scene;
+    SceneText scene = cell.scene;
     for (unsigned int i = 0; i < 6; ++i)
       {
         SpaceTexts displacement = {{"0", "0", "0"}};
@@ -56,7 +57,7 @@ namespace
 
   constexpr bool has_shear = true, has_no_shear = false;
 
-  void finish(SpaceScene &scene, const double diameter, const bool has_shear)
+  void finish(SceneText &scene, const double diameter, const bool has_shear)
   {
     scene.set("Sections/all/Shape", "circle");
     scene.set("Sections/all/Radius", diameter / 2);
@@ -78,7 +79,7 @@ namespace
    * Three orthogonal plane stars that share the joints at distance p on the
    * axes; vertices at distances q, q, 0; ligaments to distance a / 2.
    */
-  SpaceScene three_stars(const double p, const double q, const double a)
+  SceneText three_stars(const double p, const double q, const double a)
   {
     std::string joints, struts;
     const auto  along_axes = [&](const double distance) {
@@ -106,7 +107,7 @@ namespace
           for (const unsigned int end : {i, j})
             struts += "; " + std::to_string(end) + " " + std::to_string(vertex);
         }
-    return {joints, struts};
+    return static_space_frame(joints, struts);
   }
 } // namespace
 
@@ -135,7 +136,7 @@ TEST(SpaceCell, StarInSpace)
                            const CubicConstants &reference) {
     const double radians = angle * std::acos(-1) / 180;
     CubicCell    cell{
-      {},
+      static_scene().dimension(3),
       14,
       2 * (1 + std::sin(radians) / std::sqrt(2.) - std::cos(radians))};
     cell.scene.set("Lattice/Cell", "space star");

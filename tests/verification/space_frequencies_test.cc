@@ -1,3 +1,4 @@
+#include <support/scene_text.h>
 #include <verification/lowest_frequencies.h>
 #include <verification/result_table.h>
 #include <verification/space_text.h>
@@ -23,7 +24,7 @@ namespace
 
   std::string oblique_bar(const std::string &height)
   {
-    StaticScene scene;
+    SceneText scene = static_scene();
     scene.set("Dimension", "3");
     scene.set("Lattice/Cell", "frame");
     scene.set("Lattice/Joints",

@@ -1,4 +1,5 @@
 #include <support/run_program.h>
+#include <support/scene_text.h>
 #include <verification/result_table.h>
 #include <verification/space_frame.h>
 #include <verification/space_text.h>
@@ -18,21 +19,15 @@ namespace
 {
   constexpr double door_gravity = 9.81;
 
-  std::string position(const SpaceVector &point)
+  SceneText revolute(const std::string &joints, const SpaceVector &axis)
   {
-    return text(point[0]) + " " + text(point[1]) + " " + text(point[2]);
+    return SceneText().add("Joints/hinge",
+                           "Joints = " + joints +
+                             " | Type = revolute | Axis = " + text(axis));
   }
 
-  std::string revolute(const std::string &joints, const SpaceVector &axis)
-  {
-    return "subsection Joints\n subsection hinge\n  set Joints = " + joints +
-      "\n  set Type = revolute\n  set Axis = " + position(axis) +
-      "\n end\nend\n";
-  }
-
-  const std::string weight =
-    "subsection Gravity\n set Acceleration z = " + text(-door_gravity) +
-    "\nend\n";
+  const SceneText weight =
+    SceneText().set("Gravity/Acceleration z", -door_gravity);
 
   /** The hinge's axis, 30 degrees off the vertical. */
   const SpaceVector axis = vector(0.5, 0, std::sqrt(0.75));
@@ -41,13 +36,18 @@ namespace
    * A door of 1 m x 1 m, 4 kg along its edges, on a revolute hinge at its
    * corner, released a quarter of a turn from where it would rest.
    */
-  std::string door(const double dt, const double end)
+  SceneText door(const double dt, const double end)
   {
-    return space("0 0 0; " + position(axis) + "; " +
-                   position(axis + vector(0, 1, 0)) + "; 0 1 0",
-                 "0 1; 1 2; 2 3; 3 0") +
-      part("door", "all", 4) + pin("0") + revolute("0", axis) + weight +
-      time(dt, end);
+    return SceneText()
+      .dimension(3)
+      .frame("0 0 0; " + text(axis) + "; " + text(axis + vector(0, 1, 0)) +
+               "; 0 1 0",
+             "0 1; 1 2; 2 3; 3 0")
+      .rigid_part("door", "all", 4)
+      .support("pivot", "0", "pin")
+      .add(revolute("0", axis))
+      .add(weight)
+      .time(end, dt);
   }
 
   /** Time (s) until the door first hangs lowest. */
@@ -100,13 +100,18 @@ TEST(SpaceMechanisms, PeriodOfADoorOnASkewHinge)
 namespace
 {
   /** A bar of 1 m and 1 kg, hinged at the origin, thrown across. */
-  std::string spherical_pendulum(const double dt, const double end)
+  SceneText spherical_pendulum(const double dt, const double end)
   {
     // From 60 degrees, at 2 rad/s about the vertical.
     const double sine = std::sin(pi / 3), cosine = std::cos(pi / 3);
-    return space("0 0 0; " + position(vector(sine, 0, -cosine)), "0 1") +
-      part("bar", "all", 1) + pin("0") + weight +
-      initial_motion(vector(0, sine, 0), vector(0, 0, 2)) + time(dt, end);
+    return SceneText()
+      .dimension(3)
+      .frame("0 0 0; " + text(vector(sine, 0, -cosine)), "0 1")
+      .rigid_part("bar", "all", 1)
+      .support("pivot", "0", "pin")
+      .add(weight)
+      .add(initial_motion(vector(0, sine, 0), vector(0, 0, 2)))
+      .time(end, dt);
   }
 
   /**
@@ -224,24 +229,26 @@ namespace
       return guess;
     }
 
-    std::string scene() const
+    SceneText scene() const
     {
-      const std::string clamped = "  set Elastic struts = clamped\n";
-      return space("0 0 0; " + position(crank) + "; " +
-                     position(pivot + rocker) + "; " + position(pivot),
-                   "0 1; 1 2; 2 3") +
-        "subsection Rigid parts\n subsection crank\n  set Struts = 0\n"
-        "  set Mass = 1\n" +
-        clamped +
-        " end\n subsection coupler\n  set Struts = 1\n  set Mass = 2\n end\n"
-        " subsection rocker\n  set Struts = 2\n  set Mass = 3\n" +
-        clamped + " end\nend\n" + pin("3") +
-        "subsection Supports\n subsection motor\n  set Joints = 0\n"
-        "  set Type = prescribed\n  set Displacement x = 0\n"
-        "  set Displacement y = 0\n  set Displacement z = 0\n"
-        "  set Rotation x = 0\n  set Rotation y = 0\n"
-        "  set Rotation z = 4 * (1 - cos(t))\n end\nend\n" +
-        revolute("3", hinge) + weight + time(0.01, 3);
+      return SceneText()
+        .dimension(3)
+        .frame("0 0 0; " + text(crank) + "; " + text(pivot + rocker) + "; " +
+                 text(pivot),
+               "0 1; 1 2; 2 3")
+        .rigid_part("crank", "0", 1)
+        .set("Rigid parts/crank/Elastic struts", "clamped")
+        .rigid_part("coupler", "1", 2)
+        .rigid_part("rocker", "2", 3)
+        .set("Rigid parts/rocker/Elastic struts", "clamped")
+        .support("pivot", "3", "pin")
+        .add("Supports/motor",
+             "Joints = 0 | Type = prescribed | Displacement x = 0 | "
+             "Displacement y = 0 | Displacement z = 0 | Rotation x = 0 | "
+             "Rotation y = 0 | Rotation z = 4 * (1 - cos(t))")
+        .add(revolute("3", hinge))
+        .add(weight)
+        .time(3, 0.01);
     }
   };
 } // namespace

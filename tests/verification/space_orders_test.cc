@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <support/scene_text.h>
 #include <verification/round_beam.h>
 
 #include <array>
@@ -31,7 +32,7 @@ namespace
 
   std::string angle_of_beams(const double dt)
   {
-    StaticScene scene = round_beam(4e3, 800);
+    SceneText scene = round_beam(4e3, 800);
     scene.set("Lattice/Joints", "0 0 0; 4 0 0; 4 4 1");
     scene.set("Lattice/Struts", "0 1; 1 2");
     scene.set("Loads/dead/Joints", "0");

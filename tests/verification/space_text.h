@@ -5,7 +5,7 @@
 #include <auxfem/mesh/motion_components.h>
 
 #include <support/scene_run.h>
-#include <verification/frame_text.h>
+#include <support/scene_text.h>
 
 #include <string>
 
@@ -28,7 +28,7 @@ namespace auxfem
      * Sets the three parameters `NAME x`, `NAME y`, `NAME z` to the components
      * of @p v, times @p function of t if there is one.
      */
-    inline void set_vector(StaticScene       &scene,
+    inline void set_vector(SceneText         &scene,
                            const std::string &name,
                            const SpaceVector &v,
                            const std::string &function = "")

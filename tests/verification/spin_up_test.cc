@@ -1,5 +1,5 @@
 #include <support/scene_run.h>
-#include <verification/frame_text.h>
+#include <support/scene_text.h>
 #include <verification/result_table.h>
 #include <verification/round_beam.h>
 
@@ -13,45 +13,21 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  std::string spin_up(const double dt, const double end)
+  SceneText spin_up(const double dt, const double end)
   {
-    return R"(
-subsection Lattice
-  set Cell   = frame
-  set Joints = 0 0; 10 0
-  set Struts = 0 1
-end
-subsection Sections
-  subsection blade
-    set Shape                 = given
-    set Area                  = 1
-    set Shear area            = 10/14
-    set Second moment of area = 5e-4
-    set Young's modulus       = 2.8e7
-    set Poisson's ratio       = 0
-    set Density               = 1.2
-  end
-end
-subsection Supports
-  subsection hub
-    set Joints         = 0
-    set Type           = prescribed
-    set Displacement x = 0
-    set Displacement y = 0
-    set Rotation z = if(t < 15, 6/15*(t^2/2+(15/(2*pi))^2*(cos(2*pi*t/15)-1)), 6*t-45)
-  end
-end
-subsection Discretization
-  set Order              = 4
-  set Global refinements = 1
-end
-subsection Time
-  set End time  = )" +
-      text(end) + R"(
-  set Time step = )" +
-      text(dt) + R"(
-end
-)";
+    return SceneText()
+      .frame("0 0; 10 0", "0 1")
+      .add("Sections/blade",
+           "Shape = given | Area = 1 | Shear area = 10/14 | "
+           "Second moment of area = 5e-4 | Young's modulus = 2.8e7 | "
+           "Poisson's ratio = 0 | Density = 1.2")
+      .add(
+        "Supports/hub",
+        "Joints = 0 | Type = prescribed | Displacement x = 0 | "
+        "Displacement y = 0 | "
+        "Rotation z = if(t < 15, 6/15*(t^2/2+(15/(2*pi))^2*(cos(2*pi*t/15)-1)), 6*t-45)")
+      .mesh(4, 1)
+      .time(end, dt);
   }
 
   /** Motion of the tip seen from the turning root. */

@@ -1,3 +1,4 @@
+#include <support/scene_text.h>
 #include <verification/effective_constants.h>
 
 #include <cmath>
@@ -18,9 +19,9 @@ namespace
 
   constexpr bool with_shear = true, without_shear = false;
 
-  void finish(StaticScene &scene, const double thickness, const bool has_shear)
+  void finish(SceneText &scene, const double thickness, const bool has_shear)
   {
-    scene.rectangle(thickness, 1, 0.3)
+    scene.rectangle("wall", 1, thickness, {1, "", 0.3})
       .set("Effects/Shear flexibility", has_shear ? "on" : "off")
       .mesh(3, 0)
       .linear();
@@ -44,9 +45,9 @@ namespace
   }
 
   /** Joints at (+-p, 0), (0, +-p), vertices at (+-q, +-q), q > p, side a. */
-  StaticScene star(const double p, const double q, const double a)
+  SceneText star(const double p, const double q, const double a)
   {
-    StaticScene scene;
+    SceneText scene = static_scene();
     scene.set("Lattice/Cell", "general star")
       .set("Lattice/Half width", q)
       .set("Lattice/Half height", q)
@@ -114,12 +115,13 @@ namespace
   // frame.
   TEST(StarHoneycomb, ConstantsOfTheStarTiedAtItsPoints)
   {
-    LatticePart part{{"1 0; 0 1; -1 0; 0 -1; 0.2 0.2; -0.2 0.2; -0.2 -0.2; "
-                      "0.2 -0.2; 1.2 0; 0 1.2; -1.2 0; 0 -1.2",
-                      "0 4; 4 1; 1 5; 5 2; 2 6; 6 3; 3 7; 7 0; 0 8; 1 9; 2 10; "
-                      "3 11"},
-                     stub_ends,
-                     2.4 * 2.4};
+    LatticePart part{
+      static_frame("1 0; 0 1; -1 0; 0 -1; 0.2 0.2; -0.2 0.2; -0.2 -0.2; "
+                   "0.2 -0.2; 1.2 0; 0 1.2; -1.2 0; 0 -1.2",
+                   "0 4; 4 1; 1 5; 5 2; 2 6; 6 3; 3 7; 7 0; 0 8; 1 9; 2 10; "
+                   "3 11"),
+      stub_ends,
+      2.4 * 2.4};
     finish(part.scene, 0.02, without_shear);
     ComparisonTable table("Star tied at its points, closed form");
     compare("p = 1, q = 0.2, a = 2.4, t = 0.02",
@@ -130,9 +132,9 @@ namespace
   }
 
   /** n x n cells of 12 struts of length 1. */
-  StaticScene star_array(const double opening_angle, const unsigned int n)
+  SceneText star_array(const double opening_angle, const unsigned int n)
   {
-    StaticScene scene;
+    SceneText scene = static_scene();
     return scene.set("Lattice/Cell", "star")
       .set("Lattice/Cells x", n)
       .set("Lattice/Cells y", n)
@@ -196,7 +198,7 @@ namespace
   {
     const unsigned int n     = 3;
     const double       side  = n * period(60);
-    StaticScene        scene = star_array(60, n);
+    SceneText          scene = star_array(60, n);
     finish(scene, 0.05, with_shear);
     const auto lattice =
       auxfem::build_lattice(auxfem::read_scene_from_text(scene.str(), "", {}));

@@ -2,7 +2,7 @@
 #define auxfem_tests_verification_star_scene_h
 
 #include <support/run_program.h>
-#include <verification/frame_text.h>
+#include <support/scene_text.h>
 
 #include <string>
 #include <vector>

@@ -1,5 +1,5 @@
 #include <support/scene_run.h>
-#include <verification/frame_text.h>
+#include <support/scene_text.h>
 #include <verification/result_table.h>
 
 #include <array>
@@ -16,52 +16,19 @@ namespace
 {
   constexpr double dt = 1e-5;
 
-  std::string toggle(const double load)
+  SceneText toggle(const double load)
   {
-    return R"(
-subsection Lattice
-  set Cell   = frame
-  set Joints = 0 0; 12.943 0.386
-  set Struts = 0 1
-end
-subsection Sections
-  subsection member
-    set Shape            = rectangle
-    set Width            = 0.753
-    set Height           = 0.243
-    set Shear correction = 5/6
-    set Young's modulus  = 10.3e6
-    set Poisson's ratio  = 0.33
-    set Density          = 2.54e-4
-  end
-end
-subsection Supports
-  subsection wall
-    set Joints = 0
-    set Type   = clamp
-  end
-  subsection symmetry
-    set Joints         = 1
-    set Type           = prescribed
-    set Displacement x = 0
-    set Rotation z     = 0
-  end
-end
-subsection Loads
-  subsection weight
-    set Joints  = 1
-    set Force y = )" +
-      text(-load / 2) + R"(
-  end
-end
-subsection Discretization
-  set Order              = 4
-  set Global refinements = 2
-end
-subsection Time
-  set End time  = 20e-3
-  set Time step = )" +
-      text(dt) + "\nend\n";
+    return SceneText()
+      .frame("0 0; 12.943 0.386", "0 1")
+      .rectangle("member", 0.753, 0.243, {10.3e6, 2.54e-4, 0.33})
+      .set("Sections/member/Shear correction", "5/6")
+      .support("wall", "0", "clamp")
+      .add("Supports/symmetry",
+           "Joints = 1 | Type = prescribed | Displacement x = 0 | "
+           "Rotation z = 0")
+      .add("Loads/weight", "Joints = 1 | Force y = " + text(-load / 2))
+      .mesh(4, 2)
+      .time(20e-3, dt);
   }
 } // namespace
 

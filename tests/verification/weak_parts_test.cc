@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 #include <support/scene_run.h>
+#include <support/scene_text.h>
 #include <verification/result_table.h>
 
 #include <cmath>
@@ -11,67 +12,29 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  /** A strut without shear flexibility to speak of, EI = 2e-6 m^4 E. */
-  std::string section(const std::string &name,
-                      const std::string &strut,
-                      const std::string &modulus)
-  {
-    return "  subsection " + name + "\n    set Struts = " + strut +
-      "\n"
-      "    set Shape = given\n"
-      "    set Area = 0.01\n"
-      "    set Shear area = 0.01\n"
-      "    set Second moment of area = 2e-6\n"
-      "    set Poisson's ratio = 0\n"
-      "    set Young's modulus = " +
-      modulus + "\n  end\n";
-  }
-
   /**
    * A stiff strut of 1 m under 1 kN along its axis, and a weak one of 1 m that
-   * a moment winds up to a full circle, M = 2 pi EI/L: 1.3e-7 N m.
+   * a moment winds up to a full circle, M = 2 pi EI/L: 1.3e-7 N m. They have no
+   * shear flexibility to speak of, EI = 2e-6 m^4 E.
    */
-  std::string scene(const std::string &joints,
-                    const std::string &struts,
-                    const std::string &clamped,
-                    const std::string &wound)
+  SceneText scene(const std::string &joints,
+                  const std::string &struts,
+                  const std::string &clamped,
+                  const std::string &wound)
   {
-    return "set Dimension = 2\n"
-           "subsection Lattice\n"
-           "  set Cell = frame\n"
-           "  set Joints = " +
-      joints + "\n  set Struts = " + struts +
-      "\nend\n"
-      "subsection Sections\n" +
-      section("stiff", "0", "1e6") + section("weak", "1", "1e-2") +
-      "end\n"
-      "subsection Supports\n"
-      "  subsection wall\n"
-      "    set Joints = " +
-      clamped +
-      "\n    set Type = clamp\n"
-      "  end\n"
-      "end\n"
-      "subsection Loads\n"
-      "  subsection pull\n"
-      "    set Joints = 1\n"
-      "    set Force x = 1e3\n"
-      "  end\n"
-      "  subsection wind\n"
-      "    set Joints = " +
-      wound +
-      "\n    set Moment z = 4 * pi * t * 1e-8\n"
-      "  end\n"
-      "end\n"
-      "subsection Discretization\n"
-      "  set Order = 3\n"
-      "  set Global refinements = 2\n"
-      "end\n"
-      "subsection Time\n"
-      "  set Scheme = static\n"
-      "  set End time = 1\n"
-      "  set Time step = 0.05\n"
-      "end\n";
+    return SceneText()
+      .dimension(2)
+      .frame(joints, struts)
+      .given("stiff", {0.01, 0.01, 2e-6}, {1e6, "", 0})
+      .set("Sections/stiff/Struts", 0)
+      .given("weak", {0.01, 0.01, 2e-6}, {1e-2, "", 0})
+      .set("Sections/weak/Struts", 1)
+      .support("wall", clamped, "clamp")
+      .add("Loads/pull", "Joints = 1 | Force x = 1e3")
+      .add("Loads/wind",
+           "Joints = " + wound + " | Moment z = 4 * pi * t * 1e-8")
+      .mesh(3, 2)
+      .time(1, 0.05, "static");
   }
 } // namespace
 

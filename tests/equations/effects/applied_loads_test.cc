@@ -18,7 +18,7 @@ namespace
   struct LoadsAlone
   {
     explicit LoadsAlone(const bool raised_from_zero = false)
-      : of_scene(frame_scene("0 0; 1 0", "0 1", ""), {}, MPI_COMM_SELF)
+      : of_scene(frame_scene("0 0; 1 0", "0 1"), {}, MPI_COMM_SELF)
       , loads(of_scene.dofs(), raised_from_zero)
       , from(of_scene.equations.initial_state())
       , to(from)

@@ -5,6 +5,7 @@
 #include <equations/equations_on_ranks.h>
 #include <gtest/gtest.h>
 #include <mesh/cell_from_text.h>
+#include <support/scene_text.h>
 
 using namespace auxfem;
 using namespace auxfem::testing_support;
@@ -12,32 +13,25 @@ using namespace auxfem::testing_support;
 namespace
 {
   /** A bent strut of two pieces, joints (0, 0), (3, 4), (1, 6). */
-  std::string with_connector(const std::string &law,
-                             const std::string &position)
+  SceneText with_connector(const std::string &law, const std::string &position)
   {
-    return frame_scene("0 0; 3 4; 1 6",
-                       "0 1; 1 2",
-                       "subsection Connectors\n  subsection one\n" + law +
-                         position + "  end\nend\n");
+    return frame_scene("0 0; 3 4; 1 6", "0 1; 1 2")
+      .add("Connectors/one", law + " | " + position);
   }
 
-  const std::string spring         = "set Law = spring\n"
-                                     "set Spring stiffness = 2\n";
-  const std::string kelvin_voigt   = "set Law = kelvin-voigt\n"
-                                     "set Spring stiffness = 2\n"
-                                     "set Damping coefficient = 3\n";
-  const std::string maxwell        = "set Law = maxwell\n"
-                                     "set Spring stiffness = 2\n"
-                                     "set Damping coefficient = 3\n";
-  const std::string from_0_to_1    = "set Between = 0 1\n";
-  const std::string along_1_1      = "set Between = 0 1\n"
-                                     "set Geometry = direction\n"
-                                     "set Direction = 1 1\n";
-  const std::string to_the_ground  = "set Between = ground: 1\n"
-                                     "set Ground offset = 0 -2\n";
-  const std::string ground_along_x = "set Between = ground: 1\n"
-                                     "set Geometry = direction\n"
-                                     "set Direction = 5 0\n";
+  const std::string spring = "Law = spring | Spring stiffness = 2";
+  const std::string kelvin_voigt =
+    "Law = kelvin-voigt | Spring stiffness = 2 | "
+    "Damping coefficient = 3";
+  const std::string maxwell     = "Law = maxwell | Spring stiffness = 2 | "
+                                  "Damping coefficient = 3";
+  const std::string from_0_to_1 = "Between = 0 1";
+  const std::string along_1_1 =
+    "Between = 0 1 | Geometry = direction | Direction = 1 1";
+  const std::string to_the_ground =
+    "Between = ground: 1 | Ground offset = 0 -2";
+  const std::string ground_along_x =
+    "Between = ground: 1 | Geometry = direction | Direction = 5 0";
 
   /**
    * The connector alone, with a step from one state to another, in dynamics
@@ -232,7 +226,7 @@ TEST(ConnectorForces, RigidRotationGivesNoForceAndNoRate)
 
 TEST(ConnectorForces, RateIsTheRateOfTheExtension)
 {
-  ConnectorAlone dashpot("set Law = dashpot\nset Damping coefficient = 1\n",
+  ConnectorAlone dashpot("Law = dashpot | Damping coefficient = 1",
                          from_0_to_1);
   ConnectorAlone position(spring, from_0_to_1);
   const double   h            = 1e-5;
@@ -356,7 +350,7 @@ TEST(ConnectorForces, HistoryAndStateAreKeptForWhatTheLawNeedsOnly)
   EXPECT_EQ(n_kept(parallel, internal), 0u);
   EXPECT_EQ(n_kept(parallel, lost), 1u);
   EXPECT_EQ(n_kept(ConnectorAlone(maxwell, from_0_to_1), internal), 1u);
-  const ConnectorAlone three(maxwell, "set Between = 0 1; 1 2; 0 2\n");
+  const ConnectorAlone three(maxwell, "Between = 0 1; 1 2; 0 2");
   EXPECT_EQ(n_kept(three, internal), 3u);
   EXPECT_EQ(three.layout.history.n_values(), 6u);
 }
@@ -495,7 +489,7 @@ TEST(ConnectorForces, ALineOfLengthZeroIsRefused)
 {
   const std::string message = input_error_of([] {
     // Two joints at one position, not connected by a strut.
-    EquationsOnRanks(with_connector(spring, "set Between = 1 3\n"),
+    EquationsOnRanks(with_connector(spring, "Between = 1 3"),
                      {"Lattice/Joints=0 0; 3 4; 1 6; 3 4",
                       "Lattice/Struts=0 1; 2 3"});
   });

@@ -23,7 +23,7 @@ namespace
   struct LoadInSpace : SpaceEffect
   {
     LoadInSpace()
-      : SpaceEffect(space_frame("0 0 0; 1 0 0.3; 1.5 0.9 0.2", "0 1; 1 2", ""),
+      : SpaceEffect(space_frame("0 0 0; 1 0 0.3; 1.5 0.9 0.2", "0 1; 1 2"),
                     true)
       , loads(of_scene.lattice, of_scene.dofs(), false)
     {
@@ -58,7 +58,7 @@ TEST(FollowerLoads, TurnWithTheJointInSpace)
 
 TEST(FollowerLoads, TurnWithTheJointInThePlane)
 {
-  const EquationsOnRanks of_scene(frame_scene("0 0; 1 0", "0 1", ""),
+  const EquationsOnRanks of_scene(frame_scene("0 0; 1 0", "0 1"),
                                   {},
                                   MPI_COMM_SELF);
   const auto            &dofs = of_scene.dofs();

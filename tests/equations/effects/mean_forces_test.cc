@@ -3,6 +3,7 @@
 
 #include <equations/effects/mean_step.h>
 #include <mesh/cell_from_text.h>
+#include <support/scene_text.h>
 
 using namespace auxfem;
 using namespace auxfem::testing_support;
@@ -15,7 +16,7 @@ namespace
   // Sums of some hundred products of numbers around one.
   constexpr double mean_forces_round_off = 1e-12;
 
-  const std::string triangle = frame_scene("0 0; 3 1; 1 2", "0 1; 1 2", "");
+  const std::string triangle = frame_scene("0 0; 3 1; 1 2", "0 1; 1 2");
 
   /** Amount of the entry @p name of @p energies. */
   double amount(const Energies &energies, const std::string &name)
@@ -35,22 +36,22 @@ namespace
   std::vector<Connector> all_connectors()
   {
     const std::vector<std::string> laws = {
-      "set Law = spring\nset Spring stiffness = 2\n",
-      "set Law = dashpot\nset Damping coefficient = 3\n",
-      "set Law = kelvin-voigt\nset Spring stiffness = 2\n"
-      "set Damping coefficient = 3\n",
-      "set Law = maxwell\nset Spring stiffness = 2\n"
-      "set Damping coefficient = 3\n",
-      "set Law = maxwell\nset Spring stiffness = 2\n"
-      "set Damping coefficient = 0.1\n",
-      "set Law = standard-linear-solid\nset Long-time stiffness = 0.4\n"
-      "set Spring stiffness = 2\nset Damping coefficient = 30\n",
-      "set Law = generalized-maxwell\nset Long-time stiffness = 0.4\n"
-      "set Stiffnesses = 1, 0.3\nset Relaxation times = 0.05, 4\n"};
+      "Law = spring | Spring stiffness = 2",
+      "Law = dashpot | Damping coefficient = 3",
+      "Law = kelvin-voigt | Spring stiffness = 2 | "
+      "Damping coefficient = 3",
+      "Law = maxwell | Spring stiffness = 2 | "
+      "Damping coefficient = 3",
+      "Law = maxwell | Spring stiffness = 2 | "
+      "Damping coefficient = 0.1",
+      "Law = standard-linear-solid | Long-time stiffness = 0.4 | "
+      "Spring stiffness = 2 | Damping coefficient = 30",
+      "Law = generalized-maxwell | Long-time stiffness = 0.4 | "
+      "Stiffnesses = 1, 0.3 | Relaxation times = 0.05, 4"};
     const std::vector<std::string> positions = {
-      "set Between = 0 1\n",
-      "set Between = 0 1\nset Geometry = direction\nset Direction = 1 1\n",
-      "set Between = ground: 1\nset Ground offset = 0 -2\n"};
+      "Between = 0 1",
+      "Between = 0 1 | Geometry = direction | Direction = 1 1",
+      "Between = ground: 1 | Ground offset = 0 -2"};
     std::vector<Connector> result;
     for (const std::string &law : laws)
       for (const std::string &position : positions)
@@ -75,12 +76,10 @@ TEST(MeanForces, WorkOfConnectorsIsStoredOrLost)
     for (const bool large_rotation : {true, false})
       for (unsigned int seed = 1; seed <= 5; ++seed)
         {
-          SCOPED_TRACE(connector.law + connector.position);
-          MeanStep   step(frame_scene("0 0; 3 1; 1 2",
-                                    "0 1; 1 2",
-                                    "subsection Connectors\nsubsection one\n" +
-                                      connector.law + connector.position +
-                                      "end\nend\n"),
+          SCOPED_TRACE(connector.law + " | " + connector.position);
+          MeanStep   step(frame_scene("0 0; 3 1; 1 2", "0 1; 1 2")
+                          .add("Connectors/one",
+                               connector.law + " | " + connector.position),
                         seed,
                         large_rotation);
           const auto forces = forces_of(step.of_scene, large_rotation);
@@ -138,16 +137,11 @@ TEST(MeanForces, LoadsDoTheWorkTheyTakeDown)
 {
   for (const std::string direction : {"fixed", "follows the joint"})
     {
-      MeanStep step(frame_scene("0 0; 3 1; 1 2",
-                                "0 1; 1 2",
-                                "subsection Loads\nsubsection push\n"
-                                "set Joints = 1, 2\n"
-                                "set Direction = " +
-                                  direction +
-                                  "\nset Force x = 3 * t\n"
-                                  "set Force y = 2 - t\n"
-                                  "set Moment z = 1.5 + t\n"
-                                  "end\nend\n"));
+      MeanStep step(frame_scene("0 0; 3 1; 1 2", "0 1; 1 2")
+                      .add("Loads/push",
+                           "Joints = 1, 2 | Direction = " + direction +
+                             " | Force x = 3 * t | "
+                             "Force y = 2 - t | Moment z = 1.5 + t"));
       auto     loads = make_loads(step.of_scene.scene,
                               step.of_scene.lattice,
                               step.of_scene.dofs(),
@@ -167,11 +161,8 @@ TEST(MeanForces, LoadsDoTheWorkTheyTakeDown)
 
 TEST(MeanForces, MeanOfADeadMomentDoesItsWorkOnTheAngle)
 {
-  MeanStep  step(frame_scene("0 0; 3 1; 1 2",
-                            "0 1; 1 2",
-                            "subsection Loads\nsubsection push\n"
-                             "set Joints = 1\nset Moment z = 1.5\n"
-                             "end\nend\n"));
+  MeanStep  step(frame_scene("0 0; 3 1; 1 2", "0 1; 1 2")
+                  .add("Loads/push", "Joints = 1 | Moment z = 1.5"));
   const int i     = step.of_scene.dofs().joint_unknown(1, rotation_z);
   auto      loads = make_loads(step.of_scene.scene,
                           step.of_scene.lattice,
@@ -187,15 +178,10 @@ TEST(MeanForces, MeanOfADeadMomentDoesItsWorkOnTheAngle)
 
 TEST(MeanForces, MultipliersWorkOnTheChangeOfTheirConstraints)
 {
-  const std::string plate = frame_scene("0 0; 2 0.3; 1.6 1.1; 0.2 1.4; 3 2",
-                                        "0 1; 1 2; 0 3; 2 4; 3 4",
-                                        "subsection Rigid parts\n"
-                                        "  subsection plate\n"
-                                        "    set Struts = 0, 1, 2\n"
-                                        "    set Mass = 3\n"
-                                        "    set Elastic struts = clamped\n"
-                                        "  end\n"
-                                        "end\n");
+  const SceneText plate =
+    frame_scene("0 0; 2 0.3; 1.6 1.1; 0.2 1.4; 3 2", "0 1; 1 2; 0 3; 2 4; 3 4")
+      .add("Rigid parts/plate",
+           "Struts = 0, 1, 2 | Mass = 3 | Elastic struts = clamped");
   for (const bool large_rotation : {true, false})
     {
       MeanStep                   step(plate, 2, large_rotation);

@@ -14,7 +14,7 @@ namespace
   struct MassAlone
   {
     MassAlone()
-      : of_scene(frame_scene("0 0; 1 0", "0 1", ""), {}, MPI_COMM_SELF)
+      : of_scene(frame_scene("0 0; 1 0", "0 1"), {}, MPI_COMM_SELF)
       , y(of_scene.dofs().joint_unknown(1, 1))
       , turn(of_scene.dofs().joint_unknown(1, rotation_z))
       , masses(of_scene.dofs())

@@ -5,6 +5,7 @@
 #include <equations/effects/space_effect.h>
 #include <mesh/cell_from_text.h>
 #include <support/scene_run.h>
+#include <support/scene_text.h>
 
 #include <support/pi.h>
 
@@ -13,19 +14,15 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  std::string revolute(const std::string &joints,
-                       const std::string &struts,
-                       const std::string &axis)
+  SceneText revolute(const std::string &joints,
+                     const std::string &struts,
+                     const std::string &axis)
   {
-    return "subsection Joints\n  subsection hinge\n    set Joints = " + joints +
-      "\n    set Struts = " + struts +
-      "\n    set Type = revolute\n    set Axis = " + axis + "\n  end\nend\n";
-  }
-
-  std::string clamp(const std::string &joints)
-  {
-    return "subsection Supports\n  subsection wall\n    set Joints = " +
-      joints + "\n    set Type = clamp\n  end\nend\n";
+    return SceneText().add("Joints/hinge",
+                           "Joints = " + joints + " | Struts = " + struts +
+                             " | Type = revolute | "
+                             "Axis = " +
+                             axis);
   }
 
   /** Three struts at joint 1, two of them on one hinge against the third. */
@@ -102,13 +99,13 @@ TEST(RevoluteHinges, AStrutTurnsAboutTheAxisAlone)
   // A cantilever along x, hinged about z half way, its outer half held along z
   // by bending and torsion only: across z the hinge transmits moments, about z
   // it needs the roller's force.
-  const std::string further = revolute("1", "1", "0 0 1") + clamp("0") +
-    "subsection Supports\n  subsection rest\n    set Joints = 2\n"
-    "    set Type = prescribed\n    set Displacement y = 0\n  end\nend\n"
-    "subsection Loads\n  subsection tip\n    set Joints = 2\n"
-    "    set Force z = 1e-6\n    set Force y = 5\n  end\nend\n"
-    "subsection Time\n  set Scheme = static\n  set End time = 1\n"
-    "  set Time step = 1\nend\n";
+  const SceneText further =
+    revolute("1", "1", "0 0 1")
+      .support("wall", "0", "clamp")
+      .add("Supports/rest",
+           "Joints = 2 | Type = prescribed | Displacement y = 0")
+      .add("Loads/tip", "Joints = 2 | Force z = 1e-6 | Force y = 5")
+      .time(1, 1, "static");
   SceneRun run(space_frame("0 0 0; 1 0 0; 2 0 0", "0 1; 1 2", further),
                {"Discretization/Order=3"});
   run.run();
@@ -129,14 +126,12 @@ TEST(RevoluteHinges, AStrutTurnsAboutTheAxisAlone)
 TEST(RevoluteHinges, ABarHasNoRotationToBeHinged)
 {
   const std::string message = input_error_of([] {
-    const EquationsOnRanks of_scene(
-      space_frame("0 0 0; 1 0 0; 2 0 0",
-                  "0 1; 1 2",
-                  "subsection Rigid parts\n  subsection bar\n"
-                  "    set Struts = 1\n    set Mass = 1\n  end\nend\n" +
-                    revolute("1", "all", "0 0 1")),
-      {},
-      MPI_COMM_SELF);
+    const EquationsOnRanks of_scene(space_frame("0 0 0; 1 0 0; 2 0 0",
+                                                "0 1; 1 2")
+                                      .rigid_part("bar", "1", 1)
+                                      .add(revolute("1", "all", "0 0 1")),
+                                    {},
+                                    MPI_COMM_SELF);
   });
   EXPECT_TRUE(contains(message, "Joints/hinge/Joints")) << message;
   EXPECT_TRUE(contains(message, "lies on one line")) << message;

@@ -5,6 +5,7 @@
 #include <equations/equations_on_ranks.h>
 #include <gtest/gtest.h>
 #include <support/scene_run.h>
+#include <support/scene_text.h>
 
 #include <cmath>
 
@@ -17,18 +18,11 @@ namespace
    * A rigid part of 4 joints, three of them off its base line, with elastic
    * struts to joint 4, clamped to it at joints 2 and 3.
    */
-  const std::string plate = frame_scene("0 0; 2 0.3; 1.6 1.1; 0.2 1.4; 3 2",
-                                        "0 1; 1 2; 0 3; 2 4; 3 4",
-                                        "subsection Rigid parts\n"
-                                        "  subsection plate\n"
-                                        "    set Struts = 0, 1, 2\n"
-                                        "    set Mass = 3\n"
-                                        "    set Elastic struts = clamped\n"
-                                        "  end\n"
-                                        "end\n"
-                                        "subsection Discretization\n"
-                                        "  set Order = 1\n"
-                                        "end\n");
+  const SceneText plate =
+    frame_scene("0 0; 2 0.3; 1.6 1.1; 0.2 1.4; 3 2", "0 1; 1 2; 0 3; 2 4; 3 4")
+      .add("Rigid parts/plate",
+           "Struts = 0, 1, 2 | Mass = 3 | Elastic struts = clamped")
+      .mesh(1);
 
   /** The constraints of the plate alone, in an irregular motion. */
   struct PlateConstraints
@@ -116,30 +110,17 @@ namespace
   };
 
   /** A bar of 2 m and 3 kg from joint 0, at the origin, to @p end. */
-  std::string bar(const std::string &end, const std::string &further)
+  SceneText bar(const std::string &end, const SceneText &further)
   {
-    return "subsection Lattice\n  set Cell = frame\n  set Joints = 0 0; " +
-      end +
-      "\n  set Struts = 0 1\nend\n"
-      "subsection Rigid parts\n"
-      "  subsection bar\n"
-      "    set Struts = all\n"
-      "    set Mass = 3\n"
-      "  end\n"
-      "end\n" +
-      further;
+    return SceneText()
+      .frame("0 0; " + end, "0 1")
+      .rigid_part("bar", "all", 3)
+      .add(further);
   }
 
-  const std::string pivot = "subsection Supports\n"
-                            "  subsection pivot\n"
-                            "    set Joints = 0\n"
-                            "    set Type = pin\n"
-                            "  end\n"
-                            "end\n";
+  const SceneText pivot = SceneText().support("pivot", "0", "pin");
 
-  const std::string gravity = "subsection Gravity\n"
-                              "  set Acceleration y = -9.81\n"
-                              "end\n";
+  const SceneText gravity = SceneText().set("Gravity/Acceleration y", -9.81);
 } // namespace
 
 TEST(RigidPartConstraints, ThePlateHasAConstraintForEachThatItsJointsLose)
@@ -320,15 +301,11 @@ TEST(RigidPartConstraints, AHorizontalBarFallsOffItsHinge)
 TEST(RigidPartConstraints, ATurningBarIsHeldByTheCentripetalForce)
 {
   // 3 kg, their centre at 1 m, 5 rad/s.
-  const SceneRun        run(bar("2 0",
-                         pivot +
-                           "subsection Initial velocities\n"
-                                  "  subsection spin\n"
-                                  "    set Joints = all\n"
-                                  "    set Velocity y = 5\n"
-                                  "    set Angular velocity z = 5\n"
-                                  "  end\n"
-                                  "end\n"));
+  const SceneRun run(
+    bar("2 0",
+        SceneText(pivot).add(
+          "Initial velocities/spin",
+          "Joints = all | Velocity y = 5 | Angular velocity z = 5")));
   const RigidPartReport report =
     run.equations.reporting().rigid_parts->report(0, run.state);
   EXPECT_NEAR(report.forces[0][0], -3 * 25., 1e-12);

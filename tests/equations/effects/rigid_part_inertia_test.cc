@@ -14,16 +14,10 @@ namespace
   struct InertiaOfL
   {
     InertiaOfL()
-      : of_scene(frame_scene("0 0; 3 0; 3 1",
-                             "0 1; 1 2",
-                             "subsection Rigid parts\n"
-                             "  subsection L\n"
-                             "    set Struts = all\n"
-                             "    set Mass = 4\n"
-                             "  end\n"
-                             "end\n"),
-                 {},
-                 MPI_COMM_SELF)
+      : of_scene(
+          frame_scene("0 0; 3 0; 3 1", "0 1; 1 2").rigid_part("L", "all", 4),
+          {},
+          MPI_COMM_SELF)
       , part(of_scene.lattice.rigid_parts.at(0))
       , inertia(rigid_bodies(of_scene.lattice, of_scene.dofs()))
       , from(of_scene.equations.initial_state())

@@ -4,6 +4,7 @@
 #include <equations/effects/space_effect.h>
 #include <mesh/cell_from_text.h>
 #include <support/scene_run.h>
+#include <support/scene_text.h>
 
 #include <array>
 
@@ -12,16 +13,16 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  std::string rigid(const std::string &struts,
-                    const double       mass,
-                    const std::string &further)
+  SceneText rigid(const std::string &struts,
+                  const double       mass,
+                  const std::string &entries = "")
   {
-    return "subsection Rigid parts\n  subsection body\n    set Struts = " +
-      struts + "\n    set Mass = " + std::to_string(mass) + "\n" + further +
-      "  end\nend\n";
+    return SceneText()
+      .rigid_part("body", struts, mass)
+      .add("Rigid parts/body", entries);
   }
 
-  const std::string clamped = "    set Elastic struts = clamped\n";
+  const std::string clamped = "Elastic struts = clamped";
 
   /**
    * A body of joints 0 to 3, a bar of three joints from joint 3 on, and elastic
@@ -31,9 +32,7 @@ namespace
     space_frame("0 0 0; 2 0.3 0.1; 1.6 1.1 -0.4; 0.2 1.4 0.9; 3 2 0.5; "
                 "0.7 2.4 1.4; 1.2 3.4 1.9",
                 "0 1; 1 2; 0 3; 2 4; 3 4; 3 5; 5 6",
-                rigid("0, 1, 2", 3, clamped) +
-                  "subsection Rigid parts\n  subsection bar\n"
-                  "    set Struts = 5, 6\n    set Mass = 2\n  end\nend\n");
+                rigid("0, 1, 2", 3, clamped).rigid_part("bar", "5, 6", 2));
 
   struct BodyAndBar : SpaceEffect
   {
@@ -49,9 +48,8 @@ namespace
     RigidPartConstraints constraints;
   };
 
-  const std::string gravity_down = "subsection Gravity\n"
-                                   "  set Acceleration z = -9.81\n"
-                                   "end\n";
+  const SceneText gravity_down =
+    SceneText().set("Gravity/Acceleration z", -9.81);
 } // namespace
 
 TEST(RotatingParts, ConstraintsAreThreeAJointAndThoseOfABar)
@@ -133,20 +131,18 @@ TEST(RotatingParts, MotionOfItsJointsIsThatOfTheBody)
 TEST(RotatingParts, AHangingBodyIsHeldByItsWeight)
 {
   // A tripod of three legs of 2 m, hung up at its ends.
-  SceneRun run(
-    "set Dimension = 3\nsubsection Lattice\n  set Cell = frame\n"
-    "  set Joints = 0 0 0; 1 0 1; -1 1 1; -1 -1 1\n"
-    "  set Struts = 0 1; 0 2; 0 3\nend\n" +
-    rigid("all", 3, "") +
-    "subsection Supports\n  subsection ceiling\n    set Joints = 1\n"
-    "    set Type = pin\n  end\n"
-    "  subsection slide\n    set Joints = 2\n    set Type = prescribed\n"
-    "    set Displacement z = 0\n    set Displacement x = 0\n  end\n"
-    "  subsection rest\n    set Joints = 3\n    set Type = prescribed\n"
-    "    set Displacement z = 0\n  end\nend\n" +
-    gravity_down +
-    "subsection Time\n  set Scheme = static\n  set End time = 1\n"
-    "  set Time step = 1\nend\n");
+  SceneRun run(SceneText()
+                 .dimension(3)
+                 .frame("0 0 0; 1 0 1; -1 1 1; -1 -1 1", "0 1; 0 2; 0 3")
+                 .add(rigid("all", 3))
+                 .support("ceiling", "1", "pin")
+                 .add("Supports/slide",
+                      "Joints = 2 | Type = prescribed | Displacement z = 0 | "
+                      "Displacement x = 0")
+                 .add("Supports/rest",
+                      "Joints = 3 | Type = prescribed | Displacement z = 0")
+                 .add(gravity_down)
+                 .time(1, 1, "static"));
   run.run();
   const auto report =
     run.equations.reporting().rigid_parts->report(0, run.state);
@@ -174,18 +170,14 @@ TEST(RotatingParts, LoadsOnRigidStrutsAndMomentsActAtTheirPlace)
   // free in space.
   for (const char *large_rotation : {"on", "off"})
     {
-      SceneRun    run("set Dimension = 3\nsubsection Lattice\n"
-                      "  set Cell = frame\n"
-                      "  set Joints = 0 0 0; 2 0 0; 2 1 0\n"
-                      "  set Struts = 0 1; 1 2\nend\n" +
-                     rigid("all", 6, "    set Rotary inertia = 2 3 4\n") +
-                     "subsection Loads\n  subsection line\n"
-                        "    set Type = line\n    set Struts = 1\n"
-                        "    set Force per length z = 12\n  end\n"
-                        "  subsection turn\n    set Joints = 0\n"
-                        "    set Moment z = 8\n  end\nend\n"
-                        "subsection Time\n  set End time = 1\n"
-                        "  set Time step = 0.1\nend\n",
+      SceneRun    run(SceneText()
+                     .dimension(3)
+                     .frame("0 0 0; 2 0 0; 2 1 0", "0 1; 1 2")
+                     .add(rigid("all", 6, "Rotary inertia = 2 3 4"))
+                     .add("Loads/line",
+                          "Type = line | Struts = 1 | Force per length z = 12")
+                     .add("Loads/turn", "Joints = 0 | Moment z = 8")
+                     .time(1, 0.1),
                    {std::string("Effects/Large rotation=") + large_rotation});
       const auto &dofs = run.model.numbering;
       const auto &part = run.lattice.rigid_parts[0];
@@ -208,10 +200,8 @@ TEST(RotatingParts, TwoClampingBodiesAtAJointAreRefused)
     const EquationsOnRanks of_scene(
       space_frame("0 0 0; 1 0 0; 2 0 1; 1 1 0",
                   "0 1; 1 2; 1 3",
-                  rigid("0", 1, clamped) +
-                    "subsection Rigid parts\n  subsection other\n"
-                    "    set Struts = 1\n" +
-                    clamped + "  end\nend\n"),
+                  rigid("0", 1, clamped)
+                    .add("Rigid parts/other", "Struts = 1 | " + clamped)),
       {},
       MPI_COMM_SELF);
   });

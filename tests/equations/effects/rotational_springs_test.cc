@@ -13,7 +13,7 @@ namespace
   struct SpringAlone
   {
     SpringAlone()
-      : of_scene(frame_scene("0 0; 1 0", "0 1", ""), {}, MPI_COMM_SELF)
+      : of_scene(frame_scene("0 0; 1 0", "0 1"), {}, MPI_COMM_SELF)
       , first(of_scene.dofs().joint_unknown(0, rotation_z))
       , second(of_scene.dofs().joint_unknown(1, rotation_z))
       , springs(of_scene.dofs())

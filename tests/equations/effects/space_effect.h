@@ -8,6 +8,7 @@
 #include <equations/effects/effect_alone.h>
 #include <equations/equations_on_ranks.h>
 #include <gtest/gtest.h>
+#include <support/scene_text.h>
 
 #include <cmath>
 
@@ -15,27 +16,17 @@ namespace auxfem
 {
   namespace testing_support
   {
-    /** Circular struts of 1 m in space, with @p further subsections. */
-    inline std::string space_frame(const std::string &joints,
-                                   const std::string &struts,
-                                   const std::string &further)
+    /** Circular struts of 1 m in space, with @p further parameters. */
+    inline SceneText space_frame(const std::string &joints,
+                                 const std::string &struts,
+                                 const SceneText   &further = {})
     {
-      return "set Dimension = 3\nsubsection Lattice\n  set Cell = frame\n"
-             "  set Joints = " +
-        joints + "\n  set Struts = " + struts + R"(
-end
-subsection Sections
-  subsection rod
-    set Shape = circle
-    set Radius = 0.1
-    set Young's modulus = 1000
-    set Density = 2
-  end
-end
-subsection Discretization
-  set Order = 1
-end
-)" + further;
+      return SceneText()
+        .dimension(3)
+        .frame(joints, struts)
+        .circle("rod", 0.1, {1000, 2})
+        .mesh(1)
+        .add(further);
     }
 
     /** A scene in space far from rest, on which single effects are tried. */

@@ -2,18 +2,17 @@
 
 #include <equations/effects/space_effect.h>
 #include <support/scene_run.h>
+#include <support/scene_text.h>
 
 using namespace auxfem;
 using namespace auxfem::testing_support;
 
 namespace
 {
-  const std::string knee = space_frame("0 0 0; 1 0 0; 1.5 0.9 0.2",
-                                       "0 1; 1 2",
-                                       "subsection Joints\n  subsection knee\n"
-                                       "    set Joints = 1\n"
-                                       "    set Type = rotational spring\n"
-                                       "    set Stiffness = 1.7\n  end\nend\n");
+  const SceneText knee =
+    space_frame("0 0 0; 1 0 0; 1.5 0.9 0.2", "0 1; 1 2")
+      .add("Joints/knee",
+           "Joints = 1 | Type = rotational spring | Stiffness = 1.7");
 
   /** The spring of the knee alone, or one to the ground. */
   struct KneeSpring : SpaceEffect
@@ -100,14 +99,12 @@ TEST(SpaceSprings, SmallRotationsHaveASpringAboutEveryAxis)
 {
   // A clamped strut, and beyond the spring a free one, loaded by a moment: the
   // spring turns by M / K'.
-  SceneRun run(knee +
-                 "subsection Supports\n  subsection wall\n    set Joints = 0\n"
-                 "    set Type = clamp\n  end\nend\n"
-                 "subsection Loads\n  subsection tip\n    set Joints = 2\n"
-                 "    set Moment x = 1e-3\n    set Moment y = -2e-3\n"
-                 "    set Moment z = 3e-3\n  end\nend\n"
-                 "subsection Time\n  set Scheme = static\n  set End time = 1\n"
-                 "  set Time step = 1\nend\n",
+  SceneRun run(SceneText(knee)
+                 .support("wall", "0", "clamp")
+                 .add("Loads/tip",
+                      "Joints = 2 | Moment x = 1e-3 | Moment y = -2e-3 | "
+                      "Moment z = 3e-3")
+                 .time(1, 1, "static"),
                {"Effects/Large rotation=off"});
   run.run();
   const auto  &dofs      = run.model.numbering;

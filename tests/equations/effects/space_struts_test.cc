@@ -3,6 +3,7 @@
 #include <auxfem/equations/effects/strut_inertia.h>
 
 #include <equations/effects/space_effect.h>
+#include <support/scene_text.h>
 
 using namespace auxfem;
 using namespace auxfem::testing_support;
@@ -10,39 +11,22 @@ using namespace auxfem::testing_support;
 namespace
 {
   /** Two struts, one an arc, with different axes, damped. */
-  const std::string two_struts =
-    R"(set Dimension = 3
-subsection Lattice
-  set Cell   = frame
-  set Joints = 0 0 0; 1 0.2 0.3; 1.5 0.9 0.1
-  set Struts = 0 1; 1 2 0.2 0 1 2
-end
-subsection Sections
-  subsection blade
-    set Shape = given
-    set Area = 3
-    set Shear area = 5
-    set Shear area 3 = 4
-    set Second moment of area = 0.7
-    set Second moment of area 2 = 0.9
-    set Torsion constant = 0.6
-    set Young's modulus = 1
-    set Poisson's ratio = 0.25
-    set Density = 0.5
-    set Stiffness-proportional damping = 0.3
-    set Mass-proportional damping = 0.4
-    set Reference vector = 0.3 1 0.4
-  end
-end
-)";
+  const SceneText two_struts =
+    SceneText()
+      .dimension(3)
+      .frame("0 0 0; 1 0.2 0.3; 1.5 0.9 0.1", "0 1; 1 2 0.2 0 1 2")
+      .given("blade", {3, 5, 0.7}, {1, 0.5, 0.25})
+      .add("Sections/blade",
+           "Shear area 3 = 4 | Second moment of area 2 = 0.9 | "
+           "Torsion constant = 0.6 | "
+           "Stiffness-proportional damping = 0.3 | "
+           "Mass-proportional damping = 0.4 | Reference vector = 0.3 1 0.4");
 
   /** The effect of one kind, alone. */
   struct Struts : SpaceEffect
   {
     explicit Struts(const bool large_rotation, const unsigned int order)
-      : SpaceEffect(two_struts + "subsection Discretization\n  set Order = " +
-                      std::to_string(order) + "\nend\n",
-                    large_rotation)
+      : SpaceEffect(SceneText(two_struts).mesh(order), large_rotation)
     {
       // Nodes of a strut must stay within half a turn of their neighbours.
       State near      = of_scene.equations.initial_state();
@@ -136,7 +120,7 @@ TEST(SpaceStruts, InertiaHasThePowerOfItsKineticEnergy)
 
 TEST(RotaryMasses, TangentIsThatOfDifferences)
 {
-  SpaceEffect  mass(space_frame("0 0 0; 1 0 0.3", "0 1", ""), true);
+  SpaceEffect  mass(space_frame("0 0 0; 1 0 0.3", "0 1"), true);
   RotaryMasses masses(mass.of_scene.dofs(), true);
   SpaceTensor  inertia;
   inertia[0][0] = 1;

@@ -15,7 +15,7 @@ namespace
   constexpr double mass_per_length = 1.5, rotary_per_length = 0.35;
 
   /** A strut of 5 m from (0, 0) to (3, 4). */
-  const std::string oblique_strut = frame_scene("0 0; 3 4", "0 1", "");
+  const std::string oblique_strut = frame_scene("0 0; 3 4", "0 1");
 
   /** The inertia of a scene's struts alone. */
   struct InertiaAlone
