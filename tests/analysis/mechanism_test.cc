@@ -54,9 +54,10 @@ namespace
 
   SceneText brace(const std::string &stiffness)
   {
-    return SceneText().add("Connectors/brace",
-                           "Law = spring | Spring stiffness = " + stiffness +
-                             " | Between = 0 2");
+    return SceneText().connector("brace",
+                                 "spring",
+                                 "Spring stiffness = " + stiffness +
+                                   " | Between = 0 2");
   }
 } // namespace
 

@@ -191,13 +191,12 @@ TEST(TimeStepper, AFailedFirstStepLeavesTheStartUntouched)
 {
   for (const char *scheme : {"static", "newmark", "generalized-alpha"})
     {
-      SceneRun run(
-        cantilever(
-          "if(t > 0, 1e4, 0)",
-          std::string(
-            "End time = 10 | Time step = 10 | Smallest time step = 6 | Scheme = ") +
-            scheme),
-        {"Newton/Maximum iterations=2"});
+      SceneRun    run(cantilever("if(t > 0, 1e4, 0)",
+                              std::string(
+                                "End time = 10 | Time step = 10 | "
+                                   "Smallest time step = 6 | Scheme = ") +
+                                scheme),
+                   {"Newton/Maximum iterations=2"});
       const State before = run.state;
       EXPECT_NE(error_of(run), "") << scheme;
       EXPECT_EQ(run.state.time, 0.);
@@ -235,16 +234,17 @@ TEST(TimeStepper, ASmoothMotionKeepsItsEnergy)
   // Average acceleration with small steps on a swinging cantilever under large
   // rotations and a viscous connector: work = energy + losses to second order.
   const auto largest_error = [](const std::string &step) {
-    SceneRun run(cantilever("0.4 * sin(t)^2",
-                            "Scheme = newmark | End time = 4 | Time step = " +
-                              step)
-                   .add("Connectors/damper",
-                        "Law = maxwell | Spring stiffness = 0.3 | "
-                        "Damping coefficient = 0.2 | Between = ground: 1 | "
-                        "Ground offset = 0 1"),
-                 {"Sections/band/Stiffness-proportional damping=0.1",
-                  "Sections/band/Mass-proportional damping=0.2"});
-    double   largest = 0;
+    SceneRun run(
+      cantilever("0.4 * sin(t)^2",
+                 "Scheme = newmark | End time = 4 | Time step = " + step)
+        .connector("damper",
+                   "maxwell",
+                   "Spring stiffness = 0.3 | "
+                   "Damping coefficient = 0.2 | Between = ground: 1 | "
+                   "Ground offset = 0 1"),
+      {"Sections/band/Stiffness-proportional damping=0.1",
+       "Sections/band/Mass-proportional damping=0.2"});
+    double largest = 0;
     run.run([&] { largest = std::max(largest, std::abs(run.balance())); });
     EXPECT_GT(run.state.energies.dissipated(), 0.01);
     return largest;

@@ -244,20 +244,25 @@ namespace auxfem
         .add("Joints/springs",
              "Joints = tips | Type = rotational spring | Stiffness = 0.8")
         .add("Joints/hinges", "Joints = top | Type = hinge")
-        .add("Connectors/damper",
-             "Law = kelvin-voigt | Spring stiffness = 0.6 | "
-             "Damping coefficient = 0.9")
-        .add("Connectors/relaxing",
-             "Law = maxwell | Spring stiffness = 0.7 | "
-             "Damping coefficient = 1.1 | Between = in-cell x")
-        .add("Connectors/fixed direction",
-             "Law = standard-linear-solid | Long-time stiffness = 0.2 | "
-             "Spring stiffness = 0.5 | Damping coefficient = 0.4 | "
-             "Between = 0 5; 1 6 | Geometry = direction | Direction = 1 2")
-        .add("Connectors/anchors",
-             "Law = kelvin-voigt | Spring stiffness = 0.4 | "
-             "Damping coefficient = 0.2 | Between = ground: top | "
-             "Ground offset = 0.3 1.5")
+        .connector("damper",
+                   "kelvin-voigt",
+                   "Spring stiffness = 0.6 | "
+                   "Damping coefficient = 0.9")
+        .connector("relaxing",
+                   "maxwell",
+                   "Spring stiffness = 0.7 | "
+                   "Damping coefficient = 1.1 | Between = in-cell x")
+        .connector(
+          "fixed direction",
+          "standard-linear-solid",
+          "Long-time stiffness = 0.2 | "
+          "Spring stiffness = 0.5 | Damping coefficient = 0.4 | "
+          "Between = 0 5; 1 6 | Geometry = direction | Direction = 1 2")
+        .connector("anchors",
+                   "kelvin-voigt",
+                   "Spring stiffness = 0.4 | "
+                   "Damping coefficient = 0.2 | Between = ground: top | "
+                   "Ground offset = 0.3 1.5")
         .support("foundation", "bottom", "clamp")
         .add("Supports/shaker",
              "Joints = left | Type = prescribed | "

@@ -448,9 +448,10 @@ namespace
   const SceneText relaxing =
     frame_scene("0 0; 2 0", "0 1")
       .support("wall", "0", "clamp")
-      .add("Connectors/one",
-           "Law = maxwell | Spring stiffness = 2 | "
-           "Damping coefficient = 3 | Between = 0 1")
+      .connector("one",
+                 "maxwell",
+                 "Spring stiffness = 2 | "
+                 "Damping coefficient = 3 | Between = 0 1")
       .add("Loads/pull", "Joints = 1 | Force x = 7 * t");
 } // namespace
 

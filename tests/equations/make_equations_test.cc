@@ -8,7 +8,7 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  /** Two struts in line, joints 0, 1, 2 at x = 0, 1, 2, with @p further parameters. */
+  /** Two struts in line, joints 0, 1, 2 at x = 0, 1, 2. */
   SceneText two_struts_with(const SceneText &further = {})
   {
     return frame_scene("0 0; 1 0; 2 0", "0 1; 1 2", further);

@@ -301,9 +301,10 @@ TEST(Ranks, RigidPartsAloneMoveAsOnOneRank)
       .add("Rigid parts/bars",
            "Struts = all | Parts = single struts | Mass = 0.5")
       .support("pivot", "0", "pin")
-      .add("Connectors/anchor",
-           "Law = kelvin-voigt | Spring stiffness = 3 | "
-           "Damping coefficient = 0.4 | Between = 1 5; 0 6")
+      .connector("anchor",
+                 "kelvin-voigt",
+                 "Spring stiffness = 3 | "
+                 "Damping coefficient = 0.4 | Between = 1 5; 0 6")
       .set("Gravity/Acceleration y", -1)
       .time(0.5, 0.05, "generalized-alpha");
   compare_runs({}, chain);

@@ -33,16 +33,19 @@ namespace
       .add("Rigid parts/bar",
            "Struts = 6 | Mass = 0.7 | Rotary inertia = 0.2 0.3 0.4 | "
            "Elastic struts = clamped")
-      .add("Connectors/damper",
-           "Law = kelvin-voigt | Between = 0 3; 1 6 | "
-           "Spring stiffness = 0.6 | Damping coefficient = 0.9")
-      .add("Connectors/relaxing",
-           "Law = maxwell | Between = 2 4 | Spring stiffness = 0.7 | "
-           "Damping coefficient = 0.8")
-      .add("Connectors/slide",
-           "Law = spring | Between = ground: 5 | Geometry = direction | "
-           "Direction = 1 2 -1 | Ground offset = 0.1 0.5 0.2 | "
-           "Spring stiffness = 0.5")
+      .connector("damper",
+                 "kelvin-voigt",
+                 "Between = 0 3; 1 6 | "
+                 "Spring stiffness = 0.6 | Damping coefficient = 0.9")
+      .connector("relaxing",
+                 "maxwell",
+                 "Between = 2 4 | Spring stiffness = 0.7 | "
+                 "Damping coefficient = 0.8")
+      .connector("slide",
+                 "spring",
+                 "Between = ground: 5 | Geometry = direction | "
+                 "Direction = 1 2 -1 | Ground offset = 0.1 0.5 0.2 | "
+                 "Spring stiffness = 0.5")
       .support("wall", "0", "clamp")
       .add("Supports/mover",
            "Joints = 2 | Type = prescribed | Displacement z = 0.1 * t")

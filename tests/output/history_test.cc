@@ -24,9 +24,10 @@ namespace
       .frame("0 0; 1 0; 2 0; 3 0", "0 1; 1 2; 2 3")
       .circle("band", "5 mm", {"70 GPa", "2700 kg/m3", 0.3})
       .support("wall", "0, 3", "clamp")
-      .add("Connectors/damper",
-           "Law = kelvin-voigt | Spring stiffness = 200 N/m | "
-           "Damping coefficient = 5 N s/m | Between = 0 1; 1 2")
+      .connector("damper",
+                 "kelvin-voigt",
+                 "Spring stiffness = 200 N/m | "
+                 "Damping coefficient = 5 N s/m | Between = 0 1; 1 2")
       .time("1 s", "0.1 s", "newmark");
 
   /** The row of @p solution by column. */

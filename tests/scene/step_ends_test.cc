@@ -75,10 +75,10 @@ TEST(StepEnds, OfMotionsAreBendsTooAndNoneIsLeftOut)
       one_mass_scene(
         spring,
         "Scheme = " + scheme + " | End time = 1 | Time step = 0.1",
-        mass_and_velocity(1, 0).add(
-          "Supports/shaker",
-          "Joints = 0 | Type = prescribed | "
-          "Displacement x = max(0, t - 0.23)^2 + max(0, t - 0.52) + max(0, t - 0.53)")),
+        mass_and_velocity(1, 0).add("Supports/shaker",
+                                    "Joints = 0 | Type = prescribed | "
+                                    "Displacement x = max(0, t - 0.23)^2 + "
+                                    "max(0, t - 0.52) + max(0, t - 0.53)")),
       "test.prm"));
   };
   const std::vector<StepEnd> ends = ends_of_motion("newmark");

@@ -34,12 +34,15 @@ namespace auxfem
     /** What stands behind the `=` of a parameter; numbers become text. */
     struct SceneValue
     {
+      /** As it stands. */
       SceneValue(const std::string &words) : words(words)
       {}
 
+      /** As it stands. */
       SceneValue(const char *const words) : words(words)
       {}
 
+      /** All its digits. */
       template <typename Number,
                 typename = std::enable_if_t<std::is_arithmetic_v<Number>>>
       SceneValue(const Number number) : words(text(number))
@@ -218,6 +221,7 @@ namespace auxfem
         return of(path, material);
       }
 
+      /** Type: one that needs no more, as `clamp` or `roller x`. */
       SceneText &support(const std::string &name,
                          const std::string &joints,
                          const std::string &type)
@@ -274,6 +278,7 @@ namespace auxfem
         return set_components(path + "Moment ", moment);
       }
 
+      /** A joint definition of the default type. */
       SceneText &hinge(const std::string &name,
                        const std::string &joints,
                        const std::string &struts = "all")
@@ -294,6 +299,7 @@ namespace auxfem
         return set_unless_empty(path + "Rotary inertia", rotary_inertia);
       }
 
+      /** Mass in kg. */
       SceneText &rigid_part(const std::string &name,
                             const std::string &struts,
                             const SceneValue  &mass)
@@ -302,16 +308,13 @@ namespace auxfem
         return set("Rigid parts/" + name + "/Mass", mass);
       }
 
-      /** @p entries are those of the law, as in add(). */
+      /** @p entries: between which joints and what the law needs; see add(). */
       SceneText &connector(const std::string &name,
-                           const std::string &between,
                            const std::string &law,
                            const std::string &entries)
       {
-        const std::string path = "Connectors/" + name;
-        set(path + "/Between", between);
-        set(path + "/Law", law);
-        return add(path, entries);
+        set("Connectors/" + name + "/Law", law);
+        return add("Connectors/" + name, entries);
       }
 
       /** 2^@p refinements elements of @p order a strut. */
@@ -322,6 +325,7 @@ namespace auxfem
         return set("Discretization/Global refinements", refinements);
       }
 
+      /** End and step in s; without @p scheme the program chooses. */
       SceneText &time(const SceneValue  &end,
                       const SceneValue  &step,
                       const std::string &scheme = "")
@@ -338,11 +342,13 @@ namespace auxfem
         return time(1, 1);
       }
 
+      /** A column of the history. */
       SceneText &probe(const std::string &name, const std::string &selection)
       {
         return set("Probes/" + name, selection);
       }
 
+      /** What a user would write in the file. */
       std::string str() const
       {
         std::string text;

@@ -29,12 +29,14 @@ namespace
 
   const SceneText dampers =
     SceneText()
-      .add("Connectors/damper",
-           "Law = kelvin-voigt | Spring stiffness = 100 | "
-           "Damping coefficient = 0.5")
-      .add("Connectors/relaxing",
-           "Law = maxwell | Between = in-cell x | "
-           "Spring stiffness = 500 | Damping coefficient = 0.2");
+      .connector("damper",
+                 "kelvin-voigt",
+                 "Spring stiffness = 100 | "
+                 "Damping coefficient = 0.5")
+      .connector("relaxing",
+                 "maxwell",
+                 "Between = in-cell x | "
+                 "Spring stiffness = 500 | Damping coefficient = 0.2");
 
   const SceneText thrown =
     SceneText().add("Initial velocities/throw",

@@ -248,16 +248,17 @@ TEST(RigidMechanisms, AMasslessBarFollowsItsDashpot)
   // fixed in space, a force of 8 N/s t down. With the angle q from x, moments
   // about the hinge: 20 sin^2 q q' = -8 t cos q.
   const double dt = 1e-3, end = 0.5;
-  SceneRun     run(
-    SceneText()
-      .frame("0 0; 0.6 0.8", "0 1")
-      .rigid_part("bar", "0", 0)
-      .support("pivot", "0", "pin")
-      .add("Connectors/dashpot",
-           "Law = dashpot | Damping coefficient = 20 | "
-               "Between = ground: 1 | Geometry = direction | Direction = 1 0")
-      .add("Loads/weight", "Joints = 1 | Force y = -8 * t")
-      .time(end, dt));
+  SceneRun     run(SceneText()
+                 .frame("0 0; 0.6 0.8", "0 1")
+                 .rigid_part("bar", "0", 0)
+                 .support("pivot", "0", "pin")
+                 .connector("dashpot",
+                            "dashpot",
+                            "Damping coefficient = 20 | "
+                                "Between = ground: 1 | Geometry = direction | "
+                                "Direction = 1 0")
+                 .add("Loads/weight", "Joints = 1 | Force y = -8 * t")
+                 .time(end, dt));
   run.run();
   // Fourth-order Runge-Kutta with 5e-4 s: 1e-13.
   double     q    = std::atan2(0.8, 0.6);

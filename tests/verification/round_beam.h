@@ -19,19 +19,12 @@ namespace auxfem
      */
     inline SceneText round_beam(const double axial, const double bending)
     {
-      SceneText scene = static_scene();
-      scene.set("Dimension", "3");
-      scene.set("Lattice/Cell", "frame");
-      const std::string section = "Sections/beam/";
-      scene.set(section + "Shape", "given");
-      scene.set(section + "Young's modulus", axial);
-      scene.set(section + "Poisson's ratio", "-0.5");
-      scene.set(section + "Density", "1");
-      scene.set(section + "Area", "1");
-      scene.set(section + "Shear area", "1");
-      scene.set(section + "Second moment of area", bending / axial);
-      scene.set(section + "Torsion constant", bending / axial);
-      return scene.set(section + "Rotary inertia", "20 10 10");
+      return static_scene()
+        .dimension(3)
+        .set("Lattice/Cell", "frame")
+        .given("beam", {1, 1, bending / axial}, {axial, 1, -0.5})
+        .set("Sections/beam/Torsion constant", bending / axial)
+        .set("Sections/beam/Rotary inertia", "20 10 10");
     }
 
     /** What remains of second-order values with halved steps. */

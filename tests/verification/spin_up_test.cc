@@ -21,11 +21,11 @@ namespace
            "Shape = given | Area = 1 | Shear area = 10/14 | "
            "Second moment of area = 5e-4 | Young's modulus = 2.8e7 | "
            "Poisson's ratio = 0 | Density = 1.2")
-      .add(
-        "Supports/hub",
-        "Joints = 0 | Type = prescribed | Displacement x = 0 | "
-        "Displacement y = 0 | "
-        "Rotation z = if(t < 15, 6/15*(t^2/2+(15/(2*pi))^2*(cos(2*pi*t/15)-1)), 6*t-45)")
+      .add("Supports/hub",
+           "Joints = 0 | Type = prescribed | Displacement x = 0 | "
+           "Displacement y = 0 | "
+           "Rotation z = if(t < 15, "
+           "6/15*(t^2/2+(15/(2*pi))^2*(cos(2*pi*t/15)-1)), 6*t-45)")
       .mesh(4, 1)
       .time(end, dt);
   }
