@@ -369,7 +369,7 @@ namespace
 
 TEST(Equations, EvaluationsDoNotInfluenceEachOther)
 {
-  for (const std::string &text :
+  for (const std::string text :
        {star_with_everything(1, 1), space_star_with_everything()})
     {
       // What each of the two gives if nothing else is ever asked.
@@ -398,7 +398,7 @@ TEST(Equations, EvaluationsDoNotInfluenceEachOther)
 
 TEST(Equations, TheSameQuestionHasTheSameAnswer)
 {
-  for (const std::string &text :
+  for (const std::string text :
        {star_with_everything(1, 1), space_star_with_everything()})
     {
       const EquationsOnRanks of_scene(text, {}, MPI_COMM_SELF);
@@ -419,7 +419,7 @@ TEST(Equations, TheSameQuestionHasTheSameAnswer)
 TEST(Equations, LoadDerivativeIsTheDifferenceOfResiduals)
 {
   // Dead loads alone in the plane, loads that follow their joints in space.
-  for (const std::string &text :
+  for (const std::string text :
        {star_with_everything(1, 1), space_star_with_everything()})
     {
       const EquationsOnRanks of_scene(text, {}, MPI_COMM_SELF);
