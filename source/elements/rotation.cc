@@ -16,11 +16,6 @@ namespace auxfem
     }
   } // namespace
 
-  Quaternion normalized(const Quaternion &q)
-  {
-    return 1 / std::sqrt(dot(q, q)) * q;
-  }
-
   Quaternion exponential(const SpaceVector &rotation_vector)
   {
     // Where the square of a tiny vector underflows, angle is inexact, but the
@@ -28,28 +23,6 @@ namespace auxfem
     const double angle = rotation_vector.norm();
     return {std::cos(angle / 2),
             (angle > 0 ? std::sin(angle / 2) / angle : 0.5) * rotation_vector};
-  }
-
-  SpaceVector rotation_vector(const Quaternion &rotation)
-  {
-    const double sign       = rotation.scalar < 0 ? -1 : 1;
-    const double sine       = rotation.vector.norm(); // of half the angle
-    const double half_angle = std::atan2(sine, sign * rotation.scalar);
-    return sign * (sine > 0 ? 2 * half_angle / sine : 2.) * rotation.vector;
-  }
-
-  SpaceTensor rotated(const Quaternion &rotation, const SpaceTensor &matrix)
-  {
-    SpaceTensor result;
-    for (int j = 0; j < 3; ++j)
-      {
-        const SpaceVector column =
-          rotated(rotation,
-                  SpaceVector({matrix[0][j], matrix[1][j], matrix[2][j]}));
-        for (int i = 0; i < 3; ++i)
-          result[i][j] = column[i];
-      }
-    return result;
   }
 
   SpaceTensor cross_product_tensor(const SpaceVector &v)

@@ -62,9 +62,9 @@ namespace auxfem
 
   void NodeRotations::set_material_increment(const Evaluation  &evaluation,
                                              const unsigned int i,
-                                             const SpaceVector &rotate) const
+                                             const SpaceVector &increment) const
   {
-    set_values(values(evaluation.from.displacement, i) + rotate,
+    set_values(values(evaluation.from.displacement, i) + increment,
                i,
                evaluation.to.displacement);
   }

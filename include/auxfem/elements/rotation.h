@@ -3,6 +3,7 @@
 
 #include <deal.II/base/tensor.h>
 
+#include <cmath>
 #include <optional>
 
 /**
@@ -61,7 +62,10 @@ namespace auxfem
   }
 
   /** @p q with unit norm; it must not be zero. */
-  Quaternion normalized(const Quaternion &q);
+  inline Quaternion normalized(const Quaternion &q)
+  {
+    return 1 / std::sqrt(dot(q, q)) * q;
+  }
 
   /**
    * The rotation by |@p rotation_vector| (rad, any size) about its direction:
@@ -73,7 +77,31 @@ namespace auxfem
    * The inverse of exponential(): angle (rad, at most pi) times axis. Accurate
    * to round-off for all angles; at pi itself one of the two axes.
    */
-  SpaceVector rotation_vector(const Quaternion &rotation);
+  inline SpaceVector rotation_vector(const Quaternion &rotation)
+  {
+    const double sign = rotation.scalar < 0 ? -1 : 1;
+    const double y    = rotation.vector.norm_square(); // sine of half the angle
+    // Relative rotations in an element are small; there the series of
+    // 2 asin(x) / x is exact to the last digit, and the library's function
+    // slow.
+    if (y < 0.01)
+      return sign * 2 *
+        (1 +
+         y * (1. / 6) *
+           (1 +
+            y * (9. / 20) *
+              (1 +
+               y * (25. / 42) *
+                 (1 +
+                  y * (49. / 72) *
+                    (1 +
+                     y * (81. / 110) *
+                       (1 + y * (121. / 156) * (1 + y * (169. / 210)))))))) *
+        rotation.vector;
+    const double sine       = std::sqrt(y);
+    const double half_angle = std::atan2(sine, sign * rotation.scalar);
+    return sign * 2 * half_angle / sine * rotation.vector;
+  }
 
   /** R @p v - @p v, without the cancellation of the difference. */
   inline SpaceVector rotation_change(const Quaternion  &rotation,
@@ -91,7 +119,20 @@ namespace auxfem
   }
 
   /** R @p matrix: its columns, such as the axes of a frame, rotated. */
-  SpaceTensor rotated(const Quaternion &rotation, const SpaceTensor &matrix);
+  inline SpaceTensor rotated(const Quaternion  &rotation,
+                             const SpaceTensor &matrix)
+  {
+    SpaceTensor result;
+    for (int j = 0; j < 3; ++j)
+      {
+        const SpaceVector column =
+          rotated(rotation,
+                  SpaceVector({matrix[0][j], matrix[1][j], matrix[2][j]}));
+        for (int i = 0; i < 3; ++i)
+          result[i][j] = column[i];
+      }
+    return result;
+  }
 
   /** [v]x, the matrix with [v]x w = v x w. */
   SpaceTensor cross_product_tensor(const SpaceVector &v);
