@@ -109,8 +109,9 @@ namespace auxfem
   double RotationVectors::operator[](const int unknown) const
   {
     const SpatialRotations &all   = model.numbering.rotations();
-    const auto              found = find_rotation(rotations, all.with(unknown));
-    Assert(found != rotations.end() && found->index == all.with(unknown),
+    const unsigned int      index = all.with(unknown);
+    const auto              found = find_rotation(rotations, index);
+    Assert(found != rotations.end() && found->index == index,
            dealii::ExcMessage("the rotation was not chosen"));
     return found->vector[all.axis(unknown)];
   }
