@@ -12,7 +12,7 @@ namespace auxfem
                 const StartTimes &start,
                 const FileRules  &rules)
   {
-    if (scene.model == Model::reduced_cell)
+    if (scene.context.model == Model::reduced_cell)
       {
         CellOutput folder(scene, start, rules);
         return run(scene, communicator, folder);

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <exception>
 #include <functional>
 #include <new>
 
@@ -96,9 +97,9 @@ namespace auxfem
 
     Mumps::~Mumps()
     {
-      // All ranks have to stop it together: not if an exception, maybe of this
-      // one alone, ends the run.
-      if (std::uncaught_exceptions() == 0)
+      // All ranks have to stop it together: not if an exception, which may be
+      // of this one alone, ends the run.
+      if (n_ranks == 1 || std::uncaught_exceptions() == 0)
         stop();
     }
 

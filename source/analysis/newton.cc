@@ -56,7 +56,7 @@ namespace auxfem
     solver.residual(evaluation, results);
     double size      = in_force_units(results);
     double reduction = std::numeric_limits<double>::infinity();
-    // Prescribed unknowns may still have to move to their position.
+    // Prescribed unknowns may still have to move to their place.
     bool is_in_place = scheme.is_dynamic();
     // Of the last iterate; large if its norm was not small.
     double excess_before = std::numeric_limits<double>::infinity();

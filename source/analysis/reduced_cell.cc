@@ -27,7 +27,7 @@ namespace auxfem
     return {"reduced cell",
             "Motion of one star cell of six rigid parts by its two equations.",
             [](const Scene &scene) {
-              return scene.model == Model::reduced_cell;
+              return scene.context.model == Model::reduced_cell;
             },
             run_on_first_rank,
             check_on_first_rank};

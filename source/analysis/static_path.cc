@@ -9,7 +9,7 @@ namespace auxfem
             "Equilibria of a lattice along a path of loads and prescribed "
             "motions, of which time is the parameter.",
             [](const Scene &scene) {
-              return scene.model == Model::lattice &&
+              return scene.context.model == Model::lattice &&
                 !scene.time.scheme->is_dynamic();
             },
             run_lattice,

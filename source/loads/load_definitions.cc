@@ -2,8 +2,6 @@
 #include <auxfem/loads/motion_parameters.h>
 #include <auxfem/mesh/set_definition.h>
 
-#include <deal.II/base/utilities.h>
-
 namespace auxfem
 {
   namespace
@@ -196,24 +194,5 @@ namespace auxfem
         definition.velocity[c] = values[initial_velocity[c]];
       }
     return definition;
-  }
-
-
-
-  TimeFunction read_time_function(ParameterValues      &values,
-                                  const TimeExpression &parameter,
-                                  const TableKind       tables)
-  {
-    const std::string text = values[parameter];
-    if (const auto table = table_text(text))
-      {
-        // A comma may be part of the name, or stand before a column.
-        const std::string file = absolute_file(table->file, values.context);
-        values.files.push_back(file);
-        values.files.push_back(
-          dealii::Utilities::trim(file.substr(0, file.rfind(','))));
-        values.set(parameter.name, table->word + " " + file);
-      }
-    return TimeFunction(text, parameter.name, values.context, tables);
   }
 } // namespace auxfem

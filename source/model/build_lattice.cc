@@ -124,7 +124,7 @@ namespace auxfem
   {
     Lattice lattice =
       make_array(scene.lattice.cell->build(), scene.lattice.n_cells);
-    lattice.dimension = scene.dimension;
+    lattice.dimension = scene.context.dimension;
     for (const auto &definition : scene.sets)
       add_set(definition, scene.context, lattice);
     assign_sections(scene, lattice);

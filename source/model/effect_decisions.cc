@@ -55,7 +55,7 @@ namespace auxfem
     SimulatedEffects      effects;
     const EffectSwitches &set  = scene.effects;
     auto                 &list = effects.decisions;
-    if (scene.dimension == 3 && is_elastic)
+    if (scene.context.dimension == 3 && is_elastic)
       list.push_back({"struts in space", true, "Dimension = 3"});
     effects.large_rotation    = decide("large rotation",
                                     set.large_rotation,

@@ -39,20 +39,27 @@ namespace auxfem
      */
     double largest_of_nodes(const State &state, const DofNumbering &numbering)
     {
-      double squared = 0;
-      for (const Quaternion &rotation : state.rotations)
-        squared = std::max(squared, rotation.vector.norm_square());
+      double     largest = 0;
+      const auto raise   = [&largest](const double value) {
+        largest = std::max(largest, value);
+      };
       if (!state.rotations.empty())
-        return 2 * std::asin(std::min(1., std::sqrt(squared)));
-      for (unsigned int i = 0; i < numbering.rotations().size(); ++i)
-        squared = std::max(
-          squared,
-          NodeRotations(numbering).values(state.displacement, i).norm_square());
-      double largest = std::sqrt(squared);
-      if (numbering.rotations().size() == 0)
-        for (unsigned int i = 0; i < numbering.layout().n_owned(); ++i)
-          if (numbering.unknowns().is_rotation[i])
-            largest = std::max(largest, std::abs(state.displacement[i]));
+        {
+          for (const Quaternion &rotation : state.rotations)
+            raise(rotation.vector.norm_square());
+          return 2 * std::asin(std::min(1., std::sqrt(largest)));
+        }
+      const unsigned int n_in_space = numbering.rotations().size();
+      if (n_in_space > 0)
+        {
+          const NodeRotations of_nodes(numbering);
+          for (unsigned int i = 0; i < n_in_space; ++i)
+            raise(of_nodes.values(state.displacement, i).norm());
+          return largest;
+        }
+      for (unsigned int i = 0; i < numbering.layout().n_owned(); ++i)
+        if (numbering.unknowns().is_rotation[i])
+          raise(std::abs(state.displacement[i]));
       return largest;
     }
   } // namespace

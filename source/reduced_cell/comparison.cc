@@ -169,7 +169,7 @@ namespace auxfem
                       const FileRules          &rules)
   {
     for (const Scene &scene : scenes)
-      if (scene.model != Model::reduced_cell)
+      if (scene.context.model != Model::reduced_cell)
         throw InputError(scene.file +
                          ": --compare is for scenes with Model = reduced cell");
     FileRules with_inputs = rules;

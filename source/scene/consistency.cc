@@ -175,12 +175,12 @@ namespace auxfem
     void check_scheme(const Scene &scene, Mistakes &mistakes)
     {
       const std::string &scheme = scene.time.scheme->name();
-      if (!time_scheme_entry(scheme).serves(scene.model))
+      if (!time_scheme_entry(scheme).serves(scene.context.model))
         mistakes.add(message(
           scene,
           "Time/Scheme = ",
           scheme,
-          scene.model == Model::lattice
+          scene.context.model == Model::lattice
             ? " integrates the reduced cell only (Model = reduced cell)"
             : ": without inertia the cell of rigid parts is a mechanism, no "
               "equilibrium determines its angle",
@@ -189,7 +189,7 @@ namespace auxfem
 
     void check_order(const Scene &scene, Mistakes &mistakes)
     {
-      if (scene.dimension == 3 &&
+      if (scene.context.dimension == 3 &&
           scene.discretization.order > largest_space_order)
         mistakes.add(message(scene,
                              "Discretization/Order = ",
@@ -202,7 +202,7 @@ namespace auxfem
 
     void check_reduced_cell(const Scene &scene, Mistakes &mistakes)
     {
-      if (scene.dimension == 3)
+      if (scene.context.dimension == 3)
         mistakes.add(
           message(scene,
                   "Dimension = 3: with Model = reduced cell the cell "
@@ -269,7 +269,7 @@ namespace auxfem
   {
     check_steps(scene, mistakes);
     check_scheme(scene, mistakes);
-    if (scene.model == Model::reduced_cell)
+    if (scene.context.model == Model::reduced_cell)
       check_reduced_cell(scene, mistakes);
     check_smallest_step(scene, mistakes);
     check_order(scene, mistakes);

@@ -56,8 +56,8 @@ namespace auxfem
           check_subsection(root, general_schema(), {}, mistakes);
           mistakes.throw_if_any(scene.file);
         }
-      scene.model = scene.context.model = *model;
-      scene.dimension = scene.context.dimension = *dimension;
+      scene.context.model     = *model;
+      scene.context.dimension = *dimension;
     }
 
     Scene make_scene(const ParameterSubsection &root, const std::string &file)
@@ -69,9 +69,9 @@ namespace auxfem
       scene.file              = file;
       scene.context.directory = directory_of(file);
       read_model_and_dimension(root, scene);
-      check_subsection_names(root, scene.model, mistakes);
+      check_subsection_names(root, scene.context.model, mistakes);
       for (const SceneSubsection &subsection : scene_subsections())
-        if (subsection.schema.serves(scene.model))
+        if (subsection.schema.serves(scene.context.model))
           {
             std::vector<ParameterValues> found =
               check_subsection(root,

@@ -1,7 +1,8 @@
-#include <auxfem/parameters/named.h>
 #include <auxfem/parameters/suggest.h>
 #include <auxfem/scene/general_parameters.h>
 #include <auxfem/scene/scene_subsections.h>
+
+#include <algorithm>
 
 namespace auxfem
 {
@@ -88,20 +89,24 @@ namespace auxfem
                               const Model                model,
                               Mistakes                  &mistakes)
   {
-    std::vector<std::string> known;
+    std::vector<std::string> known, others;
     for (const SceneSubsection &subsection : scene_subsections())
-      if (!subsection.schema.name.empty() && subsection.schema.serves(model))
-        known.push_back(subsection.schema.name);
-    const std::vector<SubsectionSchema> schemas = scene_schemas();
+      if (!subsection.schema.name.empty())
+        (subsection.schema.serves(model) ? known : others)
+          .push_back(subsection.schema.name);
+    const auto is_among = [](const std::vector<std::string> &names,
+                             const std::string              &name) {
+      return std::find(names.begin(), names.end(), name) != names.end();
+    };
     for (const ParameterSubsection &found : root.subsections)
       {
-        const SubsectionSchema *schema = find_by_name(schemas, found.name);
-        if (schema != nullptr && schema->serves(model))
+        if (is_among(known, found.name))
           continue;
         mistakes.add(found.location.text() + ": " +
-                     (schema == nullptr ? "unknown subsection \"" + found.name +
-                          "\"" + did_you_mean(found.name, known)
-                                        : "subsection \"" + found.name +
+                     (!is_among(others, found.name)
+                        ? "unknown subsection \"" + found.name + "\"" +
+                          did_you_mean(found.name, known)
+                        : "subsection \"" + found.name +
                           "\" has no meaning with Model = " + name_of(model) +
                           ". Remove it or choose another Model") +
                      "\n  Allowed here: " + joined(known));

@@ -82,7 +82,7 @@ namespace
     double           n_cells = 1;
     for (const unsigned int n : scene.lattice.n_cells)
       n_cells *= n;
-    if (scene.model == Model::lattice && n_cells <= many)
+    if (scene.context.model == Model::lattice && n_cells <= many)
       refuse_columns_of_nothing(scene, build_lattice(scene));
   }
 

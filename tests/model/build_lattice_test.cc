@@ -37,7 +37,7 @@ TEST(BuildLattice, LaterSetsMayUseEarlierOnes)
 TEST(BuildLattice, InSpaceAStrutWithoutSectionIsShownWithItsZ)
 {
   Scene scene             = ladder_scene();
-  scene.dimension         = 3;
+  scene.context.dimension = 3;
   scene.context.dimension = 3;
   scene.lattice.cell      = cell_from_text("frame",
                                       "set Joints = 0 0 0; 0 0 1\n"

@@ -31,7 +31,7 @@ namespace
       , state(equations.initial_state())
       , vectors(model)
     {
-      if (scene.dimension == 3)
+      if (scene.context.dimension == 3)
         for (const unsigned int joint : {1, 0})
           vectors.choose(model.numbering.joint_unknown(joint, first_rotation));
     }

@@ -29,7 +29,7 @@ TEST(ReducedCellScene, IsRead)
   CellCase c;
   c.angle           = 60;
   const Scene scene = cell_scene(c);
-  ASSERT_EQ(scene.model, Model::reduced_cell);
+  ASSERT_EQ(scene.context.model, Model::reduced_cell);
   ASSERT_TRUE(scene.reduced_cell);
   EXPECT_DOUBLE_EQ(scene.reduced_cell->bar_length, 0.5);
   EXPECT_DOUBLE_EQ(scene.reduced_cell->angle, M_PI / 3);

@@ -60,9 +60,9 @@ namespace
   TEST(SceneInSpace, KnowsItsDimension)
   {
     const Scene space = space_scene("Supports", "set Joints = all");
-    EXPECT_EQ(space.dimension, 3u);
     EXPECT_EQ(space.context.dimension, 3u);
-    EXPECT_EQ(plane_scene("Supports", "set Joints = all").dimension, 2u);
+    EXPECT_EQ(plane_scene("Supports", "set Joints = all").context.dimension,
+              2u);
   }
 
 
@@ -404,7 +404,7 @@ namespace
     const Scene first =
       space_scene("Supports", "set Joints = all\nset Type = roller z");
     const Scene again = read_scene_from_text(first.all_parameters, "again.prm");
-    EXPECT_EQ(again.dimension, 3u);
+    EXPECT_EQ(again.context.dimension, 3u);
     EXPECT_EQ(again.all_parameters, first.all_parameters);
     EXPECT_EQ(again.supports[0].fixed, first.supports[0].fixed);
   }

@@ -31,7 +31,7 @@ namespace auxfem
   /** `sound`, `doubtful`, `not to be used`. */
   const std::string &name_of(Verdict verdict);
 
-  /** Adds `verdict` and `warnings`, with time and position, to @p summary. */
+  /** Adds `verdict` and `warnings`, with time and location, to @p summary. */
   void add_verdict(Json &summary, const std::vector<Finding> &findings);
 
   /** The verdict and its reasons, lines without the last line break. */

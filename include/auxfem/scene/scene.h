@@ -26,12 +26,10 @@ namespace auxfem
   struct Scene
   {
     std::string title;
-    Model       model = Model::lattice;
-    /** Dimension of space: 2 or 3. */
-    unsigned int dimension = 2;
     /** With Model::reduced_cell; its connector is the one in `connectors`. */
     std::optional<ReducedCellDefinition> reduced_cell;
-    SceneContext context; ///< directory of the file, constants
+    /** Model, dimension of space, directory of the file, constants. */
+    SceneContext context;
     std::string  file;
     /** All files it was read from: `file` with those it includes, tables, the
      * mesh file. */

@@ -64,7 +64,7 @@ namespace auxfem
 
       /** Joint and component that move most in the softest mode of the tangent
        * with @p factors; empty if there is none to be found. */
-      std::string position_of_softest_mode(const Evaluation     &evaluation,
+      std::string location_of_softest_mode(const Evaluation     &evaluation,
                                            const TangentFactors &factors)
       {
         const DofNumbering &numbering = equations.model().numbering;
@@ -224,7 +224,7 @@ namespace auxfem
         const unsigned long n = aside.n_unstable(again, stiffness);
         if (n > 0 && !first)
           first.note(end.time,
-                     aside.position_of_softest_mode(again, stiffness));
+                     aside.location_of_softest_mode(again, stiffness));
         return n;
       }
 
@@ -327,7 +327,7 @@ namespace auxfem
           found = rate;
         if (found > 0 && !first)
           first.note(at_rest.time,
-                     aside.position_of_softest_mode(instant, shifted(found)));
+                     aside.location_of_softest_mode(instant, shifted(found)));
         return found;
       }
 

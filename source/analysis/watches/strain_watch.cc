@@ -39,13 +39,13 @@ namespace auxfem
       std::vector<Finding> findings() const override
       {
         const LargestInTime all      = of_all_ranks();
-        const std::string   position = "strut " + std::to_string(strut_of(all));
+        const std::string   location = "strut " + std::to_string(strut_of(all));
         if (all.value <= doubtful_strain)
           return {};
         std::ostringstream text;
         text.precision(3);
         text << "The strain reaches " << 100 * all.value << " % in an outer "
-             << "fibre of " << position
+             << "fibre of " << location
              << ". Stress in proportion to strain and sections that keep their "
                 "shape, which beams here are made of, do not hold beyond some "
              << 100 * doubtful_strain
@@ -54,7 +54,7 @@ namespace auxfem
                                             : Verdict::doubtful,
                  text.str(),
                  all.time,
-                 position}};
+                 location}};
       }
 
       void save(Records &records) const override
