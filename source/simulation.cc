@@ -4,6 +4,7 @@
 #include <auxfem/reduced_cell/cell_output.h>
 #include <auxfem/reduced_cell/comparison.h>
 #include <auxfem/simulation.h>
+#include <auxfem/study/study.h>
 
 namespace auxfem
 {
@@ -12,6 +13,8 @@ namespace auxfem
                 const StartTimes &start,
                 const FileRules  &rules)
   {
+    if (scene.analysis == Analysis::study)
+      return run_study(scene, communicator, rules);
     if (scene.context.model == Model::reduced_cell)
       {
         CellOutput folder(scene, start, rules);
@@ -30,6 +33,8 @@ namespace auxfem
   void check(const Scene &scene, const MPI_Comm communicator)
   {
     analysis_of(scene).check(scene, communicator);
+    if (scene.analysis == Analysis::study)
+      check_study(scene, communicator);
   }
 
   void compare(const std::vector<Scene> &scenes,

@@ -3,6 +3,7 @@
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 
@@ -75,9 +76,10 @@ namespace auxfem
     return line;
   }
 
-  unsigned int terminal_width()
+  unsigned int terminal_width(const unsigned int n_processes)
   {
-    if (!isatty(STDOUT_FILENO))
+    // The pseudo-terminals of mpirun often end in a file.
+    if (n_processes > 1 || !isatty(STDOUT_FILENO))
       return 0;
     winsize size{};
     if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0)
@@ -108,6 +110,17 @@ namespace auxfem
   void Console::print_to_log(const std::string &text)
   {
     log << text << std::endl;
+  }
+
+  void Console::show(const std::string &text)
+  {
+    const double now = std::chrono::duration<double>(
+                         std::chrono::steady_clock::now().time_since_epoch())
+                         .count();
+    if (terminal_width == 0 || now < last_show + update_interval)
+      return;
+    rewrite(text);
+    last_show = now;
   }
 
   void Console::progress(const Progress &progress)

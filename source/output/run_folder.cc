@@ -21,7 +21,8 @@ namespace auxfem
                         ignored);
     }
 
-    FolderContents contents_of(const Scene &scene)
+    FolderContents contents_of(const Scene                    &scene,
+                               const std::vector<std::string> &further)
     {
       FolderContents contents{{"log.txt",
                                "parameters.prm",
@@ -32,6 +33,9 @@ namespace auxfem
                               {"solution", "rigid_parts", "connectors"}};
       if (is_copied(scene))
         contents.files.emplace_back("original.prm");
+      contents.files.insert(contents.files.end(),
+                            further.begin(),
+                            further.end());
       return contents;
     }
   } // namespace
@@ -44,9 +48,11 @@ namespace auxfem
     return rules;
   }
 
-  RunFolder::RunFolder(const Scene &scene, const FileRules &rules)
+  RunFolder::RunFolder(const Scene                    &scene,
+                       const FileRules                &rules,
+                       const std::vector<std::string> &further_files)
     : folder(scene.output.directory,
-             contents_of(scene),
+             contents_of(scene, further_files),
              with_inputs_of(scene, rules))
   {
     const std::string &path = scene.output.directory;

@@ -97,10 +97,10 @@ namespace auxfem
 
     on_first_rank(communicator, [&]() {
       files.emplace(scene, rules);
-      // The pseudo-terminals of mpirun often end in a file.
-      const bool is_alone =
-        dealii::Utilities::MPI::n_mpi_processes(communicator) == 1;
-      console.emplace(std::cout, is_alone ? terminal_width() : 0, files->log());
+      console.emplace(std::cout,
+                      terminal_width(
+                        dealii::Utilities::MPI::n_mpi_processes(communicator)),
+                      files->log());
     });
     signals.emplace();
     const Counts counts = count(equations);

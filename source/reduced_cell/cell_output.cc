@@ -1,5 +1,6 @@
 #include <auxfem/output/run_folder.h>
 #include <auxfem/output/summary.h>
+#include <auxfem/reduced_cell/cell_history.h>
 #include <auxfem/reduced_cell/cell_output.h>
 
 #include <cmath>
@@ -10,23 +11,6 @@
 
 namespace auxfem
 {
-  namespace
-  {
-    std::vector<Column> cell_columns()
-    {
-      std::vector<Column> columns = {
-        {"time", "s", "time"},
-        {"theta", "rad", "angle of the bars against the horizontal"},
-        {"Y1", "m", "rise of the upper part, extension of the connector"},
-        {"Y2", "m", "rise of the lower part"},
-        {"f1", "N", "load on the upper part, positive downwards"},
-        {"f2", "N", "force on the foundation, positive in compression"}};
-      for (const Column &column : energy_columns(cell_energies().ledger()))
-        columns.push_back(column);
-      return columns;
-    }
-  } // namespace
-
   std::string cell_overview_text(const Scene &scene)
   {
     const ReducedCellDefinition &cell = *scene.reduced_cell;
@@ -63,7 +47,7 @@ namespace auxfem
   {
     const std::string &folder = scene.output.directory;
     files.emplace(scene, rules);
-    console.emplace(std::cout, terminal_width(), files->log());
+    console.emplace(std::cout, terminal_width(/*n_processes=*/1), files->log());
     console->print(cell_overview_text(scene));
     const std::vector<Column> columns = cell_columns();
     table.emplace(folder + "/history.csv", columns);
@@ -82,17 +66,9 @@ namespace auxfem
 
   void CellOutput::write_row(const CellSample &sample)
   {
-    std::vector<double> row = {sample.time,
-                               sample.angle,
-                               sample.upper_rise,
-                               sample.lower_rise,
-                               sample.load,
-                               sample.transmitted};
-    for (const double energy : energy_values(energies))
-      row.push_back(energy);
     // What cannot be written is not tried again at the end of the run.
     latest_row = sample;
-    table->append(row);
+    table->append(cell_values(sample, energies));
   }
 
   std::string CellOutput::summary(const RunResult &result) const

@@ -31,6 +31,15 @@ namespace auxfem
       {models[0].first, models[1].first},
       "What is simulated: a lattice of beams and connectors by finite elements, "
       "or one star cell of rigid parts with two unknowns."};
+    const std::vector<std::pair<std::string, Analysis>> analyses =
+      {{"simulation", Analysis::simulation}, {"study", Analysis::study}};
+
+    const Choice analysis = {
+      "Analysis",
+      "simulation",
+      {analyses[0].first, analyses[1].first},
+      "What is computed. simulation: the scene, by Time/Scheme; study: the scene "
+      "again and again with other parameters, see Study."};
     const Text constants = {
       "Constants",
       "",
@@ -121,7 +130,7 @@ namespace auxfem
     return {"",
             SubsectionSchema::Form::fixed,
             "At the top of the file, outside all subsections.",
-            {title, model, dimension, constants},
+            {title, analysis, model, dimension, constants},
             "",
             {},
             {Model::lattice, Model::reduced_cell}};
@@ -132,6 +141,13 @@ namespace auxfem
   std::string read_title(const ParameterValues &values)
   {
     return values[title];
+  }
+
+
+
+  Analysis read_analysis(const ParameterValues &values)
+  {
+    return *value_of(analyses, values[analysis]);
   }
 
 

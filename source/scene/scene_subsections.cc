@@ -11,6 +11,7 @@ namespace auxfem
     void set_general(ParameterValues &values, Scene &scene)
     {
       scene.title             = read_title(values);
+      scene.analysis          = read_analysis(values);
       scene.context.constants = read_constants(values);
     }
 
@@ -26,6 +27,12 @@ namespace auxfem
     void add_probe(ParameterValues &values, Scene &scene)
     {
       scene.output.probes.push_back(read_probe(values));
+    }
+
+    /** After the study itself. */
+    void add_quantity(ParameterValues &values, Scene &scene)
+    {
+      scene.study.quantities.push_back(read_quantity(values));
     }
 
     /** What @p read makes of the one subsection becomes that @p member. */
@@ -69,7 +76,9 @@ namespace auxfem
       {newton_schema(), set<&Scene::newton, read_newton>},
       {solver_schema(), set<&Scene::solver, read_solver>},
       {output_schema(), set<&Scene::output, read_output>},
-      {probes_schema(), add_probe}};
+      {probes_schema(), add_probe},
+      {study_schema(), set<&Scene::study, read_study>},
+      {quantities_schema(), add_quantity}};
     return all;
   }
 

@@ -48,9 +48,11 @@ namespace auxfem
    */
   std::string format_duration(double seconds);
 
-  /** Characters a line of standard output holds; 0 if that is not a terminal.
+  /**
+   * Characters a line of standard output holds; 0 if that is not the terminal of
+   * a program of one process.
    */
-  unsigned int terminal_width();
+  unsigned int terminal_width(unsigned int n_processes);
 
   /**
    * Screen and log of a run. On a terminal the progress is one line rewritten
@@ -83,6 +85,12 @@ namespace auxfem
     /** Logs @p text, adding a line break. */
     void print_to_log(const std::string &text);
 
+    /**
+     * Shows @p text in place of the former one where the screen is a terminal,
+     * at most ten times a second; else and in the log it is left out.
+     */
+    void show(const std::string &text);
+
     /** Shows and logs the progress of a finished step if it is time to. */
     void progress(const Progress &progress);
 
@@ -102,6 +110,7 @@ namespace auxfem
     bool                    latest_in_log    = true;
     int                     twentieth        = -1;
     double                  last_rewrite     = 0;
+    double                  last_show        = 0;
     /** Of the open progress line. */
     std::size_t line_length = 0;
   };

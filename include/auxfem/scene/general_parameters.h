@@ -10,11 +10,21 @@
 
 namespace auxfem
 {
+  /** `Analysis`: what is computed of a scene. */
+  enum class Analysis
+  {
+    simulation, ///< the scene, as its time scheme does
+    study       ///< many simulations with other parameters
+  };
+
   /** The top level of the parameter file, outside all subsections. */
   SubsectionSchema general_schema();
 
   /** `Title`. */
   std::string read_title(const ParameterValues &values);
+
+  /** `Analysis`. */
+  Analysis read_analysis(const ParameterValues &values);
 
   /**
    * `Constants`: names and values. Throws InputError for one that is not

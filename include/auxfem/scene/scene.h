@@ -12,8 +12,10 @@
 #include <auxfem/mesh/rigid_part_definition.h>
 #include <auxfem/mesh/set_definition.h>
 #include <auxfem/scene/effect_switches.h>
+#include <auxfem/scene/general_parameters.h>
 #include <auxfem/scene/output_parameters.h>
 #include <auxfem/scene/reduced_cell_definition.h>
+#include <auxfem/scene/study_definition.h>
 #include <auxfem/time/time_parameters.h>
 
 #include <optional>
@@ -26,6 +28,7 @@ namespace auxfem
   struct Scene
   {
     std::string title;
+    Analysis    analysis = Analysis::simulation;
     /** With Model::reduced_cell; its connector is the one in `connectors`. */
     std::optional<ReducedCellDefinition> reduced_cell;
     /** Model, dimension of space, directory of the file, constants. */
@@ -52,6 +55,7 @@ namespace auxfem
     NewtonParameters                       newton;
     SolverParameters                       solver;
     OutputParameters                       output;
+    StudyDefinition                        study;
     /** All parameters with the values used, in .prm syntax, for parameters.prm.
      */
     std::string all_parameters;

@@ -1,0 +1,78 @@
+#ifndef auxfem_study_measured_run_h
+#define auxfem_study_measured_run_h
+
+#include <auxfem/output/recorder.h>
+#include <auxfem/parameters/json.h>
+#include <auxfem/scene/scene.h>
+#include <auxfem/study/recorded_history.h>
+
+#include <mpi.h>
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace auxfem
+{
+  /** One simulation of a study: what it gave and what it took. */
+  struct MeasuredRun
+  {
+    /** `completed` or the reason it was not. */
+    std::string   exit_state;
+    Verdict       verdict  = Verdict::sound;
+    unsigned long unknowns = 0; ///< 0: not known, as it failed at once
+    unsigned long steps = 0, iterations = 0, factorizations = 0;
+    /** Of all ranks together, without the start of the program (s); the least
+     * of all repetitions. */
+    double cpu_seconds  = 0;
+    double wall_seconds = 0;
+    /** The longest of all repetitions (s). */
+    double       most_cpu_seconds = 0;
+    unsigned int repetitions      = 1;
+    /** Peak of the process, or sum over the ranks' (bytes). */
+    unsigned long memory = 0;
+    /** The columns of history.csv that were asked for, and `time`. */
+    std::map<std::string, std::vector<double>> columns;
+
+    bool completed() const
+    {
+      return exit_state == "completed";
+    }
+
+    /** Takes note of the times of the same simulation once more. */
+    void add_repetition(const MeasuredRun &again);
+
+    /** How much longer than the shortest the longest repetition took, relative;
+     * none of a single one. */
+    std::optional<double> spread() const;
+
+    /** One of the columns over time. */
+    RecordedHistory history(const std::string &column) const;
+  };
+
+  Json        json_of(const MeasuredRun &run);
+  MeasuredRun measured_run_of(const Json &json);
+
+  /** How much of a run is done, in [0, 1]. */
+  using FractionDone = std::function<void(double)>;
+
+  /**
+   * Computes @p scene and writes nothing. A computation that fails is noted in
+   * the result. Throws InputError and Interrupted. Collective.
+   * @param columns of history.csv to be kept.
+   */
+  MeasuredRun measure_run(const Scene                 &scene,
+                          MPI_Comm                     communicator,
+                          const std::set<std::string> &columns,
+                          const FractionDone          &progress);
+
+  /** The names of the columns that the history of @p scene has. Collective;
+   * finds what the set-up shows to be wrong with the scene (InputError). */
+  std::vector<std::string> history_columns(const Scene &scene,
+                                           MPI_Comm     communicator);
+} // namespace auxfem
+
+#endif

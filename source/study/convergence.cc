@@ -1,0 +1,400 @@
+#include <auxfem/parameters/errors.h>
+#include <auxfem/study/recommendation.h>
+#include <auxfem/study/refinement.h>
+#include <auxfem/study/settings_list.h>
+#include <auxfem/study/study_kind.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace auxfem
+{
+  namespace
+  {
+    SettingsList settings_in(const std::vector<Refinement> &refinements)
+    {
+      SettingsList list;
+      for (const Refinement &refinement : refinements)
+        {
+          list.add(refinement.runs);
+          list.add(refinement.references);
+        }
+      return list;
+    }
+
+    std::vector<PlannedRun> plan(const StudyTask &task)
+    {
+      const std::vector<Refinement> refinements = refinements_of(task.scene);
+      if (refinements.empty())
+        throw InputError(task.scene.file +
+                         ": the study refines nothing. Give Refinements, Time "
+                         "steps or Newton tolerances in the subsection Study");
+      return settings_in(refinements).planned_runs(task.scene, 1);
+    }
+
+    /** A refinement with all its errors. */
+    struct Family
+    {
+      const Refinement             *refinement;
+      std::vector<MeasuredRun>      runs;   ///< references at the end
+      std::vector<RefinementErrors> errors; ///< for each quantity
+
+      /** Largest error of run @p i in any quantity; none if it failed. */
+      std::optional<double> largest_error(const std::size_t i) const
+      {
+        std::optional<double> largest;
+        for (const RefinementErrors &quantity : errors)
+          {
+            const std::optional<double> error = quantity.runs[i].error;
+            if (!error)
+              return {};
+            largest = std::max(largest.value_or(0), *error);
+          }
+        return largest;
+      }
+
+      /** Largest convergence index of run @p i in any quantity. */
+      std::optional<double> largest_index(const std::size_t i) const
+      {
+        std::optional<double> largest;
+        for (const RefinementErrors &quantity : errors)
+          if (const auto index = quantity.runs[i].convergence_index)
+            largest = std::max(largest.value_or(0), *index);
+        return largest;
+      }
+    };
+
+    std::vector<Family> families_of(const StudyTask                &task,
+                                    const std::vector<Refinement>  &refinements,
+                                    const std::vector<MeasuredRun> &runs)
+    {
+      const SettingsList  settings = settings_in(refinements);
+      std::vector<Family> families;
+      for (const Refinement &refinement : refinements)
+        {
+          Family family{&refinement, settings.of(refinement.runs, runs), {}};
+          for (const MeasuredRun &run :
+               settings.of(refinement.references, runs))
+            family.runs.push_back(run);
+          for (const QuantityDefinition &quantity : task.quantities)
+            family.errors.push_back(errors_of(refinement,
+                                              quantity,
+                                              family.runs,
+                                              task.scene.time.end_time,
+                                              task.scene.study.extrapolates));
+          families.push_back(family);
+        }
+      return families;
+    }
+
+    /** What is refined, in the order of the families, each once. */
+    std::vector<Refined> refined_in(const std::vector<Family> &families)
+    {
+      std::vector<Refined> refined;
+      for (const Family &family : families)
+        if (refined.empty() || refined.back() != family.refinement->refined)
+          refined.push_back(family.refinement->refined);
+      return refined;
+    }
+
+    std::string coarseness_text(const Refined refined, const Settings &settings)
+    {
+      return refined == Refined::mesh ? std::to_string(settings.elements())
+        : refined == Refined::mesh_and_time_step
+        ? std::to_string(settings.elements()) + ", " +
+          short_number(settings.time_step)
+        : short_number(coarseness(refined, settings));
+    }
+
+    std::string heading_of(const Refined refined)
+    {
+      return refined == Refined::mesh            ? "elements a strut"
+        : refined == Refined::mesh_and_time_step ? "elements a strut, step (s)"
+        : refined == Refined::time_step          ? "step (s)"
+                                                 : "Newton tolerance";
+    }
+
+    TextTable table_of(const Family &family, const StudyTask &task)
+    {
+      TextTable     table;
+      const Refined refined = family.refinement->refined;
+      table.header          = {heading_of(refined),
+                               "unknowns",
+                               "steps",
+                               "iterations",
+                               "CPU s"};
+      for (const QuantityDefinition &quantity : task.quantities)
+        {
+          table.header.push_back("error of " + quantity.name);
+          table.header.emplace_back("order");
+        }
+      for (std::size_t i = 0; i < family.refinement->runs.size(); ++i)
+        {
+          const MeasuredRun &run = family.runs[i];
+          table.rows.push_back(
+            {coarseness_text(refined, family.refinement->runs[i]),
+             std::to_string(run.unknowns),
+             std::to_string(run.steps),
+             std::to_string(run.iterations),
+             decimal_text(run.cpu_seconds, 2)});
+          for (const RefinementErrors &errors : family.errors)
+            {
+              const RunError &one = errors.runs[i];
+              table.rows.back().push_back(
+                run.completed() ? error_text(one.error) : "failed");
+              table.rows.back().push_back(decimal_text(one.order, 2));
+            }
+        }
+      return table;
+    }
+
+    std::string reference_text(const Family &family, const StudyTask &task)
+    {
+      std::string text;
+      for (std::size_t q = 0; q < task.quantities.size(); ++q)
+        {
+          const QuantityDefinition &quantity = task.quantities[q];
+          text += (text.empty() ? "" : ", ") + quantity.name + " " +
+            (quantity.exact ? "0 (exact value)"
+                            : error_text(family.errors[q].of_reference));
+        }
+      const Settings &finest = family.refinement->references.back();
+      return "Reference: " + name_of_run(task.scene, finest) + ", " +
+        decimal_text(family.runs.back().cpu_seconds, 2) +
+        " CPU s. Its own error, estimated: " + text + ".\n";
+    }
+
+    /** Reasons of runs that failed, one line each. */
+    std::string failures_text(const Family &family)
+    {
+      std::string text;
+      for (std::size_t i = 0; i < family.refinement->runs.size(); ++i)
+        if (!family.runs[i].completed())
+          text += "Failed at " +
+            coarseness_text(family.refinement->refined,
+                            family.refinement->runs[i]) +
+            ": " + family.runs[i].exit_state + "\n";
+        else if (family.runs[i].verdict != Verdict::sound)
+          text += "The verdict on " +
+            coarseness_text(family.refinement->refined,
+                            family.refinement->runs[i]) +
+            " is: " + name_of(family.runs[i].verdict) + ".\n";
+      return text;
+    }
+
+    std::string picture_name(const Refined refined)
+    {
+      std::string name = "error-" + name_of(refined);
+      std::replace(name.begin(), name.end(), ' ', '-');
+      return name;
+    }
+
+    LogPicture picture_of(const std::vector<Family> &families,
+                          const Refined              refined,
+                          const StudyTask           &task)
+    {
+      LogPicture picture;
+      picture.name    = picture_name(refined);
+      picture.title   = "Error by " + name_of(refined);
+      picture.x_label = refined == Refined::mesh
+        ? "length of an element / length of the strut"
+        : refined == Refined::newton_tolerance ? "Newton tolerance"
+                                               : "time step (s)";
+      picture.y_label = "relative error";
+      for (const Family &family : families)
+        if (family.refinement->refined == refined)
+          for (std::size_t q = 0; q < task.quantities.size(); ++q)
+            {
+              Curve curve;
+              curve.title =
+                family.refinement->title() + ": " + task.quantities[q].name;
+              for (std::size_t i = 0; i < family.refinement->runs.size(); ++i)
+                {
+                  const auto &error = family.errors[q].runs[i].error;
+                  if (error && *error > 0)
+                    curve.points.emplace_back(
+                      coarseness(refined, family.refinement->runs[i]),
+                      *error);
+                }
+              if (!curve.points.empty())
+                picture.curves.push_back(curve);
+            }
+      return picture;
+    }
+
+    std::vector<Column> csv_columns(const StudyTask &task)
+    {
+      std::vector<Column> columns = {
+        {"refined", "", "what is refined in this row and those around it"},
+        {"role", "", "run, or reference"}};
+      for (const std::vector<Column> &some :
+           {columns_of_settings(), columns_of_run()})
+        columns.insert(columns.end(), some.begin(), some.end());
+      for (const QuantityDefinition &quantity : task.quantities)
+        {
+          columns.push_back(
+            {quantity.name + ".value", "", "value, if it is one number"});
+          columns.push_back({quantity.name + ".error", "1", "relative error"});
+          columns.push_back(
+            {quantity.name + ".observed_order", "1", "by the run before"});
+          columns.push_back(
+            {quantity.name + ".convergence_index",
+             "1",
+             "error bound from three runs, without a reference"});
+        }
+      return columns;
+    }
+
+    void add_csv_rows(const Family                          &family,
+                      std::vector<std::vector<std::string>> &rows)
+    {
+      const Refinement &refinement = *family.refinement;
+      for (std::size_t i = 0; i < family.runs.size(); ++i)
+        {
+          const bool         is_run   = i < refinement.runs.size();
+          const Settings    &settings = is_run
+               ? refinement.runs[i]
+               : refinement.references[i - refinement.runs.size()];
+          const MeasuredRun &run      = family.runs[i];
+          rows.push_back(
+            {name_of(refinement.refined), is_run ? "run" : "reference"});
+          for (const std::vector<std::string> &cells :
+               {cells_of(settings), cells_of(run)})
+            rows.back().insert(rows.back().end(), cells.begin(), cells.end());
+          for (const RefinementErrors &errors : family.errors)
+            {
+              const RunError one = is_run ? errors.runs[i] : RunError();
+              for (const auto &number :
+                   {one.value, one.error, one.order, one.convergence_index})
+                rows.back().push_back(number_text(number));
+            }
+        }
+    }
+
+    /** The run that is cheapest for an error, of one family. */
+    struct CheapestRun
+    {
+      const Family *family;
+      std::size_t   number;
+
+      const Settings &settings() const
+      {
+        return family->refinement->runs[number];
+      }
+
+      double price() const
+      {
+        return family->runs[number].cpu_seconds;
+      }
+    };
+
+    /** Of those that refine @p refined, if one has an error of at most
+     * @p allowed. */
+    std::optional<CheapestRun> cheapest(const std::vector<Family> &families,
+                                        const Refined              refined,
+                                        const double               allowed)
+    {
+      std::optional<CheapestRun> best;
+      for (const Family &family : families)
+        if (family.refinement->refined == refined)
+          for (std::size_t i = 0; i < family.refinement->runs.size(); ++i)
+            {
+              const CheapestRun one{&family, i};
+              const auto        error = family.largest_error(i);
+              if (error && *error <= allowed &&
+                  (!best || one.price() < best->price()))
+                best = one;
+            }
+      return best;
+    }
+
+    /** Gives @p settings what is refined in @p run. */
+    void take(const CheapestRun &run, Settings &settings)
+    {
+      const Refined   refined = run.family->refinement->refined;
+      const Settings &its     = run.settings();
+      if (refined == Refined::newton_tolerance)
+        settings.newton_tolerance = its.newton_tolerance;
+      if (refined == Refined::mesh || refined == Refined::mesh_and_time_step)
+        {
+          settings.order       = its.order;
+          settings.refinements = its.refinements;
+        }
+      if (refined == Refined::time_step ||
+          refined == Refined::mesh_and_time_step)
+        {
+          settings.time_step = its.time_step;
+          settings.scheme    = its.scheme;
+        }
+    }
+
+    /** For an error of at most @p target, to which all that is refined has an
+     * equal part. */
+    std::optional<Recommendation> recommend(const std::vector<Family> &families,
+                                            const Settings            &own,
+                                            const double               target)
+    {
+      const std::vector<Refined> refined = refined_in(families);
+      Recommendation             recommended{own, "errors by"};
+      for (const Refined one : refined)
+        {
+          const auto run = cheapest(families, one, target / refined.size());
+          if (!run)
+            return {};
+          take(*run, recommended.settings);
+          recommended.remark += (one == refined.front() ? " " : ", ") +
+            name_of(one) + " " +
+            error_text(run->family->largest_error(run->number));
+          if (const auto index = run->family->largest_index(run->number))
+            recommended.remark +=
+              " (convergence index " + error_text(index) + ")";
+        }
+      return recommended;
+    }
+
+    StudyReport report(const StudyTask                &task,
+                       const std::vector<MeasuredRun> &runs,
+                       StudyRuns & /*further*/)
+    {
+      const std::vector<Refinement> refinements = refinements_of(task.scene);
+      const std::vector<Family> families = families_of(task, refinements, runs);
+      StudyReport               report;
+      report.columns = csv_columns(task);
+      for (const Family &family : families)
+        {
+          report.text += "## Error by " + name_of(family.refinement->refined) +
+            ": " + family.refinement->title() + "\n\n" +
+            table_of(family, task).markdown() + '\n' +
+            reference_text(family, task) + failures_text(family) + '\n';
+          add_csv_rows(family, report.rows);
+          add_finding_on_reference(family.runs.back(),
+                                   "The reference for the " +
+                                     name_of(family.refinement->refined),
+                                   report.findings);
+        }
+      for (const Refined one : refined_in(families))
+        report.pictures.push_back(picture_of(families, one, task));
+      report.text +=
+        "## What to take\n\nThe cheapest settings for an error, each refined "
+        "alone:\n\n" +
+        recommendations_text(task.scene, [&](const double target) {
+          return recommend(families, settings_of(task.scene), target);
+        });
+      return report;
+    }
+  } // namespace
+
+
+
+  StudyKind convergence_study()
+  {
+    std::vector<std::string> pictures;
+    for (const Refined refined : {Refined::mesh,
+                                  Refined::time_step,
+                                  Refined::newton_tolerance,
+                                  Refined::mesh_and_time_step})
+      pictures.push_back(picture_name(refined));
+    return {"convergence", pictures, plan, report};
+  }
+} // namespace auxfem

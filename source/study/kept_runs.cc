@@ -1,0 +1,107 @@
+#include <auxfem/output/run_folder.h>
+#include <auxfem/output/summary.h>
+#include <auxfem/parameters/parameter_file.h>
+#include <auxfem/study/kept_runs.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <iterator>
+
+#include <nlohmann/json.hpp>
+
+namespace auxfem
+{
+  namespace
+  {
+    namespace fs = std::filesystem;
+
+    const std::array<std::string, 3> without_influence = {"Output",
+                                                          "Study",
+                                                          "Quantities"};
+
+    void add_values(const ParameterSubsection &subsection,
+                    const std::string         &path,
+                    std::string               &text)
+    {
+      for (const ParameterEntry &entry : subsection.entries)
+        text += path + entry.name + " = " + entry.value + '\n';
+      for (const ParameterSubsection &inner : subsection.subsections)
+        if (std::find(without_influence.begin(),
+                      without_influence.end(),
+                      path + inner.name) == without_influence.end())
+          add_values(inner, path + inner.name + "/", text);
+    }
+
+    std::string hash_of(const std::string &text)
+    {
+      constexpr unsigned int hexadecimal = 16;
+      std::string            digits;
+      for (std::size_t rest = std::hash<std::string>()(text); rest > 0;
+           rest /= hexadecimal)
+        digits += "0123456789abcdef"[rest % hexadecimal];
+      return digits;
+    }
+
+    std::string contents(const std::string &file)
+    {
+      std::ifstream stream(file);
+      return {std::istreambuf_iterator<char>(stream), {}};
+    }
+
+    std::string file_of(const std::string &folder, const std::string &key)
+    {
+      return folder + "/" + hash_of(key) + ".json";
+    }
+  } // namespace
+
+
+
+  std::string key_of(const Scene &scene, const unsigned int n_ranks)
+  {
+    std::string text = "auxfem " + version_text() + " on " +
+      std::to_string(n_ranks) + " ranks\n";
+    add_values(parse_parameter_text(scene.all_parameters, scene.file),
+               "",
+               text);
+    for (const std::string &file : scene.input_files)
+      if (file != scene.file)
+        text += file + " " + hash_of(contents(file)) + '\n';
+    return text;
+  }
+
+
+
+  std::optional<MeasuredRun> kept_run(const std::string &folder,
+                                      const std::string &key)
+  {
+    std::ifstream stream(file_of(folder, key));
+    try
+      {
+        const Json json = Json::parse(stream);
+        // Another run may have the same hash.
+        if (json.at("key") == key)
+          return measured_run_of(json.at("run"));
+      }
+    catch (const Json::exception &)
+      {
+        // There is none, or its file is damaged.
+      }
+    return {};
+  }
+
+
+
+  void keep_run(const std::string &folder,
+                const std::string &key,
+                const MeasuredRun &run)
+  {
+    std::error_code ignored;
+    fs::create_directories(folder, ignored);
+    replace_file(file_of(folder, key),
+                 Json{{"key", key}, {"run", json_of(run)}}
+                   .dump(-1, ' ', false, Json::error_handler_t::replace));
+  }
+} // namespace auxfem

@@ -1,0 +1,259 @@
+#include <auxfem/analysis/analysis.h>
+#include <auxfem/analysis/lattice_run.h>
+#include <auxfem/output/memory_recorder.h>
+#include <auxfem/output/summary.h>
+#include <auxfem/parameters/errors.h>
+#include <auxfem/reduced_cell/cell_history.h>
+#include <auxfem/reduced_cell/cell_run.h>
+#include <auxfem/study/measured_run.h>
+#include <auxfem/time/interruption.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/timer.h>
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
+#include <fstream>
+#include <limits>
+
+#include <malloc.h>
+#include <nlohmann/json.hpp>
+
+namespace auxfem
+{
+  namespace
+  {
+    namespace mpi = dealii::Utilities::MPI;
+
+    const std::string time_column = "time";
+
+    std::vector<std::string> names_of(const std::vector<Column> &columns)
+    {
+      std::vector<std::string> names;
+      names.reserve(columns.size());
+      for (const Column &column : columns)
+        names.push_back(column.name);
+      return names;
+    }
+
+    /** Of lattices and of the reduced cell: keeps some columns of the history,
+     * and counts unknowns. */
+    class ColumnRecorder : public Recorder
+    {
+    public:
+      ColumnRecorder(const Scene                 &scene,
+                     const MPI_Comm               communicator,
+                     const std::set<std::string> &wanted,
+                     const FractionDone          &progress,
+                     MeasuredRun                 &run)
+        : scene(scene)
+        , communicator(communicator)
+        , wanted(wanted)
+        , progress(progress)
+        , run(run)
+      {}
+
+      void begin(const Equations &equations) override
+      {
+        run.unknowns = count(equations).free_unknowns;
+        history.emplace(scene, equations, communicator);
+        choose(history->columns());
+      }
+
+      void start(const Solution &solution) override
+      {
+        keep(history->values(solution));
+      }
+
+      void step(const Solution &solution,
+                const StepReport & /*report*/) override
+      {
+        keep(history->values(solution));
+      }
+
+      void begin_cell() override
+      {
+        constexpr unsigned int n_angles_and_rises = 2;
+        run.unknowns                              = n_angles_and_rises;
+        choose(cell_columns());
+      }
+
+      void cell(const CellSample &sample) override
+      {
+        energies.add(sample.energies);
+        keep(cell_values(sample, energies));
+      }
+
+    private:
+      void choose(const std::vector<Column> &columns)
+      {
+        const std::vector<std::string> names = names_of(columns);
+        for (std::size_t i = 0; i < names.size(); ++i)
+          if (names[i] == time_column || wanted.count(names[i]) > 0)
+            kept.emplace_back(i, &run.columns[names[i]]);
+      }
+
+      void keep(const std::vector<double> &row)
+      {
+        for (const auto &[column, values] : kept)
+          values->push_back(row[column]);
+        progress(row.front() / scene.time.end_time);
+      }
+
+      const Scene                 &scene;
+      const MPI_Comm               communicator;
+      const std::set<std::string> &wanted;
+      const FractionDone          &progress;
+      MeasuredRun                 &run;
+
+      std::optional<History>                                     history;
+      EnergyRecord                                               energies;
+      std::vector<std::pair<std::size_t, std::vector<double> *>> kept;
+    };
+
+    /** So that the peak is that of what follows, where the system can do so. */
+    void forget_peak_memory()
+    {
+      malloc_trim(0);
+      std::ofstream("/proc/self/clear_refs") << "5";
+    }
+
+    unsigned long peak_memory()
+    {
+      dealii::Utilities::System::MemoryStats memory{};
+      dealii::Utilities::System::get_memory_stats(memory);
+      constexpr unsigned long kilobyte = 1024;
+      return memory.VmHWM * kilobyte;
+    }
+
+    /** nlohmann writes what is not finite as null. */
+    std::vector<double> numbers_of(const Json &json)
+    {
+      std::vector<double> numbers;
+      numbers.reserve(json.size());
+      for (const Json &number : json)
+        numbers.push_back(number.is_null()
+                            ? std::numeric_limits<double>::quiet_NaN()
+                            : number.get<double>());
+      return numbers;
+    }
+  } // namespace
+
+
+
+  void MeasuredRun::add_repetition(const MeasuredRun &again)
+  {
+    cpu_seconds      = std::min(cpu_seconds, again.cpu_seconds);
+    wall_seconds     = std::min(wall_seconds, again.wall_seconds);
+    most_cpu_seconds = std::max(most_cpu_seconds, again.cpu_seconds);
+    ++repetitions;
+  }
+
+
+
+  std::optional<double> MeasuredRun::spread() const
+  {
+    if (repetitions == 1 || cpu_seconds <= 0)
+      return {};
+    return most_cpu_seconds / cpu_seconds - 1;
+  }
+
+
+
+  RecordedHistory MeasuredRun::history(const std::string &column) const
+  {
+    return {columns.at(time_column), columns.at(column)};
+  }
+
+
+
+  Json json_of(const MeasuredRun &run)
+  {
+    Json json = {{"exit", run.exit_state},
+                 {"verdict", static_cast<int>(run.verdict)},
+                 {"unknowns", run.unknowns},
+                 {"steps", run.steps},
+                 {"iterations", run.iterations},
+                 {"factorizations", run.factorizations},
+                 {"cpu_seconds", run.cpu_seconds},
+                 {"wall_seconds", run.wall_seconds},
+                 {"most_cpu_seconds", run.most_cpu_seconds},
+                 {"repetitions", run.repetitions},
+                 {"memory_bytes", run.memory}};
+    for (const auto &[name, values] : run.columns)
+      json["columns"][name] = values;
+    return json;
+  }
+
+
+
+  MeasuredRun measured_run_of(const Json &json)
+  {
+    MeasuredRun run;
+    run.exit_state       = json.at("exit");
+    run.verdict          = static_cast<Verdict>(json.at("verdict").get<int>());
+    run.unknowns         = json.at("unknowns");
+    run.steps            = json.at("steps");
+    run.iterations       = json.at("iterations");
+    run.factorizations   = json.at("factorizations");
+    run.cpu_seconds      = json.at("cpu_seconds");
+    run.wall_seconds     = json.at("wall_seconds");
+    run.most_cpu_seconds = json.at("most_cpu_seconds");
+    run.repetitions      = json.at("repetitions");
+    run.memory           = json.at("memory_bytes");
+    if (json.contains("columns"))
+      for (const auto &[name, values] : json.at("columns").items())
+        run.columns[name] = numbers_of(values);
+    return run;
+  }
+
+
+
+  MeasuredRun measure_run(const Scene                 &scene,
+                          const MPI_Comm               communicator,
+                          const std::set<std::string> &columns,
+                          const FractionDone          &progress)
+  {
+    MeasuredRun    run;
+    ColumnRecorder recorder(scene, communicator, columns, progress, run);
+    forget_peak_memory();
+    dealii::Timer timer(communicator, /*sync_lap_times=*/true);
+    try
+      {
+        const RunResult result =
+          analysis_of(scene).run(scene, communicator, recorder);
+        run.exit_state     = result.exit_state;
+        run.verdict        = verdict_of(result.findings);
+        run.steps          = result.work.steps;
+        run.iterations     = result.work.iterations;
+        run.factorizations = result.work.factorizations;
+      }
+    catch (const Interrupted &)
+      {
+        throw;
+      }
+    catch (const ComputationError &failure)
+      {
+        run.exit_state = failure.what();
+        run.verdict    = Verdict::not_to_be_used;
+      }
+    timer.stop();
+    run.cpu_seconds      = timer.cpu_time();
+    run.wall_seconds     = timer.wall_time();
+    run.most_cpu_seconds = run.cpu_seconds;
+    run.memory           = mpi::sum(peak_memory(), communicator);
+    return run;
+  }
+
+
+
+  std::vector<std::string> history_columns(const Scene   &scene,
+                                           const MPI_Comm communicator)
+  {
+    if (scene.context.model == Model::reduced_cell)
+      return names_of(cell_columns());
+    LatticeRun run(scene, communicator);
+    run.prepare();
+    return names_of(History(scene, run.equations, communicator).columns());
+  }
+} // namespace auxfem

@@ -1,0 +1,305 @@
+#include <auxfem/study/refinement.h>
+#include <auxfem/study/tried_values.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace auxfem
+{
+  namespace
+  {
+    std::vector<unsigned int> meshes(const Scene &scene)
+    {
+      return tried_refinements(scene, /*further=*/2);
+    }
+
+    std::vector<double> steps(const Scene &scene)
+    {
+      return tried_time_steps(scene, {4, 2, 1});
+    }
+
+    std::vector<unsigned int> orders(const Scene &scene)
+    {
+      const unsigned int own = scene.discretization.order;
+      return values_or(tried_orders(scene, {own}), own);
+    }
+
+    void add_mesh_refinements(const Scene             &scene,
+                              std::vector<Refinement> &refinements)
+    {
+      if (meshes(scene).empty())
+        return;
+      for (const unsigned int order : orders(scene))
+        {
+          Refinement refinement{Refined::mesh, {}, {}};
+          Settings   settings = settings_of(scene);
+          settings.order      = order;
+          for (const unsigned int mesh : meshes(scene))
+            {
+              settings.refinements = mesh;
+              refinement.runs.push_back(settings);
+            }
+          // All orders have the same limit, which the highest is nearest to;
+          // but to extrapolate takes runs of one order.
+          if (!scene.study.extrapolates)
+            settings.order = orders(scene).back();
+          refinement.references =
+            finer_meshes(scene, settings, !scene.study.extrapolates);
+          refinements.push_back(refinement);
+        }
+    }
+
+    void add_time_step_refinements(const Scene             &scene,
+                                   std::vector<Refinement> &refinements)
+    {
+      if (steps(scene).empty())
+        return;
+      for (const std::string &scheme : tried_schemes(scene))
+        {
+          Refinement refinement{Refined::time_step, {}, {}};
+          Settings   settings = settings_of(scene);
+          settings.scheme     = scheme;
+          for (const double step : steps(scene))
+            {
+              settings.time_step = step;
+              refinement.runs.push_back(settings);
+            }
+          // All schemes have the same limit, too.
+          if (!scene.study.extrapolates)
+            settings.scheme = tried_schemes(scene).front();
+          refinement.references.assign(2, settings);
+          halve_time_steps(refinement.references);
+          refinements.push_back(refinement);
+        }
+    }
+
+    void add_newton_refinement(const Scene             &scene,
+                               std::vector<Refinement> &refinements)
+    {
+      if (scene.study.newton_tolerances.empty())
+        return;
+      Refinement refinement{Refined::newton_tolerance, {}, {}};
+      Settings   settings = settings_of(scene);
+      for (const double tolerance :
+           sorted_values(scene.study.newton_tolerances, std::greater<>()))
+        {
+          settings.newton_tolerance = tolerance;
+          refinement.runs.push_back(settings);
+        }
+      for (unsigned int i = 0; i < 2; ++i)
+        {
+          settings.newton_tolerance /= 10;
+          refinement.references.push_back(settings);
+        }
+      refinements.push_back(refinement);
+    }
+
+    void add_joint_refinements(const Scene             &scene,
+                               std::vector<Refinement> &refinements)
+    {
+      Settings settings = settings_of(scene);
+      for (const unsigned int order : orders(scene))
+        for (const std::string &scheme : tried_schemes(scene))
+          {
+            Refinement refinement{Refined::mesh_and_time_step, {}, {}};
+            settings.order  = order;
+            settings.scheme = scheme;
+            for (std::size_t i = 0; i < meshes(scene).size(); ++i)
+              {
+                settings.refinements = meshes(scene)[i];
+                settings.time_step   = steps(scene)[i];
+                refinement.runs.push_back(settings);
+              }
+            refinement.references =
+              finer_meshes(scene, settings, /*raises_order=*/false);
+            halve_time_steps(refinement.references);
+            refinements.push_back(refinement);
+          }
+    }
+
+    /** A value for every quantity of a run, if it came to the end. */
+    using Values = std::optional<QuantityValues>;
+
+    std::optional<double> difference(const Values &one, const Values &other)
+    {
+      if (!one || !other)
+        return {};
+      const double result = relative_difference(*one, *other);
+      return std::isfinite(result) ? std::optional<double>(result)
+                                   : std::nullopt;
+    }
+
+    /** The order with which @p coarse falls to @p fine; none if it does not. */
+    std::optional<double> order_of_fall(const std::optional<double> &coarse,
+                                        const std::optional<double> &fine,
+                                        const double                 ratio)
+    {
+      if (!coarse || !fine || *fine <= 0 || *coarse <= 0)
+        return {};
+      return std::log(*coarse / *fine) / std::log(ratio);
+    }
+
+    /** The limit of three values, each @p ratio finer than the one before. */
+    Values limit_of(const Values &coarse,
+                    const Values &middle,
+                    const Values &fine,
+                    const double  ratio)
+    {
+      const auto order = order_of_fall(difference(coarse, middle),
+                                       difference(middle, fine),
+                                       ratio);
+      if (!order || *order <= 0)
+        return fine;
+      Values       limit = fine;
+      const double gain  = 1 / (std::pow(ratio, *order) - 1);
+      for (std::size_t i = 0; i < limit->size(); ++i)
+        (*limit)[i] += gain * ((*fine)[i] - (*middle)[i]);
+      return limit;
+    }
+
+    /** Error of the finest reference: what is left of its change if that goes
+     * on falling as it does; the change itself if the runs are of another kind.
+     */
+    std::optional<double> error_of_finest(const Refinement &refinement,
+                                          const Values     &last_run,
+                                          const Values     &finer,
+                                          const Values     &finest)
+    {
+      const Settings &run    = refinement.runs.back();
+      const Settings &first  = refinement.references[0];
+      const Settings &second = refinement.references[1];
+      const auto      change = difference(finer, finest);
+      const double    ratio  = coarseness(refinement.refined, first) /
+        coarseness(refinement.refined, second);
+      const auto order =
+        order_of_fall(difference(last_run, finer), change, ratio);
+      if (run.order != first.order || run.scheme != first.scheme || !order ||
+          *order <= 0)
+        return change;
+      return *change / (std::pow(ratio, *order) - 1);
+    }
+
+    std::optional<double> convergence_index(const Values &coarse,
+                                            const Values &middle,
+                                            const Values &fine,
+                                            const double  ratio)
+    {
+      constexpr double safety = 1.25;
+      const auto       change = difference(middle, fine);
+      const auto       order =
+        order_of_fall(difference(coarse, middle), change, ratio);
+      if (!order || *order <= 0)
+        return {};
+      return safety * *change / (std::pow(ratio, *order) - 1);
+    }
+  } // namespace
+
+
+
+  const std::string &name_of(const Refined refined)
+  {
+    static const std::array<std::string, 4> names = {
+      {"mesh", "time step", "Newton tolerance", "mesh and time step"}};
+    return names[static_cast<std::size_t>(refined)];
+  }
+
+
+
+  std::string Refinement::title() const
+  {
+    const Settings &one = runs.front();
+    return refined == Refined::mesh   ? "order " + std::to_string(one.order)
+      : refined == Refined::time_step ? one.scheme
+      : refined == Refined::newton_tolerance
+      ? "tolerance"
+      : "order " + std::to_string(one.order) + ", " + one.scheme;
+  }
+
+
+
+  std::vector<Refinement> refinements_of(const Scene &scene)
+  {
+    std::vector<Refinement> refinements;
+    if (scene.study.together)
+      add_joint_refinements(scene, refinements);
+    else
+      {
+        add_mesh_refinements(scene, refinements);
+        add_time_step_refinements(scene, refinements);
+      }
+    add_newton_refinement(scene, refinements);
+    return refinements;
+  }
+
+
+
+  double coarseness(const Refined refined, const Settings &settings)
+  {
+    return refined == Refined::mesh          ? 1. / settings.elements()
+      : refined == Refined::newton_tolerance ? settings.newton_tolerance
+                                             : settings.time_step;
+  }
+
+
+
+  RefinementErrors errors_of(const Refinement               &refinement,
+                             const QuantityDefinition       &quantity,
+                             const std::vector<MeasuredRun> &runs,
+                             const double                    end_time,
+                             const bool                      extrapolates)
+  {
+    const std::vector<double> times = times_of_comparison(runs);
+    std::vector<Values>       values;
+    for (const MeasuredRun &run : runs)
+      values.push_back(run.completed() ? Values(value_of(quantity, run, times))
+                                       : std::nullopt);
+    const auto ratio = [&refinement](const std::size_t i) {
+      return coarseness(refinement.refined, refinement.runs[i - 1]) /
+        coarseness(refinement.refined, refinement.runs[i]);
+    };
+
+    RefinementErrors  result;
+    const std::size_t n         = refinement.runs.size();
+    const Values     &finer     = values[n];
+    Values            reference = values[n + 1];
+    if (const Values exact = exact_value_of(quantity, end_time, times))
+      reference = exact;
+    else
+      {
+        if (extrapolates)
+          reference =
+            limit_of(values[n - 1],
+                     finer,
+                     reference,
+                     coarseness(refinement.refined, refinement.references[0]) /
+                       coarseness(refinement.refined,
+                                  refinement.references[1]));
+        result.of_reference = extrapolates
+          ? difference(values[n + 1], reference)
+          : error_of_finest(refinement, values[n - 1], finer, reference);
+      }
+
+    // A reference that is a fifth as wrong changes an order by a third at most.
+    constexpr double well_above = 5;
+    for (std::size_t i = 0; i < n; ++i)
+      {
+        RunError one;
+        one.error = difference(values[i], reference);
+        if (values[i] &&
+            quantity.measure != QuantityDefinition::Measure::history)
+          one.value = values[i]->front();
+        if (i > 0 && one.error &&
+            *one.error > well_above * result.of_reference.value_or(0))
+          one.order =
+            order_of_fall(result.runs.back().error, one.error, ratio(i));
+        if (i > 1)
+          one.convergence_index = convergence_index(values[i - 2],
+                                                    values[i - 1],
+                                                    values[i],
+                                                    ratio(i));
+        result.runs.push_back(one);
+      }
+    return result;
+  }
+} // namespace auxfem

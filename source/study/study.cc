@@ -1,0 +1,231 @@
+#include <auxfem/output/console.h>
+#include <auxfem/output/csv_table.h>
+#include <auxfem/output/first_rank.h>
+#include <auxfem/output/run_folder.h>
+#include <auxfem/output/summary.h>
+#include <auxfem/parameters/named.h>
+#include <auxfem/study/pictures.h>
+#include <auxfem/study/study.h>
+#include <auxfem/time/interruption.h>
+
+#include <chrono>
+#include <iostream>
+#include <sstream>
+
+#include <nlohmann/json.hpp>
+
+namespace auxfem
+{
+  namespace
+  {
+    const StudyKind &kind_of(const Scene &scene)
+    {
+      return *find_by_name(study_registry(), scene.study.kind);
+    }
+
+    StudyTask task_of(const Scene &scene, const MPI_Comm communicator)
+    {
+      return {scene,
+              compared_quantities(scene, history_columns(scene, communicator))};
+    }
+
+    StudyReport report_of(const StudyTask               &task,
+                          const std::vector<PlannedRun> &plan,
+                          const MPI_Comm                 communicator,
+                          const std::string             &folder,
+                          const StudyRuns::Listener     &listener)
+    {
+      StudyRuns runs(communicator,
+                     folder,
+                     columns_of(task.quantities),
+                     listener);
+      return kind_of(task.scene).report(task, runs.compute(plan), runs);
+    }
+
+    std::string plural(const std::size_t n, const std::string &word)
+    {
+      return std::to_string(n) + " " + word + (n == 1 ? "" : "s");
+    }
+
+    /** What stands before the first simulation. */
+    std::string overview(const StudyTask               &task,
+                         const std::vector<PlannedRun> &plan)
+    {
+      std::string text = heading_text(task.scene) +
+        "\n\n  Study: " + task.scene.study.kind + ", " +
+        plural(plan.size(), "simulation") + "\n  Compared by:";
+      for (const QuantityDefinition &quantity : task.quantities)
+        text +=
+          (&quantity == task.quantities.data() ? " " : ", ") + quantity.name;
+      return text + '\n';
+    }
+
+    /** The lines of a study on the screen and in the log. */
+    class StudyLines
+    {
+    public:
+      StudyLines(const unsigned int n_processes, std::ostream &log)
+        : console(std::cout, terminal_width(n_processes), log)
+        , start(Clock::now())
+      {}
+
+      void print(const std::string &text)
+      {
+        console.print(text);
+      }
+
+      void show(const StudyProgress &progress)
+      {
+        std::ostringstream line;
+        if (progress.result)
+          {
+            const MeasuredRun &run = *progress.result;
+            line << "  " << progress.number << '/' << progress.total << "  "
+                 << progress.name << ": "
+                 << (!run.completed() ? "failed" : name_of(run.verdict)) << ", "
+                 << decimal_text(run.cpu_seconds, 2) << " CPU s"
+                 << (progress.is_reused ? ", from an earlier study here" : "");
+            if (progress.fraction < 1 && !progress.is_reused)
+              line << ", left " << time_left(progress.fraction);
+            console.print(line.str());
+          }
+        else
+          {
+            line << "  " << progress.number + 1 << '/' << progress.total << "  "
+                 << progress.name << ", whole study "
+                 << static_cast<int>(100 * progress.fraction) << " %, left "
+                 << time_left(progress.fraction);
+            console.show(line.str());
+          }
+      }
+
+    private:
+      using Clock = std::chrono::steady_clock;
+
+      std::string time_left(const double fraction) const
+      {
+        const double elapsed =
+          std::chrono::duration<double>(Clock::now() - start).count();
+        return format_duration(elapsed * (1 - fraction) / fraction);
+      }
+
+      Console                 console;
+      const Clock::time_point start;
+    };
+
+    std::vector<std::string> files_of(const StudyKind &kind)
+    {
+      std::vector<std::string> files = {"study.md",
+                                        "study.csv",
+                                        "study.units.csv"};
+      for (const std::string &picture : kind.pictures)
+        for (const std::string &file : picture_files(picture))
+          files.push_back(file);
+      return files;
+    }
+
+    /** Draws and says what could not be drawn; returns Markdown that shows the
+     * pictures. */
+    std::string draw_all(const StudyReport &report,
+                         const std::string &folder,
+                         StudyLines        &lines)
+    {
+      std::string text;
+      for (const LogPicture &picture : report.pictures)
+        if (draw(picture, folder))
+          text += "![" + picture.title + "](" + picture.name + ".svg)\n\n";
+        else
+          lines.print("  Not drawn, since gnuplot is missing or failed: " +
+                      picture.name + ".gnuplot");
+      return text;
+    }
+
+    void write(const StudyReport &report,
+               const StudyTask   &task,
+               const std::string &folder,
+               StudyLines        &lines)
+    {
+      CsvTable table(folder + "/study.csv", report.columns);
+      for (const std::vector<std::string> &row : report.rows)
+        table.append_text(row);
+      write_column_reference(folder + "/study.units.csv", report.columns);
+      const std::string heading = "# " +
+        (task.scene.title.empty() ? task.scene.file : task.scene.title) + ": " +
+        task.scene.study.kind + "\n\n";
+      replace_file(folder + "/study.md",
+                   heading + report.text + '\n' +
+                     draw_all(report, folder, lines));
+      lines.print('\n' + report.text);
+      lines.print(verdict_text(report.findings));
+      lines.print("Tables and pictures are in " + folder +
+                  "/study.md, all numbers in study.csv");
+    }
+
+    const std::string runs_folder = "/runs";
+  } // namespace
+
+
+
+  StudyReport compute_study(const Scene               &scene,
+                            const MPI_Comm             communicator,
+                            const std::string         &folder,
+                            const StudyRuns::Listener &listener)
+  {
+    const StudyTask task = task_of(scene, communicator);
+    return report_of(task,
+                     kind_of(scene).plan(task),
+                     communicator,
+                     folder,
+                     listener);
+  }
+
+
+
+  RunResult run_study(const Scene     &scene,
+                      const MPI_Comm   communicator,
+                      const FileRules &rules)
+  {
+    // Mistakes in it must not cost the results of an earlier run.
+    const StudyTask               task = task_of(scene, communicator);
+    const std::vector<PlannedRun> plan = kind_of(scene).plan(task);
+
+    const std::string        &folder = scene.output.directory;
+    const SignalsWaitForStep  signals;
+    std::optional<RunFolder>  files;
+    std::optional<StudyLines> lines;
+    on_first_rank(communicator, [&]() {
+      files.emplace(scene, rules, files_of(kind_of(scene)));
+      lines.emplace(dealii::Utilities::MPI::n_mpi_processes(communicator),
+                    files->log());
+      lines->print(overview(task, plan));
+    });
+    const StudyReport report =
+      report_of(task,
+                plan,
+                communicator,
+                folder + runs_folder,
+                [&lines](const StudyProgress &progress) {
+                  lines->show(progress);
+                });
+    on_first_rank(communicator, [&]() { write(report, task, folder, *lines); });
+    RunResult result;
+    result.exit_state = "completed";
+    result.time       = scene.time.end_time;
+    result.findings   = report.findings;
+    return result;
+  }
+
+
+
+  void check_study(const Scene &scene, const MPI_Comm communicator)
+  {
+    const StudyTask               task = task_of(scene, communicator);
+    const std::vector<PlannedRun> plan = kind_of(scene).plan(task);
+    on_first_rank(communicator, [&]() {
+      std::cout << '\n' << overview(task, plan);
+      for (const PlannedRun &run : plan)
+        std::cout << "    " << run.name << '\n';
+      std::cout << std::flush;
+    });
+  }
+} // namespace auxfem

@@ -1,0 +1,154 @@
+#include <auxfem/study/study_report.h>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace auxfem
+{
+  namespace
+  {
+    std::string padded(const std::string &text, const std::size_t width)
+    {
+      return std::string(width - std::min(width, text.size()), ' ') + text;
+    }
+
+    std::string
+    formatted(const char *pattern, const double number, const int precision)
+    {
+      char text[40];
+      std::snprintf(text, sizeof(text), pattern, precision, number);
+      return text;
+    }
+  } // namespace
+
+
+
+  std::string TextTable::markdown() const
+  {
+    std::vector<std::size_t> widths(header.size(), 3);
+    const auto               widen = [&widths](const auto &row) {
+      for (std::size_t i = 0; i < row.size(); ++i)
+        widths[i] = std::max(widths[i], row[i].size());
+    };
+    widen(header);
+    for (const auto &row : rows)
+      widen(row);
+
+    std::string text;
+    const auto  add = [&text, &widths](const auto &row) {
+      text += "|";
+      for (std::size_t i = 0; i < row.size(); ++i)
+        text += " " + padded(row[i], widths[i]) + " |";
+      text += '\n';
+    };
+    add(header);
+    text += "|";
+    for (const std::size_t width : widths)
+      text += " " + std::string(width - 1, '-') + ": |";
+    text += '\n';
+    for (const auto &row : rows)
+      add(row);
+    return text;
+  }
+
+
+
+  std::string error_text(const std::optional<double> &error)
+  {
+    return error ? formatted("%.*e", *error, 2) : "-";
+  }
+
+
+
+  std::string decimal_text(const std::optional<double> &number,
+                           const unsigned int           digits)
+  {
+    return number ? formatted("%.*f", *number, digits) : "-";
+  }
+
+
+
+  std::string percent_text(const std::optional<double> &part)
+  {
+    return part ? decimal_text(100 * *part, 0) + " %" : "-";
+  }
+
+
+
+  std::string number_text(const std::optional<double> &number)
+  {
+    return number ? short_number(*number) : "";
+  }
+
+
+
+  std::vector<Column> columns_of_settings()
+  {
+    return {{"order", "", "polynomial order of the struts' elements"},
+            {"elements", "", "elements a strut"},
+            {"time_step", "s", "time step"},
+            {"newton_tolerance", "1", "Newton/Tolerance"},
+            {"scheme", "", "Time/Scheme"}};
+  }
+
+
+
+  std::vector<std::string> cells_of(const Settings &settings)
+  {
+    return {std::to_string(settings.order),
+            std::to_string(settings.elements()),
+            short_number(settings.time_step),
+            short_number(settings.newton_tolerance),
+            settings.scheme};
+  }
+
+
+
+  std::vector<Column> columns_of_run()
+  {
+    return {{"unknowns", "", "free unknowns"},
+            {"steps", "", "steps done"},
+            {"iterations", "", "Newton iterations, or evaluations"},
+            {"factorizations", "", "factorizations of the tangent"},
+            {"cpu", "s", "processor time of all ranks"},
+            {"wall", "s", "wall time"},
+            {"memory", "byte", "peak memory of the process, or sum of ranks"},
+            {"verdict", "", "how far the run can be relied on"},
+            {"exit", "", "completed, or why it ended early"}};
+  }
+
+
+
+  std::vector<std::string> cells_of(const MeasuredRun &run)
+  {
+    return {std::to_string(run.unknowns),
+            std::to_string(run.steps),
+            std::to_string(run.iterations),
+            std::to_string(run.factorizations),
+            short_number(run.cpu_seconds),
+            short_number(run.wall_seconds),
+            std::to_string(run.memory),
+            name_of(run.verdict),
+            run.exit_state};
+  }
+
+
+
+  void add_finding_on_reference(const MeasuredRun    &reference,
+                                const std::string    &what,
+                                std::vector<Finding> &findings)
+  {
+    if (!reference.completed())
+      findings.push_back({Verdict::not_to_be_used,
+                          what + " failed, so that errors are not known: " +
+                            reference.exit_state,
+                          0,
+                          ""});
+    else if (reference.verdict != Verdict::sound)
+      findings.push_back({reference.verdict,
+                          what + " is itself " + name_of(reference.verdict) +
+                            ". Run the scene with its settings to see why.",
+                          0,
+                          ""});
+  }
+} // namespace auxfem

@@ -1,0 +1,253 @@
+#include <auxfem/output/first_rank.h>
+#include <auxfem/study/kept_runs.h>
+#include <auxfem/study/study_runs.h>
+#include <auxfem/time/interruption.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include <nlohmann/json.hpp>
+
+namespace auxfem
+{
+  namespace
+  {
+    namespace mpi = dealii::Utilities::MPI;
+
+    /** How a rank's part of the runs ended. */
+    struct Outcome
+    {
+      std::string wrong_input; ///< empty: none
+      int         signal = 0;  ///< 0: not interrupted
+    };
+
+    void throw_if_any(const std::vector<std::string> &inputs,
+                      const std::vector<int>         &signals)
+    {
+      for (const std::string &message : inputs)
+        if (!message.empty())
+          throw InputError(message);
+      for (const int signal : signals)
+        if (signal != 0)
+          throw Interrupted(signal);
+    }
+
+    std::string text_of(const Json &json)
+    {
+      return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+    }
+  } // namespace
+
+
+
+  double PlannedRun::price() const
+  {
+    // Struts cost by their nodes; every step has a floor of its own.
+    const double nodes =
+      std::ldexp(scene.discretization.order, scene.discretization.refinements);
+    return repetitions * scene.time.n_steps() * (0.3 + nodes);
+  }
+
+
+
+  struct StudyRuns::Task
+  {
+    const PlannedRun          *planned;
+    std::string                key;
+    std::optional<MeasuredRun> result;
+  };
+
+
+
+  StudyRuns::StudyRuns(const MPI_Comm        communicator,
+                       const std::string    &folder,
+                       std::set<std::string> columns,
+                       Listener              listener)
+    : communicator(communicator)
+    , folder(folder)
+    , columns(std::move(columns))
+    , listener(std::move(listener))
+  {}
+
+
+
+  std::vector<MeasuredRun>
+  StudyRuns::compute(const std::vector<PlannedRun> &plan)
+  {
+    const unsigned int n_ranks  = mpi::n_mpi_processes(communicator);
+    const bool         by_ranks = n_ranks > 1 && plan.size() >= n_ranks &&
+      std::all_of(plan.begin(), plan.end(), [](const PlannedRun &planned) {
+                            return planned.repetitions == 1;
+                          });
+
+    std::vector<Task> tasks;
+    progress       = {};
+    progress.total = plan.size();
+    price_done = price_in_all = 0;
+    for (const PlannedRun &planned : plan)
+      {
+        tasks.push_back(
+          {&planned, key_of(planned.scene, by_ranks ? 1 : n_ranks), {}});
+        price_in_all += planned.price();
+      }
+    find_kept(tasks);
+    if (by_ranks)
+      compute_side_by_side(tasks);
+    else
+      compute_in_turn(tasks);
+
+    std::vector<MeasuredRun> results;
+    results.reserve(tasks.size());
+    for (Task &task : tasks)
+      results.push_back(std::move(*task.result));
+    return results;
+  }
+
+
+
+  void StudyRuns::find_kept(std::vector<Task> &tasks) const
+  {
+    if (folder.empty())
+      return;
+    Json kept = Json::array();
+    on_first_rank(communicator, [&]() {
+      for (const Task &task : tasks)
+        {
+          const auto run     = kept_run(folder, task.key);
+          const bool has_all = run &&
+            std::all_of(columns.begin(),
+                        columns.end(),
+                        [&run](const std::string &column) {
+                          return run->columns.count(column) > 0;
+                        });
+          kept.push_back(has_all ? json_of(*run) : Json());
+        }
+    });
+    kept = Json::parse(mpi::broadcast(communicator, text_of(kept)));
+    for (std::size_t i = 0; i < tasks.size(); ++i)
+      if (!kept[i].is_null())
+        tasks[i].result = measured_run_of(kept[i]);
+  }
+
+
+
+  void StudyRuns::compute_in_turn(std::vector<Task> &tasks)
+  {
+    for (Task &task : tasks)
+      {
+        const bool is_kept = task.result.has_value();
+        if (!is_kept)
+          measure(task, communicator);
+        tell_of(task, is_kept);
+      }
+  }
+
+
+
+  void StudyRuns::compute_side_by_side(std::vector<Task> &tasks)
+  {
+    std::vector<std::size_t> open;
+    for (std::size_t i = 0; i < tasks.size(); ++i)
+      if (!tasks[i].result)
+        open.push_back(i);
+      else
+        tell_of(tasks[i], /*is_reused=*/true);
+    // The dearest first, each to the rank that has least to do.
+    std::stable_sort(open.begin(),
+                     open.end(),
+                     [&tasks](const std::size_t one, const std::size_t other) {
+                       return tasks[one].planned->price() >
+                         tasks[other].planned->price();
+                     });
+    const unsigned int  rank = mpi::this_mpi_process(communicator);
+    std::vector<double> load(mpi::n_mpi_processes(communicator), 0);
+    std::map<std::size_t, unsigned int> rank_of;
+    for (const std::size_t i : open)
+      {
+        const auto least = std::min_element(load.begin(), load.end());
+        *least += tasks[i].planned->price();
+        rank_of[i] = least - load.begin();
+      }
+    price_in_all = price_done + load[rank];
+
+    Outcome outcome;
+    Json    mine = Json::object();
+    for (const std::size_t i : open)
+      {
+        if (rank_of[i] != rank || outcome.signal != 0)
+          continue;
+        try
+          {
+            measure(tasks[i], MPI_COMM_SELF);
+            tell_of(tasks[i], /*is_reused=*/false);
+            mine[std::to_string(i)] = json_of(*tasks[i].result);
+          }
+        catch (const Interrupted &interruption)
+          {
+            outcome.signal = interruption.signal();
+          }
+        catch (const InputError &error)
+          {
+            outcome.wrong_input = error.what();
+          }
+      }
+    throw_if_any(mpi::all_gather(communicator, outcome.wrong_input),
+                 mpi::all_gather(communicator, outcome.signal));
+    for (const std::string &text : mpi::all_gather(communicator, text_of(mine)))
+      {
+        const Json of_rank = Json::parse(text);
+        for (const auto &[number, run] : of_rank.items())
+          tasks[std::stoul(number)].result = measured_run_of(run);
+      }
+    for (const auto &[i, by_rank] : rank_of)
+      if (by_rank != rank)
+        tell_of(tasks[i], /*is_reused=*/false);
+  }
+
+
+
+  void StudyRuns::measure(Task &task, const MPI_Comm on_ranks)
+  {
+    const bool speaks = mpi::this_mpi_process(communicator) == 0;
+    progress.name     = task.planned->name;
+    progress.result.reset();
+    const unsigned int repetitions = task.planned->repetitions;
+    const double share = task.planned->price() / repetitions / price_in_all;
+    for (unsigned int i = 0; i < repetitions; ++i)
+      {
+        const MeasuredRun run =
+          measure_run(task.planned->scene,
+                      on_ranks,
+                      columns,
+                      [&](const double fraction) {
+                        progress.fraction =
+                          price_done / price_in_all + (i + fraction) * share;
+                        if (speaks)
+                          listener(progress);
+                      });
+        if (task.result)
+          task.result->add_repetition(run);
+        else
+          task.result = run;
+      }
+    if (!folder.empty() && mpi::this_mpi_process(on_ranks) == 0)
+      keep_run(folder, task.key, *task.result);
+  }
+
+
+
+  void StudyRuns::tell_of(const Task &task, const bool is_reused)
+  {
+    price_done += task.planned->price();
+    ++progress.number;
+    progress.name      = task.planned->name;
+    progress.fraction  = std::min(1., price_done / price_in_all);
+    progress.result    = task.result;
+    progress.is_reused = is_reused;
+    if (mpi::this_mpi_process(communicator) == 0)
+      listener(progress);
+  }
+} // namespace auxfem

@@ -1,0 +1,348 @@
+#include <auxfem/study/recommendation.h>
+#include <auxfem/study/settings_list.h>
+#include <auxfem/study/study_kind.h>
+#include <auxfem/study/tried_values.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace auxfem
+{
+  namespace
+  {
+    const std::string work_precision_picture = "work-precision";
+
+    /** The settings that are compared, and what they are measured against. */
+    struct Grid
+    {
+      std::vector<Settings> runs; ///< the finest mesh and step last
+      std::vector<Settings> references;
+      /** The last run, with Newton's method to much more than its tolerance. */
+      Settings solved_better;
+
+      const Settings &finest() const
+      {
+        return runs.back();
+      }
+    };
+
+    std::vector<unsigned int> neighbouring_orders(const Scene &scene)
+    {
+      const unsigned int        own = scene.discretization.order;
+      std::vector<unsigned int> orders;
+      for (unsigned int order = std::max(own, 2u) - 1;
+           order <= std::min(own + 1, highest_order(scene));
+           ++order)
+        orders.push_back(order);
+      return orders;
+    }
+
+    Grid grid_of(const Scene &scene)
+    {
+      const Settings own = settings_of(scene);
+      const auto     orders =
+        values_or(tried_orders(scene, neighbouring_orders(scene)), own.order);
+      const auto refinements =
+        values_or(tried_refinements(scene, /*further=*/0), own.refinements);
+      const auto steps =
+        values_or(tried_time_steps(scene, {4, 2, 1, 0.5}), own.time_step);
+
+      Grid grid;
+      auto schemes = tried_schemes(scene);
+      // The first is that of the references, and belongs to the last run.
+      std::reverse(schemes.begin(), schemes.end());
+      for (const std::string &scheme : schemes)
+        for (const unsigned int order : orders)
+          for (const unsigned int mesh : refinements)
+            for (const double step : steps)
+              grid.runs.push_back(
+                {order, mesh, step, own.newton_tolerance, scheme});
+      grid.references =
+        finer_meshes(scene, grid.finest(), /*raises_order=*/true);
+      halve_time_steps(grid.references);
+      constexpr double much = 1000;
+      grid.solved_better    = grid.finest();
+      grid.solved_better.newton_tolerance /= much;
+      return grid;
+    }
+
+    SettingsList settings_in_grid(const Grid &grid)
+    {
+      SettingsList list;
+      list.add(grid.runs);
+      list.add(grid.references);
+      list.add(grid.solved_better);
+      return list;
+    }
+
+    std::vector<PlannedRun> plan_work_precision(const StudyTask &task)
+    {
+      return settings_in_grid(grid_of(task.scene))
+        .planned_runs(task.scene, task.scene.study.repetitions);
+    }
+
+    /** One run with its error and where that comes from, each the largest of
+     * all quantities; none where a run failed that it would need. */
+    struct GridRun
+    {
+      Settings              settings;
+      MeasuredRun           run;
+      std::optional<double> error, by_mesh, by_step;
+      /** No cheaper one has a smaller error. */
+      bool is_best = false;
+    };
+
+    /** All quantities of one run, if it came to the end. */
+    using AllValues = std::optional<std::vector<QuantityValues>>;
+
+    std::optional<double> largest_difference(const AllValues &one,
+                                             const AllValues &other)
+    {
+      if (!one || !other)
+        return {};
+      double largest = 0;
+      for (std::size_t q = 0; q < one->size(); ++q)
+        {
+          const double difference = relative_difference((*one)[q], (*other)[q]);
+          if (!std::isfinite(difference))
+            return {};
+          largest = std::max(largest, difference);
+        }
+      return largest;
+    }
+
+    /** What the runs of a grid show. */
+    struct WorkPrecision
+    {
+      std::vector<GridRun>  runs; ///< by processor time
+      std::optional<double> of_reference, by_newton;
+      MeasuredRun           reference;
+    };
+
+    class GridComparison
+    {
+    public:
+      GridComparison(const StudyTask &task, const std::vector<MeasuredRun> &all)
+        : task(task)
+        , grid(grid_of(task.scene))
+        , list(settings_in_grid(grid))
+        , all(all)
+        , times(times_of_comparison(all))
+      {}
+
+      WorkPrecision result() const
+      {
+        WorkPrecision   found;
+        const AllValues finest = reference();
+        for (const Settings &settings : grid.runs)
+          found.runs.push_back(compared(settings, finest));
+        std::stable_sort(found.runs.begin(),
+                         found.runs.end(),
+                         [](const GridRun &one, const GridRun &other) {
+                           return one.run.cpu_seconds < other.run.cpu_seconds;
+                         });
+        mark_best(found.runs);
+        found.by_newton =
+          largest_difference(values(grid.solved_better), values(grid.finest()));
+        found.of_reference =
+          largest_difference(values(grid.references[0]), finest);
+        found.reference = list.of({grid.references[1]}, all).front();
+        return found;
+      }
+
+    private:
+      AllValues values(const Settings &settings) const
+      {
+        const MeasuredRun run = list.of({settings}, all).front();
+        if (!run.completed())
+          return {};
+        std::vector<QuantityValues> result;
+        for (const QuantityDefinition &quantity : task.quantities)
+          result.push_back(value_of(quantity, run, times));
+        return result;
+      }
+
+      /** With exact values where they are known. */
+      AllValues reference() const
+      {
+        AllValues result = values(grid.references[1]);
+        for (std::size_t q = 0; result && q < task.quantities.size(); ++q)
+          if (const auto exact = exact_value_of(task.quantities[q],
+                                                task.scene.time.end_time,
+                                                times))
+            (*result)[q] = *exact;
+        return result;
+      }
+
+      GridRun compared(const Settings &settings, const AllValues &finest) const
+      {
+        Settings on_finest_mesh    = settings;
+        on_finest_mesh.order       = grid.finest().order;
+        on_finest_mesh.refinements = grid.finest().refinements;
+        const AllValues own        = values(settings);
+        const AllValues fine_mesh  = values(on_finest_mesh);
+        return {settings,
+                list.of({settings}, all).front(),
+                largest_difference(own, finest),
+                largest_difference(own, fine_mesh),
+                largest_difference(fine_mesh, finest)};
+      }
+
+      static void mark_best(std::vector<GridRun> &by_price)
+      {
+        std::optional<double> smallest;
+        for (GridRun &one : by_price)
+          if (one.error && (!smallest || *one.error < *smallest))
+            {
+              one.is_best = true;
+              smallest    = one.error;
+            }
+      }
+
+      const StudyTask                &task;
+      const Grid                      grid;
+      const SettingsList              list;
+      const std::vector<MeasuredRun> &all;
+      const std::vector<double>       times;
+    };
+
+    std::string table_text(const WorkPrecision &found)
+    {
+      TextTable table;
+      table.header = {"best",
+                      "order",
+                      "elements a strut",
+                      "scheme",
+                      "step (s)",
+                      "unknowns",
+                      "iterations",
+                      "CPU s",
+                      "spread",
+                      "error",
+                      "by mesh",
+                      "by step"};
+      for (const GridRun &one : found.runs)
+        table.rows.push_back(
+          {one.is_best ? "*" : "",
+           std::to_string(one.settings.order),
+           std::to_string(one.settings.elements()),
+           one.settings.scheme,
+           short_number(one.settings.time_step),
+           std::to_string(one.run.unknowns),
+           std::to_string(one.run.iterations),
+           decimal_text(one.run.cpu_seconds, 3),
+           percent_text(one.run.spread()),
+           one.run.completed() ? error_text(one.error) : "failed",
+           error_text(one.by_mesh),
+           error_text(one.by_step)});
+      return table.markdown();
+    }
+
+    LogPicture picture_of(const WorkPrecision &found)
+    {
+      LogPicture picture{work_precision_picture,
+                         "What accuracy costs",
+                         "processor time (s)",
+                         "relative error",
+                         {}};
+      const auto title_of = [](const Settings &settings) {
+        return settings.scheme + ", order " + std::to_string(settings.order) +
+          ", " + std::to_string(settings.elements()) + " a strut";
+      };
+      Curve best{"best", {}};
+      for (const GridRun &one : found.runs)
+        {
+          if (!one.error || *one.error <= 0)
+            continue;
+          const std::string title = title_of(one.settings);
+          auto              curve = std::find_if(picture.curves.begin(),
+                                    picture.curves.end(),
+                                    [&title](const Curve &candidate) {
+                                      return candidate.title == title;
+                                    });
+          if (curve == picture.curves.end())
+            curve = picture.curves.insert(curve, Curve{title, {}});
+          curve->points.emplace_back(one.run.cpu_seconds, *one.error);
+          if (one.is_best)
+            best.points.emplace_back(one.run.cpu_seconds, *one.error);
+        }
+      picture.curves.push_back(best);
+      return picture;
+    }
+
+    std::optional<Recommendation> recommend_run(const WorkPrecision &found,
+                                                const double         target)
+    {
+      for (const GridRun &one : found.runs)
+        if (one.error && *one.error <= target)
+          return Recommendation{one.settings,
+                                decimal_text(one.run.cpu_seconds, 2) +
+                                  " CPU s, error " + error_text(one.error) +
+                                  ": by mesh " + error_text(one.by_mesh) +
+                                  ", by step " + error_text(one.by_step)};
+      return {};
+    }
+
+    std::vector<Column> work_precision_columns()
+    {
+      std::vector<Column> columns = columns_of_settings();
+      for (const Column &column : columns_of_run())
+        columns.push_back(column);
+      columns.insert(
+        columns.end(),
+        {{"spread", "1", "longest over shortest repetition, less 1"},
+         {"error", "1", "largest relative error of all quantities"},
+         {"error_by_mesh", "1", "difference from the finest mesh"},
+         {"error_by_step", "1", "error with the finest mesh"},
+         {"best", "", "1 if no cheaper run has a smaller error"}});
+      return columns;
+    }
+
+    std::vector<std::string> row_of(const GridRun &one)
+    {
+      std::vector<std::string> row = cells_of(one.settings);
+      for (const std::string &cell : cells_of(one.run))
+        row.push_back(cell);
+      for (const auto &number :
+           {one.run.spread(), one.error, one.by_mesh, one.by_step})
+        row.push_back(number_text(number));
+      row.emplace_back(one.is_best ? "1" : "0");
+      return row;
+    }
+
+    StudyReport report_work_precision(const StudyTask                &task,
+                                      const std::vector<MeasuredRun> &runs,
+                                      StudyRuns & /*further*/)
+    {
+      const WorkPrecision found = GridComparison(task, runs).result();
+      StudyReport         report;
+      report.text = "## Error and price\n\n" + table_text(found) +
+        "\nErrors are the largest of all quantities. The reference's own error, "
+        "estimated: " +
+        error_text(found.of_reference) +
+        ". Newton's tolerance is behind a part of " +
+        error_text(found.by_newton) + ".\n\n## What to take\n\n" +
+        recommendations_text(task.scene, [&found](const double target) {
+                      return recommend_run(found, target);
+                    });
+      report.columns = work_precision_columns();
+      for (const GridRun &one : found.runs)
+        report.rows.push_back(row_of(one));
+      report.pictures.push_back(picture_of(found));
+      add_finding_on_reference(found.reference,
+                               "The reference",
+                               report.findings);
+      return report;
+    }
+  } // namespace
+
+
+
+  StudyKind work_precision_study()
+  {
+    return {"work-precision",
+            {work_precision_picture},
+            plan_work_precision,
+            report_work_precision};
+  }
+} // namespace auxfem
