@@ -21,11 +21,14 @@ namespace auxfem
     void add_files(const ParameterSubsection &subsection,
                    std::set<std::string>     &files)
     {
+      // What comes from the command line has no line.
       for (const ParameterEntry &entry : subsection.entries)
-        files.insert(entry.location.file);
+        if (entry.location.line > 0)
+          files.insert(entry.location.file);
       for (const ParameterSubsection &inner : subsection.subsections)
         {
-          files.insert(inner.location.file);
+          if (inner.location.line > 0)
+            files.insert(inner.location.file);
           add_files(inner, files);
         }
     }

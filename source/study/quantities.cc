@@ -165,14 +165,22 @@ namespace auxfem
 
 
 
+  double largest_change(const QuantityValues &values,
+                        const QuantityValues &others)
+  {
+    QuantityValues change(values);
+    for (std::size_t i = 0; i < change.size(); ++i)
+      change[i] -= others[i];
+    return largest_number(change);
+  }
+
+
+
   double relative_difference(const QuantityValues &values,
                              const QuantityValues &reference)
   {
-    QuantityValues difference(values);
-    for (std::size_t i = 0; i < difference.size(); ++i)
-      difference[i] -= reference[i];
     const double scale = largest_number(reference);
-    return largest_number(difference) / (scale > 0 ? scale : 1);
+    return largest_change(values, reference) / (scale > 0 ? scale : 1);
   }
 
 

@@ -130,6 +130,16 @@ namespace auxfem
                                    : std::nullopt;
     }
 
+    /** Largest difference, not relative. */
+    std::optional<double> change(const Values &one, const Values &other)
+    {
+      if (!one || !other)
+        return {};
+      const double result = largest_change(*one, *other);
+      return std::isfinite(result) ? std::optional<double>(result)
+                                   : std::nullopt;
+    }
+
     /** The order with which @p coarse falls to @p fine; none if it does not. */
     std::optional<double> order_of_fall(const std::optional<double> &coarse,
                                         const std::optional<double> &fine,
@@ -140,44 +150,59 @@ namespace auxfem
       return std::log(*coarse / *fine) / std::log(ratio);
     }
 
+    /** What remains of the change from @p middle to @p fine if changes go on
+     * falling as they do, as a part of that change; none if they do not fall.
+     */
+    std::optional<double> remaining_part(const Values &coarse,
+                                         const Values &middle,
+                                         const Values &fine,
+                                         const double  ratio)
+    {
+      const auto order =
+        order_of_fall(change(coarse, middle), change(middle, fine), ratio);
+      if (!order || *order <= 0)
+        return {};
+      return 1 / (std::pow(ratio, *order) - 1);
+    }
+
     /** The limit of three values, each @p ratio finer than the one before. */
     Values limit_of(const Values &coarse,
                     const Values &middle,
                     const Values &fine,
                     const double  ratio)
     {
-      const auto order = order_of_fall(difference(coarse, middle),
-                                       difference(middle, fine),
-                                       ratio);
-      if (!order || *order <= 0)
+      const auto part = remaining_part(coarse, middle, fine, ratio);
+      if (!part)
         return fine;
-      Values       limit = fine;
-      const double gain  = 1 / (std::pow(ratio, *order) - 1);
+      Values limit = fine;
       for (std::size_t i = 0; i < limit->size(); ++i)
-        (*limit)[i] += gain * ((*fine)[i] - (*middle)[i]);
+        (*limit)[i] += *part * ((*fine)[i] - (*middle)[i]);
       return limit;
     }
 
-    /** Error of the finest reference: what is left of its change if that goes
-     * on falling as it does; the change itself if the runs are of another kind.
-     */
+    double ratio_of_references(const Refinement &refinement)
+    {
+      return coarseness(refinement.refined, refinement.references[0]) /
+        coarseness(refinement.refined, refinement.references[1]);
+    }
+
+    /** Error of the finest reference: what remains of its change, or the whole
+     * of it if the runs are of another kind. */
     std::optional<double> error_of_finest(const Refinement &refinement,
                                           const Values     &last_run,
                                           const Values     &finer,
                                           const Values     &finest)
     {
-      const Settings &run    = refinement.runs.back();
-      const Settings &first  = refinement.references[0];
-      const Settings &second = refinement.references[1];
-      const auto      change = difference(finer, finest);
-      const double    ratio  = coarseness(refinement.refined, first) /
-        coarseness(refinement.refined, second);
-      const auto order =
-        order_of_fall(difference(last_run, finer), change, ratio);
-      if (run.order != first.order || run.scheme != first.scheme || !order ||
-          *order <= 0)
-        return change;
-      return *change / (std::pow(ratio, *order) - 1);
+      const Settings &run       = refinement.runs.back();
+      const Settings &reference = refinement.references.front();
+      const auto      whole     = difference(finer, finest);
+      const auto      part      = remaining_part(last_run,
+                                       finer,
+                                       finest,
+                                       ratio_of_references(refinement));
+      const bool      is_alike =
+        run.order == reference.order && run.scheme == reference.scheme;
+      return whole && part && is_alike ? *part * *whole : whole;
     }
 
     std::optional<double> convergence_index(const Values &coarse,
@@ -186,12 +211,10 @@ namespace auxfem
                                             const double  ratio)
     {
       constexpr double safety = 1.25;
-      const auto       change = difference(middle, fine);
-      const auto       order =
-        order_of_fall(difference(coarse, middle), change, ratio);
-      if (!order || *order <= 0)
+      const auto       part   = remaining_part(coarse, middle, fine, ratio);
+      if (!part)
         return {};
-      return safety * *change / (std::pow(ratio, *order) - 1);
+      return safety * *part * *difference(middle, fine);
     }
   } // namespace
 
@@ -268,13 +291,10 @@ namespace auxfem
     else
       {
         if (extrapolates)
-          reference =
-            limit_of(values[n - 1],
-                     finer,
-                     reference,
-                     coarseness(refinement.refined, refinement.references[0]) /
-                       coarseness(refinement.refined,
-                                  refinement.references[1]));
+          reference = limit_of(values[n - 1],
+                               finer,
+                               reference,
+                               ratio_of_references(refinement));
         result.of_reference = extrapolates
           ? difference(values[n + 1], reference)
           : error_of_finest(refinement, values[n - 1], finer, reference);

@@ -116,14 +116,15 @@ namespace auxfem
     on_first_rank(communicator, [&]() {
       for (const Task &task : tasks)
         {
-          const auto run     = kept_run(folder, task.key);
-          const bool has_all = run &&
+          const auto run    = kept_run(folder, task.key);
+          const bool serves = run &&
+            run->repetitions >= task.planned->repetitions &&
             std::all_of(columns.begin(),
                         columns.end(),
                         [&run](const std::string &column) {
                           return run->columns.count(column) > 0;
                         });
-          kept.push_back(has_all ? json_of(*run) : Json());
+          kept.push_back(serves ? json_of(*run) : Json());
         }
     });
     kept = Json::parse(mpi::broadcast(communicator, text_of(kept)));

@@ -127,6 +127,7 @@ namespace
                                     "set Columns at",
                                     "set Directory",
                                     "set File",
+                                    "set Schemes",
                                     "set NAME = TEXT"};
     std::istringstream stream(run.output);
     std::string        line, comment, all_comments;

@@ -42,6 +42,11 @@ namespace auxfem
                  double                     end_time,
                  const std::vector<double> &times);
 
+  /** Largest difference between @p values and @p others; not a number if one of
+   * them is none. */
+  double largest_change(const QuantityValues &values,
+                        const QuantityValues &others);
+
   /**
    * Largest difference between @p values and @p reference over the largest size
    * of the latter; the difference itself if that is zero; not a number if one

@@ -18,7 +18,8 @@ namespace auxfem
   StudyReport compute_study(const Scene               &scene,
                             MPI_Comm                   communicator,
                             const std::string         &folder   = "",
-                            const StudyRuns::Listener &listener = {});
+                            const StudyRuns::Listener &listener =
+                              [](const StudyProgress &) {});
 
   /**
    * The same with its lines on the screen and its tables and pictures in the

@@ -1,0 +1,188 @@
+#include <gtest/gtest.h>
+#include <study/report_cells.h>
+#include <study/swinging_beam.h>
+#include <support/cell_scene.h>
+#include <support/scene_text.h>
+
+#include <cmath>
+
+#include <support/messages.h>
+
+using namespace auxfem;
+using namespace auxfem::testing_support;
+
+namespace
+{
+  /** F L^3 / (3 E I) + F L / (G A) = 1 / 12 + 1 / 50 at small displacements. */
+  SceneText cantilever()
+  {
+    SceneText scene;
+    scene.frame("0 0; 1 0", "0 1").section({1000, 50, 4});
+    scene.support("clamp", "0", "clamp").load("push", "1", {"0", "t", "0"});
+    scene.set("Newton/Tolerance", "1e-12").linear();
+    return scene.set("Time/Scheme", "static").probe("tip", "1");
+  }
+} // namespace
+
+TEST(ConvergenceStudy, ErrorsAgainstAnExactValueAreTheTrueOnes)
+{
+  const StudyReport report =
+    study_of(cantilever().set("Quantities/deflection",
+                              "tip.uy at end = 1/12 + 1/50"),
+             {"Study/Orders=1", "Study/Refinements=1, 2, 3"});
+  const auto   values = cells_where(report, "deflection.value", "role", "run");
+  const auto   errors = cells_where(report, "deflection.error", "role", "run");
+  const double exact  = 1. / 12 + 1. / 50;
+  ASSERT_EQ(values.size(), 3u);
+  for (unsigned int i = 0; i < 3; ++i)
+    {
+      // One point a linear element: it is as if EI were larger by h^2 / 4.
+      const double h         = std::ldexp(1, -int(i) - 1);
+      const double too_stiff = (1 - h * h / 4) / 12 + 1. / 50;
+      EXPECT_NEAR(std::stod(values[i]), too_stiff, 1e-10) << i;
+      EXPECT_NEAR(std::stod(errors[i]), 1 - too_stiff / exact, 1e-9) << i;
+    }
+  EXPECT_NEAR(
+    last_number_where(report, "deflection.observed_order", "role", "run"),
+    2,
+    1e-6);
+  EXPECT_TRUE(contains(report.text, "deflection 0 (exact value)"));
+}
+
+TEST(ConvergenceStudy, ConvergenceIndexBoundsTheTrueError)
+{
+  const StudyReport report =
+    study_of(cantilever().set("Quantities/deflection",
+                              "tip.uy at end = 1/12 + 1/50"),
+             {"Study/Orders=1", "Study/Refinements=1, 2, 3"});
+  const double error =
+    last_number_where(report, "deflection.error", "role", "run");
+  const double index =
+    last_number_where(report, "deflection.convergence_index", "role", "run");
+  // In the asymptotic range the index is the error times its safety factor.
+  EXPECT_NEAR(index / error, 1.25, 0.01);
+}
+
+TEST(ConvergenceStudy, ExtrapolationFindsTheLimit)
+{
+  // The error by order 1 is known; the limit of three such runs is exact.
+  const StudyReport report =
+    study_of(cantilever().set("Quantities/deflection", "tip.uy at end"),
+             {"Study/Orders=1",
+              "Study/Reference=extrapolation",
+              "Study/Refinements=1, 2, 3"});
+  const double exact = 1. / 12 + 1. / 50;
+  EXPECT_NEAR(last_number_where(report, "deflection.error", "role", "run"),
+              1. / 64 / 4 / 12 / exact,
+              1e-8);
+}
+
+TEST(ConvergenceStudy, WithoutQuantitiesProbesAreComparedAsVectors)
+{
+  const StudyReport report = study_of(cantilever(), {"Study/Orders=1"});
+  EXPECT_EQ(cells_where(report, "tip.error", "role", "run").size(), 3u);
+  // Three and two references.
+  EXPECT_EQ(report.rows.size(), 5u);
+}
+
+TEST(ConvergenceStudy, AutomaticListsGoAroundTheScene)
+{
+  const StudyReport report = study_of(swinging_beam(0.2, 20), {});
+  EXPECT_EQ(cells_where(report, "elements", "refined", "mesh"),
+            (std::vector<std::string>{"1", "2", "4", "4", "8"}));
+  EXPECT_EQ(
+    cells_where(report, "time_step", "refined", "time step"),
+    (std::vector<std::string>{"0.04", "0.02", "0.01", "0.005", "0.0025"}));
+  EXPECT_EQ(report.pictures.size(), 2u);
+  EXPECT_TRUE(contains(report.text, "\n- for "));
+}
+
+TEST(ConvergenceStudy, NewtonToleranceHasItsOwnError)
+{
+  const StudyReport report =
+    study_of(swinging_beam(0.2, 20),
+             {"Study/Time steps=none",
+              "Study/Refinements=none",
+              "Study/Newton tolerances=1e-1, 1e-3, 1e-5"});
+  const auto errors = cells_where(report, "tip.error", "role", "run");
+  ASSERT_EQ(errors.size(), 3u);
+  EXPECT_GT(std::stod(errors[0]), 10 * std::stod(errors[2]));
+  EXPECT_LT(std::stod(errors[2]), 1e-4);
+}
+
+TEST(ConvergenceStudy, MeshAndStepTogetherFallWithTheOrderOfTheStep)
+{
+  const StudyReport report =
+    study_of(swinging_beam(0.2, 20).set("Newton/Tolerance", "1e-10"),
+             {"Study/Together=true",
+              "Study/Orders=1",
+              "Study/Refinements=1, 2, 3",
+              "Study/Time steps=4 ms, 2 ms, 1 ms"});
+  EXPECT_NEAR(last_number_where(report, "tip.observed_order", "role", "run"),
+              2,
+              0.1);
+}
+
+TEST(ConvergenceStudy, SchemesOfTheReducedCellHaveSecondOrder)
+{
+  CellCase          cell;
+  const StudyReport report =
+    study_of(cell_text(cell),
+             {"Study/Schemes=central difference, newmark",
+              "Study/Reference=extrapolation",
+              "Study/Time steps=0.2 ms, 0.1 ms, 0.05 ms"});
+  for (const char *const scheme : {"central difference", "newmark"})
+    EXPECT_NEAR(
+      last_number_where(report, "theta.observed_order", "scheme", scheme),
+      2,
+      0.1)
+      << scheme;
+}
+
+TEST(ConvergenceStudy, FailedRunsAreNamedAndDoNotEndTheStudy)
+{
+  // Steps of 40 ms alone come by 0.12 s, where the load is no number.
+  const StudyReport report =
+    study_of(swinging_beam(0.2, 20).set("Loads/push/Force x",
+                                        "if(abs(t - 0.12) < 1e-9, 0 / 0, 0)"),
+             {"Study/Refinements=none",
+              "Study/Time steps=40 ms, 25 ms, 12.5 ms"});
+  const auto exits = cells_where(report, "exit", "role", "run");
+  ASSERT_EQ(exits.size(), 3u);
+  EXPECT_TRUE(contains(exits[0], "0.12")) << exits[0];
+  EXPECT_EQ(exits[1], "completed");
+  EXPECT_EQ(exits[2], "completed");
+  EXPECT_EQ(cells_where(report, "tip.error", "role", "run")[0], "");
+  EXPECT_NE(cells_where(report, "tip.error", "role", "run")[2], "");
+  EXPECT_TRUE(contains(report.text, "Failed at 0.04: "));
+  EXPECT_TRUE(contains(report.text, "failed |"));
+}
+
+TEST(ConvergenceStudy, ReferenceThatFailsIsAFindingNotAnError)
+{
+  // The finest steps alone come by 0.1975 s.
+  const StudyReport report =
+    study_of(swinging_beam(0.2, 20).set("Loads/push/Force x",
+                                        "if(abs(t - 0.1975) < 1e-9, 0 / 0, 0)"),
+             {"Study/Refinements=none"});
+  ASSERT_EQ(report.findings.size(), 1u);
+  EXPECT_EQ(report.findings[0].verdict, Verdict::not_to_be_used);
+  EXPECT_TRUE(contains(report.findings[0].text, "reference"));
+  EXPECT_EQ(cells_where(report, "tip.error", "role", "run"),
+            (std::vector<std::string>{"", "", ""}));
+}
+
+TEST(ConvergenceStudy, MistakesAreFoundBeforeTheFirstRun)
+{
+  const auto refusal = [](const SceneText                &scene,
+                          const std::vector<std::string> &overrides) {
+    return input_error_of([&]() { study_of(scene, overrides); });
+  };
+  expect_parts(
+    refusal(cantilever().set("Quantities/q", "history tp.uy"), {}),
+    {"Quantities/q", "tp.uy", "did you mean \"tip.uy\"", "clamp.ry"});
+  expect_parts(refusal(cantilever().set("Quantities/q", "tip.uy at 2 s"), {}),
+               {"Quantities/q", "not between 0 and the end time"});
+  expect_parts(refusal(cantilever(), {"Study/Refinements=none"}),
+               {"refines nothing", "Refinements"});
+}

@@ -1,0 +1,63 @@
+#include <auxfem/study/pictures.h>
+#include <auxfem/study/recommendation.h>
+#include <auxfem/study/study_report.h>
+
+#include <gtest/gtest.h>
+
+#include <support/messages.h>
+
+using namespace auxfem;
+
+TEST(StudyReport, TablesAreAlignedMarkdown)
+{
+  const TextTable table{{"step", "error"},
+                        {{"0.1", "1.00e-02"}, {"0.05", "-"}}};
+  EXPECT_EQ(table.markdown(),
+            "| step |    error |\n"
+            "| ---: | -------: |\n"
+            "|  0.1 | 1.00e-02 |\n"
+            "| 0.05 |        - |\n");
+}
+
+TEST(StudyReport, NumbersAreWrittenAsPeopleDo)
+{
+  EXPECT_EQ(error_text(1.234e-5), "1.23e-05");
+  EXPECT_EQ(error_text({}), "-");
+  EXPECT_EQ(decimal_text(2.005, 1), "2.0");
+  EXPECT_EQ(percent_text(0.066), "7 %");
+  EXPECT_EQ(short_number(4.9999999999999996e-05), "5e-05");
+  EXPECT_EQ(short_number(0.25), "0.25");
+}
+
+TEST(StudyReport, ScriptsOfPicturesAreThoseOfGnuplot)
+{
+  LogPicture picture{"error-mesh", "Error by mesh", "h", "it's", {}};
+  picture.curves.push_back({"order 1", {{1, 0.5}, {0.5, 0.125}}});
+  const std::string script = gnuplot_script(picture);
+  expect_parts(script,
+               {"$curve0 << end_of_data\n1 0.5\n0.5 0.125\nend_of_data\n",
+                "set logscale xy",
+                "set ylabel 'it''s'",
+                "set output 'error-mesh.svg'",
+                "set output 'error-mesh.png'",
+                "title 'order 1'"});
+}
+
+TEST(StudyReport, ReferencesThatFailMakeResultsUseless)
+{
+  MeasuredRun run;
+  run.exit_state = "no convergence";
+  std::vector<Finding> findings;
+  add_finding_on_reference(run, "The reference", findings);
+  ASSERT_EQ(findings.size(), 1u);
+  EXPECT_EQ(findings[0].verdict, Verdict::not_to_be_used);
+  expect_parts(findings[0].text, {"The reference failed", "no convergence"});
+
+  run.exit_state = "completed";
+  add_finding_on_reference(run, "The reference", findings);
+  EXPECT_EQ(findings.size(), 1u);
+  run.verdict = Verdict::doubtful;
+  add_finding_on_reference(run, "The reference", findings);
+  ASSERT_EQ(findings.size(), 2u);
+  EXPECT_EQ(findings[1].verdict, Verdict::doubtful);
+}

@@ -1,0 +1,76 @@
+#include <gtest/gtest.h>
+#include <study/report_cells.h>
+#include <study/swinging_beam.h>
+
+#include <support/messages.h>
+
+using namespace auxfem;
+using namespace auxfem::testing_support;
+
+namespace
+{
+  StudyReport small_study()
+  {
+    return study_of(swinging_beam(0.2, 20).set("Newton/Tolerance", "1e-10"),
+                    {"Study/Kind=work-precision",
+                     "Study/Repetitions=2",
+                     "Study/Orders=1, 3",
+                     "Study/Time steps=20 ms, 5 ms"});
+  }
+
+  double number(const StudyReport &report,
+                const std::string &column,
+                const std::string &order,
+                const std::string &step)
+  {
+    for (const auto &row : report.rows)
+      if (row[column_number(report, "order")] == order &&
+          row[column_number(report, "time_step")] == step)
+        return std::stod(row[column_number(report, column)]);
+    throw std::runtime_error("no such run");
+  }
+} // namespace
+
+TEST(WorkPrecisionStudy, ErrorsAreSplitIntoThoseOfMeshAndStep)
+{
+  const StudyReport report = small_study();
+  ASSERT_EQ(report.rows.size(), 4u);
+  // One linear element is far too stiff, however short the steps.
+  EXPECT_GT(number(report, "error_by_mesh", "1", "0.005"), 0.05);
+  EXPECT_NEAR(number(report, "error_by_mesh", "1", "0.005"),
+              number(report, "error", "1", "0.005"),
+              0.1 * number(report, "error", "1", "0.005"));
+  // The finest mesh of the study has no error of the mesh, by its measure.
+  EXPECT_EQ(number(report, "error_by_mesh", "3", "0.02"), 0);
+  EXPECT_EQ(number(report, "error_by_step", "3", "0.02"),
+            number(report, "error", "3", "0.02"));
+  // Second order: four times shorter steps, a sixteenth of the error; the
+  // reference is four times finer still.
+  EXPECT_NEAR(number(report, "error_by_step", "3", "0.02") /
+                number(report, "error_by_step", "3", "0.005"),
+              16,
+              3);
+}
+
+TEST(WorkPrecisionStudy, BestRunsHaveNoCheaperAndBetterOne)
+{
+  const StudyReport report = small_study();
+  const auto        at     = [&report](const std::string &name) {
+    return column_number(report, name);
+  };
+  unsigned int n_best = 0;
+  for (const auto &one : report.rows)
+    {
+      bool is_beaten = false;
+      for (const auto &other : report.rows)
+        is_beaten |= std::stod(other[at("cpu")]) < std::stod(one[at("cpu")]) &&
+          std::stod(other[at("error")]) <= std::stod(one[at("error")]);
+      EXPECT_EQ(one[at("best")], is_beaten ? "0" : "1");
+      n_best += !is_beaten;
+    }
+  EXPECT_GT(n_best, 0u);
+  // Whatever the times are, one run has the smallest error.
+  ASSERT_EQ(report.pictures.size(), 1u);
+  EXPECT_EQ(report.pictures[0].curves.back().points.size(), n_best);
+  EXPECT_TRUE(contains(report.text, "## What to take"));
+}
