@@ -49,8 +49,8 @@ namespace auxfem
   std::string format_duration(double seconds);
 
   /**
-   * Characters a line of standard output holds; 0 if that is not the terminal of
-   * a program of one process.
+   * Characters a line of standard output holds; 0 if that is not the terminal
+   * of a program of one process.
    */
   unsigned int terminal_width(unsigned int n_processes);
 

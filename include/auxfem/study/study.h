@@ -15,11 +15,11 @@ namespace auxfem
    *
    * Throws InputError and Interrupted. Collective.
    */
-  StudyReport compute_study(const Scene               &scene,
-                            MPI_Comm                   communicator,
-                            const std::string         &folder   = "",
-                            const StudyRuns::Listener &listener =
-                              [](const StudyProgress &) {});
+  StudyReport compute_study(
+    const Scene               &scene,
+    MPI_Comm                   communicator,
+    const std::string         &folder   = "",
+    const StudyRuns::Listener &listener = [](const StudyProgress &) {});
 
   /**
    * The same with its lines on the screen and its tables and pictures in the
