@@ -133,7 +133,11 @@ namespace auxfem
 
   RunResult LatticeRun::result(const std::string &exit_state) const
   {
-    return {exit_state, solution.state.time, work_done, stepper.findings()};
+    return {exit_state,
+            solution.state.time,
+            work_done,
+            stepper.findings(),
+            stepper.estimated_error()};
   }
 
   RunResult LatticeRun::run(Recorder &recorder)

@@ -48,13 +48,16 @@ namespace auxfem
     , work(work)
     , trial(equations.initial_solution())
     , rotations(equations.model().numbering)
-    , control(make_constant_steps(parameters.step,
-                                  parameters.smallest_step > 0
-                                    ? parameters.smallest_step
-                                    : parameters.step / 1024))
+    , control(make_halved_steps(parameters.step,
+                                parameters.smallest_step > 0
+                                  ? parameters.smallest_step
+                                  : parameters.step / 1024,
+                                parameters.relative_tolerance.has_value()))
     , ends(step_ends(scene))
     , watches(scene, equations, work)
   {
+    if (parameters.relative_tolerance)
+      error.emplace(equations, parameters);
     make_solvers();
   }
 
@@ -73,7 +76,16 @@ namespace auxfem
 
   std::vector<Finding> TimeStepper::findings() const
   {
-    return watches.findings();
+    std::vector<Finding> all = watches.findings();
+    if (error)
+      for (const Finding &finding : error->findings())
+        all.push_back(finding);
+    return all;
+  }
+
+  std::optional<double> TimeStepper::estimated_error() const
+  {
+    return error ? std::optional<double>(error->total()) : std::nullopt;
   }
 
   TangentSolver &TimeStepper::solver()
@@ -84,6 +96,8 @@ namespace auxfem
   void TimeStepper::save(Records &records)
   {
     control->save(records);
+    if (error)
+      error->save(records);
     watches.save(records);
     make_solvers();
   }
@@ -91,6 +105,8 @@ namespace auxfem
   void TimeStepper::resume(Solution &solution, const Records &records)
   {
     control->resume(records);
+    if (error)
+      error->resume(records);
     watches.resume(records);
     State evaluated = solution.state;
     solvers->tangent.residual(Evaluation::rates(solution.state, evaluated),
@@ -196,7 +212,6 @@ namespace auxfem
         const PlannedStep planned = control->plan(solution.state.time, target);
         if (try_step(solution, planned, report))
           {
-            control->accepted();
             ++report.substeps;
             report.dt = std::min(report.dt, planned.dt);
             return;
@@ -327,18 +342,27 @@ namespace auxfem
     if (solvers->rates)
       restore_rates(step);
     equations.accept(step, trial.results);
-    if (const std::string what =
-          what_is_not_finite(equations.model(), trial.state);
-        !what.empty())
-      return reject(what + " is not a finite number");
-    if (creates_energy(step))
-      return reject(
-        "the step would create energy (more than Time/Largest energy error)");
+    if (!is_acceptable(step))
+      return false;
+    control->accepted(error ? error->accept() : 0);
     raise_largest_energy(state, trial.state);
     watches.step(step, trial.results, solvers->tangent);
     trial.state.step = state.step;
     state            = trial.state;
     std::swap(solution.results, trial.results);
+    return true;
+  }
+
+  bool TimeStepper::is_acceptable(const Evaluation &step)
+  {
+    if (const std::string what = what_is_not_finite(equations.model(), step.to);
+        !what.empty())
+      return reject(what + " is not a finite number");
+    if (creates_energy(step))
+      return reject(
+        "the step would create energy (more than Time/Largest energy error)");
+    if (error && error->relative(step) > 1 && control->may_be_shorter())
+      return reject("the error is larger than Time/Relative tolerance allows");
     return true;
   }
 

@@ -240,6 +240,7 @@ namespace auxfem
     summary.largest_rotation =
       dealii::Utilities::MPI::max(history->largest_rotation(), communicator);
     summary.time       = result.time;
+    summary.time_error = result.time_error;
     summary.exit_state = result.exit_state;
     summary.findings   = result.findings;
     summary.notes      = notes;

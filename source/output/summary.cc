@@ -254,10 +254,12 @@ namespace auxfem
   {
     Json json = json_of_run(scene, summary.exit_state, summary.time);
     add_verdict(json, summary.findings);
-    json["counts"]                  = json_of(summary.counts);
-    json["sections"]                = names_of_groups(scene.sections);
-    json["connector_groups"]        = names_of_groups(scene.connectors);
-    json["work"]                    = json_of(summary.totals);
+    json["counts"]           = json_of(summary.counts);
+    json["sections"]         = names_of_groups(scene.sections);
+    json["connector_groups"] = names_of_groups(scene.connectors);
+    json["work"]             = json_of(summary.totals);
+    if (summary.time_error)
+      json["estimated_time_error"] = *summary.time_error;
     json["wall_seconds"]            = wall_seconds(summary.resources);
     json["cpu_seconds"]             = summary.resources.cpu_seconds;
     json["cpu_seconds_of_start"]    = summary.resources.start.cpu;

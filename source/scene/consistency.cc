@@ -70,6 +70,23 @@ namespace auxfem
                              " s. Increase it, or reduce the time step"));
     }
 
+    void check_tolerance(const Scene &scene, Mistakes &mistakes)
+    {
+      if (!scene.time.relative_tolerance)
+        return;
+      const auto *scheme =
+        dynamic_cast<const ImplicitScheme *>(scene.time.scheme.get());
+      if (scene.context.model == Model::reduced_cell || scheme == nullptr ||
+          !scheme->error_constant())
+        mistakes.add(
+          message(scene,
+                  "Time/Relative tolerance: there is no estimate of "
+                  "the error of Time/Scheme = ",
+                  scene.time.scheme->name(),
+                  " here. Remove it, or choose newmark of second "
+                  "order, hht or generalized-alpha, with a lattice"));
+    }
+
     void check_inertia(const Scene &scene, Mistakes &mistakes)
     {
       const bool statics = !scene.time.scheme->is_dynamic();
@@ -273,6 +290,7 @@ namespace auxfem
       check_reduced_cell(scene, mistakes);
     check_smallest_step(scene, mistakes);
     check_order(scene, mistakes);
+    check_tolerance(scene, mistakes);
     check_inertia(scene, mistakes);
     check_motions(scene, mistakes);
     check_density(scene, mistakes);

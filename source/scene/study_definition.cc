@@ -61,6 +61,16 @@ namespace auxfem
       "= work-precision also half of it, in statics that alone; none: that of the "
       "scene.",
       {"auto", "none"}};
+    const QuantityList time_tolerances = {
+      "Relative tolerances",
+      "none",
+      "1",
+      Range::open(0, 1),
+      1,
+      most_values,
+      "Tolerances of the time integration, Time/Relative tolerance; none: that "
+      "of the scene.",
+      {"none"}};
     const QuantityList newton_tolerances = {
       "Newton tolerances",
       "none",
@@ -243,6 +253,7 @@ namespace auxfem
              orders,
              refinements,
              time_steps,
+             time_tolerances,
              newton_tolerances,
              schemes,
              together,
@@ -266,6 +277,7 @@ namespace auxfem
       study.refinements = whole_numbers(values, refinements);
     if (!is_auto(values, time_steps))
       study.time_steps = values.value_or(time_steps, {});
+    study.time_tolerances   = values.value_or(time_tolerances, {});
     study.newton_tolerances = values.value_or(newton_tolerances, {});
     study.schemes           = scheme_names(values);
     study.together          = values[together];

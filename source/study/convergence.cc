@@ -112,6 +112,7 @@ namespace auxfem
       return refined == Refined::mesh            ? "elements a strut"
         : refined == Refined::mesh_and_time_step ? "elements a strut, step (s)"
         : refined == Refined::time_step          ? "step (s)"
+        : refined == Refined::time_tolerance     ? "relative tolerance"
                                                  : "Newton tolerance";
     }
 
@@ -199,6 +200,7 @@ namespace auxfem
       picture.title   = "Error by " + name_of(refined);
       picture.x_label = refined == Refined::mesh
         ? "length of an element / length of the strut"
+        : refined == Refined::time_tolerance   ? "relative tolerance"
         : refined == Refined::newton_tolerance ? "Newton tolerance"
                                                : "time step (s)";
       picture.y_label = "relative error";
@@ -314,6 +316,8 @@ namespace auxfem
     {
       const Refined   refined = run.family->refinement->refined;
       const Settings &its     = run.settings();
+      if (refined == Refined::time_tolerance)
+        settings.time_tolerance = its.time_tolerance;
       if (refined == Refined::newton_tolerance)
         settings.newton_tolerance = its.newton_tolerance;
       if (refined == Refined::mesh || refined == Refined::mesh_and_time_step)
@@ -335,8 +339,15 @@ namespace auxfem
                                             const Settings            &own,
                                             const double               target)
     {
-      const std::vector<Refined> refined = refined_in(families);
-      Recommendation             recommended{own, "errors by"};
+      std::vector<Refined> refined = refined_in(families);
+      // Two ways to one end.
+      if (std::find(refined.begin(), refined.end(), Refined::time_step) !=
+          refined.end())
+        refined.erase(std::remove(refined.begin(),
+                                  refined.end(),
+                                  Refined::time_tolerance),
+                      refined.end());
+      Recommendation recommended{own, "errors by"};
       for (const Refined one : refined)
         {
           const auto run = cheapest(families, one, target / refined.size());
@@ -392,6 +403,7 @@ namespace auxfem
     std::vector<std::string> pictures;
     for (const Refined refined : {Refined::mesh,
                                   Refined::time_step,
+                                  Refined::time_tolerance,
                                   Refined::newton_tolerance,
                                   Refined::mesh_and_time_step})
       pictures.push_back(picture_name(refined));

@@ -74,22 +74,30 @@ namespace auxfem
         }
     }
 
-    void add_newton_refinement(const Scene             &scene,
-                               std::vector<Refinement> &refinements)
+    /** @p member of the settings is one of @p tolerances; @p factor: by which
+     * references are finer. */
+    template <class Member>
+    void add_tolerances(const Scene               &scene,
+                        const Refined              refined,
+                        const std::vector<double> &tolerances,
+                        const Member               member,
+                        const double               factor,
+                        std::vector<Refinement>   &refinements)
     {
-      if (scene.study.newton_tolerances.empty())
+      if (tolerances.empty())
         return;
-      Refinement refinement{Refined::newton_tolerance, {}, {}};
+      Refinement refinement{refined, {}, {}};
       Settings   settings = settings_of(scene);
-      for (const double tolerance :
-           sorted_values(scene.study.newton_tolerances, std::greater<>()))
+      for (const double tolerance : sorted_values(tolerances, std::greater<>()))
         {
-          settings.newton_tolerance = tolerance;
+          settings.*member = tolerance;
           refinement.runs.push_back(settings);
         }
+      double finer = *std::min_element(tolerances.begin(), tolerances.end());
       for (unsigned int i = 0; i < 2; ++i)
         {
-          settings.newton_tolerance /= 10;
+          finer /= factor;
+          settings.*member = finer;
           refinement.references.push_back(settings);
         }
       refinements.push_back(refinement);
@@ -222,8 +230,11 @@ namespace auxfem
 
   const std::string &name_of(const Refined refined)
   {
-    static const std::array<std::string, 4> names = {
-      {"mesh", "time step", "Newton tolerance", "mesh and time step"}};
+    static const std::array<std::string, 5> names = {{"mesh",
+                                                      "time step",
+                                                      "relative tolerance",
+                                                      "Newton tolerance",
+                                                      "mesh and time step"}};
     return names[static_cast<std::size_t>(refined)];
   }
 
@@ -231,12 +242,11 @@ namespace auxfem
 
   std::string Refinement::title() const
   {
-    const Settings &one = runs.front();
-    return refined == Refined::mesh   ? "order " + std::to_string(one.order)
+    const Settings   &one   = runs.front();
+    const std::string order = "order " + std::to_string(one.order);
+    return refined == Refined::mesh   ? order
       : refined == Refined::time_step ? one.scheme
-      : refined == Refined::newton_tolerance
-      ? "tolerance"
-      : "order " + std::to_string(one.order) + ", " + one.scheme;
+                                      : order + ", " + one.scheme;
   }
 
 
@@ -251,7 +261,19 @@ namespace auxfem
         add_mesh_refinements(scene, refinements);
         add_time_step_refinements(scene, refinements);
       }
-    add_newton_refinement(scene, refinements);
+    // A quarter of the error takes steps half as long.
+    add_tolerances(scene,
+                   Refined::time_tolerance,
+                   scene.study.time_tolerances,
+                   &Settings::time_tolerance,
+                   4,
+                   refinements);
+    add_tolerances(scene,
+                   Refined::newton_tolerance,
+                   scene.study.newton_tolerances,
+                   &Settings::newton_tolerance,
+                   10,
+                   refinements);
     return refinements;
   }
 
@@ -260,6 +282,7 @@ namespace auxfem
   double coarseness(const Refined refined, const Settings &settings)
   {
     return refined == Refined::mesh          ? 1. / settings.elements()
+      : refined == Refined::time_tolerance   ? *settings.time_tolerance
       : refined == Refined::newton_tolerance ? settings.newton_tolerance
                                              : settings.time_step;
   }

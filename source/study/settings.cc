@@ -18,7 +18,8 @@ namespace auxfem
             scene.discretization.refinements,
             scene.time.step,
             scene.newton.tolerance,
-            scene.time.scheme->name()};
+            scene.time.scheme->name(),
+            scene.time.relative_tolerance};
   }
 
 
@@ -46,6 +47,10 @@ namespace auxfem
            from.time_step,
            to.time_step,
            short_number(to.time_step));
+    assign("Time/Relative tolerance",
+           from.time_tolerance,
+           to.time_tolerance,
+           to.time_tolerance ? short_number(*to.time_tolerance) : "none");
     assign("Newton/Tolerance",
            from.newton_tolerance,
            to.newton_tolerance,

@@ -72,6 +72,9 @@ namespace auxfem
                                   : " elements a strut, ");
     name +=
       settings.scheme + ", step " + short_number(settings.time_step) + " s";
+    if (settings.time_tolerance)
+      name +=
+        " and less to an error of " + short_number(*settings.time_tolerance);
     if (settings.newton_tolerance != scene.newton.tolerance)
       name += ", Newton tolerance " + short_number(settings.newton_tolerance);
     return name;

@@ -87,6 +87,7 @@ namespace auxfem
     return {{"order", "", "polynomial order of the struts' elements"},
             {"elements", "", "elements a strut"},
             {"time_step", "s", "time step"},
+            {"relative_tolerance", "1", "Time/Relative tolerance"},
             {"newton_tolerance", "1", "Newton/Tolerance"},
             {"scheme", "", "Time/Scheme"}};
   }
@@ -98,6 +99,7 @@ namespace auxfem
     return {std::to_string(settings.order),
             std::to_string(settings.elements()),
             short_number(settings.time_step),
+            number_text(settings.time_tolerance),
             short_number(settings.newton_tolerance),
             settings.scheme};
   }

@@ -54,9 +54,24 @@ namespace auxfem
       for (const std::string &scheme : schemes)
         for (const unsigned int order : orders)
           for (const unsigned int mesh : refinements)
-            for (const double step : steps)
-              grid.runs.push_back(
-                {order, mesh, step, own.newton_tolerance, scheme});
+            {
+              Settings settings{order,
+                                mesh,
+                                own.time_step,
+                                own.newton_tolerance,
+                                scheme};
+              for (const double tolerance : scene.study.time_tolerances)
+                {
+                  settings.time_tolerance = tolerance;
+                  grid.runs.push_back(settings);
+                }
+              settings.time_tolerance = {};
+              for (const double step : steps)
+                {
+                  settings.time_step = step;
+                  grid.runs.push_back(settings);
+                }
+            }
       grid.references =
         finer_meshes(scene, grid.finest(), /*raises_order=*/true);
       halve_time_steps(grid.references);
@@ -214,6 +229,7 @@ namespace auxfem
                       "elements a strut",
                       "scheme",
                       "step (s)",
+                      "tolerance",
                       "unknowns",
                       "iterations",
                       "CPU s",
@@ -228,6 +244,9 @@ namespace auxfem
            std::to_string(one.settings.elements()),
            one.settings.scheme,
            short_number(one.settings.time_step),
+           one.settings.time_tolerance
+             ? short_number(*one.settings.time_tolerance)
+             : "-",
            std::to_string(one.run.unknowns),
            std::to_string(one.run.iterations),
            decimal_text(one.run.cpu_seconds, 3),
@@ -246,8 +265,10 @@ namespace auxfem
                          "relative error",
                          {}};
       const auto title_of = [](const Settings &settings) {
-        return settings.scheme + ", order " + std::to_string(settings.order) +
-          ", " + std::to_string(settings.elements()) + " a strut";
+        return settings.scheme +
+          (settings.time_tolerance ? " by tolerance" : "") + ", order " +
+          std::to_string(settings.order) + ", " +
+          std::to_string(settings.elements()) + " a strut";
       };
       Curve best{"best", {}};
       for (const GridRun &one : found.runs)

@@ -1,6 +1,8 @@
 #include <auxfem/time/alpha_family.h>
 #include <auxfem/time/massless.h>
 
+#include <cmath>
+
 namespace auxfem
 {
   AlphaFamily::AlphaFamily(const std::string  &name,
@@ -22,6 +24,15 @@ namespace auxfem
   bool AlphaFamily::keeps_massless_in_equilibrium() const
   {
     return c.gamma == 2 * c.beta;
+  }
+
+  std::optional<double> AlphaFamily::error_constant() const
+  {
+    constexpr double round_off = 1e-12;
+    const double     shift     = c.alpha_m - c.alpha_f;
+    if (std::abs(c.gamma + shift - 0.5) > round_off)
+      return {};
+    return c.beta + shift / 2 - 1. / 6;
   }
 
   bool AlphaFamily::uses_algorithmic_acceleration() const

@@ -46,6 +46,27 @@ namespace auxfem
       Range::non_negative(),
       "A step that fails is repeated with half its length down to this; 0: a "
       "1024th of the time step."};
+    const Quantity relative_tolerance = {
+      "Relative tolerance",
+      "none",
+      "1",
+      Range::open(0, 1),
+      "Error that the time integration may make in the displacements until the "
+      "end time, relative to the largest ones, as root mean squares: a time step is divided "
+      "into halves, these in halves again, where its estimated error asks for "
+      "it. So results still come at every time step, which may be long. none: "
+      "steps are divided only where they fail.",
+      {"none"}};
+    const Quantity absolute_tolerance = {
+      "Absolute tolerance",
+      "auto",
+      "m",
+      Range::positive(),
+      "With a relative tolerance: the error that is allowed while displacements "
+      "are small yet. auto: the relative tolerance times a fiftieth of a mean "
+      "strut's length; a run with smaller displacements ends with a warning that "
+      "has the value to be set.",
+      {"auto"}};
     const Quantity energy_error = {
       "Largest energy error",
       "0.5",
@@ -68,8 +89,13 @@ namespace auxfem
         parameters.insert(parameters.end(),
                           entry.parameters.begin(),
                           entry.parameters.end());
-      for (const Parameter &parameter :
-           Parameters{end_time, step, smallest_step, energy_error, start})
+      for (const Parameter &parameter : Parameters{end_time,
+                                                   step,
+                                                   smallest_step,
+                                                   relative_tolerance,
+                                                   absolute_tolerance,
+                                                   energy_error,
+                                                   start})
         parameters.push_back(parameter);
       return parameters;
     }
@@ -124,7 +150,11 @@ namespace auxfem
     time.step          = values[step];
     time.smallest_step = values[smallest_step];
     time.energy_error  = values[energy_error];
-    time.static_start  = (values[start] == "static equilibrium");
+    if (!values.is_word(relative_tolerance))
+      time.relative_tolerance = values[relative_tolerance];
+    if (!values.is_word(absolute_tolerance))
+      time.absolute_tolerance = values[absolute_tolerance];
+    time.static_start = (values[start] == "static equilibrium");
 
     time.scheme = time_scheme_entry(values[scheme_choice()]).make(values);
     return time;

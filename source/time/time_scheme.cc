@@ -35,6 +35,11 @@ namespace auxfem
     return false;
   }
 
+  std::optional<double> ImplicitScheme::error_constant() const
+  {
+    return {};
+  }
+
   bool ImplicitScheme::uses_algorithmic_acceleration() const
   {
     return false;

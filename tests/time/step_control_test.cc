@@ -12,7 +12,7 @@ namespace
   struct Walk
   {
     Walk(const double step, const double smallest, const double begin = 0)
-      : control(make_constant_steps(step, smallest))
+      : control(make_halved_steps(step, smallest, /*follows_error=*/false))
       , time(begin)
     {}
 
@@ -20,7 +20,7 @@ namespace
     PlannedStep accept(const double target)
     {
       const PlannedStep planned = control->plan(time, target);
-      control->accepted();
+      control->accepted(0);
       time = planned.end;
       return planned;
     }

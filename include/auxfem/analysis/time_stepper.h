@@ -3,6 +3,7 @@
 
 #include <auxfem/analysis/consistent_rates.h>
 #include <auxfem/analysis/newton.h>
+#include <auxfem/analysis/step_error.h>
 #include <auxfem/analysis/watch.h>
 #include <auxfem/scene/step_ends.h>
 #include <auxfem/time/step_control.h>
@@ -54,6 +55,9 @@ namespace auxfem
     /** For what has to be solved before the start; gone after save(). */
     TangentSolver &solver();
 
+    /** Estimated error of all steps so far, relative, where steps follow it. */
+    std::optional<double> estimated_error() const;
+
     /** What the watches have found so far. */
     std::vector<Finding> findings() const;
 
@@ -95,6 +99,8 @@ namespace auxfem
     bool try_step(Solution          &solution,
                   const PlannedStep &planned,
                   StepReport        &report);
+    /** Whether what is solved may become the solution. */
+    bool is_acceptable(const Evaluation &step);
     /** What is asked of the equations at the end of a step of length @p dt (s). */
     Evaluation evaluation_of(const State &from, double dt);
     void       predict(const Evaluation &step);
@@ -142,9 +148,11 @@ namespace auxfem
     const NodeRotations          rotations;
     std::unique_ptr<Solvers>     solvers;
     std::unique_ptr<StepControl> control;
-    const StepEnds               ends;
-    Watches                      watches;
-    std::string                  last_failure;
+    /** Only where the length of steps follows their error. */
+    std::optional<StepError> error;
+    const StepEnds           ends;
+    Watches                  watches;
+    std::string              last_failure;
   };
 } // namespace auxfem
 

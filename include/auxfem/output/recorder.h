@@ -6,6 +6,7 @@
 #include <auxfem/output/verdict.h>
 #include <auxfem/time/step_report.h>
 
+#include <optional>
 #include <string>
 
 namespace auxfem
@@ -21,6 +22,10 @@ namespace auxfem
     Work        work;
     /** What the run found out about its own results, the worst first. */
     std::vector<Finding> findings;
+
+    /** Estimated error of the time integration, relative to the largest
+     * displacements, where steps follow it. */
+    std::optional<double> time_error = {};
 
     bool completed() const
     {

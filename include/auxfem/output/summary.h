@@ -67,6 +67,8 @@ namespace auxfem
     LargestStrain strain;               ///< if effective strains are wanted
     double        largest_rotation = 0; ///< rad
     double        time             = 0; ///< reached (s)
+    /** See RunResult. */
+    std::optional<double> time_error;
     /** What the user should know of the scene (output/notes.h). */
     std::vector<std::string> notes;
     /** `completed` or the reason it was not. */

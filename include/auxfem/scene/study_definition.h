@@ -59,6 +59,7 @@ namespace auxfem
     std::optional<std::vector<unsigned int>> orders;
     std::optional<std::vector<unsigned int>> refinements;
     std::optional<std::vector<double>>       time_steps; ///< s
+    std::vector<double>                      time_tolerances;
     std::vector<double>                      newton_tolerances;
     std::vector<std::string>                 schemes;
     ///@}

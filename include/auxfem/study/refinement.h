@@ -15,6 +15,7 @@ namespace auxfem
   {
     mesh,
     time_step,
+    time_tolerance,
     newton_tolerance,
     mesh_and_time_step
   };

@@ -3,6 +3,7 @@
 
 #include <auxfem/scene/scene.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,8 @@ namespace auxfem
     double       time_step        = 1; ///< s
     double       newton_tolerance = 1;
     std::string  scheme; ///< as in Time/Scheme
+    /** Time/Relative tolerance. */
+    std::optional<double> time_tolerance = {};
 
     /** Elements a strut. */
     unsigned long elements() const

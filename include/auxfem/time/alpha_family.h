@@ -58,7 +58,14 @@ namespace auxfem
                            State        &trial) const override;
     bool           carries_on_alternating_errors() const override;
     bool           uses_algorithmic_acceleration() const override;
-    bool           keeps_massless_in_equilibrium() const override;
+
+    /**
+     * From the Taylor series of the formulas above: a_n is v' at a time delta
+     * dt after t_n, delta = alpha_m - alpha_f, so that c = beta + delta / 2 -
+     * 1/6; gamma = 1/2 - delta makes the order two.
+     */
+    std::optional<double> error_constant() const override;
+    bool                  keeps_massless_in_equilibrium() const override;
 
   private:
     /** Rates of unknowns without mass in a step of @p dt to @p trial. */

@@ -27,8 +27,15 @@ namespace auxfem
     /** The step from @p time on, which ends at @p target at the latest (s). */
     virtual PlannedStep plan(double time, double target) = 0;
 
-    /** The step last planned was solved. */
-    virtual void accepted() = 0;
+    /**
+     * The step last planned was solved.
+     * @param relative_error its error over the allowed one; 0 if it is not
+     *   known.
+     */
+    virtual void accepted(double relative_error) = 0;
+
+    /** Whether the step last planned may be done in halves. */
+    virtual bool may_be_shorter() const = 0;
 
     /**
      * The step last planned was not solved. Returns false if it may not be
@@ -48,10 +55,12 @@ namespace auxfem
 
   /**
    * Steps of the length @p step (s); where one fails it is done in halves, these
-   * in halves again, down to @p smallest (s).
+   * in halves again, down to @p smallest (s). So lengths are few, and
+   * factorizations serve long. With @p follows_error halves are put together
+   * again only where the error of a step is small.
    */
-  std::unique_ptr<StepControl> make_constant_steps(double step,
-                                                   double smallest);
+  std::unique_ptr<StepControl>
+  make_halved_steps(double step, double smallest, bool follows_error);
 } // namespace auxfem
 
 #endif

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <memory>
+#include <optional>
 
 namespace auxfem
 {
@@ -16,6 +17,13 @@ namespace auxfem
     double end_time      = 1;    ///< s (pseudo time for statics)
     double step          = 0.01; ///< s
     double smallest_step = 0;    ///< s; 0: step / 1024
+    /** Error of the displacements that all steps together may have, of the
+     * largest displacement; nothing: steps are as long as they are set. */
+    std::optional<double> relative_tolerance;
+    /** The same in m, where displacements are small yet; nothing: see
+     * StepError.
+     */
+    std::optional<double> absolute_tolerance;
     /** Energy a step may create, of the largest so far. */
     double energy_error = 0.5;
     /** Start from the static equilibrium under the loads of t = 0. */

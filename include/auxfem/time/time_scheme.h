@@ -106,6 +106,13 @@ namespace auxfem
      */
     virtual bool keeps_massless_in_equilibrium() const;
 
+    /**
+     * The number c with which c dt^2 times the change of acceleration in a step
+     * is the error of displacement it adds; nothing if the scheme is not of
+     * second order, or knows no accelerations.
+     */
+    virtual std::optional<double> error_constant() const;
+
     /** Whether the state must carry the algorithmic acceleration. */
     virtual bool uses_algorithmic_acceleration() const;
   };

@@ -1,0 +1,126 @@
+#include <auxfem/output/memory_recorder.h>
+
+#include <gtest/gtest.h>
+#include <support/scene_run.h>
+#include <verification/one_mass_scene.h>
+
+#include <cmath>
+
+#include <support/messages.h>
+
+using namespace auxfem;
+using namespace auxfem::testing_support;
+
+// A free mass on a spring, u = sin(omega t), of three periods: errors of all
+// steps add up to one of the phase.
+
+namespace
+{
+  const double omega = 10, end = 3 * 2 * dealii::numbers::PI / omega;
+
+  SceneText oscillator(const std::string &scheme)
+  {
+    return one_mass_scene("Law = spring | Spring stiffness = 100",
+                          "End time = " + text(end) +
+                            " | Time step = " + text(end / 6),
+                          mass_and_velocity(1, omega))
+      .set("Time/Scheme", scheme)
+      .probe("mass", "0");
+  }
+
+  struct Outcome
+  {
+    double    error = 0; ///< largest
+    RunResult result;
+  };
+
+  Outcome run(const std::string              &scene,
+              const std::vector<std::string> &overrides)
+  {
+    const Scene    read = read_scene_from_text(scene, "test.prm", overrides);
+    MemoryRecorder recorder(read, MPI_COMM_WORLD);
+    Outcome        outcome;
+    outcome.result   = LatticeRun(read, MPI_COMM_WORLD).run(recorder);
+    const auto times = recorder.column("time"), u = recorder.column("mass.ux");
+    for (std::size_t i = 0; i < times.size(); ++i)
+      outcome.error =
+        std::max(outcome.error, std::abs(u[i] - std::sin(omega * times[i])));
+    return outcome;
+  }
+} // namespace
+
+TEST(StepError, TolerancesAreMetByAnUndampedOscillator)
+{
+  for (const char *const scheme : {"newmark", "hht", "generalized-alpha"})
+    for (const double tolerance : {1e-1, 1e-2, 1e-3, 1e-4, 1e-5})
+      {
+        const Outcome outcome =
+          run(oscillator(scheme),
+              {"Time/Relative tolerance=" + text(tolerance),
+               "Time/Smallest time step=2e-6"});
+        // Without damping nothing of the error is lost, the worst case; steps
+        // are doubled at moments when it hardly grows.
+        EXPECT_LT(outcome.error, 1.5 * tolerance) << scheme << ' ' << tolerance;
+        // Halves have a quarter of the error; a little is kept in hand.
+        EXPECT_GT(outcome.error, tolerance / 25) << scheme << ' ' << tolerance;
+        EXPECT_EQ(verdict_of(outcome.result.findings), Verdict::sound);
+      }
+}
+
+TEST(StepError, EstimateIsThatOfTheErrorThatIsMade)
+{
+  for (const char *const scheme : {"newmark", "hht", "generalized-alpha"})
+    {
+      const Outcome outcome =
+        run(oscillator(scheme), {"Time/Relative tolerance=1e-3"});
+      ASSERT_TRUE(outcome.result.time_error.has_value());
+      const double estimate = *outcome.result.time_error;
+      EXPECT_GT(estimate, 0.4 * outcome.error) << scheme;
+      EXPECT_LT(estimate, 2.5 * outcome.error) << scheme;
+      EXPECT_LT(estimate, 1e-3) << scheme;
+    }
+}
+
+TEST(StepError, WithoutAToleranceThereIsNoEstimate)
+{
+  EXPECT_FALSE(run(oscillator("newmark"), {}).result.time_error.has_value());
+}
+
+TEST(StepError, ToleranceThatCannotBeMetMakesResultsDoubtful)
+{
+  const Outcome outcome =
+    run(oscillator("newmark"),
+        {"Time/Relative tolerance=1e-4", "Time/Smallest time step=0.05"});
+  EXPECT_TRUE(outcome.result.completed());
+  ASSERT_EQ(outcome.result.findings.size(), 1u);
+  EXPECT_EQ(outcome.result.findings[0].verdict, Verdict::doubtful);
+  EXPECT_TRUE(contains(outcome.result.findings[0].text, "Relative tolerance"));
+  EXPECT_GT(outcome.error, 1e-3);
+}
+
+TEST(StepError, DisplacementsBelowTheAbsoluteToleranceAreWarnedOf)
+{
+  const Outcome outcome =
+    run(oscillator("newmark"),
+        {"Time/Relative tolerance=1e-3", "Time/Absolute tolerance=1 m"});
+  ASSERT_EQ(outcome.result.findings.size(), 1u);
+  EXPECT_TRUE(contains(outcome.result.findings[0].text,
+                       "Set Time/Absolute tolerance to 0.000"));
+}
+
+TEST(StepError, SchemesWithoutAnEstimateAreRefused)
+{
+  const auto refusal = [](const std::vector<std::string> &overrides) {
+    std::vector<std::string> all = {"Time/Relative tolerance=1e-3"};
+    all.insert(all.end(), overrides.begin(), overrides.end());
+    return input_error_of(
+      [&]() { read_scene_from_text(oscillator("newmark"), "test.prm", all); });
+  };
+  EXPECT_EQ(refusal({}), "");
+  for (const std::vector<std::string> &scheme :
+       {std::vector<std::string>{"Time/Scheme=energy-momentum"},
+        {"Time/Scheme=newmark",
+         "Time/Newmark gamma=0.6",
+         "Time/Newmark beta=0.31"}})
+    expect_parts(refusal(scheme), {"Time/Relative tolerance", "no estimate"});
+}

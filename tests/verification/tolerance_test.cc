@@ -1,0 +1,105 @@
+#include <gtest/gtest.h>
+#include <study/report_cells.h>
+#include <support/scene_text.h>
+
+#include "result_table.h"
+
+using namespace auxfem;
+using namespace auxfem::testing_support;
+
+// The error of the time integration that is asked for is kept, with loads that
+// have kinks and jumps, steps that begin far too long, and every kind of part.
+
+namespace
+{
+  SceneText frame_in(const unsigned int dimension)
+  {
+    SceneText scene;
+    scene.dimension(dimension).set("Lattice/Cell", "frame");
+    scene.set("Lattice/Joints",
+              dimension == 2 ? "0 0; 1 0; 1 1; 2 1"
+                             : "0 0 0; 1 0 0; 1 1 0.3; 2 1 0.3");
+    scene.set("Lattice/Struts", "0 1; 1 2; 2 3");
+    scene.circle("rod", 0.02, {1e9, 1000, 0.3});
+    scene.set("Sections/rod/Stiffness-proportional damping", "1 ms");
+    scene.support("clamp", "0", "clamp");
+    scene.set("Loads/push/Joints", "3");
+    return scene.mesh(2).time(0.5, 0.05).probe("tip", "3");
+  }
+
+  SceneText star_lattice()
+  {
+    SceneText scene;
+    scene.cells("star", 2, 2).set("Lattice/Strut length", "10 mm");
+    scene.rectangle("strut", "0.4 mm", "0.4 mm", {"70 GPa", 2700, 0.33});
+    scene.connector("damper",
+                    "maxwell",
+                    "Between = in-cell | Spring stiffness = 200 | Damping "
+                    "coefficient = 0.05");
+    scene.support("base", "bottom", "clamp");
+    scene.set("Loads/push/Joints", "top");
+    scene.set("Loads/push/Force y", "-min(t / 3e-3, 1)");
+    return scene.mesh(2).time("6 ms", "0.1 ms").probe("top", "top");
+  }
+
+  void expect_tolerances_kept(const std::string &name,
+                              const SceneText   &scene,
+                              const std::string &probe)
+  {
+    const StudyReport report =
+      study_of(SceneText(scene).set("Newton/Tolerance", "1e-10"),
+               {"Study/Refinements=none",
+                "Study/Time steps=none",
+                "Study/Relative tolerances=1e-2, 1e-3, 1e-4, 1e-5"});
+    const auto tolerances =
+      cells_where(report, "relative_tolerance", "role", "run");
+    const auto  errors = cells_where(report, probe + ".error", "role", "run");
+    const auto  iterations = cells_where(report, "iterations", "role", "run");
+    ResultTable table("Error of the time integration, asked for and made, " +
+                        name,
+                      {"relative tolerance", "error", "iterations"});
+    for (std::size_t i = 0; i < errors.size(); ++i)
+      {
+        table.row({tolerances[i],
+                   formatted("%.1e", std::stod(errors[i])),
+                   iterations[i]});
+        EXPECT_LT(std::stod(errors[i]), std::stod(tolerances[i])) << name;
+        EXPECT_GT(std::stod(errors[i]), std::stod(tolerances[i]) / 100) << name;
+      }
+    EXPECT_EQ(errors.size(), 4u);
+    EXPECT_TRUE(report.findings.empty());
+  }
+} // namespace
+
+TEST(Tolerance, IsKeptByAFrameInThePlaneUnderARamp)
+{
+  SceneText scene = frame_in(2);
+  scene.set("Loads/push/Force y", "-40 * min(t / 0.2, 1)");
+  expect_tolerances_kept("frame in the plane under a ramp", scene, "tip");
+}
+
+TEST(Tolerance, IsKeptByAFrameInSpaceUnderATriangularPulse)
+{
+  SceneText scene = frame_in(3);
+  scene.set("Loads/push/Force z", "40 * max(0, 1 - abs(t - 0.1) / 0.1)");
+  expect_tolerances_kept("frame in space under a triangular pulse",
+                         scene,
+                         "tip");
+}
+
+TEST(Tolerance, IsKeptByRigidPartsWhoseLoadJumps)
+{
+  SceneText scene = frame_in(2);
+  scene.rigid_part("block", "1", 0.5);
+  scene.set("Loads/push/Force y", "if(t < 0.2, -10, 5)");
+  expect_tolerances_kept("frame with a rigid part, load that jumps",
+                         scene,
+                         "tip");
+}
+
+TEST(Tolerance, IsKeptByAStarLatticeWithMaxwellConnectors)
+{
+  expect_tolerances_kept("star lattice with Maxwell connectors under a ramp",
+                         star_lattice(),
+                         "top");
+}
