@@ -17,8 +17,8 @@ namespace auxfem
       SettingsList list;
       for (const Refinement &refinement : refinements)
         {
-          list.add(refinement.runs);
-          list.add(refinement.references);
+          list.add(refinement.runs, 1);
+          list.add(refinement.references, 1);
         }
       return list;
     }
@@ -30,7 +30,7 @@ namespace auxfem
         throw InputError(task.scene.file +
                          ": the study refines nothing. Give Refinements, Time "
                          "steps or Newton tolerances in the subsection Study");
-      return settings_in(refinements).planned_runs(task.scene, 1);
+      return settings_in(refinements).planned_runs(task.scene);
     }
 
     /** A refinement with all its errors. */
@@ -46,6 +46,8 @@ namespace auxfem
         std::optional<double> largest;
         for (const RefinementErrors &quantity : errors)
           {
+            if (!quantity.is_resolved())
+              continue;
             const std::optional<double> error = quantity.runs[i].error;
             if (!error)
               return {};
@@ -138,7 +140,7 @@ namespace auxfem
              std::to_string(run.unknowns),
              std::to_string(run.steps),
              std::to_string(run.iterations),
-             decimal_text(run.cpu_seconds, 2)});
+             seconds_text(run.cpu_seconds)});
           for (const RefinementErrors &errors : family.errors)
             {
               const RunError &one = errors.runs[i];
@@ -162,7 +164,7 @@ namespace auxfem
         }
       const Settings &finest = family.refinement->references.back();
       return "Reference: " + name_of_run(task.scene, finest) + ", " +
-        decimal_text(family.runs.back().cpu_seconds, 2) +
+        seconds_text(family.runs.back().cpu_seconds) +
         " CPU s. Its own error, estimated: " + text + ".\n";
     }
 
@@ -175,7 +177,7 @@ namespace auxfem
           text += "Failed at " +
             coarseness_text(family.refinement->refined,
                             family.refinement->runs[i]) +
-            ": " + family.runs[i].exit_state + "\n";
+            ": " + first_line(family.runs[i].exit_state) + "\n";
         else if (family.runs[i].verdict != Verdict::sound)
           text += "The verdict on " +
             coarseness_text(family.refinement->refined,
@@ -188,6 +190,7 @@ namespace auxfem
     {
       std::string name = "error-" + name_of(refined);
       std::replace(name.begin(), name.end(), ' ', '-');
+      std::replace(name.begin(), name.end(), 'N', 'n');
       return name;
     }
 
@@ -297,18 +300,22 @@ namespace auxfem
                                         const Refined              refined,
                                         const double               allowed)
     {
-      std::optional<CheapestRun> best;
+      std::vector<CheapestRun> runs;
       for (const Family &family : families)
         if (family.refinement->refined == refined)
           for (std::size_t i = 0; i < family.refinement->runs.size(); ++i)
             {
-              const CheapestRun one{&family, i};
-              const auto        error = family.largest_error(i);
+              const auto error = family.largest_error(i);
               if (error && *error <= allowed &&
-                  (!best || one.price() < best->price()))
-                best = one;
+                  family.runs[i].verdict == Verdict::sound)
+                runs.push_back({&family, i});
             }
-      return best;
+      return cheapest_of(
+        runs,
+        [](const CheapestRun &run) { return run.price(); },
+        [](const CheapestRun &run) {
+          return *run.family->largest_error(run.number);
+        });
     }
 
     /** Gives @p settings what is refined in @p run. */
@@ -379,6 +386,9 @@ namespace auxfem
             table_of(family, task).markdown() + '\n' +
             reference_text(family, task) + failures_text(family) + '\n';
           add_csv_rows(family, report.rows);
+          for (std::size_t q = 0; q < family.errors.size(); ++q)
+            if (!family.errors[q].is_resolved())
+              add_finding(unresolved(task.quantities[q]), report.findings);
           add_finding_on_reference(family.runs.back(),
                                    "The reference for the " +
                                      name_of(family.refinement->refined),

@@ -24,11 +24,6 @@ namespace auxfem
       std::string obstacle;
     };
 
-    std::string first_line(const std::string &text)
-    {
-      return text.substr(0, text.find('\n'));
-    }
-
     std::string obstacle_to(const Scene                    &scene,
                             const std::vector<std::string> &overrides)
     {
@@ -138,6 +133,14 @@ namespace auxfem
       return change;
     }
 
+    /** Whether @p one takes less time than @p whole, by more than both vary. */
+    bool saves_time(const EffectChange &one, const EffectChange &whole)
+    {
+      const double noise =
+        1 + std::max(one.spread.value_or(0), whole.spread.value_or(0));
+      return one.cpu_seconds && *one.cpu_seconds * noise < *whole.cpu_seconds;
+    }
+
     /** All effects that could be left out one by one, left out together. */
     Simplification all_below(const std::vector<EffectChange> &changes,
                              const double                     tolerance)
@@ -178,7 +181,7 @@ namespace auxfem
           for (std::size_t q = 0; q < task.quantities.size(); ++q)
             row.push_back(one.changes.empty() ? "-"
                                               : error_text(one.changes[q]));
-          row.push_back(decimal_text(one.cpu_seconds, 3));
+          row.push_back(one.cpu_seconds ? seconds_text(*one.cpu_seconds) : "-");
           row.push_back(percent_text(one.spread));
           row.push_back(one.cpu_seconds && price > 0
                           ? percent_text(1 - *one.cpu_seconds / price)
@@ -220,23 +223,25 @@ namespace auxfem
                        const double                     tolerance)
     {
       const std::string allowed =
-        "a change of " + decimal_text(100 * tolerance, 2) + " %";
+        "a change of " + short_number(100 * tolerance) + " %";
       if (together.overrides.empty())
         return "All effects of the scene are called for at " + allowed + ".\n";
       const auto change =
-        std::find_if(changes.begin(),
-                     changes.end(),
-                     [&](const EffectChange &candidate) {
-                       return candidate.simplification.overrides ==
-                         together.overrides;
-                     });
-      const std::string line = command_line_text(together.overrides) + '\n';
+        std::find_if(changes.begin(), changes.end(), [&](const auto &one) {
+          return one.simplification.overrides == together.overrides;
+        });
+      const std::string line =
+        "\n\n   " + command_line_text(together.overrides) + '\n';
       if (!change->is_below(tolerance))
         return "Each of them alone could be left out at " + allowed +
-          ", but not all together:\n\n   " + line;
-      return "For " + allowed + " the scene can be computed in " +
-        decimal_text(change->cpu_seconds, 2) + " s in place of " +
-        decimal_text(changes.front().cpu_seconds, 2) + " s with\n\n   " + line;
+          ", but not all together:" + line;
+      const std::string times = seconds_text(*change->cpu_seconds) +
+        " CPU s in place of " + seconds_text(*changes.front().cpu_seconds);
+      if (!saves_time(*change, changes.front()))
+        return "Not called for at " + allowed + ", but without a gain, " +
+          times + ":" + line;
+      return "Not called for at " + allowed + ", and " + times +
+        " without:" + line;
     }
 
     std::vector<Column> effects_columns(const StudyTask &task)

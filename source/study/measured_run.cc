@@ -9,10 +9,11 @@
 #include <auxfem/time/interruption.h>
 
 #include <deal.II/base/mpi.h>
-#include <deal.II/base/timer.h>
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
+#include <chrono>
+#include <ctime>
 #include <fstream>
 #include <limits>
 
@@ -25,7 +26,17 @@ namespace auxfem
   {
     namespace mpi = dealii::Utilities::MPI;
 
+    using Clock = std::chrono::steady_clock;
+
     const std::string time_column = "time";
+
+    /** Of this process so far, system calls included. */
+    double processor_seconds()
+    {
+      timespec time{};
+      clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+      return time.tv_sec + 1e-9 * time.tv_nsec;
+    }
 
     std::vector<std::string> names_of(const std::vector<Column> &columns)
     {
@@ -82,6 +93,14 @@ namespace auxfem
       {
         energies.add(sample.energies);
         keep(cell_values(sample, energies));
+      }
+
+      /** Of which it has been told. */
+      unsigned long n_steps() const
+      {
+        return kept.empty() || kept.front().second->empty()
+          ? 0
+          : kept.front().second->size() - 1;
       }
 
     private:
@@ -217,7 +236,8 @@ namespace auxfem
     MeasuredRun    run;
     ColumnRecorder recorder(scene, communicator, columns, progress, run);
     forget_peak_memory();
-    dealii::Timer timer(communicator, /*sync_lap_times=*/true);
+    const double cpu_before = processor_seconds();
+    const auto   start      = Clock::now();
     try
       {
         const RunResult result =
@@ -237,9 +257,12 @@ namespace auxfem
         run.exit_state = failure.what();
         run.verdict    = Verdict::not_to_be_used;
       }
-    timer.stop();
-    run.cpu_seconds      = timer.cpu_time();
-    run.wall_seconds     = timer.wall_time();
+    if (!run.completed())
+      run.steps = recorder.n_steps();
+    run.cpu_seconds = mpi::sum(processor_seconds() - cpu_before, communicator);
+    run.wall_seconds =
+      mpi::max(std::chrono::duration<double>(Clock::now() - start).count(),
+               communicator);
     run.most_cpu_seconds = run.cpu_seconds;
     run.memory           = mpi::sum(peak_memory(), communicator);
     return run;

@@ -36,10 +36,10 @@ namespace auxfem
       std::string text;
       for (std::size_t i = 0; i < picture.curves.size(); ++i)
         text += (i == 0 ? "plot " : ", \\\n     ") +
-          ("$curve" + std::to_string(i)) + " using 1:2 with " +
-          (picture.curves[i].is_scattered ? "points pointsize 1.5"
-                                          : "linespoints") +
-          " linewidth 2 title " + quoted(picture.curves[i].title);
+          ("$curve" + std::to_string(i)) + " using 1:2 with linespoints " +
+          (picture.curves[i].is_beneath ? "linewidth 8 linecolor 'gray80'"
+                                        : "linewidth 2") +
+          " title " + quoted(picture.curves[i].title);
       return text + '\n';
     }
   } // namespace
@@ -53,7 +53,7 @@ namespace auxfem
       "set logscale xy\n"
       "set format '%.0e'\n"
       "set grid\n"
-      "set key outside right noenhanced\n"
+      "set key below noenhanced\n"
       "set title " +
       quoted(picture.title) +
       " noenhanced\n"
@@ -63,7 +63,7 @@ namespace auxfem
       "set ylabel " +
       quoted(picture.y_label) + " noenhanced\n";
     const std::array<std::pair<std::string, std::string>, 2> terminals = {
-      {{"svg size 800,500", ".svg"}, {"png size 1200,750", ".png"}}};
+      {{"svg size 800,600", ".svg"}, {"png size 1200,900", ".png"}}};
     for (const auto &[terminal, ending] : terminals)
       text += "set terminal " + terminal + "\nset output " +
         quoted(picture.name + ending) + '\n' + plot_command(picture);

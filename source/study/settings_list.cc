@@ -1,42 +1,40 @@
+#include <auxfem/parameters/errors.h>
 #include <auxfem/study/settings_list.h>
 
 #include <algorithm>
 
 namespace auxfem
 {
-  void SettingsList::add(const Settings &settings)
-  {
-    if (index(settings) == list.size())
-      list.push_back(settings);
-  }
-
-
-
-  void SettingsList::add(const std::vector<Settings> &settings)
+  void SettingsList::add(const std::vector<Settings> &settings,
+                         const unsigned int           n_times)
   {
     for (const Settings &one : settings)
-      add(one);
+      if (index(one) == list.size())
+        {
+          list.push_back(one);
+          repetitions.push_back(n_times);
+        }
   }
 
 
 
-  const std::vector<Settings> &SettingsList::all() const
-  {
-    return list;
-  }
-
-
-
-  std::vector<PlannedRun>
-  SettingsList::planned_runs(const Scene       &scene,
-                             const unsigned int repetitions) const
+  std::vector<PlannedRun> SettingsList::planned_runs(const Scene &scene) const
   {
     const Settings          own = settings_of(scene);
     std::vector<PlannedRun> planned;
-    for (const Settings &settings : list)
-      planned.push_back({name_of_run(scene, settings),
-                         scene_with(scene, overrides(own, settings)),
-                         repetitions});
+    for (std::size_t i = 0; i < list.size(); ++i)
+      {
+        planned.push_back({name_of_run(scene, list[i]),
+                           scene_with(scene, overrides(own, list[i])),
+                           repetitions[i]});
+        if (planned.back().scene.time.scheme->is_dynamic() !=
+            scene.time.scheme->is_dynamic())
+          throw InputError(
+            scene.file + ": Study/Schemes: " + list[i].scheme +
+            " computes something else than Time/Scheme = " + own.scheme +
+            ", statics or dynamics, so that they cannot be "
+            "compared. Remove one of them");
+      }
     return planned;
   }
 

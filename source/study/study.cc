@@ -83,7 +83,7 @@ namespace auxfem
             line << "  " << progress.number << '/' << progress.total << "  "
                  << progress.name << ": "
                  << (!run.completed() ? "failed" : name_of(run.verdict)) << ", "
-                 << decimal_text(run.cpu_seconds, 2) << " CPU s"
+                 << seconds_text(run.cpu_seconds) << " CPU s"
                  << (progress.is_reused ? ", from an earlier study here" : "");
             if (progress.fraction < 1 && !progress.is_reused)
               line << ", left " << time_left(progress.fraction);
@@ -113,14 +113,16 @@ namespace auxfem
       const Clock::time_point start;
     };
 
-    std::vector<std::string> files_of(const StudyKind &kind)
+    /** Of all kinds, so that nothing of another study stays. */
+    std::vector<std::string> files_of_studies()
     {
       std::vector<std::string> files = {"study.md",
                                         "study.csv",
                                         "study.units.csv"};
-      for (const std::string &picture : kind.pictures)
-        for (const std::string &file : picture_files(picture))
-          files.push_back(file);
+      for (const StudyKind &kind : study_registry())
+        for (const std::string &picture : kind.pictures)
+          for (const std::string &file : picture_files(picture))
+            files.push_back(file);
       return files;
     }
 
@@ -194,19 +196,30 @@ namespace auxfem
     std::optional<RunFolder>  files;
     std::optional<StudyLines> lines;
     on_first_rank(communicator, [&]() {
-      files.emplace(scene, rules, files_of(kind_of(scene)));
+      files.emplace(scene, rules, files_of_studies());
       lines.emplace(dealii::Utilities::MPI::n_mpi_processes(communicator),
                     files->log());
       lines->print(overview(task, plan));
     });
-    const StudyReport report =
-      report_of(task,
-                plan,
-                communicator,
-                folder + runs_folder,
-                [&lines](const StudyProgress &progress) {
-                  lines->show(progress);
-                });
+    StudyReport report;
+    try
+      {
+        report = report_of(task,
+                           plan,
+                           communicator,
+                           folder + runs_folder,
+                           [&lines](const StudyProgress &progress) {
+                             lines->show(progress);
+                           });
+      }
+    catch (const Interrupted &)
+      {
+        if (lines)
+          lines->print(
+            "Interrupted. What is done is kept in " + folder + runs_folder +
+            ": the same study, called once more, goes on from there.");
+        throw;
+      }
     on_first_rank(communicator, [&]() { write(report, task, folder, *lines); });
     RunResult result;
     result.exit_state = "completed";

@@ -1,6 +1,7 @@
 #include <auxfem/study/study_report.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 namespace auxfem
@@ -68,9 +69,25 @@ namespace auxfem
 
 
 
+  std::string seconds_text(const double seconds)
+  {
+    return formatted("%.*g", seconds, 3);
+  }
+
+
+
+  std::string first_line(const std::string &text)
+  {
+    return text.substr(0, text.find('\n'));
+  }
+
+
+
   std::string percent_text(const std::optional<double> &part)
   {
-    return part ? decimal_text(100 * *part, 0) + " %" : "-";
+    // -0.2 % is no number for people.
+    const double whole = part ? std::round(100 * *part) : 0;
+    return part ? decimal_text(whole == 0 ? 0 : whole, 0) + " %" : "-";
   }
 
 
@@ -136,21 +153,49 @@ namespace auxfem
 
 
 
+  Finding unresolved(const QuantityDefinition &quantity)
+  {
+    return {
+      Verdict::doubtful,
+      "The reference does not resolve the quantity \"" + quantity.name +
+        "\", whose own error is more than 10 %: as if it were zero but for "
+        "round-off. It is left out of what is recommended; choose others "
+        "in Quantities, or finer runs.",
+      0,
+      ""};
+  }
+
+
+
+  void add_finding(const Finding &finding, std::vector<Finding> &findings)
+  {
+    const bool is_there =
+      std::any_of(findings.begin(), findings.end(), [&](const Finding &other) {
+        return other.text == finding.text;
+      });
+    if (!is_there)
+      findings.push_back(finding);
+  }
+
+
+
   void add_finding_on_reference(const MeasuredRun    &reference,
                                 const std::string    &what,
                                 std::vector<Finding> &findings)
   {
     if (!reference.completed())
-      findings.push_back({Verdict::not_to_be_used,
-                          what + " failed, so that errors are not known: " +
-                            reference.exit_state,
-                          0,
-                          ""});
+      add_finding({Verdict::not_to_be_used,
+                   what + " failed, so that errors are not known: " +
+                     first_line(reference.exit_state),
+                   0,
+                   ""},
+                  findings);
     else if (reference.verdict != Verdict::sound)
-      findings.push_back({reference.verdict,
-                          what + " is itself " + name_of(reference.verdict) +
-                            ". Run the scene with its settings to see why.",
-                          0,
-                          ""});
+      add_finding({reference.verdict,
+                   what + " is itself " + name_of(reference.verdict) +
+                     ". Run the scene with its settings to see why.",
+                   0,
+                   ""},
+                  findings);
   }
 } // namespace auxfem

@@ -58,6 +58,23 @@ namespace auxfem
     const PlannedRun          *planned;
     std::string                key;
     std::optional<MeasuredRun> result;
+
+    unsigned int n_done() const
+    {
+      return result ? result->repetitions : 0;
+    }
+
+    bool is_done() const
+    {
+      return n_done() >= planned->repetitions;
+    }
+
+    double price_left() const
+    {
+      return is_done()
+        ? 0
+        : planned->price() * (1 - double(n_done()) / planned->repetitions);
+    }
   };
 
 
@@ -91,9 +108,10 @@ namespace auxfem
       {
         tasks.push_back(
           {&planned, key_of(planned.scene, by_ranks ? 1 : n_ranks), {}});
-        price_in_all += planned.price();
       }
     find_kept(tasks);
+    for (const Task &task : tasks)
+      price_in_all += task.price_left();
     if (by_ranks)
       compute_side_by_side(tasks);
     else
@@ -118,7 +136,6 @@ namespace auxfem
         {
           const auto run    = kept_run(folder, task.key);
           const bool serves = run &&
-            run->repetitions >= task.planned->repetitions &&
             std::all_of(columns.begin(),
                         columns.end(),
                         [&run](const std::string &column) {
@@ -137,13 +154,24 @@ namespace auxfem
 
   void StudyRuns::compute_in_turn(std::vector<Task> &tasks)
   {
-    for (Task &task : tasks)
+    unsigned int most_repetitions = 0;
+    for (const Task &task : tasks)
       {
-        const bool is_kept = task.result.has_value();
-        if (!is_kept)
-          measure(task, communicator);
-        tell_of(task, is_kept);
+        most_repetitions =
+          std::max(most_repetitions, task.planned->repetitions);
+        if (task.is_done())
+          tell_of(task, /*is_reused=*/true);
       }
+    // In rounds, so that a time when the machine is slow does not fall upon one
+    // of them alone.
+    for (unsigned int round = 0; round < most_repetitions; ++round)
+      for (Task &task : tasks)
+        if (!task.is_done() && task.n_done() <= round)
+          {
+            measure(task, communicator);
+            if (task.is_done())
+              tell_of(task, /*is_reused=*/false);
+          }
   }
 
 
@@ -172,7 +200,7 @@ namespace auxfem
         *least += tasks[i].planned->price();
         rank_of[i] = least - load.begin();
       }
-    price_in_all = price_done + load[rank];
+    price_in_all = load[rank];
 
     Outcome outcome;
     Json    mine = Json::object();
@@ -215,25 +243,23 @@ namespace auxfem
     const bool speaks = mpi::this_mpi_process(communicator) == 0;
     progress.name     = task.planned->name;
     progress.result.reset();
-    const unsigned int repetitions = task.planned->repetitions;
-    const double share = task.planned->price() / repetitions / price_in_all;
-    for (unsigned int i = 0; i < repetitions; ++i)
-      {
-        const MeasuredRun run =
-          measure_run(task.planned->scene,
-                      on_ranks,
-                      columns,
-                      [&](const double fraction) {
-                        progress.fraction =
-                          price_done / price_in_all + (i + fraction) * share;
-                        if (speaks)
-                          listener(progress);
-                      });
-        if (task.result)
-          task.result->add_repetition(run);
-        else
-          task.result = run;
-      }
+    const double      before = task.price_left();
+    const double      price = task.planned->price() / task.planned->repetitions;
+    const MeasuredRun run =
+      measure_run(task.planned->scene,
+                  on_ranks,
+                  columns,
+                  [&](const double fraction) {
+                    progress.fraction =
+                      (price_done + fraction * price) / price_in_all;
+                    if (speaks)
+                      listener(progress);
+                  });
+    if (task.result)
+      task.result->add_repetition(run);
+    else
+      task.result = run;
+    price_done += before - task.price_left();
     if (!folder.empty() && mpi::this_mpi_process(on_ranks) == 0)
       keep_run(folder, task.key, *task.result);
   }
@@ -242,10 +268,10 @@ namespace auxfem
 
   void StudyRuns::tell_of(const Task &task, const bool is_reused)
   {
-    price_done += task.planned->price();
     ++progress.number;
-    progress.name      = task.planned->name;
-    progress.fraction  = std::min(1., price_done / price_in_all);
+    progress.name = task.planned->name;
+    progress.fraction =
+      price_in_all > 0 ? std::min(1., price_done / price_in_all) : 1;
     progress.result    = task.result;
     progress.is_reused = is_reused;
     if (mpi::this_mpi_process(communicator) == 0)

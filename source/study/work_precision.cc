@@ -81,19 +81,20 @@ namespace auxfem
       return grid;
     }
 
-    SettingsList settings_in_grid(const Grid &grid)
+    SettingsList settings_in_grid(const Grid        &grid,
+                                  const unsigned int repetitions)
     {
       SettingsList list;
-      list.add(grid.runs);
-      list.add(grid.references);
-      list.add(grid.solved_better);
+      list.add(grid.runs, repetitions);
+      list.add(grid.references, 1);
+      list.add({grid.solved_better}, 1);
       return list;
     }
 
     std::vector<PlannedRun> plan_work_precision(const StudyTask &task)
     {
-      return settings_in_grid(grid_of(task.scene))
-        .planned_runs(task.scene, task.scene.study.repetitions);
+      return settings_in_grid(grid_of(task.scene), task.scene.study.repetitions)
+        .planned_runs(task.scene);
     }
 
     /** One run with its error and where that comes from, each the largest of
@@ -110,28 +111,14 @@ namespace auxfem
     /** All quantities of one run, if it came to the end. */
     using AllValues = std::optional<std::vector<QuantityValues>>;
 
-    std::optional<double> largest_difference(const AllValues &one,
-                                             const AllValues &other)
-    {
-      if (!one || !other)
-        return {};
-      double largest = 0;
-      for (std::size_t q = 0; q < one->size(); ++q)
-        {
-          const double difference = relative_difference((*one)[q], (*other)[q]);
-          if (!std::isfinite(difference))
-            return {};
-          largest = std::max(largest, difference);
-        }
-      return largest;
-    }
-
     /** What the runs of a grid show. */
     struct WorkPrecision
     {
       std::vector<GridRun>  runs; ///< by processor time
       std::optional<double> of_reference, by_newton;
-      MeasuredRun           reference;
+      /** Quantities that no error is measured by. */
+      std::vector<QuantityDefinition> unresolved;
+      MeasuredRun                     reference;
     };
 
     class GridComparison
@@ -140,15 +127,21 @@ namespace auxfem
       GridComparison(const StudyTask &task, const std::vector<MeasuredRun> &all)
         : task(task)
         , grid(grid_of(task.scene))
-        , list(settings_in_grid(grid))
+        , list(settings_in_grid(grid, 1))
         , all(all)
         , times(times_of_comparison(all))
-      {}
+      {
+        for (std::size_t q = 0; q < task.quantities.size(); ++q)
+          resolved.push_back(is_resolved(q));
+      }
 
       WorkPrecision result() const
       {
         WorkPrecision   found;
         const AllValues finest = reference();
+        for (std::size_t q = 0; q < task.quantities.size(); ++q)
+          if (!resolved[q])
+            found.unresolved.push_back(task.quantities[q]);
         for (const Settings &settings : grid.runs)
           found.runs.push_back(compared(settings, finest));
         std::stable_sort(found.runs.begin(),
@@ -166,6 +159,35 @@ namespace auxfem
       }
 
     private:
+      /** Whether the references agree on it, or it is known. */
+      bool is_resolved(const std::size_t quantity) const
+      {
+        const AllValues finer  = values(grid.references[0]),
+                        finest = values(grid.references[1]);
+        return task.quantities[quantity].exact || !finer || !finest ||
+          relative_difference((*finer)[quantity], (*finest)[quantity]) <
+          unresolved_error;
+      }
+
+      /** Of the quantities that are resolved. */
+      std::optional<double> largest_difference(const AllValues &one,
+                                               const AllValues &other) const
+      {
+        if (!one || !other)
+          return {};
+        double largest = 0;
+        for (std::size_t q = 0; q < one->size(); ++q)
+          if (resolved[q])
+            {
+              const double difference =
+                relative_difference((*one)[q], (*other)[q]);
+              if (!std::isfinite(difference))
+                return {};
+              largest = std::max(largest, difference);
+            }
+        return largest;
+      }
+
       AllValues values(const Settings &settings) const
       {
         const MeasuredRun run = list.of({settings}, all).front();
@@ -219,6 +241,7 @@ namespace auxfem
       const SettingsList              list;
       const std::vector<MeasuredRun> &all;
       const std::vector<double>       times;
+      std::vector<bool>               resolved; ///< by quantity
     };
 
     std::string table_text(const WorkPrecision &found)
@@ -249,7 +272,7 @@ namespace auxfem
              : "-",
            std::to_string(one.run.unknowns),
            std::to_string(one.run.iterations),
-           decimal_text(one.run.cpu_seconds, 3),
+           seconds_text(one.run.cpu_seconds),
            percent_text(one.run.spread()),
            one.run.completed() ? error_text(one.error) : "failed",
            error_text(one.by_mesh),
@@ -287,21 +310,30 @@ namespace auxfem
           if (one.is_best)
             best.points.emplace_back(one.run.cpu_seconds, *one.error);
         }
-      picture.curves.push_back(best);
+      best.is_beneath = true;
+      picture.curves.insert(picture.curves.begin(), best);
       return picture;
     }
 
     std::optional<Recommendation> recommend_run(const WorkPrecision &found,
                                                 const double         target)
     {
+      std::vector<GridRun> good;
       for (const GridRun &one : found.runs)
-        if (one.error && *one.error <= target)
-          return Recommendation{one.settings,
-                                decimal_text(one.run.cpu_seconds, 2) +
-                                  " CPU s, error " + error_text(one.error) +
-                                  ": by mesh " + error_text(one.by_mesh) +
-                                  ", by step " + error_text(one.by_step)};
-      return {};
+        if (one.error && *one.error <= target &&
+            one.run.verdict == Verdict::sound)
+          good.push_back(one);
+      const auto best = cheapest_of(
+        good,
+        [](const GridRun &one) { return one.run.cpu_seconds; },
+        [](const GridRun &one) { return *one.error; });
+      if (!best)
+        return {};
+      return Recommendation{best->settings,
+                            seconds_text(best->run.cpu_seconds) +
+                              " CPU s, error " + error_text(best->error) +
+                              ": by mesh " + error_text(best->by_mesh) +
+                              ", by step " + error_text(best->by_step)};
     }
 
     std::vector<Column> work_precision_columns()
@@ -350,6 +382,8 @@ namespace auxfem
       for (const GridRun &one : found.runs)
         report.rows.push_back(row_of(one));
       report.pictures.push_back(picture_of(found));
+      for (const QuantityDefinition &quantity : found.unresolved)
+        add_finding(unresolved(quantity), report.findings);
       add_finding_on_reference(found.reference,
                                "The reference",
                                report.findings);

@@ -71,6 +71,6 @@ TEST(WorkPrecisionStudy, BestRunsHaveNoCheaperAndBetterOne)
   EXPECT_GT(n_best, 0u);
   // Whatever the times are, one run has the smallest error.
   ASSERT_EQ(report.pictures.size(), 1u);
-  EXPECT_EQ(report.pictures[0].curves.back().points.size(), n_best);
+  EXPECT_EQ(report.pictures[0].curves.front().points.size(), n_best);
   EXPECT_TRUE(contains(report.text, "## What to take"));
 }

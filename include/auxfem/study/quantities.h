@@ -55,6 +55,9 @@ namespace auxfem
   double relative_difference(const QuantityValues &values,
                              const QuantityValues &reference);
 
+  /** Error of a reference from which on nothing is measured by it. */
+  constexpr double unresolved_error = 0.1;
+
   /**
    * Times for histories: those of the completed one of @p runs that has fewest,
    * but for the start.

@@ -74,6 +74,13 @@ namespace auxfem
     /** Relative, estimated from both references; none if the value is exact or
      * a reference failed. */
     std::optional<double> of_reference;
+
+    /** Whether the reference is better than a guess; it is not where the
+     * quantity is zero but for round-off, as by symmetry. */
+    bool is_resolved() const
+    {
+      return of_reference.value_or(0) < unresolved_error;
+    }
   };
 
   /**

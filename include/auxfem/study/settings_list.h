@@ -13,16 +13,15 @@ namespace auxfem
   class SettingsList
   {
   public:
-    /** Does nothing if they are in the list. */
-    void add(const Settings &settings);
-    void add(const std::vector<Settings> &settings);
+    /**
+     * Does nothing with those that are in the list.
+     * @param repetitions how often they are computed, for their time.
+     */
+    void add(const std::vector<Settings> &settings, unsigned int repetitions);
 
-    const std::vector<Settings> &all() const;
-
-    /** The simulations of @p scene with them. Throws InputError if one is
-     * wrong. */
-    std::vector<PlannedRun> planned_runs(const Scene &scene,
-                                         unsigned int repetitions) const;
+    /** The simulations of @p scene with them. Throws InputError if one is wrong,
+     * or has another limit than the scene. */
+    std::vector<PlannedRun> planned_runs(const Scene &scene) const;
 
     /** Those of @p runs, the results of planned_runs(), that were done with
      * @p settings, which must be in the list. */
@@ -32,7 +31,8 @@ namespace auxfem
   private:
     std::size_t index(const Settings &settings) const;
 
-    std::vector<Settings> list;
+    std::vector<Settings>     list;
+    std::vector<unsigned int> repetitions;
   };
 
   /** E.g. `order 2, 4 elements a strut, newmark, step 2e-05 s`. */

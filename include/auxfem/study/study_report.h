@@ -3,9 +3,11 @@
 
 #include <auxfem/output/csv_table.h>
 #include <auxfem/output/verdict.h>
+#include <auxfem/scene/study_definition.h>
 #include <auxfem/study/measured_run.h>
 #include <auxfem/study/settings.h>
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <utility>
@@ -33,6 +35,12 @@ namespace auxfem
   std::string decimal_text(const std::optional<double> &number,
                            unsigned int                 digits);
 
+  /** Processor time, three digits. */
+  std::string seconds_text(double seconds);
+
+  /** @p text up to its first line break. */
+  std::string first_line(const std::string &text);
+
   /** E.g. `7 %` for 0.07; `-` for none. */
   std::string percent_text(const std::optional<double> &part);
 
@@ -52,8 +60,8 @@ namespace auxfem
   {
     std::string                            title;
     std::vector<std::pair<double, double>> points; ///< positive
-    /** Points only, without a line through them. */
-    bool is_scattered = false;
+    /** Wide and pale, so that others are seen upon it. */
+    bool is_beneath = false;
   };
 
   /** A picture with logarithmic axes. */
@@ -75,6 +83,35 @@ namespace auxfem
     std::vector<LogPicture>               pictures;
     std::vector<Finding>                  findings;
   };
+
+  /** What is to be said of a quantity that the reference does not resolve. */
+  Finding unresolved(const QuantityDefinition &quantity);
+
+  /** Adds @p finding unless it is there. */
+  void add_finding(const Finding &finding, std::vector<Finding> &findings);
+
+  /**
+   * The cheapest of @p runs; of several as cheap, within the noise of times, the
+   * one with the smallest error. None if there are none.
+   */
+  template <class Run, class Price, class Error>
+  std::optional<Run> cheapest_of(const std::vector<Run> &runs,
+                                 const Price            &price,
+                                 const Error            &error)
+  {
+    constexpr double noise = 1.2, instant = 0.01; // s
+    const auto       is_cheaper = [&price](const Run &one, const Run &other) {
+      return price(one) < price(other);
+    };
+    const auto cheapest =
+      std::min_element(runs.begin(), runs.end(), is_cheaper);
+    std::optional<Run> best;
+    for (const Run &run : runs)
+      if (price(run) <= noise * price(*cheapest) + instant &&
+          (!best || error(run) < error(*best)))
+        best = run;
+    return best;
+  }
 
   /** Adds what is to be said of a reference, @p what, that failed or cannot be
    * relied on. */
