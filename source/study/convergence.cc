@@ -56,6 +56,16 @@ namespace auxfem
         return largest;
       }
 
+      /** Largest of all quantities that are resolved. */
+      double error_of_reference() const
+      {
+        double largest = 0;
+        for (const RefinementErrors &quantity : errors)
+          if (quantity.is_resolved())
+            largest = std::max(largest, quantity.of_reference.value_or(0));
+        return largest;
+      }
+
       /** Largest convergence index of run @p i in any quantity. */
       std::optional<double> largest_index(const std::size_t i) const
       {
@@ -307,6 +317,7 @@ namespace auxfem
             {
               const auto error = family.largest_error(i);
               if (error && *error <= allowed &&
+                  family.error_of_reference() <= allowed &&
                   family.runs[i].verdict == Verdict::sound)
                 runs.push_back({&family, i});
             }

@@ -320,7 +320,7 @@ namespace auxfem
     {
       std::vector<GridRun> good;
       for (const GridRun &one : found.runs)
-        if (one.error && *one.error <= target &&
+        if (found.of_reference.value_or(0) <= target && one.error && *one.error <= target &&
             one.run.verdict == Verdict::sound)
           good.push_back(one);
       const auto best = cheapest_of(
