@@ -320,8 +320,8 @@ namespace auxfem
     {
       std::vector<GridRun> good;
       for (const GridRun &one : found.runs)
-        if (found.of_reference.value_or(0) <= target && one.error && *one.error <= target &&
-            one.run.verdict == Verdict::sound)
+        if (found.of_reference.value_or(0) <= target && one.error &&
+            *one.error <= target && one.run.verdict == Verdict::sound)
           good.push_back(one);
       const auto best = cheapest_of(
         good,

@@ -20,11 +20,11 @@ namespace auxfem
    * @endcode
    *
    * with ImplicitScheme::error_constant(); pi / 2 stands for the error of the
-   * velocity, which an oscillation turns into one of the displacement. Errors and displacements are taken
-   * as root mean squares of all free ones, not of rotations. In free
-   * oscillation the errors of all steps add up, so each may take of the
-   * tolerance the part that its length is of the whole time; where damping
-   * takes them away again, less is left in the end.
+   * velocity, which an oscillation turns into one of the displacement. Errors
+   * and displacements are taken as root mean squares of all free ones, not of
+   * rotations. In free oscillation the errors of all steps add up, so each may
+   * take of the tolerance the part that its length is of the whole time; where
+   * damping takes them away again, less is left in the end.
    */
   class StepError
   {
