@@ -5,8 +5,6 @@
 #include <auxfem/study/study_kind.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 namespace auxfem
 {
@@ -29,7 +27,8 @@ namespace auxfem
       if (refinements.empty())
         throw InputError(task.scene.file +
                          ": the study refines nothing. Give Refinements, Time "
-                         "steps or Newton tolerances in the subsection Study");
+                         "steps, Relative tolerances or Newton tolerances in "
+                         "the subsection Study");
       return settings_in(refinements).planned_runs(task.scene);
     }
 

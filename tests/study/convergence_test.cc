@@ -186,3 +186,30 @@ TEST(ConvergenceStudy, MistakesAreFoundBeforeTheFirstRun)
   expect_parts(refusal(cantilever(), {"Study/Refinements=none"}),
                {"refines nothing", "Refinements"});
 }
+
+TEST(ConvergenceStudy, StaticsAndDynamicsAreNotCompared)
+{
+  expect_parts(input_error_of([]() {
+                 study_of(swinging_beam(0.2, 20),
+                          {"Study/Schemes=newmark, static"});
+               }),
+               {"Study/Schemes", "static", "newmark", "Remove one"});
+}
+
+TEST(ConvergenceStudy, QuantitiesThatAreZeroBySymmetryAreFoundOut)
+{
+  SceneText scene;
+  scene.cells("star", 2, 2);
+  scene.rectangle("strut", "1 mm", "1 mm", {"2 GPa", 1000, 0.3});
+  scene.support("base", "bottom", "clamp");
+  scene.load("push", "top", {"0", "-0.1 * t", "0"});
+  scene.time(1, 0.25, "static").probe("top", "top");
+  scene.set("Quantities/sideways", "top.ux at end");
+  scene.set("Quantities/down", "top.uy at end");
+  const StudyReport report = study_of(scene, {"Study/Orders=1"});
+  ASSERT_EQ(report.findings.size(), 1u) << report.text;
+  EXPECT_EQ(report.findings[0].verdict, Verdict::doubtful);
+  EXPECT_TRUE(contains(report.findings[0].text, "\"sideways\""));
+  // It does not decide what is recommended.
+  EXPECT_TRUE(contains(report.text, "\n- for 10 %:")) << report.text;
+}
