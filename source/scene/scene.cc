@@ -81,6 +81,9 @@ namespace auxfem
                                subsection.schema,
                                scene.context,
                                mistakes);
+            // Without its constants other expressions would seem wrong.
+            if (subsection.schema.name.empty() && found.empty())
+              mistakes.throw_if_any(file);
             for (ParameterValues &values : found)
               {
                 read_subsection(subsection, values, scene, mistakes);

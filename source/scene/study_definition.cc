@@ -10,6 +10,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
+#include <limits>
+#include <sstream>
 
 namespace auxfem
 {
@@ -226,14 +229,36 @@ namespace auxfem
       read_column_at_time(text, quantity);
     }
 
+    /** A number with a unit word becomes one in SI; else @p text as it is. */
+    std::string in_si(const std::string &text)
+    {
+      try
+        {
+          const std::string unit = split_quantity(text).unit;
+          if (unit.empty())
+            return text;
+          std::ostringstream number;
+          number << std::setprecision(std::numeric_limits<double>::max_digits10)
+                 << parse_quantity(text, unit);
+          return number.str();
+        }
+      catch (const InputError &)
+        {
+          // an expression
+          return text;
+        }
+    }
+
     /** What stands from character @p begin on. */
     TimeFunction read_exact_value(ParameterValues  &values,
                                   const std::size_t begin)
     {
       const TimeExpression exact{values.name(), "", "1", ""};
-      const std::string    text = text_of_free_entry(values);
-      ParameterValues      value({exact}, values.context, values.location);
-      value.set(exact.name, trim(text.substr(begin)));
+      const std::string    text    = text_of_free_entry(values);
+      SceneContext         context = values.context;
+      context.path                 = "Quantities";
+      ParameterValues value({exact}, context, values.location);
+      value.set(exact.name, in_si(trim(text.substr(begin))));
       const TimeFunction function = read_time_function(value, exact);
       values.set(exact.name, text.substr(0, begin) + " " + value.text(exact));
       values.files = value.files;

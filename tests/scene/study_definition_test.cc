@@ -122,6 +122,10 @@ TEST(StudyDefinition, ExactValuesAreFunctionsOfTimeWithConstants)
                                 "history tip.uy = F * t^2 / 3"),
                          "test.prm");
   EXPECT_DOUBLE_EQ(scene.study.quantities[0].exact->value(3), 6);
+  EXPECT_DOUBLE_EQ(quantity_from("tip.uy at end = -2.5 mm").exact->value(0),
+                   -2.5e-3);
+  EXPECT_DOUBLE_EQ(quantity_from("tip.uy at end = 1/12 + 1/50").exact->value(0),
+                   1. / 12 + 1. / 50);
 }
 
 TEST(StudyDefinition, QuantitiesThatAreNotUnderstoodAreRefused)
@@ -133,7 +137,7 @@ TEST(StudyDefinition, QuantitiesThatAreNotUnderstoodAreRefused)
   expect_parts(refusal_of("Quantities/q", "maximum of tip.ux, tip.uy"),
                {"Quantities/q", "history only"});
   expect_parts(refusal_of("Quantities/q", "tip.uy at end = 3 *"),
-               {"Quantities/q"});
+               {"Quantities/q: ", "3 *"});
 }
 
 TEST(StudyDefinition, SurvivesBeingWrittenWithAllParameters)
