@@ -52,12 +52,16 @@ namespace auxfem
                                 parameters.smallest_step > 0
                                   ? parameters.smallest_step
                                   : parameters.step / 1024,
-                                parameters.relative_tolerance.has_value()))
+                                parameters.relative_tolerance
+                                  ? std::optional(scheme.order())
+                                  : std::nullopt))
     , ends(step_ends(scene))
     , watches(scene, equations, work)
   {
     if (parameters.relative_tolerance)
       error.emplace(equations, parameters);
+    if (scheme.stages() != nullptr)
+      stages.emplace(equations, scheme);
     make_solvers();
   }
 
@@ -99,6 +103,8 @@ namespace auxfem
     if (error)
       error->save(records);
     watches.save(records);
+    if (stages)
+      stages->forget();
     make_solvers();
   }
 
@@ -192,7 +198,11 @@ namespace auxfem
     while (state.time < end)
       {
         if (equations.update_couplings(state))
-          trial.state.take_ghosts(equations.unknowns().layout);
+          {
+            trial.state.take_ghosts(equations.unknowns().layout);
+            if (stages)
+              stages->forget();
+          }
         const bool is_jump = pass_events(solution, report);
         take_step(solution, next_target(state.time, end), report);
         if (is_jump)
@@ -279,6 +289,8 @@ namespace auxfem
     });
     if (scheme.is_dynamic())
       {
+        if (stages)
+          stages->forget();
         renew_rates(solution, jump, std::prev(after)->time);
         return false;
       }
@@ -325,32 +337,67 @@ namespace auxfem
     Evaluation step    = evaluation_of(state, planned.dt);
     step.event_at_from = event_at_begin(state.time);
     step.event_at_to   = event_at_end(planned.end);
-    predict(step);
-    const Newton::Result result =
-      solvers->newton.solve(scheme, step, trial.results);
-    report.iterations += result.iterations;
-    work.iterations += result.iterations;
-    report.relative_residual = result.relative_residual;
-    if (!result.converged)
-      {
-        std::ostringstream reason;
-        reason << result.reason << "; relative residual "
-               << result.relative_residual << ", largest at the "
-               << worst_unknown(equations.model(), trial.state);
-        return reject(reason.str());
-      }
-    if (solvers->rates)
-      restore_rates(step);
-    equations.accept(step, trial.results);
+    if (stages ? !solve_stages(solution, step, report)
+               : !solve_step(step, report))
+      return false;
     if (!is_acceptable(step))
       return false;
     control->accepted(error ? error->accept() : 0);
+    if (stages)
+      stages->accept();
     raise_largest_energy(state, trial.state);
     watches.step(step, trial.results, solvers->tangent);
     trial.state.step = state.step;
     state            = trial.state;
     std::swap(solution.results, trial.results);
     return true;
+  }
+
+  bool TimeStepper::solve_step(const Evaluation &step, StepReport &report)
+  {
+    predict(scheme, step);
+    if (!solve(scheme, step, report))
+      return false;
+    if (solvers->rates)
+      restore_rates(step);
+    equations.accept(step, trial.results);
+    return true;
+  }
+
+  bool TimeStepper::solve_stages(const Solution   &solution,
+                                 const Evaluation &step,
+                                 StepReport       &report)
+  {
+    stages->begin(step, solution.results);
+    for (unsigned int i = 1; i < stages->n(); ++i)
+      {
+        const Evaluation stage = stages->next(step);
+        predict(stages->rule(), stage);
+        if (!solve(stages->rule(), stage, report))
+          return false;
+        stages->solved(stage, trial.results);
+        if (i + 1 == stages->n())
+          equations.accept(stage, trial.results);
+      }
+    return true;
+  }
+
+  bool TimeStepper::solve(const ImplicitScheme &rule,
+                          const Evaluation     &step,
+                          StepReport           &report)
+  {
+    const Newton::Result result =
+      solvers->newton.solve(rule, step, trial.results);
+    report.iterations += result.iterations;
+    work.iterations += result.iterations;
+    report.relative_residual = result.relative_residual;
+    if (result.converged)
+      return true;
+    std::ostringstream reason;
+    reason << result.reason << "; relative residual "
+           << result.relative_residual << ", largest at the "
+           << worst_unknown(equations.model(), trial.state);
+    return reject(reason.str());
   }
 
   bool TimeStepper::is_acceptable(const Evaluation &step)
@@ -361,9 +408,19 @@ namespace auxfem
     if (creates_energy(step))
       return reject(
         "the step would create energy (more than Time/Largest energy error)");
-    if (error && error->relative(step) > 1 && control->may_be_shorter())
+    if (error && error->relative(step, acceleration_change(step)) > 1 &&
+        control->may_be_shorter())
       return reject("the error is larger than Time/Relative tolerance allows");
     return true;
+  }
+
+  Vector TimeStepper::acceleration_change(const Evaluation &step) const
+  {
+    if (stages)
+      return stages->acceleration_difference();
+    Vector change = *step.to.acceleration;
+    add_multiple(-1., *step.from.acceleration, change);
+    return change;
   }
 
   Evaluation TimeStepper::evaluation_of(const State &from, const double dt)
@@ -374,9 +431,9 @@ namespace auxfem
                                    : Evaluation::step(from, trial.state, dt);
   }
 
-  void TimeStepper::predict(const Evaluation &step)
+  void TimeStepper::predict(const ImplicitScheme &rule, const Evaluation &step)
   {
-    scheme.predict(step.from, step.dt, step.to);
+    rule.predict(step.from, step.dt, step.to);
     rotations.follow(step);
     if (scheme.is_dynamic())
       prescribe_motion(equations.model(), step);

@@ -126,6 +126,28 @@ namespace auxfem
           add_element(element, n, motion, committed, trial, response);
       }
 
+      void evaluate_stage(const unsigned int     n,
+                          const ConnectorMotion *motion,
+                          const double          *base,
+                          double                *trial,
+                          ConnectorResponse     *response) const override
+      {
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            response[i] = {stiffness * motion[i].extension, stiffness, 0};
+            for (unsigned int e = 0; e < elements.size(); ++e)
+              {
+                const auto index = std::size_t(i) * elements.size() + e;
+                const MaxwellElement::Stage stage =
+                  elements[e].stage(motion[i].dt);
+                trial[index] =
+                  stage.decay * base[index] + stage.damping * motion[i].rate;
+                response[i].force += trial[index];
+                response[i].damping += stage.damping;
+              }
+          }
+      }
+
       void evaluate_mean(const unsigned int     n,
                          const ConnectorMotion *motion,
                          const double          *committed,
@@ -287,6 +309,12 @@ namespace auxfem
     return {std::exp(-a),
             stiffness * (steady - lead),
             stiffness * (std::isinf(a) ? relaxation_time : lead * dt)};
+  }
+
+  MaxwellElement::Stage MaxwellElement::stage(const double dt) const
+  {
+    const double decay = 1 / (1 + reduced_time(dt, relaxation_time));
+    return {decay, decay * stiffness * dt};
   }
 
   double MaxwellElement::at_constant_rate(const double force,

@@ -98,9 +98,14 @@ namespace auxfem
     sums[entry] += energy;
   }
 
+  void EnergyAccount::add_power(const unsigned int entry, const double power)
+  {
+    sums[entry] += step.weight * power;
+  }
+
   bool EnergyAccount::takes_time() const
   {
-    return step.dt > 0;
+    return step.dt > 0 && step.kind != Evaluation::Kind::stage;
   }
 
   const StepMotion &EnergyAccount::motion()

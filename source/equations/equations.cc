@@ -239,11 +239,40 @@ namespace auxfem
                          const EvaluationResults &results) const
   {
     clear_multiplier_rates(structure.numbering, evaluation.to);
+    const bool    is_stage = evaluation.kind == Evaluation::Kind::stage;
     EnergyAccount account(evaluation);
     for (unsigned int i = 0; i < effects.size(); ++i)
-      effects[i]->account(evaluation, results.of_effects[i].get(), account);
+      {
+        const EffectResults *of_effect = results.of_effects[i].get();
+        effects[i]->account(evaluation, of_effect, account);
+        if (is_stage)
+          effects[i]->account_stage(evaluation, of_effect, account);
+        else
+          effects[i]->account_step(evaluation, of_effect, account);
+      }
     evaluation.to.energies.amounts() =
       structure.numbering.layout().sum(account.close());
+  }
+
+  void Equations::account_stage(const Evaluation        &stage,
+                                const EvaluationResults &results) const
+  {
+    EnergyAccount account(stage);
+    for (unsigned int i = 0; i < effects.size(); ++i)
+      effects[i]->account_stage(stage, results.of_effects[i].get(), account);
+    account.close();
+  }
+
+  std::vector<double>
+  Equations::find_internal_rates(const State             &state,
+                                 const EvaluationResults &results) const
+  {
+    std::vector<double> rates(state.history.size(), 0.);
+    for (unsigned int i = 0; i < effects.size(); ++i)
+      effects[i]->find_internal_rates(state,
+                                      results.of_effects[i].get(),
+                                      rates.data());
+    return rates;
   }
 
   const Unknowns &Equations::unknowns() const

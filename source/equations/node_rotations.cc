@@ -53,6 +53,17 @@ namespace auxfem
                    material_increment(evaluation, i));
   }
 
+  double NodeRotations::spatial_rate(const State &state,
+                                     const int    unknown) const
+  {
+    const int i = numbering.rotations().with(unknown);
+    if (i < 0 || state.rotations.empty())
+      return (*state.velocity)[unknown];
+    return rotated(state.rotations[i],
+                   values(*state.velocity,
+                          i))[numbering.rotations().axis(unknown)];
+  }
+
   SpaceVector NodeRotations::material_increment(const Evaluation  &evaluation,
                                                 const unsigned int i) const
   {

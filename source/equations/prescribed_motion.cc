@@ -284,13 +284,28 @@ namespace auxfem
                         EffectResults * /*results*/) const override
       {}
 
-      void account(const Evaluation &step,
-                   const EffectResults * /*results*/,
-                   EnergyAccount &account) const override
+      void account_step(const Evaluation &step,
+                        const EffectResults * /*results*/,
+                        EnergyAccount &account) const override
       {
         for (unsigned int s = 0; s < entries.size(); ++s)
           if (!model.supports[s].is_at_rest())
             account.add_in_step(entries[s], work(model.supports[s], step));
+      }
+
+      void account_stage(const Evaluation &stage,
+                         const EffectResults * /*results*/,
+                         EnergyAccount &account) const override
+      {
+        for (unsigned int s = 0; s < entries.size(); ++s)
+          for (const Support::PrescribedUnknown &prescribed :
+               model.supports[s].unknowns)
+            if (const int i = prescribed.unknown;
+                !model.supports[s].is_at_rest() &&
+                model.numbering.layout().is_owned(i))
+              account.add_power(entries[s],
+                                stage.to.residual[i] *
+                                  rotations.spatial_rate(stage.to, i));
       }
 
     private:

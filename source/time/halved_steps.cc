@@ -14,12 +14,12 @@ namespace auxfem
     class HalvedSteps : public StepControl
     {
     public:
-      HalvedSteps(const double step,
-                  const double smallest,
-                  const bool   follows_error)
+      HalvedSteps(const double                      step,
+                  const double                      smallest,
+                  const std::optional<unsigned int> order_of_error)
         : step(step)
         , smallest(smallest)
-        , follows_error(follows_error)
+        , order_of_error(order_of_error)
       {}
 
       PlannedStep plan(const double time, const double next_target) override
@@ -34,9 +34,9 @@ namespace auxfem
 
       void accepted(const double relative_error) override
       {
-        // The error of steps twice as long is four times as large.
-        constexpr double small_enough = 0.2;
-        is_small                      = relative_error < small_enough;
+        constexpr double safety = 0.8;
+        is_small                = !order_of_error ||
+          relative_error * std::pow(2., *order_of_error) < safety;
         ++position;
         if (position == (1u << level))
           target.reset();
@@ -102,15 +102,15 @@ namespace auxfem
           ? step
           : next_target - time;
         // Where errors are watched, it goes on as it ended.
-        if (!follows_error)
+        if (!order_of_error)
           level = 0;
         else if (is_small && level > 0)
           --level;
         position = 0;
       }
 
-      const double step, smallest;
-      const bool   follows_error;
+      const double                      step, smallest;
+      const std::optional<unsigned int> order_of_error;
       /** The error of the last step would have allowed one twice as long. */
       bool is_small = true;
       /** The interval from `begin` to here is covered by pieces of 1/2^level,
@@ -121,10 +121,11 @@ namespace auxfem
     };
   } // namespace
 
-  std::unique_ptr<StepControl> make_halved_steps(const double step,
-                                                 const double smallest,
-                                                 const bool   follows_error)
+  std::unique_ptr<StepControl>
+  make_halved_steps(const double                      step,
+                    const double                      smallest,
+                    const std::optional<unsigned int> order_of_error)
   {
-    return std::make_unique<HalvedSteps>(step, smallest, follows_error);
+    return std::make_unique<HalvedSteps>(step, smallest, order_of_error);
   }
 } // namespace auxfem

@@ -11,6 +11,7 @@ namespace auxfem
       hht_entry(),
       generalized_alpha_entry(),
       energy_momentum_entry(),
+      esdirk_entry(),
       static_entry(),
       central_difference_entry(),
       as_printed_entry(),

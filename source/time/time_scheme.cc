@@ -40,6 +40,16 @@ namespace auxfem
     return {};
   }
 
+  unsigned int ImplicitScheme::order() const
+  {
+    return 2;
+  }
+
+  const ButcherTableau *ImplicitScheme::stages() const
+  {
+    return nullptr;
+  }
+
   bool ImplicitScheme::uses_algorithmic_acceleration() const
   {
     return false;

@@ -12,7 +12,8 @@ namespace
   struct Walk
   {
     Walk(const double step, const double smallest, const double begin = 0)
-      : control(make_halved_steps(step, smallest, /*follows_error=*/false))
+      : control(
+          make_halved_steps(step, smallest, /*order_of_error=*/std::nullopt))
       , time(begin)
     {}
 

@@ -37,7 +37,7 @@ namespace auxfem
      * largest displacements so far, or the absolute tolerance, times its part
      * of the whole time. Collective.
      */
-    double relative(const Evaluation &step);
+    double relative(const Evaluation &step, const Vector &acceleration_change);
 
     /** The step that relative() was last asked of becomes the solution; returns
      * what that has said. */

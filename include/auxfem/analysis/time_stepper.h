@@ -3,6 +3,7 @@
 
 #include <auxfem/analysis/consistent_rates.h>
 #include <auxfem/analysis/newton.h>
+#include <auxfem/analysis/stages.h>
 #include <auxfem/analysis/step_error.h>
 #include <auxfem/analysis/watch.h>
 #include <auxfem/scene/step_ends.h>
@@ -99,11 +100,23 @@ namespace auxfem
     bool try_step(Solution          &solution,
                   const PlannedStep &planned,
                   StepReport        &report);
+    bool solve_step(const Evaluation &step, StepReport &report);
+    /** By stages, of which the last remains in the trial. */
+    bool solve_stages(const Solution   &solution,
+                      const Evaluation &step,
+                      StepReport       &report);
+    /** One implicit step or stage; returns whether it is solved. */
+    bool solve(const ImplicitScheme &rule,
+               const Evaluation     &step,
+               StepReport           &report);
     /** Whether what is solved may become the solution. */
     bool is_acceptable(const Evaluation &step);
+    /** That from which the error of @p step is estimated; see
+     * ImplicitScheme::error_constant(). */
+    Vector acceleration_change(const Evaluation &step) const;
     /** What is asked of the equations at the end of a step of length @p dt (s). */
     Evaluation evaluation_of(const State &from, double dt);
-    void       predict(const Evaluation &step);
+    void       predict(const ImplicitScheme &rule, const Evaluation &step);
     /** Rates of rigid parts put right, in a step that is solved. */
     void              restore_rates(const Evaluation &step);
     bool              creates_energy(const Evaluation &step) const;
@@ -148,6 +161,8 @@ namespace auxfem
     const NodeRotations          rotations;
     std::unique_ptr<Solvers>     solvers;
     std::unique_ptr<StepControl> control;
+    /** Only of a scheme that has some. */
+    std::optional<Stages> stages;
     /** Only where the length of steps follows their error. */
     std::optional<StepError> error;
     const StepEnds           ends;

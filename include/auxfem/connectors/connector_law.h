@@ -89,6 +89,22 @@ namespace auxfem
                           ConnectorResponse     *response) const = 0;
 
     /**
+     * The same at a stage of a Runge-Kutta step. The internal variables z
+     * follow
+     * from those of its base, @p base, by Euler's backward rule: z = z_base +
+     * motion.dt z', with z' as in continuous(). This is evaluate() where there
+     * are none.
+     */
+    virtual void evaluate_stage(const unsigned int     n,
+                                const ConnectorMotion *motion,
+                                const double          *base,
+                                double                *trial,
+                                ConnectorResponse     *response) const
+    {
+      evaluate(n, motion, base, trial, response);
+    }
+
+    /**
      * Mean forces over the step, as evaluate(): of an extension that is linear
      * in it. Their work is the energy() that is stored and lost. The stiffness
      * in the @p response is the derivative of the mean force by the extension

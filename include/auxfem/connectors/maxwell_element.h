@@ -40,6 +40,17 @@ namespace auxfem
     /** Coefficients of a step of length @p dt (s). */
     Step step(double dt) const;
 
+    /** Of Euler's backward rule, which a stage of a Runge-Kutta step goes by:
+     * F_new = decay F_base + damping v, v the rate at the stage. */
+    struct Stage
+    {
+      double decay;   ///< 1 / (1 + dt / tau)
+      double damping; ///< decay k dt (N s/m)
+    };
+
+    /** Coefficients of a stage over @p dt (s). */
+    Stage stage(double dt) const;
+
     /** Force (N) at the end of a step of length @p dt (s) that starts with
      * @p force (N) and adds @p extension_increment (m) at a constant rate. */
     double

@@ -97,14 +97,42 @@ namespace auxfem
     {}
 
     /**
-     * Takes down energies, dissipation and work of a solved step, and writes
-     * the internal variables that follow from them. The step may still be
+     * Takes down the energies there are at evaluation.to. The step may still be
      * undone.
      * @param results of add_residual() in the same evaluation
      */
-    virtual void account(const Evaluation & /*step*/,
+    virtual void account(const Evaluation & /*evaluation*/,
                          const EffectResults * /*results*/,
                          EnergyAccount & /*account*/) const
+    {}
+
+    /**
+     * The same for dissipation and work in a solved step, or at an instant, as
+     * of impulses; writes the internal variables that follow from them.
+     */
+    virtual void account_step(const Evaluation & /*step*/,
+                              const EffectResults * /*results*/,
+                              EnergyAccount & /*account*/) const
+    {}
+
+    /**
+     * The same, of a step with stages, for a stage: by the power of dissipation
+     * and work, each times evaluation.weight.
+     */
+    virtual void account_stage(const Evaluation & /*stage*/,
+                               const EffectResults * /*results*/,
+                               EnergyAccount & /*account*/) const
+    {}
+
+    /**
+     * Rates of the internal variables that obey differential equations
+     * (StateLayout::integrated), written to @p rates, which has the size of
+     * State::history.
+     * @param results of add_residual() at the same state
+     */
+    virtual void find_internal_rates(const State & /*state*/,
+                                     const EffectResults * /*results*/,
+                                     double * /*rates*/) const
     {}
 
     /**

@@ -71,7 +71,10 @@ namespace auxfem
     /** Adds what was dissipated, taken, or done as work in the step (J). */
     void add_in_step(unsigned int entry, double energy);
 
-    /** Whether time passes in the evaluation, so that it has a motion. */
+    /** Adds what a power (W) at a stage contributes to that. */
+    void add_power(unsigned int entry, double power);
+
+    /** Whether the evaluation is a step, so that it has a motion. */
     bool takes_time() const;
 
     /** Of the step, which takes time. */

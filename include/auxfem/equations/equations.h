@@ -103,6 +103,22 @@ namespace auxfem
                 const EvaluationResults &results) const;
 
     /**
+     * Completes evaluation.to, a stage, with the work done and the energy
+     * dissipated in the step so far, as Effect::account_stage().
+     * @param results of residual() at the same state
+     */
+    void account_stage(const Evaluation        &stage,
+                       const EvaluationResults &results) const;
+
+    /**
+     * Rates of internal variables at @p state, as Effect::find_internal_rates().
+     * @param results of residual() at the state
+     */
+    std::vector<double>
+    find_internal_rates(const State             &state,
+                        const EvaluationResults &results) const;
+
+    /**
      * Brings the couplings of the effects up to date with an accepted state.
      * Where they change, the pattern does; where they reach unknowns of other
      * ranks, @p accepted gains them as ghosts, and other states must

@@ -17,10 +17,16 @@ namespace auxfem
     enum class Kind
     {
       /**
-       * The end of a step with inertia, or a stage inside it: velocities and
-       * accelerations are those of the time scheme.
+       * The end of a step with inertia: velocities and accelerations are those
+       * of the time scheme.
        */
       step,
+      /**
+       * A stage of a step with inertia (see RungeKutta): `from` is its base,
+       * from which all that obeys a differential equation follows by Euler's
+       * backward rule.
+       */
+      stage,
       /**
        * A step with inertia between two states: forces are means over it, whose
        * work on the increment is the change of energy and which do none on
@@ -60,6 +66,8 @@ namespace auxfem
      * which the velocities of `from` became those of `to`.
      */
     const Vector *impulses = nullptr;
+    /** Of a stage: the time for which its power counts in the step (s). */
+    double weight = 0;
 
     /** A step with inertia of the length @p dt (s). */
     static Evaluation step(const State &from, State &to, const double dt)
@@ -67,7 +75,16 @@ namespace auxfem
       return {from, to, Kind::step, dt};
     }
 
-    /** The same, with mean forces. */
+    /** A stage for which the rule has the length @p dt (s). */
+    static Evaluation
+    stage(const State &base, State &to, const double dt, const double weight)
+    {
+      Evaluation stage{base, to, Kind::stage, dt};
+      stage.weight = weight;
+      return stage;
+    }
+
+    /** A step with mean forces. */
     static Evaluation between(const State &from, State &to, const double dt)
     {
       return {from, to, Kind::between, dt};

@@ -48,6 +48,12 @@ namespace auxfem
     SpaceVector spatial_increment(const Evaluation &evaluation,
                                   unsigned int      i) const;
 
+    /**
+     * Velocity of the local unknown @p unknown in the global frame (m/s, rad/s),
+     * which of large rotations in space is material in @p state.
+     */
+    double spatial_rate(const State &state, int unknown) const;
+
     /** Theta of rotation @p i. */
     SpaceVector material_increment(const Evaluation &evaluation,
                                    unsigned int      i) const;

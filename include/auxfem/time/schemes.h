@@ -40,6 +40,7 @@ namespace auxfem
   TimeSchemeEntry hht_entry();
   TimeSchemeEntry generalized_alpha_entry();
   TimeSchemeEntry energy_momentum_entry();
+  TimeSchemeEntry esdirk_entry();
   TimeSchemeEntry static_entry();
   ///@}
 

@@ -33,6 +33,8 @@ namespace auxfem
     std::vector<int> plane_rotations;
     EnergyLedger     energies;
     RecordLayout     history; ///< internal variables
+    /** Those of them that obey differential equations: begin, end. */
+    std::vector<std::pair<std::size_t, std::size_t>> integrated;
   };
 
   /**

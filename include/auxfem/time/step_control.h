@@ -4,6 +4,7 @@
 #include <auxfem/time/records.h>
 
 #include <memory>
+#include <optional>
 
 namespace auxfem
 {
@@ -56,11 +57,14 @@ namespace auxfem
   /**
    * Steps of the length @p step (s); where one fails it is done in halves, these
    * in halves again, down to @p smallest (s). So lengths are few, and
-   * factorizations serve long. With @p follows_error halves are put together
-   * again only where the error of a step is small.
+   * factorizations serve long. With @p order_of_error halves are put together
+   * again only where the error of a step is small, which over a given time goes
+   * with this power of the length of steps.
    */
   std::unique_ptr<StepControl>
-  make_halved_steps(double step, double smallest, bool follows_error);
+  make_halved_steps(double                      step,
+                    double                      smallest,
+                    std::optional<unsigned int> order_of_error);
 } // namespace auxfem
 
 #endif

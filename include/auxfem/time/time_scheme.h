@@ -54,6 +54,8 @@ namespace auxfem
     const std::string scheme_name;
   };
 
+  struct ButcherTableau;
+
   /**
    * A rule that ties displacement, velocity and acceleration at the end of a
    * step to those at its start and one unknown increment. It knows nothing of
@@ -107,11 +109,21 @@ namespace auxfem
     virtual bool keeps_massless_in_equilibrium() const;
 
     /**
-     * The number c with which c dt^2 times the change of acceleration in a step
-     * is the error of displacement it adds; nothing if the scheme is not of
-     * second order, or knows no accelerations.
+     * The number c with which c dt^2 times a change of acceleration is the
+     * error of displacement that a step adds: the change in the step, or, of a
+     * scheme with stages, what these differ by from its embedded scheme.
+     * Nothing if there is no such estimate.
      */
     virtual std::optional<double> error_constant() const;
+
+    /** Power of the step's length with which the error of many steps goes. */
+    virtual unsigned int order() const;
+
+    /**
+     * The stages of a step, each of which is a step of this scheme (see
+     * RungeKutta); nullptr: a step is one.
+     */
+    virtual const ButcherTableau *stages() const;
 
     /** Whether the state must carry the algorithmic acceleration. */
     virtual bool uses_algorithmic_acceleration() const;

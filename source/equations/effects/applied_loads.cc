@@ -105,9 +105,9 @@ namespace auxfem
       }
   }
 
-  void AppliedLoads::account(const Evaluation &step,
-                             const EffectResults * /*results*/,
-                             EnergyAccount &account) const
+  void AppliedLoads::account_step(const Evaluation &step,
+                                  const EffectResults * /*results*/,
+                                  EnergyAccount &account) const
   {
     // The mean force over the step times the displacement: exact for the
     // average-acceleration rule and between two states, second order otherwise.
@@ -121,6 +121,22 @@ namespace auxfem
         account.add_in_step(load.work_entry, mean_value(load, step) * along);
         if (path.state_before() != nullptr)
           account.add_in_step(load.work_entry, work_of_path(load, step, path));
+      }
+  }
+
+  void AppliedLoads::account_stage(const Evaluation &stage,
+                                   const EffectResults * /*results*/,
+                                   EnergyAccount &account) const
+  {
+    for (const Load &load : loads)
+      {
+        double along = 0;
+        for (const Weight &w : load.weights)
+          if (numbering.layout().is_owned(w.unknown))
+            along += w.weight * rotations.spatial_rate(stage.to, w.unknown);
+        account.add_power(load.work_entry,
+                          stage.to.load_factor *
+                            value_at_end(load.time_history, stage) * along);
       }
   }
 

@@ -95,9 +95,13 @@ namespace auxfem
     for (const Ends &ends : connectors)
       numbers.push_back(ends.number);
     if (law->n_history() > 0)
-      first_history = layout.history.keep(group_name + ": internal variables",
-                                          numbers,
-                                          law->n_history());
+      {
+        first_history = layout.history.keep(group_name + ": internal variables",
+                                            numbers,
+                                            law->n_history());
+        layout.integrated.emplace_back(first_history,
+                                       layout.history.n_values());
+      }
     stored_entry = layout.energies.enter(stored_energy_entry());
     if (!law->is_viscous())
       return;
@@ -233,6 +237,15 @@ namespace auxfem
                            results.response.data());
         return;
       }
+    if (evaluation.kind == Evaluation::Kind::stage)
+      {
+        law->evaluate_stage(connectors.size(),
+                            results.motion.data(),
+                            evaluation.from.history.data() + first_history,
+                            internal,
+                            results.response.data());
+        return;
+      }
     if (evaluation.kind != Evaluation::Kind::equilibrium)
       {
         law->evaluate(connectors.size(),
@@ -357,10 +370,36 @@ namespace auxfem
     matrix.add(first_block + i, block);
   }
 
-  void ConnectorForces::account(const Evaluation    &step,
+  void ConnectorForces::account(const Evaluation    &evaluation,
                                 const EffectResults *results,
                                 EnergyAccount       &account) const
   {
+    std::vector<double> rates(law->n_history());
+    for (const unsigned int i : owned)
+      account.add(stored_entry,
+                  continuous(i, evaluation.to, *results, rates.data()).stored);
+  }
+
+  ContinuousResponse ConnectorForces::continuous(const unsigned int   i,
+                                                 const State         &state,
+                                                 const EffectResults &results,
+                                                 double *internal_rates) const
+  {
+    const ConnectorMotion &motion =
+      static_cast<const ConnectorResults &>(results).motion[i];
+    return law->continuous(motion.extension,
+                           motion.rate,
+                           state.history.data() + first_history +
+                             i * law->n_history(),
+                           internal_rates);
+  }
+
+  void ConnectorForces::account_step(const Evaluation    &step,
+                                     const EffectResults *results,
+                                     EnergyAccount       &account) const
+  {
+    if (!law->is_viscous())
+      return;
     const auto &of_group = static_cast<const ConnectorResults &>(*results);
     for (unsigned int i = 0; i < connectors.size(); ++i)
       {
@@ -369,10 +408,6 @@ namespace auxfem
           law->energy(of_group.motion[i],
                       step.from.history.data() + at,
                       step.to.history.data() + at);
-        if (connectors[i].owned)
-          account.add(stored_entry, energy.stored);
-        if (!law->is_viscous())
-          continue;
         step.to.history[first_dissipated + i] =
           step.from.history[first_dissipated + i] + energy.dissipated;
         if (!connectors[i].owned)
@@ -383,6 +418,36 @@ namespace auxfem
           account.add_in_step(numerical_entry,
                               taken(i, step, of_group, energy));
       }
+  }
+
+  void ConnectorForces::account_stage(const Evaluation    &stage,
+                                      const EffectResults *results,
+                                      EnergyAccount       &account) const
+  {
+    if (!law->is_viscous())
+      return;
+    std::vector<double> rates(law->n_history());
+    for (unsigned int i = 0; i < connectors.size(); ++i)
+      {
+        const double power =
+          continuous(i, stage.to, *results, rates.data()).lost_power;
+        stage.to.history[first_dissipated + i] =
+          stage.from.history[first_dissipated + i] + stage.weight * power;
+        if (connectors[i].owned)
+          account.add_power(dissipated_entry, power);
+      }
+  }
+
+  void ConnectorForces::find_internal_rates(const State         &state,
+                                            const EffectResults *results,
+                                            double              *rates) const
+  {
+    if (law->n_history() > 0)
+      for (unsigned int i = 0; i < connectors.size(); ++i)
+        continuous(i,
+                   state,
+                   *results,
+                   rates + first_history + i * law->n_history());
   }
 
   double ConnectorForces::taken(const unsigned int      i,

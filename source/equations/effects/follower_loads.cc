@@ -204,9 +204,9 @@ namespace auxfem
       }
   }
 
-  void FollowerLoads::account(const Evaluation &step,
-                              const EffectResults * /*results*/,
-                              EnergyAccount &account) const
+  void FollowerLoads::account_step(const Evaluation &step,
+                                   const EffectResults * /*results*/,
+                                   EnergyAccount &account) const
   {
     // As for dead loads, by the mean of the forces over the step.
     for (const Load &load : loads)
@@ -223,6 +223,31 @@ namespace auxfem
                                     (c < 3 ? mean.force : mean.moment)[c % 3] *
                                       (step.to.displacement[joint[c]] -
                                        step.from.displacement[joint[c]]));
+          }
+      }
+  }
+
+  void FollowerLoads::account_stage(const Evaluation &stage,
+                                    const EffectResults * /*results*/,
+                                    EnergyAccount &account) const
+  {
+    for (const Load &load : loads)
+      {
+        const Values now = values_now(load, stage);
+        for (const Joint &joint : load.joints)
+          {
+            if (!numbering.layout().is_owned(joint[0]))
+              continue;
+            const Quaternion  P = rotation(joint, stage.to);
+            const SpaceVector force =
+                                stage.to.load_factor * rotated(P, now.force),
+                              moment =
+                                stage.to.load_factor * rotated(P, now.moment);
+            for (unsigned int c = 0; c < n_motion_components; ++c)
+              if (joint[c] >= 0)
+                account.add_power(load.work_entry,
+                                  (c < 3 ? force : moment)[c % 3] *
+                                    rotations.spatial_rate(stage.to, joint[c]));
           }
       }
   }

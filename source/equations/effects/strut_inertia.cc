@@ -193,7 +193,7 @@ namespace auxfem
     return means.empty() ? evaluation.to.velocity->data() : means.data();
   }
 
-  void StrutInertia::account(const Evaluation & /*step*/,
+  void StrutInertia::account(const Evaluation & /*evaluation*/,
                              const EffectResults * /*results*/,
                              EnergyAccount &account) const
   {
@@ -202,6 +202,12 @@ namespace auxfem
                         [&](const Vector &x, const Vector &y) {
                           return mass_product(x, y);
                         });
+  }
+
+  void StrutInertia::account_step(const Evaluation & /*step*/,
+                                  const EffectResults * /*results*/,
+                                  EnergyAccount &account) const
+  {
     if (!is_damped || !account.takes_time())
       return;
     // The mean damping force is that of the mean velocity.
@@ -212,6 +218,16 @@ namespace auxfem
     account.add_in_step(numerical_entry,
                         motion.dt *
                           damping_product(motion.velocity, motion.excess_rate));
+  }
+
+  void StrutInertia::account_stage(const Evaluation &stage,
+                                   const EffectResults * /*results*/,
+                                   EnergyAccount &account) const
+  {
+    if (is_damped)
+      account.add_power(damping_entry,
+                        damping_product(*stage.to.velocity,
+                                        *stage.to.velocity));
   }
 
   std::unique_ptr<Effect>

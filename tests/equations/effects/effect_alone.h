@@ -36,6 +36,7 @@ namespace auxfem
       {
         EnergyAccount account(evaluation);
         effect.account(evaluation, results.get(), account);
+        effect.account_step(evaluation, results.get(), account);
         evaluation.to.energies.amounts() = account.close();
         return evaluation.to.energies;
       }

@@ -43,9 +43,12 @@ namespace auxfem
                              EffectResults    *results) const override;
     void        add_load_derivative(const Evaluation &evaluation,
                                     double           *derivative) const override;
-    void        account(const Evaluation    &step,
-                        const EffectResults *results,
-                        EnergyAccount       &account) const override;
+    void        account_step(const Evaluation    &step,
+                             const EffectResults *results,
+                             EnergyAccount       &account) const override;
+    void        account_stage(const Evaluation    &stage,
+                              const EffectResults *results,
+                              EnergyAccount       &account) const override;
 
   private:
     struct Weight

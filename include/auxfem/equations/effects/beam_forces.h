@@ -170,23 +170,35 @@ namespace auxfem
         }
     }
 
-    void account(const Evaluation    &step,
+    void account(const Evaluation & /*evaluation*/,
                  const EffectResults *results,
                  EnergyAccount       &account) const override
     {
-      const BeamEnergy &energy =
-        static_cast<const BeamResults &>(*results).energy;
-      account.add(strain_entry, energy.strain);
+      account.add(strain_entry, energy_of(results).strain);
+    }
+
+    void account_step(const Evaluation    &step,
+                      const EffectResults *results,
+                      EnergyAccount       &account) const override
+    {
       if (!Beam::is_damped || !account.takes_time())
         return;
       if (step.kind == Evaluation::Kind::between)
         {
-          account.add_in_step(damping_entry, energy.dissipation);
+          account.add_in_step(damping_entry, energy_of(results).dissipation);
           return;
         }
       const DampingWork damping = damping_work(step, account.motion());
       account.add_in_step(damping_entry, damping.lost);
       account.add_in_step(numerical_entry, damping.of_forces - damping.lost);
+    }
+
+    void account_stage(const Evaluation & /*stage*/,
+                       const EffectResults *results,
+                       EnergyAccount       &account) const override
+    {
+      if (Beam::is_damped)
+        account.add_power(damping_entry, energy_of(results).dissipation);
     }
 
     std::string without_mean_forces() const override
@@ -313,6 +325,13 @@ namespace auxfem
     }
 
   private:
+    /** Strain energy (J) and power lost by damping (W), between two states the
+     * energy lost in the step (J). */
+    static const BeamEnergy &energy_of(const EffectResults *results)
+    {
+      return static_cast<const BeamResults &>(*results).energy;
+    }
+
     static constexpr int order        = Beam::order;
     static constexpr int n_components = Beam::n_components;
     static constexpr int n            = n_components * (order + 1);

@@ -63,9 +63,18 @@ namespace auxfem
                             const EffectResults  *results,
                             const TangentFactors &factors,
                             TangentMatrix        &matrix) const override;
-    void        account(const Evaluation    &step,
+    void        account(const Evaluation    &evaluation,
                         const EffectResults *results,
                         EnergyAccount       &account) const override;
+    void        account_step(const Evaluation    &step,
+                             const EffectResults *results,
+                             EnergyAccount       &account) const override;
+    void        account_stage(const Evaluation    &stage,
+                              const EffectResults *results,
+                              EnergyAccount       &account) const override;
+    void        find_internal_rates(const State         &state,
+                                    const EffectResults *results,
+                                    double              *rates) const override;
     void        raise_forces(const Evaluation    &evaluation,
                              const EffectResults *results,
                              double              *forces) const override;
@@ -88,6 +97,13 @@ namespace auxfem
                            const EffectResults *results) const;
 
   private:
+    /** The law of connector @p i as a differential equation, at @p state, of
+     * which the @p results are. */
+    ContinuousResponse continuous(unsigned int         i,
+                                  const State         &state,
+                                  const EffectResults &results,
+                                  double              *internal_rates) const;
+
     struct Ends
     {
       /** Local unknowns x1, y1, z1, x2, y2, z2; -1: ground, z in the plane. */

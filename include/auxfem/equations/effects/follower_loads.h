@@ -46,9 +46,12 @@ namespace auxfem
                             TangentMatrix        &matrix) const override;
     void        add_load_derivative(const Evaluation &evaluation,
                                     double           *derivative) const override;
-    void        account(const Evaluation    &step,
-                        const EffectResults *results,
-                        EnergyAccount       &account) const override;
+    void        account_step(const Evaluation    &step,
+                             const EffectResults *results,
+                             EnergyAccount       &account) const override;
+    void        account_stage(const Evaluation    &stage,
+                              const EffectResults *results,
+                              EnergyAccount       &account) const override;
 
   private:
     /** Force and moment in the axes that turn with the joint (N, N m). */

@@ -27,9 +27,15 @@ namespace auxfem
     explicit StrutInertia(bool damped);
 
     void register_in(StateLayout &layout) override;
-    void account(const Evaluation    &step,
+    void account(const Evaluation    &evaluation,
                  const EffectResults *results,
                  EnergyAccount       &account) const override;
+    void account_step(const Evaluation    &step,
+                      const EffectResults *results,
+                      EnergyAccount       &account) const override;
+    void account_stage(const Evaluation    &stage,
+                       const EffectResults *results,
+                       EnergyAccount       &account) const override;
 
   protected:
     /**

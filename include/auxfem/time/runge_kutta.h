@@ -1,0 +1,85 @@
+#ifndef auxfem_time_runge_kutta_h
+#define auxfem_time_runge_kutta_h
+
+#include <auxfem/time/time_scheme.h>
+
+#include <vector>
+
+namespace auxfem
+{
+  /**
+   * The coefficients of a Runge-Kutta scheme whose first stage is the start of
+   * the step, whose other stages are implicit with the same coefficient of
+   * their own, and whose last stage is the solution (ESDIRK, stiffly accurate):
+   * at stage i, at the time t_n + c_i dt,
+   *
+   * @code
+   * y_i = y_n + dt sum_{j < i} a_ij y'_j + gamma dt y'_i
+   * @endcode
+   */
+  struct ButcherTableau
+  {
+    std::vector<double>              times;   ///< c_i, in [0, 1]
+    std::vector<std::vector<double>> factors; ///< a_ij, j <= i
+    std::vector<double>              weights; ///< b_i = a_si
+    /** b_i less those of the embedded scheme of the order below. */
+    std::vector<double> embedded_difference;
+    double              diagonal; ///< gamma
+    unsigned int        order;
+
+    unsigned int n_stages() const
+    {
+      return times.size();
+    }
+  };
+
+  /**
+   * The tableau of order 3, 4 or 5: ESDIRK3(2)5L[2]SA and ESDIRK5(4)7L[2]SA2 of
+   * C. A. Kennedy & M. H. Carpenter, Appl. Numer. Math. 146 (2019) 221-244, and
+   * ARK4(3)6L[2]SA of the same, Appl. Numer. Math. 44 (2003) 139-181. All are
+   * L-stable, of stage order 2, and have no stage beyond the step's end. From
+   * SUNDIALS.
+   */
+  ButcherTableau esdirk_tableau(unsigned int order);
+
+  /**
+   * An implicit Runge-Kutta scheme, seen from one of its stages: with what
+   * earlier stages contribute as the base, a stage is Euler's backward rule
+   * over gamma dt,
+   *
+   * @code
+   * v = v_base + gamma dt a,   u = u_base + gamma dt v
+   * @endcode
+   *
+   * so here `from` is the base, with a guess of the acceleration, and the
+   * length of the step is gamma dt.
+   */
+  class RungeKutta : public ImplicitScheme
+  {
+  public:
+    RungeKutta(const std::string &name, const ButcherTableau &tableau);
+
+    void predict(const State &from, double dt, State &to) const override;
+    TangentFactors factors(const State &from, double dt) const override;
+    void           correct(const State  &from,
+                           const Vector &increment,
+                           double        dt,
+                           State        &trial) const override;
+
+    const ButcherTableau *stages() const override;
+    unsigned int          order() const override;
+
+    /**
+     * For y' = lambda y the error of a step of order p, in which y grows by
+     * R(z), z = lambda dt, is C z^(p+1), and the difference to the embedded
+     * scheme D z^p: so C / D dt times the difference in velocity, which is dt
+     * times that of accelerations, is the error of displacement.
+     */
+    std::optional<double> error_constant() const override;
+
+  private:
+    const ButcherTableau tableau;
+  };
+} // namespace auxfem
+
+#endif

@@ -1,0 +1,240 @@
+#include <auxfem/analysis/stages.h>
+#include <auxfem/time/extrapolation.h>
+
+namespace auxfem
+{
+  /** The scheme's own rule, of rotations in space for their vectors. */
+  class Stages::Rule : public ImplicitScheme
+  {
+  public:
+    Rule(const Stages &stages, const ImplicitScheme &scheme)
+      : ImplicitScheme(scheme.name())
+      , stages(stages)
+      , scheme(scheme)
+    {}
+
+    void predict(const State &from, const double dt, State &to) const override
+    {
+      scheme.predict(from, dt, to);
+      const Evaluation stage = Evaluation::stage(from, to, dt, /*weight=*/0);
+      for (unsigned int i = 0; i < to.rotations.size(); ++i)
+        {
+          const SpaceVector base = stages.base_rotation(i);
+          stages.rotations.set_material_increment(
+            stage,
+            i,
+            base +
+              dt * inverse_tangent_operator(base) *
+                stages.rotations.values(*to.velocity, i));
+          find_rates(stage, i);
+        }
+    }
+
+    TangentFactors factors(const State &from, const double dt) const override
+    {
+      return scheme.factors(from, dt);
+    }
+
+    void correct(const State  &from,
+                 const Vector &increment,
+                 const double  dt,
+                 State        &trial) const override
+    {
+      scheme.correct(from, increment, dt, trial);
+      const Evaluation stage = Evaluation::stage(from, trial, dt, /*weight=*/0);
+      // The rates of rotations that supports move are known.
+      for (unsigned int i = 0; i < trial.rotations.size(); ++i)
+        if (stages.rotations.values(increment, i).norm_square() > 0)
+          find_rates(stage, i);
+    }
+
+  private:
+    /** Those of rotation @p i, from its vector. */
+    void find_rates(const Evaluation &stage, const unsigned int i) const
+    {
+      const NodeRotations &rotations = stages.rotations;
+      const SpaceVector    vector    = rotations.material_increment(stage, i);
+      const SpaceVector    velocity =
+        angular_motion(vector,
+                       (vector - stages.base_rotation(i)) / stage.dt,
+                       SpaceVector())
+          .velocity;
+      rotations.set_values(velocity, i, *stage.to.velocity);
+      rotations.set_values(
+        (velocity - rotations.values(*stage.from.velocity, i)) / stage.dt,
+        i,
+        *stage.to.acceleration);
+    }
+
+    const Stages         &stages;
+    const ImplicitScheme &scheme;
+  };
+
+  Stages::Stages(const Equations &equations, const ImplicitScheme &scheme)
+    : equations(equations)
+    , tableau(*scheme.stages())
+    , rotations(equations.model().numbering)
+    , multipliers(equations.model().numbering.constraints().multipliers())
+    , stage_rule(std::make_unique<Rule>(*this, scheme))
+    , base(equations.initial_state())
+    , slopes(tableau.n_stages())
+  {}
+
+  Stages::~Stages() = default;
+
+  unsigned int Stages::n() const
+  {
+    return tableau.n_stages();
+  }
+
+  const ImplicitScheme &Stages::rule() const
+  {
+    return *stage_rule;
+  }
+
+  void Stages::begin(const Evaluation &step, const EvaluationResults &at_start)
+  {
+    dt        = step.dt;
+    end       = step.to.time;
+    stage     = 0;
+    step.to   = step.from;
+    base      = step.from;
+    slopes[0] = {*step.from.velocity,
+                 *step.from.acceleration,
+                 equations.find_internal_rates(step.from, at_start)};
+    Evaluation start =
+      Evaluation::stage(base, step.to, /*dt=*/0, tableau.weights[0] * dt);
+    if (step.event_at_from)
+      start.event_at_to = {*step.event_at_from, TimeSide::after};
+    equations.account_stage(start, at_start);
+    base.history     = step.to.history;
+    base.energy_sums = step.to.energy_sums;
+  }
+
+  Evaluation Stages::next(const Evaluation &step)
+  {
+    ++stage;
+    const double part = tableau.times[stage];
+    step.to.time      = part == 1 ? end : step.from.time + part * dt;
+    set_base(step);
+    Evaluation next = Evaluation::stage(base,
+                                        step.to,
+                                        tableau.diagonal * dt,
+                                        tableau.weights[stage] * dt);
+    if (part == 1)
+      next.event_at_to = step.event_at_to;
+    return next;
+  }
+
+  void Stages::set_base(const Evaluation &step)
+  {
+    const State &from  = step.from;
+    base_displacement  = from.displacement;
+    *base.velocity     = *from.velocity;
+    base.largest_force = step.to.largest_force;
+    for (unsigned int i = 0; i < from.rotations.size(); ++i)
+      rotations.set_values(SpaceVector(), i, base_displacement);
+    for (const auto &[first, last] : equations.layout().integrated)
+      std::copy(from.history.begin() + first,
+                from.history.begin() + last,
+                base.history.begin() + first);
+    for (unsigned int j = 0; j < stage; ++j)
+      {
+        const double factor = tableau.factors[stage][j] * dt;
+        add_multiple(factor, slopes[j].displacement, base_displacement);
+        add_multiple(factor, slopes[j].velocity, *base.velocity);
+        for (const auto &[first, last] : equations.layout().integrated)
+          for (std::size_t i = first; i < last; ++i)
+            base.history[i] += factor * slopes[j].internal[i];
+      }
+    // Multipliers have no rates; the last are the best guess.
+    for (const int i : multipliers)
+      base_displacement[i] = step.to.displacement[i];
+    base.displacement = base_displacement;
+    for (unsigned int i = 0; i < from.rotations.size(); ++i)
+      rotations.set_values(rotations.values(from.displacement, i),
+                           i,
+                           base.displacement);
+    guess_acceleration();
+  }
+
+  void Stages::guess_acceleration()
+  {
+    std::vector<double>         times;
+    std::vector<const Vector *> values;
+    for (unsigned int j = 0; j < stage; ++j)
+      {
+        times.push_back(tableau.times[j] * dt);
+        values.push_back(&slopes[j].velocity);
+      }
+    // The last stage before is the start of this step.
+    for (unsigned int j = 0; j + 1 < before.size(); ++j)
+      {
+        times.push_back((tableau.times[j] - 1) * dt_before);
+        values.push_back(&before[j]);
+      }
+    base.acceleration->assign(base.acceleration->size(), 0.);
+    for (const auto &[point, weight] :
+         extrapolation(times, tableau.times[stage] * dt))
+      add_multiple(weight, *values[point], *base.acceleration);
+  }
+
+  SpaceVector Stages::base_rotation(const unsigned int i) const
+  {
+    return rotations.values(base_displacement, i);
+  }
+
+  void Stages::find_slopes(const Evaluation &solved)
+  {
+    Slopes &now      = slopes[stage];
+    now.displacement = *solved.to.velocity;
+    now.velocity     = *solved.to.acceleration;
+    for (unsigned int i = 0; i < solved.to.rotations.size(); ++i)
+      rotations.set_values((rotations.material_increment(solved, i) -
+                            base_rotation(i)) /
+                             solved.dt,
+                           i,
+                           now.displacement);
+    for (const int i : multipliers)
+      now.displacement[i] = now.velocity[i] = 0;
+    now.internal.resize(solved.to.history.size());
+    for (const auto &[first, last] : equations.layout().integrated)
+      for (std::size_t i = first; i < last; ++i)
+        now.internal[i] = (solved.to.history[i] - base.history[i]) / solved.dt;
+  }
+
+  void Stages::solved(const Evaluation        &solved,
+                      const EvaluationResults &results)
+  {
+    find_slopes(solved);
+    if (stage + 1 == n())
+      return;
+    if (solved.weight != 0)
+      equations.account_stage(solved, results);
+    base.history     = solved.to.history;
+    base.energy_sums = solved.to.energy_sums;
+  }
+
+  void Stages::accept()
+  {
+    before.resize(n());
+    for (unsigned int j = 0; j < n(); ++j)
+      std::swap(before[j], slopes[j].velocity);
+    dt_before = dt;
+  }
+
+  void Stages::forget()
+  {
+    before.clear();
+  }
+
+  Vector Stages::acceleration_difference() const
+  {
+    Vector difference(base.displacement.size(), 0.);
+    for (unsigned int j = 0; j < n(); ++j)
+      add_multiple(tableau.embedded_difference[j],
+                   slopes[j].velocity,
+                   difference);
+    return difference;
+  }
+} // namespace auxfem

@@ -1,0 +1,93 @@
+#include <auxfem/time/runge_kutta.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace auxfem
+{
+  namespace
+  {
+    /** @p vector becomes A times it. */
+    std::vector<double> product(const ButcherTableau      &tableau,
+                                const std::vector<double> &vector)
+    {
+      std::vector<double> result(vector.size());
+      for (std::size_t i = 0; i < vector.size(); ++i)
+        result[i] = std::inner_product(tableau.factors[i].begin(),
+                                       tableau.factors[i].end(),
+                                       vector.begin(),
+                                       0.);
+      return result;
+    }
+  } // namespace
+
+  RungeKutta::RungeKutta(const std::string &name, const ButcherTableau &tableau)
+    : ImplicitScheme(name)
+    , tableau(tableau)
+  {}
+
+  void RungeKutta::predict(const State &from, const double dt, State &to) const
+  {
+    const std::size_t n     = from.displacement.size();
+    const double     *u     = from.displacement.data();
+    const double     *v     = from.velocity->data();
+    const double     *a     = from.acceleration->data();
+    double           *u_new = to.displacement.data();
+    double           *v_new = to.velocity->data();
+    double           *a_new = to.acceleration->data();
+    for (std::size_t i = 0; i < n; ++i)
+      {
+        a_new[i] = a[i];
+        v_new[i] = v[i] + dt * a[i];
+        u_new[i] = u[i] + dt * v_new[i];
+      }
+  }
+
+  TangentFactors RungeKutta::factors(const State & /*from*/,
+                                     const double dt) const
+  {
+    return {1., 1 / dt, 1 / (dt * dt)};
+  }
+
+  void RungeKutta::correct(const State  &from,
+                           const Vector &increment,
+                           const double  dt,
+                           State        &trial) const
+  {
+    const TangentFactors f = factors(from, dt);
+    add_multiple(1., increment, trial.displacement);
+    add_multiple(f.damping, increment, *trial.velocity);
+    add_multiple(f.mass, increment, *trial.acceleration);
+  }
+
+  const ButcherTableau *RungeKutta::stages() const
+  {
+    return &tableau;
+  }
+
+  unsigned int RungeKutta::order() const
+  {
+    return tableau.order;
+  }
+
+  std::optional<double> RungeKutta::error_constant() const
+  {
+    std::vector<double> powers(tableau.n_stages(), 1.); // A^k 1
+    double              exact = 1;                      // 1 / (k + 1)!
+    for (unsigned int k = 1; k < tableau.order; ++k)
+      {
+        powers = product(tableau, powers);
+        exact /= k + 1;
+      }
+    const auto along = [&powers](const std::vector<double> &weights) {
+      return std::inner_product(weights.begin(),
+                                weights.end(),
+                                powers.begin(),
+                                0.);
+    };
+    const double embedded = along(tableau.embedded_difference);
+    powers                = product(tableau, powers);
+    exact /= tableau.order + 1;
+    return (along(tableau.weights) - exact) / embedded;
+  }
+} // namespace auxfem
