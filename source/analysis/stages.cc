@@ -7,10 +7,15 @@ namespace auxfem
   class Stages::Rule : public ImplicitScheme
   {
   public:
-    Rule(const Stages &stages, const ImplicitScheme &scheme)
+    Rule(const NodeRotations  &rotations,
+         const ImplicitScheme &scheme,
+         const Vector         &base,
+         Vector               &vectors)
       : ImplicitScheme(scheme.name())
-      , stages(stages)
+      , rotations(rotations)
       , scheme(scheme)
+      , base(base)
+      , vectors(vectors)
     {}
 
     void predict(const State &from, const double dt, State &to) const override
@@ -19,13 +24,12 @@ namespace auxfem
       const Evaluation stage = Evaluation::stage(from, to, dt, /*weight=*/0);
       for (unsigned int i = 0; i < to.rotations.size(); ++i)
         {
-          const SpaceVector base = stages.base_rotation(i);
-          stages.rotations.set_material_increment(
-            stage,
-            i,
-            base +
-              dt * inverse_tangent_operator(base) *
-                stages.rotations.values(*to.velocity, i));
+          const SpaceVector at_base = rotations.values(base, i);
+          const SpaceVector vector  = at_base +
+            dt * inverse_tangent_operator(at_base) *
+              rotations.values(*to.velocity, i);
+          rotations.set_values(vector, i, vectors);
+          rotations.set_material_increment(stage, i, vector);
           find_rates(stage, i);
         }
     }
@@ -42,21 +46,27 @@ namespace auxfem
     {
       scheme.correct(from, increment, dt, trial);
       const Evaluation stage = Evaluation::stage(from, trial, dt, /*weight=*/0);
-      // The rates of rotations that supports move are known.
       for (unsigned int i = 0; i < trial.rotations.size(); ++i)
-        if (stages.rotations.values(increment, i).norm_square() > 0)
+        {
+          const SpaceVector change = rotations.values(increment, i);
+          // The rates of rotations that supports move are known.
+          if (change.norm_square() == 0)
+            continue;
+          rotations.set_values(rotations.values(vectors, i) + change,
+                               i,
+                               vectors);
           find_rates(stage, i);
+        }
     }
 
   private:
     /** Those of rotation @p i, from its vector. */
     void find_rates(const Evaluation &stage, const unsigned int i) const
     {
-      const NodeRotations &rotations = stages.rotations;
-      const SpaceVector    vector    = rotations.material_increment(stage, i);
-      const SpaceVector    velocity =
+      const SpaceVector vector = rotations.values(vectors, i);
+      const SpaceVector velocity =
         angular_motion(vector,
-                       (vector - stages.base_rotation(i)) / stage.dt,
+                       (vector - rotations.values(base, i)) / stage.dt,
                        SpaceVector())
           .velocity;
       rotations.set_values(velocity, i, *stage.to.velocity);
@@ -66,8 +76,13 @@ namespace auxfem
         *stage.to.acceleration);
     }
 
-    const Stages         &stages;
+    const NodeRotations  &rotations;
     const ImplicitScheme &scheme;
+    /** Rotation vectors since the start of the step: at the base and now. What
+     * is added to the latter counts divided by dt^2, so it must not be lost in
+     * the sum of all steps that State::displacement is. */
+    const Vector &base;
+    Vector       &vectors;
   };
 
   Stages::Stages(const Equations &equations, const ImplicitScheme &scheme)
@@ -75,8 +90,13 @@ namespace auxfem
     , tableau(*scheme.stages())
     , rotations(equations.model().numbering)
     , multipliers(equations.model().numbering.constraints().multipliers())
-    , stage_rule(std::make_unique<Rule>(*this, scheme))
     , base(equations.initial_state())
+    , base_displacement(base.displacement)
+    , rotation_vectors(base.displacement)
+    , stage_rule(std::make_unique<Rule>(rotations,
+                                        scheme,
+                                        base_displacement,
+                                        rotation_vectors))
     , slopes(tableau.n_stages())
   {}
 
@@ -179,20 +199,15 @@ namespace auxfem
       add_multiple(weight, *values[point], *base.acceleration);
   }
 
-  SpaceVector Stages::base_rotation(const unsigned int i) const
-  {
-    return rotations.values(base_displacement, i);
-  }
-
   void Stages::find_slopes(const Evaluation &solved)
   {
     Slopes &now      = slopes[stage];
     now.displacement = *solved.to.velocity;
     now.velocity     = *solved.to.acceleration;
     for (unsigned int i = 0; i < solved.to.rotations.size(); ++i)
-      rotations.set_values((rotations.material_increment(solved, i) -
-                            base_rotation(i)) /
-                             solved.dt,
+      rotations.set_values(inverse_tangent_operator(
+                             rotations.material_increment(solved, i)) *
+                             rotations.values(*solved.to.velocity, i),
                            i,
                            now.displacement);
     for (const int i : multipliers)

@@ -12,7 +12,7 @@ namespace auxfem
   {
     const Integer esdirk_order = {
       "Order of esdirk",
-      5,
+      4,
       3,
       5,
       "Order of Scheme = esdirk; a step has 4, 5 or 6 stages, each as dear as a "

@@ -70,18 +70,19 @@ namespace auxfem
     void find_slopes(const Evaluation &stage);
     void set_base(const Evaluation &step);
     void guess_acceleration();
-    /** Rotation vector of the base since the start of the step. */
-    SpaceVector base_rotation(unsigned int i) const;
 
     const Equations        &equations;
     const ButcherTableau   &tableau;
     const NodeRotations     rotations;
     const std::vector<int> &multipliers;
-    std::unique_ptr<Rule>   stage_rule;
 
     State base;
     /** Displacements at the base, of rotations in space since the start. */
-    Vector              base_displacement;
+    Vector base_displacement;
+    /** Only of rotations in space: where they are since the start. */
+    Vector                rotation_vectors;
+    std::unique_ptr<Rule> stage_rule;
+
     double              dt = 0, end = 0; ///< of the step (s)
     unsigned int        stage = 0;       ///< asked for last
     std::vector<Slopes> slopes;
