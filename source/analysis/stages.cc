@@ -243,13 +243,16 @@ namespace auxfem
     before.clear();
   }
 
-  Vector Stages::acceleration_difference() const
+  Stages::Difference Stages::embedded_difference() const
   {
-    Vector difference(base.displacement.size(), 0.);
+    const Vector none(base.displacement.size(), 0.);
+    Difference   difference{none, none};
     for (unsigned int j = 0; j < n(); ++j)
-      add_multiple(tableau.embedded_difference[j],
-                   slopes[j].velocity,
-                   difference);
+      {
+        const double factor = tableau.embedded_difference[j] * dt;
+        add_multiple(factor, slopes[j].displacement, difference.displacement);
+        add_multiple(factor, slopes[j].velocity, difference.velocity);
+      }
     return difference;
   }
 } // namespace auxfem

@@ -11,7 +11,7 @@ namespace auxfem
   namespace
   {
     const std::string step_error_record =
-      "step error: of all steps, largest displacements";
+      "step error: left of it, of all steps, largest displacements";
 
     /** Displacements of lattices are larger than this part of a strut, or no
      * error is of interest that is a part of it. */
@@ -33,33 +33,54 @@ namespace auxfem
   StepError::StepError(const Equations      &equations,
                        const TimeParameters &parameters)
     : equations(equations)
+    , scheme(parameters.implicit_scheme())
     , tolerance(*parameters.relative_tolerance)
     , end_time(parameters.end_time)
-    , constant(*parameters.implicit_scheme().error_constant())
+    , constant(*scheme.error_constant())
     , absolute_tolerance(absolute_tolerance_of(parameters, equations.model()))
   {}
 
-  double StepError::relative(const Evaluation &step,
-                             const Vector     &acceleration_change)
+  double StepError::mean(const Vector &motion) const
   {
-    const LatticeModel &model  = equations.model();
-    const Vector       &motion = step.to.displacement;
-    // of changes, of displacements, and how many
-    std::vector<double> squares(3, 0.);
+    const LatticeModel &model = equations.model();
+    double              sum   = 0;
     for (const unsigned int i : model.rows.free_translations)
-      {
-        squares[0] += acceleration_change[i] * acceleration_change[i];
-        squares[1] += motion[i] * motion[i];
-        squares[2] += 1;
-      }
-    squares      = model.numbering.layout().sum(squares);
-    latest.error = of_oscillation * std::abs(constant) * step.dt * step.dt *
-      std::sqrt(squares[0] / squares[2]);
-    latest.motion =
-      std::max(largest_motion_so_far, std::sqrt(squares[1] / squares[2]));
+      sum += motion[i] * motion[i];
+    const std::vector<double> all = model.numbering.layout().sum(
+      {sum, double(model.rows.free_translations.size())});
+    return std::sqrt(all[0] / all[1]);
+  }
+
+  double StepError::relative(const Evaluation &step)
+  {
+    Vector change = *step.to.acceleration;
+    add_multiple(-1., *step.from.acceleration, change);
+    return relative(step, step.dt * step.dt * mean(change), /*damping=*/0);
+  }
+
+  double StepError::relative(const Evaluation         &step,
+                             const Stages::Difference &difference)
+  {
+    const double of_displacement = mean(difference.displacement),
+                 of_velocity     = step.dt * mean(difference.velocity);
+    const double angle =
+      of_displacement > 0 ? of_velocity / of_displacement : 0;
+    return relative(step,
+                    std::min(of_displacement, of_velocity),
+                    1 - std::min(1., scheme.amplification(angle)));
+  }
+
+  double StepError::relative(const Evaluation &step,
+                             const double      difference,
+                             const double      damping)
+  {
+    latest.error   = of_oscillation * std::abs(constant) * difference;
+    latest.damping = damping;
+    latest.motion = std::max(largest_motion_so_far, mean(step.to.displacement));
     const double allowed =
       std::max(tolerance * latest.motion, absolute_tolerance);
-    latest.relative = latest.error / (allowed * step.dt / end_time);
+    latest.relative =
+      latest.error / (allowed * std::max(step.dt / end_time, damping));
     return latest.relative;
   }
 
@@ -70,7 +91,8 @@ namespace auxfem
 
   double StepError::accept()
   {
-    total_error += latest.error;
+    left_error            = (1 - latest.damping) * left_error + latest.error;
+    total_error           = std::max(total_error, left_error);
     largest_motion_so_far = latest.motion;
     return latest.relative;
   }
@@ -91,13 +113,15 @@ namespace auxfem
 
   void StepError::save(Records &records) const
   {
-    records.keep(step_error_record, {total_error, largest_motion_so_far});
+    records.keep(step_error_record,
+                 {left_error, total_error, largest_motion_so_far});
   }
 
   void StepError::resume(const Records &records)
   {
-    const std::vector<double> values = records.values(step_error_record, 2);
-    total_error                      = values[0];
-    largest_motion_so_far            = values[1];
+    const std::vector<double> values = records.values(step_error_record, 3);
+    left_error                       = values[0];
+    total_error                      = values[1];
+    largest_motion_so_far            = values[2];
   }
 } // namespace auxfem

@@ -408,19 +408,15 @@ namespace auxfem
     if (creates_energy(step))
       return reject(
         "the step would create energy (more than Time/Largest energy error)");
-    if (error && error->relative(step, acceleration_change(step)) > 1 &&
-        control->may_be_shorter())
+    if (error && relative_error(step) > 1 && control->may_be_shorter())
       return reject("the error is larger than Time/Relative tolerance allows");
     return true;
   }
 
-  Vector TimeStepper::acceleration_change(const Evaluation &step) const
+  double TimeStepper::relative_error(const Evaluation &step)
   {
-    if (stages)
-      return stages->acceleration_difference();
-    Vector change = *step.to.acceleration;
-    add_multiple(-1., *step.from.acceleration, change);
-    return change;
+    return stages ? error->relative(step, stages->embedded_difference())
+                  : error->relative(step);
   }
 
   Evaluation TimeStepper::evaluation_of(const State &from, const double dt)

@@ -1,6 +1,6 @@
 #include <auxfem/time/runge_kutta.h>
 
-#include <algorithm>
+#include <complex>
 #include <numeric>
 
 namespace auxfem
@@ -68,6 +68,20 @@ namespace auxfem
   unsigned int RungeKutta::order() const
   {
     return tableau.order;
+  }
+
+  double RungeKutta::amplification(const double angle) const
+  {
+    // y' = i angle y over a step of length one, y_0 = 1.
+    const std::complex<double>        lambda(0, angle);
+    std::vector<std::complex<double>> values(tableau.n_stages(), 1.);
+    for (unsigned int i = 1; i < tableau.n_stages(); ++i)
+      {
+        for (unsigned int j = 0; j < i; ++j)
+          values[i] += tableau.factors[i][j] * lambda * values[j];
+        values[i] /= 1. - tableau.diagonal * lambda;
+      }
+    return std::abs(values.back());
   }
 
   std::optional<double> RungeKutta::error_constant() const

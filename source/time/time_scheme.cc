@@ -40,6 +40,11 @@ namespace auxfem
     return {};
   }
 
+  double ImplicitScheme::amplification(const double /*angle*/) const
+  {
+    return 1;
+  }
+
   unsigned int ImplicitScheme::order() const
   {
     return 2;

@@ -51,11 +51,13 @@ namespace auxfem
     /** What follows is not predicted by what has been. */
     void forget();
 
-    /**
-     * By how much the step's velocity differs from that of the embedded scheme,
-     * over its length (m/s2, rad/s2).
-     */
-    Vector acceleration_difference() const;
+    /** By how much the step differs from that of the embedded scheme. */
+    struct Difference
+    {
+      Vector displacement, velocity;
+    };
+
+    Difference embedded_difference() const;
 
   private:
     class Rule;

@@ -111,9 +111,8 @@ namespace auxfem
                StepReport           &report);
     /** Whether what is solved may become the solution. */
     bool is_acceptable(const Evaluation &step);
-    /** That from which the error of @p step is estimated; see
-     * ImplicitScheme::error_constant(). */
-    Vector acceleration_change(const Evaluation &step) const;
+    /** Error of @p step over the one that is allowed. */
+    double relative_error(const Evaluation &step);
     /** What is asked of the equations at the end of a step of length @p dt (s). */
     Evaluation evaluation_of(const State &from, double dt);
     void       predict(const ImplicitScheme &rule, const Evaluation &step);

@@ -68,6 +68,7 @@ namespace auxfem
 
     const ButcherTableau *stages() const override;
     unsigned int          order() const override;
+    double                amplification(double angle) const override;
 
     /**
      * For y' = lambda y the error of a step of order p, in which y grows by

@@ -116,6 +116,13 @@ namespace auxfem
      */
     virtual std::optional<double> error_constant() const;
 
+    /**
+     * What is left after a step of the amplitude of an oscillation that turns
+     * by
+     * @p angle (rad) in it, of a scheme with stages.
+     */
+    virtual double amplification(double angle) const;
+
     /** Power of the step's length with which the error of many steps goes. */
     virtual unsigned int order() const;
 
