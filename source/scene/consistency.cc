@@ -83,8 +83,9 @@ namespace auxfem
                   "Time/Relative tolerance: there is no estimate of "
                   "the error of Time/Scheme = ",
                   scene.time.scheme->name(),
-                  " here. Remove it, or choose newmark of second "
-                  "order, hht or generalized-alpha, with a lattice"));
+                  " here. Remove it, or choose newmark of second order, hht, "
+                  "generalized-alpha or esdirk of order 3 or 4, with a "
+                  "lattice"));
     }
 
     void check_inertia(const Scene &scene, Mistakes &mistakes)

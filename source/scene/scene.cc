@@ -91,6 +91,8 @@ namespace auxfem
               }
             scene.all_parameters += listing_of(subsection.schema, found);
           }
+      scene.newton =
+        scene.newton.for_steps_within(scene.time.relative_tolerance);
       check_consistency(scene, mistakes);
       mistakes.throw_if_any(file);
       scene.input_files.assign(files.begin(), files.end());

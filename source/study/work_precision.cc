@@ -63,9 +63,12 @@ namespace auxfem
               for (const double tolerance : scene.study.time_tolerances)
                 {
                   settings.time_tolerance = tolerance;
+                  settings.newton_tolerance =
+                    scene.newton.for_steps_within(tolerance).tolerance;
                   grid.runs.push_back(settings);
                 }
-              settings.time_tolerance = {};
+              settings.time_tolerance   = {};
+              settings.newton_tolerance = own.newton_tolerance;
               for (const double step : steps)
                 {
                   settings.time_step = step;

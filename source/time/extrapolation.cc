@@ -69,8 +69,9 @@ namespace auxfem
       for (unsigned int j = 0; j < i; ++j)
         for (unsigned int k = 0; k < j; ++k)
           try_points({i, j, k});
-    for (unsigned int i = 0; i < n && best.empty(); ++i)
-      try_points({i});
+    if (best.empty())
+      for (unsigned int i = 0; i < n; ++i)
+        try_points({i});
     return best;
   }
 } // namespace auxfem

@@ -1,5 +1,6 @@
 #include <auxfem/time/time_parameters.h>
 
+#include <algorithm>
 #include <limits>
 
 namespace auxfem
@@ -104,10 +105,13 @@ namespace auxfem
 
     const Quantity tolerance = {
       "Tolerance",
-      "1e-8",
+      "auto",
       "1",
       Range::open(0, 1),
-      "Largest residual, relative to the forces of the scene; rows have their own scale too."};
+      "Largest residual, relative to the forces of the scene; rows have their "
+      "own scale too. auto: 1e-8; with Time/Relative tolerance a tenth of it, at "
+      "least 1e-10 and at most 1e-5.",
+      {"auto"}};
     const Integer maximum_iterations = {
       "Maximum iterations",
       30,
@@ -177,9 +181,24 @@ namespace auxfem
 
   NewtonParameters read_newton(ParameterValues &values)
   {
-    return {values[tolerance],
-            values[maximum_iterations],
-            values[factorization] == "kept",
-            values[kept_reduction]};
+    NewtonParameters newton;
+    newton.tolerance_is_given = !values.is_word(tolerance);
+    if (newton.tolerance_is_given)
+      newton.tolerance = values[tolerance];
+    newton.maximum_iterations = values[maximum_iterations];
+    newton.keep_factorization = values[factorization] == "kept";
+    newton.kept_reduction     = values[kept_reduction];
+    return newton;
+  }
+
+
+
+  NewtonParameters NewtonParameters::for_steps_within(
+    const std::optional<double> &time_tolerance) const
+  {
+    NewtonParameters parameters = *this;
+    if (time_tolerance && !tolerance_is_given)
+      parameters.tolerance = std::clamp(*time_tolerance / 10, 1e-10, 1e-5);
+    return parameters;
   }
 } // namespace auxfem

@@ -177,7 +177,8 @@ namespace
 
 TEST(Checkpoint, APlaneLatticeWithConnectorsGoesOnFromIt)
 {
-  for (const char *scheme : {"newmark", "generalized-alpha", "static"})
+  for (const char *scheme :
+       {"newmark", "generalized-alpha", "esdirk", "static"})
     {
       const Course course =
         compare_halves(star_with_everything(2, 2).probe("top", "top"),
@@ -190,8 +191,9 @@ TEST(Checkpoint, APlaneLatticeWithConnectorsGoesOnFromIt)
 
 TEST(Checkpoint, ALatticeInSpaceWithEverythingGoesOnFromIt)
 {
-  compare_halves(space_star_with_everything(),
-                 {"Time/Scheme=generalized-alpha", "Solver/Type=klu"});
+  for (const char *scheme : {"generalized-alpha", "esdirk"})
+    compare_halves(space_star_with_everything(),
+                   {std::string("Time/Scheme=") + scheme, "Solver/Type=klu"});
 }
 
 namespace
@@ -243,7 +245,7 @@ namespace
 
 TEST(Checkpoint, TurnsOfRigidPartsAreCountedOn)
 {
-  for (const char *scheme : {"newmark", "generalized-alpha"})
+  for (const char *scheme : {"newmark", "generalized-alpha", "esdirk"})
     {
       const std::string set_scheme = std::string("Time/Scheme=") + scheme;
       const Course      plane =
@@ -281,7 +283,7 @@ TEST(Checkpoint, ItMayBeTakenAtTheTimeOfAJump)
       .add("Loads/tip", "Joints = 2 | Force y = if(t < 0.5, 0.1, -0.2)")
       .time(1, 0.05)
       .probe("tip", "2");
-  for (const char *scheme : {"newmark", "generalized-alpha"})
+  for (const char *scheme : {"newmark", "generalized-alpha", "esdirk"})
     compare_halves(text,
                    {std::string("Time/Scheme=") + scheme, "Solver/Type=klu"});
 }

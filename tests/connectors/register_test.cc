@@ -296,6 +296,37 @@ TEST(ConnectorLaws, SmallStepsTendToTheContinuousForm)
     }
 }
 
+// At a stage the internal variables go by Euler's backward rule.
+TEST(ConnectorLaws, StagesFollowTheContinuousForm)
+{
+  const double dt = 3e-3;
+  for (const auto &law : all_laws())
+    {
+      const unsigned int        m = law->n_history();
+      const std::vector<double> base(m, 3.);
+      std::vector<double>       stage(m), rates(m);
+      const auto at = [&](const double extension, const double rate) {
+        const ConnectorMotion motion = {extension, rate, 0., dt};
+        ConnectorResponse     response;
+        law->evaluate_stage(1, &motion, base.data(), stage.data(), &response);
+        return response;
+      };
+      const ConnectorResponse  response = at(0.01, 0.3);
+      const ContinuousResponse exact =
+        law->continuous(0.01, 0.3, stage.data(), rates.data());
+      EXPECT_NEAR(response.force, exact.force, 1e-12);
+      for (unsigned int i = 0; i < m; ++i)
+        EXPECT_NEAR(stage[i], base[i] + dt * rates[i], 1e-12);
+      // All laws of the table are linear.
+      EXPECT_NEAR(at(0.02, 0.3).force - response.force,
+                  0.01 * response.stiffness,
+                  1e-11);
+      EXPECT_NEAR(at(0.01, 0.4).force - response.force,
+                  0.1 * response.damping,
+                  1e-11);
+    }
+}
+
 TEST(ConnectorLaws, ContinuousPowerBalance)
 {
   const double h = 1e-6, u = 0.01, rate = 0.3;

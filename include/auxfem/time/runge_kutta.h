@@ -66,6 +66,9 @@ namespace auxfem
                            double        dt,
                            State        &trial) const override;
 
+    /** Their positions are constraints. */
+    std::optional<std::string> note_on_rigid_parts() const override;
+
     const ButcherTableau *stages() const override;
     unsigned int          order() const override;
     double                amplification(double angle) const override;
@@ -74,7 +77,8 @@ namespace auxfem
      * For y' = lambda y the error of a step of order p, in which y grows by
      * R(z), z = lambda dt, is C z^(p+1), and the difference to the embedded
      * scheme D z^p: so C / D dt times the difference in velocity, which is dt
-     * times that of accelerations, is the error of displacement.
+     * times that of accelerations, is the error of displacement. For orders up
+     * to 4.
      */
     std::optional<double> error_constant() const override;
 

@@ -65,10 +65,20 @@ namespace auxfem
   {
     /** Relative to the scene's own force and moment scale. */
     double       tolerance          = 1e-8;
+    bool         tolerance_is_given = false;
     unsigned int maximum_iterations = 30;
     bool         keep_factorization = true; ///< false: full Newton
     /** A kept factorization must reduce the residual so much an iteration. */
     double kept_reduction = 5;
+
+    /**
+     * The same for steps whose length follows their error, which may be as large
+     * as @p time_tolerance: unless the tolerance is given it is a tenth of that,
+     * neither below 1e-10 nor above 1e-5. The error it leaves in displacements
+     * is much smaller than itself.
+     */
+    NewtonParameters
+    for_steps_within(const std::optional<double> &time_tolerance) const;
   };
 
   /** `Newton`. */
