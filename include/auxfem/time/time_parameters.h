@@ -72,7 +72,8 @@ namespace auxfem
     double kept_reduction = 5;
 
     /**
-     * The same for steps whose length follows their error, which may be as large
+     * The same for steps whose length follows their error, which may be as
+     * large
      * as @p time_tolerance: unless the tolerance is given it is a tenth of that,
      * neither below 1e-10 nor above 1e-5. The error it leaves in displacements
      * is much smaller than itself.
