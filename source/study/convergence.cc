@@ -163,6 +163,8 @@ namespace auxfem
 
     std::string reference_text(const Family &family, const StudyTask &task)
     {
+      if (family.refinement->references.empty())
+        return "Reference: exact values.\n";
       std::string text;
       for (std::size_t q = 0; q < task.quantities.size(); ++q)
         {
@@ -222,7 +224,7 @@ namespace auxfem
             {
               Curve curve;
               curve.title =
-                family.refinement->title() + ": " + task.quantities[q].name;
+                family.refinement->title + ": " + task.quantities[q].name;
               for (std::size_t i = 0; i < family.refinement->runs.size(); ++i)
                 {
                   const auto &error = family.errors[q].runs[i].error;
@@ -243,7 +245,7 @@ namespace auxfem
         {"refined", "", "what is refined in this row and those around it"},
         {"role", "", "run, or reference"}};
       for (const std::vector<Column> &some :
-           {columns_of_settings(), columns_of_run()})
+           {columns_of_settings(task.scene), columns_of_run()})
         columns.insert(columns.end(), some.begin(), some.end());
       for (const QuantityDefinition &quantity : task.quantities)
         {
@@ -261,6 +263,7 @@ namespace auxfem
     }
 
     void add_csv_rows(const Family                          &family,
+                      const Scene                           &scene,
                       std::vector<std::vector<std::string>> &rows)
     {
       const Refinement &refinement = *family.refinement;
@@ -274,7 +277,7 @@ namespace auxfem
           rows.push_back(
             {name_of(refinement.refined), is_run ? "run" : "reference"});
           for (const std::vector<std::string> &cells :
-               {cells_of(settings), cells_of(run)})
+               {cells_of(settings, scene), cells_of(run)})
             rows.back().insert(rows.back().end(), cells.begin(), cells.end());
           for (const RefinementErrors &errors : family.errors)
             {
@@ -392,17 +395,18 @@ namespace auxfem
       for (const Family &family : families)
         {
           report.text += "## Error by " + name_of(family.refinement->refined) +
-            ": " + family.refinement->title() + "\n\n" +
+            ": " + family.refinement->title + "\n\n" +
             table_of(family, task).markdown() + '\n' +
             reference_text(family, task) + failures_text(family) + '\n';
-          add_csv_rows(family, report.rows);
+          add_csv_rows(family, task.scene, report.rows);
           for (std::size_t q = 0; q < family.errors.size(); ++q)
             if (!family.errors[q].is_resolved())
               add_finding(unresolved(task.quantities[q]), report.findings);
-          add_finding_on_reference(family.runs.back(),
-                                   "The reference for the " +
-                                     name_of(family.refinement->refined),
-                                   report.findings);
+          if (!family.refinement->references.empty())
+            add_finding_on_reference(family.runs.back(),
+                                     "The reference for the " +
+                                       name_of(family.refinement->refined),
+                                     report.findings);
         }
       for (const Refined one : refined_in(families))
         report.pictures.push_back(picture_of(families, one, task));

@@ -49,8 +49,9 @@ namespace auxfem
 
   /** @name Columns of study.csv that several studies have, and their cells. */
   ///@{
-  std::vector<Column>      columns_of_settings();
-  std::vector<std::string> cells_of(const Settings &settings);
+  std::vector<Column>      columns_of_settings(const Scene &scene);
+  std::vector<std::string> cells_of(const Settings &settings,
+                                    const Scene    &scene);
   std::vector<Column>      columns_of_run();
   std::vector<std::string> cells_of(const MeasuredRun &run);
   ///@}
