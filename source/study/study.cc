@@ -122,19 +122,6 @@ namespace auxfem
       const Clock::time_point start;
     };
 
-    /** Of all kinds, so that nothing of another study stays. */
-    std::vector<std::string> files_of_studies()
-    {
-      std::vector<std::string> files = {"study.md",
-                                        "study.csv",
-                                        "study.units.csv"};
-      for (const StudyKind &kind : study_registry())
-        for (const std::string &picture : kind.pictures)
-          for (const std::string &file : picture_files(picture))
-            files.push_back(file);
-      return files;
-    }
-
     /** Draws and says what could not be drawn; returns Markdown that shows the
      * pictures. */
     std::string draw_all(const StudyReport &report,
@@ -177,6 +164,20 @@ namespace auxfem
 
 
 
+  std::vector<std::string> study_files()
+  {
+    std::vector<std::string> files = {"study.md",
+                                      "study.csv",
+                                      "study.units.csv"};
+    for (const StudyKind &kind : study_registry())
+      for (const std::string &picture : kind.pictures)
+        for (const std::string &file : picture_files(picture))
+          files.push_back(file);
+    return files;
+  }
+
+
+
   StudyReport compute_study(const Scene               &scene,
                             const MPI_Comm             communicator,
                             const std::string         &folder,
@@ -201,7 +202,7 @@ namespace auxfem
     std::optional<RunFolder>  files;
     std::optional<StudyLines> lines;
     on_first_rank(communicator, [&]() {
-      files.emplace(scene, rules, files_of_studies());
+      files.emplace(scene, rules, study_files());
       lines.emplace(dealii::Utilities::MPI::n_mpi_processes(communicator),
                     files->log());
       lines->print(overview(task, plan));
