@@ -205,19 +205,30 @@ namespace auxfem
       return name;
     }
 
+    unsigned int colour_of(const Refinement &refinement)
+    {
+      const Settings &one     = refinement.runs.front();
+      const Refined   refined = refinement.refined;
+      return refined == Refined::mesh || refined == Refined::mesh_and_time_step
+        ? colour_of_order(one.order)
+        : colour_of_scheme(one.scheme);
+    }
+
     LogPicture picture_of(const std::vector<Family> &families,
                           const Refined              refined,
                           const StudyTask           &task)
     {
       LogPicture picture;
-      picture.name    = picture_name(refined);
-      picture.title   = "Error by " + name_of(refined);
-      picture.x_label = refined == Refined::mesh
-        ? "length of an element / length of the strut"
-        : refined == Refined::time_tolerance   ? "relative tolerance"
-        : refined == Refined::newton_tolerance ? "Newton tolerance"
-                                               : "time step (s)";
-      picture.y_label = "relative error";
+      picture.name         = picture_name(refined);
+      picture.title        = "Error by " + name_of(refined);
+      picture.x_label      = refined == Refined::mesh
+             ? "length of an element / length of the strut"
+             : refined == Refined::time_tolerance   ? "relative tolerance"
+             : refined == Refined::newton_tolerance ? "Newton tolerance"
+                                                    : "time step (s)";
+      picture.y_label      = "relative error";
+      picture.marks_slopes = refined != Refined::time_tolerance &&
+        refined != Refined::newton_tolerance;
       for (const Family &family : families)
         if (family.refinement->refined == refined)
           for (std::size_t q = 0; q < task.quantities.size(); ++q)
@@ -225,6 +236,9 @@ namespace auxfem
               Curve curve;
               curve.title =
                 family.refinement->title + ": " + task.quantities[q].name;
+              curve.style.colour = colour_of(*family.refinement);
+              curve.style.dashes = q;
+              curve.style.marks  = q;
               for (std::size_t i = 0; i < family.refinement->runs.size(); ++i)
                 {
                   const auto &error = family.errors[q].runs[i].error;

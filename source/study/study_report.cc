@@ -1,5 +1,6 @@
 #include <auxfem/study/study_report.h>
 #include <auxfem/study/tried_values.h>
+#include <auxfem/time/schemes.h>
 
 #include <algorithm>
 #include <cmath>
@@ -159,6 +160,26 @@ namespace auxfem
             std::to_string(run.memory),
             name_of(run.verdict),
             run.exit_state};
+  }
+
+
+
+  unsigned int colour_of_order(const unsigned int order)
+  {
+    return order - 1;
+  }
+
+
+
+  unsigned int colour_of_scheme(const std::string &scheme)
+  {
+    const auto &registry = time_scheme_registry();
+    return std::find_if(registry.begin(),
+                        registry.end(),
+                        [&scheme](const TimeSchemeEntry &entry) {
+                          return entry.name == scheme;
+                        }) -
+      registry.begin();
   }
 
 

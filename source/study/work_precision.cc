@@ -321,6 +321,16 @@ namespace auxfem
             std::to_string(settings.elements()) + " a strut"
           : scheme;
       };
+      const auto style_of = [with_mesh](const Settings &settings) -> LineStyle {
+        const unsigned int by_tolerance = settings.time_tolerance ? 1 : 0;
+        if (!with_mesh)
+          return {colour_of_scheme(settings.scheme),
+                  by_tolerance,
+                  by_tolerance};
+        return {colour_of_order(settings.order),
+                settings.refinements,
+                2 * colour_of_scheme(settings.scheme) + by_tolerance};
+      };
       Curve best{"best", {}};
       for (const GridRun &one : found.runs)
         {
@@ -333,7 +343,9 @@ namespace auxfem
                                       return candidate.title == title;
                                     });
           if (curve == picture.curves.end())
-            curve = picture.curves.insert(curve, Curve{title, {}});
+            curve =
+              picture.curves.insert(curve,
+                                    Curve{title, {}, style_of(one.settings)});
           curve->points.emplace_back(one.run.cpu_seconds, *one.error);
           if (one.is_best)
             best.points.emplace_back(one.run.cpu_seconds, *one.error);

@@ -56,11 +56,28 @@ namespace auxfem
   std::vector<std::string> cells_of(const MeasuredRun &run);
   ///@}
 
+  /** How a line is drawn, by numbers from 0 on. */
+  struct LineStyle
+  {
+    /** Of a method, see colour_of_order() and colour_of_scheme(). */
+    unsigned int colour = 0;
+    /** Of what a picture shows of one method: solid, dashed, ... */
+    unsigned int dashes = 0;
+    unsigned int marks  = 0;
+  };
+
+  /** @name Colours of methods, the same in all pictures of all studies. */
+  ///@{
+  unsigned int colour_of_order(unsigned int order);
+  unsigned int colour_of_scheme(const std::string &scheme);
+  ///@}
+
   /** One line of a picture. */
   struct Curve
   {
     std::string                            title;
     std::vector<std::pair<double, double>> points; ///< positive
+    LineStyle                              style = {};
     /** Wide and pale, so that others are seen upon it. */
     bool is_beneath = false;
   };
@@ -71,6 +88,8 @@ namespace auxfem
     std::string        name; ///< of the files, without ending
     std::string        title, x_label, y_label;
     std::vector<Curve> curves;
+    /** Whether whole-numbered slopes that curves have are marked. */
+    bool marks_slopes = false;
   };
 
   /** What a study has found. */
