@@ -78,8 +78,8 @@ namespace auxfem
       Point from, to;
     };
 
-    /** The first of @p curve over three points, whose slopes from one to the
-     * next are alike. */
+    /** The last of @p curve over three points, whose slopes from one to the next
+     * are alike: there curves are farthest from each other. */
     std::optional<Slope> slope_of(const Curve &curve)
     {
       constexpr double alike = 0.15;
@@ -88,12 +88,12 @@ namespace auxfem
         return std::log(p[i + 1].second / p[i].second) /
           std::log(p[i + 1].first / p[i].first);
       };
-      for (std::size_t i = 0; i + 2 < p.size(); ++i)
+      for (std::size_t i = p.size(); i-- > 2;)
         {
-          const double number = std::round(slope(i + 1));
-          if (number > 0 && std::abs(slope(i) - number) < alike &&
-              std::abs(slope(i + 1) - number) < alike)
-            return Slope{int(number), p[i + 1], p[i + 2]};
+          const double number = std::round(slope(i - 1));
+          if (number > 0 && std::abs(slope(i - 2) - number) < alike &&
+              std::abs(slope(i - 1) - number) < alike)
+            return Slope{int(number), p[i - 1], p[i]};
         }
       return {};
     }
@@ -135,17 +135,14 @@ namespace auxfem
         {
           const auto [x, end] = slope.to;
           const double y      = end * factor_below(picture);
-          // From the middle to either end.
-          const double half_x = std::sqrt(slope.from.first / x),
-                       half_y = std::pow(half_x, slope.number);
+          const double ratio  = slope.from.first / x;
           text += "set arrow from " +
-            place(x * half_x * half_x, y * half_y * half_y) + " to " +
+            place(x * ratio, y * std::pow(ratio, slope.number)) + " to " +
             place(x, y) +
             " nohead front dashtype 2 linewidth 1.5 linecolor 'gray30'\n"
             "set label 'slope " +
-            std::to_string(slope.number) + "' at " +
-            place(x * half_x, y * half_y) +
-            " left front offset 0.7,-0.7 textcolor 'gray30'\n";
+            std::to_string(slope.number) + "' at " + place(x, y) +
+            " right front offset -0.7,0 textcolor 'gray30'\n";
         }
       return text;
     }
@@ -160,7 +157,7 @@ namespace auxfem
       "set logscale xy\n"
       "set format '%.0e'\n"
       "set grid\n"
-      "set key below noenhanced\n"
+      "set key below noenhanced font ',9'\n"
       "set title " +
       quoted(picture.title) +
       " noenhanced\n"
