@@ -156,6 +156,9 @@ namespace auxfem
       data_blocks(picture) +
       "set logscale xy\n"
       "set format '%.0e'\n"
+      // Room at the left, for the names of slopes.
+      "set autoscale fix\n"
+      "set offsets graph 0.12, graph 0.03, graph 0.05, graph 0.05\n"
       "set grid\n"
       "set key below noenhanced font ',9'\n"
       "set title " +
