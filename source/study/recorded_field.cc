@@ -200,8 +200,10 @@ namespace auxfem
         // Gauss points lie inside the elements.
         while (std::tie(element->strut, element->end) <
                std::tie(point.strut, point.fraction))
-          ++element;
-        Assert(element != field.elements.end(), dealii::ExcInternalError());
+          {
+            ++element;
+            Assert(element != field.elements.end(), dealii::ExcInternalError());
+          }
         const unsigned int n = element->n_points();
         const double       x =
           (point.fraction - element->begin) / (element->end - element->begin);
