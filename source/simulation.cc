@@ -15,12 +15,14 @@ namespace auxfem
   {
     if (scene.analysis == Analysis::study)
       return run_study(scene, communicator, rules);
+    FileRules with_studies              = rules;
+    with_studies.results_of_other_kinds = study_files();
     if (scene.context.model == Model::reduced_cell)
       {
-        CellOutput folder(scene, start, rules);
+        CellOutput folder(scene, start, with_studies);
         return run(scene, communicator, folder);
       }
-    RunOutput folder(scene, communicator, start, rules);
+    RunOutput folder(scene, communicator, start, with_studies);
     return run(scene, communicator, folder);
   }
 

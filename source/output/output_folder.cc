@@ -68,6 +68,7 @@ namespace auxfem
     if (list.number < 0)
       lock();
     remove(contents, names);
+    remove_results_of_other_kinds(rules);
     own.insert(contents.files.begin(), contents.files.end());
     write_list();
   }
@@ -172,14 +173,22 @@ namespace auxfem
       own.count(name.substr(0, name.find('/') + 1)) > 0;
   }
 
+  bool OutputFolder::is_one_of(const std::string              &name,
+                               const std::vector<std::string> &files) const
+  {
+    std::error_code ignored;
+    return std::any_of(files.begin(), files.end(), [&](const auto &other) {
+      return fs::equivalent(file(name), other, ignored);
+    });
+  }
+
   void
   OutputFolder::refuse_input(const std::vector<std::string> &names,
                              const std::vector<std::string> &input_files) const
   {
-    std::error_code ignored;
     for (const std::string &name : names)
       for (const std::string &input : input_files)
-        if (fs::equivalent(file(name), input, ignored))
+        if (is_one_of(name, {input}))
           throw InputError(
             "The run reads " + input + ", and would replace it by its " + name +
             " in the output folder `" + path +
@@ -225,5 +234,16 @@ namespace auxfem
             fs::is_directory(file(series), ignored))
           fs::remove(file(series), ignored);
       }
+  }
+
+  void OutputFolder::remove_results_of_other_kinds(const FileRules &rules)
+  {
+    std::error_code ignored;
+    for (const std::string &name : rules.results_of_other_kinds)
+      if (own.count(name) > 0 && !is_one_of(name, rules.input_files))
+        {
+          fs::remove(file(name), ignored);
+          own.erase(name);
+        }
   }
 } // namespace auxfem

@@ -188,8 +188,22 @@ namespace auxfem
       return dealii::Utilities::split_string_list(text, ',');
     }
 
-    void read_column_at_time(const std::string  &text,
-                             QuantityDefinition &quantity)
+    /** What is taken at a time: a norm, or else a column. */
+    void read_what_at_time(const std::string  &what,
+                           QuantityDefinition &quantity)
+    {
+      if (what == "energy norm")
+        quantity.measure = Measure::energy_norm;
+      else if (what == "total energy norm")
+        quantity.measure = Measure::total_energy_norm;
+      else
+        {
+          quantity.measure = Measure::at_time;
+          quantity.columns = columns_in(what);
+        }
+    }
+
+    void read_at_time(const std::string &text, QuantityDefinition &quantity)
     {
       const std::size_t at = text.rfind(separator);
       if (at == std::string::npos)
@@ -198,11 +212,10 @@ namespace auxfem
           ": not understood; allowed: history COLUMN, COLUMN at TIME, COLUMN at "
           "end, maximum of COLUMN, minimum of COLUMN, time of maximum of COLUMN, "
           "time of minimum of COLUMN, integral of COLUMN, each with an exact "
-          "value after it if one is known, = EXPRESSION. Columns are those of "
-          "history.csv, e.g. " +
+          "value after it if one is known, = EXPRESSION; energy norm at TIME, "
+          "total energy norm at TIME. Columns are those of history.csv, e.g. " +
           quantity.name + " = history top.uy");
-      quantity.measure       = Measure::at_time;
-      quantity.columns       = columns_in(text.substr(0, at));
+      read_what_at_time(trim(text.substr(0, at)), quantity);
       const std::string time = trim(text.substr(at + separator.size()));
       if (time == "end")
         return;
@@ -226,7 +239,7 @@ namespace auxfem
             quantity.columns = columns_in(text.substr(form.beginning.size()));
             return;
           }
-      read_column_at_time(text, quantity);
+      read_at_time(text, quantity);
     }
 
     /** A number with a unit word becomes one in SI; else @p text as it is. */
@@ -265,6 +278,18 @@ namespace auxfem
       return function;
     }
   } // namespace
+
+
+
+  bool StudyDefinition::is_exact() const
+  {
+    return !quantities.empty() &&
+      std::all_of(quantities.begin(),
+                  quantities.end(),
+                  [](const QuantityDefinition &quantity) {
+                    return quantity.exact.has_value();
+                  });
+  }
 
 
 
@@ -327,6 +352,9 @@ namespace auxfem
       "COLUMN\", \"time of maximum of COLUMN\", \"time of minimum of "
       "COLUMN\", \"integral of COLUMN\" (over time). Where the exact value "
       "is known it may follow: \"... = EXPRESSION\", for a history in t. "
+      "\"energy norm at TIME\": the square root of the strain energy of the "
+      "difference, over all struts; \"total energy norm at TIME\": with its "
+      "kinetic energy; TIME is that of a step, or end. "
       "Without any: the histories of the probes' displacements.",
       {},
       "",
@@ -344,13 +372,17 @@ namespace auxfem
     const std::string text = text_of_free_entry(values);
     const std::size_t sign = text.find('=');
     read_form(trim(text.substr(0, sign)), quantity);
-    if (quantity.columns.empty())
+    if (quantity.columns.empty() && !quantity.is_field())
       throw InputError(quantity.path + " = " + text +
                        ": a column of history.csv is missing");
     if (quantity.columns.size() > 1 && quantity.measure != Measure::history)
       throw InputError(quantity.path + " = " + text +
                        ": several columns have a meaning in a history only; "
                        "give each a line of its own");
+    if (quantity.is_field() && sign != std::string::npos)
+      throw InputError(quantity.path + " = " + text +
+                       ": a field has no exact value here; remove what follows "
+                       "the norm, it is measured against the reference");
     if (sign != std::string::npos)
       quantity.exact = read_exact_value(values, sign + 1);
     return quantity;

@@ -163,6 +163,8 @@ namespace auxfem
 
     std::string reference_text(const Family &family, const StudyTask &task)
     {
+      if (family.refinement->references.empty())
+        return "Reference: exact values.\n";
       std::string text;
       for (std::size_t q = 0; q < task.quantities.size(); ++q)
         {
@@ -203,26 +205,40 @@ namespace auxfem
       return name;
     }
 
+    unsigned int colour_of(const Refinement &refinement)
+    {
+      const Settings &one     = refinement.runs.front();
+      const Refined   refined = refinement.refined;
+      return refined == Refined::mesh || refined == Refined::mesh_and_time_step
+        ? colour_of_order(one.order)
+        : colour_of_scheme(one.scheme);
+    }
+
     LogPicture picture_of(const std::vector<Family> &families,
                           const Refined              refined,
                           const StudyTask           &task)
     {
       LogPicture picture;
-      picture.name    = picture_name(refined);
-      picture.title   = "Error by " + name_of(refined);
-      picture.x_label = refined == Refined::mesh
-        ? "length of an element / length of the strut"
-        : refined == Refined::time_tolerance   ? "relative tolerance"
-        : refined == Refined::newton_tolerance ? "Newton tolerance"
-                                               : "time step (s)";
-      picture.y_label = "relative error";
+      picture.name         = picture_name(refined);
+      picture.title        = "Error by " + name_of(refined);
+      picture.x_label      = refined == Refined::mesh
+             ? "length of an element / length of the strut"
+             : refined == Refined::time_tolerance   ? "relative tolerance"
+             : refined == Refined::newton_tolerance ? "Newton tolerance"
+                                                    : "time step (s)";
+      picture.y_label      = "relative error";
+      picture.marks_slopes = refined != Refined::time_tolerance &&
+        refined != Refined::newton_tolerance;
       for (const Family &family : families)
         if (family.refinement->refined == refined)
           for (std::size_t q = 0; q < task.quantities.size(); ++q)
             {
               Curve curve;
               curve.title =
-                family.refinement->title() + ": " + task.quantities[q].name;
+                family.refinement->title + ": " + task.quantities[q].name;
+              curve.style.colour = colour_of(*family.refinement);
+              curve.style.dashes = q;
+              curve.style.marks  = q;
               for (std::size_t i = 0; i < family.refinement->runs.size(); ++i)
                 {
                   const auto &error = family.errors[q].runs[i].error;
@@ -243,7 +259,7 @@ namespace auxfem
         {"refined", "", "what is refined in this row and those around it"},
         {"role", "", "run, or reference"}};
       for (const std::vector<Column> &some :
-           {columns_of_settings(), columns_of_run()})
+           {columns_of_settings(task.scene), columns_of_run()})
         columns.insert(columns.end(), some.begin(), some.end());
       for (const QuantityDefinition &quantity : task.quantities)
         {
@@ -261,6 +277,7 @@ namespace auxfem
     }
 
     void add_csv_rows(const Family                          &family,
+                      const Scene                           &scene,
                       std::vector<std::vector<std::string>> &rows)
     {
       const Refinement &refinement = *family.refinement;
@@ -274,7 +291,7 @@ namespace auxfem
           rows.push_back(
             {name_of(refinement.refined), is_run ? "run" : "reference"});
           for (const std::vector<std::string> &cells :
-               {cells_of(settings), cells_of(run)})
+               {cells_of(settings, scene), cells_of(run)})
             rows.back().insert(rows.back().end(), cells.begin(), cells.end());
           for (const RefinementErrors &errors : family.errors)
             {
@@ -392,17 +409,18 @@ namespace auxfem
       for (const Family &family : families)
         {
           report.text += "## Error by " + name_of(family.refinement->refined) +
-            ": " + family.refinement->title() + "\n\n" +
+            ": " + family.refinement->title + "\n\n" +
             table_of(family, task).markdown() + '\n' +
             reference_text(family, task) + failures_text(family) + '\n';
-          add_csv_rows(family, report.rows);
+          add_csv_rows(family, task.scene, report.rows);
           for (std::size_t q = 0; q < family.errors.size(); ++q)
             if (!family.errors[q].is_resolved())
               add_finding(unresolved(task.quantities[q]), report.findings);
-          add_finding_on_reference(family.runs.back(),
-                                   "The reference for the " +
-                                     name_of(family.refinement->refined),
-                                   report.findings);
+          if (!family.refinement->references.empty())
+            add_finding_on_reference(family.runs.back(),
+                                     "The reference for the " +
+                                       name_of(family.refinement->refined),
+                                     report.findings);
         }
       for (const Refined one : refined_in(families))
         report.pictures.push_back(picture_of(families, one, task));

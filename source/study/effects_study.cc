@@ -119,17 +119,17 @@ namespace auxfem
       std::string &obstacle = change.simplification.obstacle;
       if (!without.completed())
         obstacle = first_line(without.exit_state);
-      for (const std::string &column : columns_of(quantities))
-        if (without.columns.count(column) == 0)
-          obstacle = "there is no " + column;
+      for (const QuantityDefinition &quantity : quantities)
+        for (const std::string &column : quantity.columns)
+          if (without.columns.count(column) == 0)
+            obstacle = "there is no " + column;
       if (!obstacle.empty())
         return change;
-      const std::vector<double> times =
-        times_of_comparison({without, with_all});
+      const Comparison comparison = comparison_of({without, with_all});
       for (const QuantityDefinition &quantity : quantities)
         change.changes.push_back(
-          relative_difference(value_of(quantity, without, times),
-                              value_of(quantity, with_all, times)));
+          relative_difference(value_of(quantity, without, comparison),
+                              value_of(quantity, with_all, comparison)));
       return change;
     }
 

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <ctime>
 #include <fstream>
 #include <limits>
@@ -47,16 +48,16 @@ namespace auxfem
       return names;
     }
 
-    /** Of lattices and of the reduced cell: keeps some columns of the history,
-     * and counts unknowns. */
-    class ColumnRecorder : public Recorder
+    /** Of lattices and of the reduced cell: keeps some columns of the history
+     * and some fields, and counts unknowns. */
+    class SelectionRecorder : public Recorder
     {
     public:
-      ColumnRecorder(const Scene                 &scene,
-                     const MPI_Comm               communicator,
-                     const std::set<std::string> &wanted,
-                     const FractionDone          &progress,
-                     MeasuredRun                 &run)
+      SelectionRecorder(const Scene        &scene,
+                        const MPI_Comm      communicator,
+                        const Selection    &wanted,
+                        const FractionDone &progress,
+                        MeasuredRun        &run)
         : scene(scene)
         , communicator(communicator)
         , wanted(wanted)
@@ -64,22 +65,29 @@ namespace auxfem
         , run(run)
       {}
 
-      void begin(const Equations &equations) override
+      void begin(const Equations &of_run) override
       {
-        run.unknowns = count(equations).free_unknowns;
-        history.emplace(scene, equations, communicator);
+        equations = &of_run;
+        if (!wanted.field_times.empty() && !of_run.reporting().struts)
+          throw InputError(
+            "Quantities: energy norms are of elastic struts, which the scene "
+            "does not have. Compare columns of history.csv");
+        run.unknowns = count(of_run).free_unknowns;
+        history.emplace(scene, of_run, communicator);
         choose(history->columns());
       }
 
       void start(const Solution &solution) override
       {
         keep(history->values(solution));
+        keep_fields(solution);
       }
 
       void step(const Solution &solution,
                 const StepReport & /*report*/) override
       {
         keep(history->values(solution));
+        keep_fields(solution);
       }
 
       void begin_cell() override
@@ -108,7 +116,7 @@ namespace auxfem
       {
         const std::vector<std::string> names = names_of(columns);
         for (std::size_t i = 0; i < names.size(); ++i)
-          if (names[i] == time_column || wanted.count(names[i]) > 0)
+          if (names[i] == time_column || wanted.columns.count(names[i]) > 0)
             kept.emplace_back(i, &run.columns[names[i]]);
       }
 
@@ -119,11 +127,21 @@ namespace auxfem
         progress(row.front() / scene.time.end_time);
       }
 
-      const Scene                 &scene;
-      const MPI_Comm               communicator;
-      const std::set<std::string> &wanted;
-      const FractionDone          &progress;
-      MeasuredRun                 &run;
+      void keep_fields(const Solution &solution)
+      {
+        // Times of steps are products, those that are wanted were read.
+        const double round_off = 1e-9 * scene.time.end_time;
+        for (const double time : wanted.field_times)
+          if (std::abs(solution.state.time - time) <= round_off)
+            run.fields[time] = field_of(*equations, solution, communicator);
+      }
+
+      const Scene        &scene;
+      const MPI_Comm      communicator;
+      const Selection    &wanted;
+      const FractionDone &progress;
+      MeasuredRun        &run;
+      const Equations    *equations = nullptr; ///< from begin() on
 
       std::optional<History>                                     history;
       EnergyRecord                                               energies;
@@ -179,6 +197,21 @@ namespace auxfem
 
 
 
+  bool MeasuredRun::has(const Selection &selection) const
+  {
+    const auto is_in = [](const auto &kept) {
+      return [&kept](const auto &name) { return kept.count(name) > 0; };
+    };
+    return std::all_of(selection.columns.begin(),
+                       selection.columns.end(),
+                       is_in(columns)) &&
+      std::all_of(selection.field_times.begin(),
+                  selection.field_times.end(),
+                  is_in(fields));
+  }
+
+
+
   RecordedHistory MeasuredRun::history(const std::string &column) const
   {
     return {columns.at(time_column), columns.at(column)};
@@ -201,6 +234,8 @@ namespace auxfem
                  {"memory_bytes", run.memory}};
     for (const auto &[name, values] : run.columns)
       json["columns"][name] = values;
+    for (const auto &[time, field] : run.fields)
+      json["fields"].push_back({{"time_s", time}, {"values", json_of(field)}});
     return json;
   }
 
@@ -223,18 +258,21 @@ namespace auxfem
     if (json.contains("columns"))
       for (const auto &[name, values] : json.at("columns").items())
         run.columns[name] = numbers_of(values);
+    if (json.contains("fields"))
+      for (const Json &field : json.at("fields"))
+        run.fields[field.at("time_s")] = recorded_field_of(field.at("values"));
     return run;
   }
 
 
 
-  MeasuredRun measure_run(const Scene                 &scene,
-                          const MPI_Comm               communicator,
-                          const std::set<std::string> &columns,
-                          const FractionDone          &progress)
+  MeasuredRun measure_run(const Scene        &scene,
+                          const MPI_Comm      communicator,
+                          const Selection    &selection,
+                          const FractionDone &progress)
   {
-    MeasuredRun    run;
-    ColumnRecorder recorder(scene, communicator, columns, progress, run);
+    MeasuredRun       run;
+    SelectionRecorder recorder(scene, communicator, selection, progress, run);
     forget_peak_memory();
     const double cpu_before = processor_seconds();
     const auto   start      = Clock::now();

@@ -1,9 +1,11 @@
 #include <auxfem/parameters/errors.h>
 #include <auxfem/parameters/suggest.h>
 #include <auxfem/study/quantities.h>
+#include <auxfem/study/settings.h>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace auxfem
 {
@@ -70,17 +72,47 @@ namespace auxfem
                          ": the time is not between 0 and the end time");
     }
 
-    /** Not a number if one is none. */
-    double largest_number(const QuantityValues &values)
+    void refuse_norm_of_nothing(const QuantityDefinition &quantity,
+                                const Scene              &scene)
     {
-      double largest = 0;
-      for (const double value : values)
+      if (scene.context.model != Model::lattice)
+        throw InputError(quantity.path +
+                         ": energy norms are for Model = lattice, whose struts "
+                         "they are of. Compare columns of history.csv");
+      if (quantity.measure == Measure::total_energy_norm &&
+          !scene.time.scheme->is_dynamic())
+        throw InputError(quantity.path + ": in statics, Time/Scheme = " +
+                         scene.time.scheme->name() +
+                         ", there is no kinetic energy. Allowed: energy norm");
+    }
+
+    /** Not a number if one is none. */
+    double norm_of(const QuantityValues &values)
+    {
+      double largest = 0, squares = 0;
+      for (const double value : values.numbers)
         {
           if (std::isnan(value))
             return value;
           largest = std::max(largest, std::abs(value));
+          squares += value * value;
         }
-      return largest;
+      return values.is_field ? std::sqrt(squares) : largest;
+    }
+
+    std::vector<double> fewest_times(const std::vector<MeasuredRun> &runs)
+    {
+      std::vector<double> times;
+      for (const MeasuredRun &run : runs)
+        if (run.completed())
+          {
+            const std::vector<double> &own = run.columns.at("time");
+            if (times.empty() || own.size() < times.size())
+              times = own;
+          }
+      if (!times.empty())
+        times.erase(times.begin());
+      return times;
     }
   } // namespace
 
@@ -94,52 +126,112 @@ namespace auxfem
       scene.study.quantities.empty() ? default_quantities(scene, columns)
                                      : scene.study.quantities;
     for (const QuantityDefinition &quantity : quantities)
-      refuse_what_is_not_there(quantity, columns, scene.time.end_time);
+      {
+        refuse_what_is_not_there(quantity, columns, scene.time.end_time);
+        if (quantity.is_field())
+          refuse_norm_of_nothing(quantity, scene);
+      }
     return quantities;
   }
 
 
 
-  std::set<std::string>
-  columns_of(const std::vector<QuantityDefinition> &quantities)
+  Selection selection_for(const std::vector<QuantityDefinition> &quantities,
+                          const double                           end_time)
   {
-    std::set<std::string> columns;
+    Selection selection;
     for (const QuantityDefinition &quantity : quantities)
-      columns.insert(quantity.columns.begin(), quantity.columns.end());
-    return columns;
+      {
+        selection.columns.insert(quantity.columns.begin(),
+                                 quantity.columns.end());
+        if (quantity.is_field())
+          selection.field_times.insert(quantity.time.value_or(end_time));
+      }
+    return selection;
   }
 
 
 
-  QuantityValues value_of(const QuantityDefinition  &quantity,
-                          const MeasuredRun         &run,
-                          const std::vector<double> &times)
+  void
+  refuse_fields_between_steps(const std::vector<QuantityDefinition> &quantities,
+                              const Scene                           &scene)
   {
+    for (const QuantityDefinition &quantity : quantities)
+      {
+        if (!quantity.is_field() || !quantity.time ||
+            *quantity.time == scene.time.end_time)
+          continue;
+        const double n = *quantity.time / scene.time.step;
+        // As the recorder's.
+        const double round_off = 1e-9 * scene.time.end_time / scene.time.step;
+        if (std::abs(n - std::round(n)) > round_off)
+          throw InputError(
+            quantity.path + ": no step of a simulation of the study ends at " +
+            short_number(*quantity.time) +
+            " s, with Time/Time step = " + short_number(scene.time.step) +
+            " s. Allowed: multiples of all time steps, end");
+      }
+  }
+
+
+
+  Comparison comparison_of(const std::vector<MeasuredRun> &runs)
+  {
+    Comparison comparison;
+    comparison.times = fewest_times(runs);
+    for (const MeasuredRun &run : runs)
+      if (run.completed())
+        for (const auto &[time, field] : run.fields)
+          {
+            std::vector<FieldPoint>  own    = integration_points(field);
+            std::vector<FieldPoint> &points = comparison.points[time];
+            if (own.size() > points.size())
+              points = std::move(own);
+          }
+    return comparison;
+  }
+
+
+
+  QuantityValues value_of(const QuantityDefinition &quantity,
+                          const MeasuredRun        &run,
+                          const Comparison         &comparison)
+  {
+    if (quantity.is_field())
+      {
+        // None is later than the end.
+        const auto field = quantity.time ? run.fields.find(*quantity.time)
+                                         : std::prev(run.fields.end());
+        return {energy_roots(field->second,
+                             comparison.points.at(field->first),
+                             quantity.measure == Measure::total_energy_norm),
+                true};
+      }
     const RecordedHistory history = run.history(quantity.columns.front());
     switch (quantity.measure)
       {
         case Measure::at_time:
           return {
-            value_at(history, quantity.time.value_or(history.times.back()))};
+            {value_at(history, quantity.time.value_or(history.times.back()))}};
         case Measure::maximum:
-          return {maximum_of(history).value};
+          return {{maximum_of(history).value}};
         case Measure::minimum:
-          return {-maximum_of(negative(history)).value};
+          return {{-maximum_of(negative(history)).value}};
         case Measure::time_of_maximum:
-          return {maximum_of(history).time};
+          return {{maximum_of(history).time}};
         case Measure::time_of_minimum:
-          return {maximum_of(negative(history)).time};
+          return {{maximum_of(negative(history)).time}};
         case Measure::integral:
-          return {integral_of(history)};
-        case Measure::history:
+          return {{integral_of(history)}};
+        default:
           break;
       }
     QuantityValues values;
     for (const std::string &column : quantity.columns)
       {
         const RecordedHistory component = run.history(column);
-        for (const double time : times)
-          values.push_back(value_at(component, time));
+        for (const double time : comparison.times)
+          values.numbers.push_back(value_at(component, time));
       }
     return values;
   }
@@ -147,31 +239,31 @@ namespace auxfem
 
 
   std::optional<QuantityValues>
-  exact_value_of(const QuantityDefinition  &quantity,
-                 const double               end_time,
-                 const std::vector<double> &times)
+  exact_value_of(const QuantityDefinition &quantity,
+                 const double              end_time,
+                 const Comparison         &comparison)
   {
     if (!quantity.exact)
       return {};
-    if (quantity.measure != Measure::history)
+    if (quantity.is_number())
       return QuantityValues{
-        quantity.exact->value(quantity.time.value_or(end_time))};
+        {quantity.exact->value(quantity.time.value_or(end_time))}};
     QuantityValues values;
     for (std::size_t i = 0; i < quantity.columns.size(); ++i)
-      for (const double time : times)
-        values.push_back(quantity.exact->value(time));
+      for (const double time : comparison.times)
+        values.numbers.push_back(quantity.exact->value(time));
     return values;
   }
 
 
 
-  double largest_change(const QuantityValues &values,
+  double norm_of_change(const QuantityValues &values,
                         const QuantityValues &others)
   {
     QuantityValues change(values);
-    for (std::size_t i = 0; i < change.size(); ++i)
-      change[i] -= others[i];
-    return largest_number(change);
+    for (std::size_t i = 0; i < change.numbers.size(); ++i)
+      change.numbers[i] -= others.numbers[i];
+    return norm_of(change);
   }
 
 
@@ -179,24 +271,7 @@ namespace auxfem
   double relative_difference(const QuantityValues &values,
                              const QuantityValues &reference)
   {
-    const double scale = largest_number(reference);
-    return largest_change(values, reference) / (scale > 0 ? scale : 1);
-  }
-
-
-
-  std::vector<double> times_of_comparison(const std::vector<MeasuredRun> &runs)
-  {
-    std::vector<double> times;
-    for (const MeasuredRun &run : runs)
-      if (run.completed())
-        {
-          const std::vector<double> &own = run.columns.at("time");
-          if (times.empty() || own.size() < times.size())
-            times = own;
-        }
-    if (!times.empty())
-      times.erase(times.begin());
-    return times;
+    const double scale = norm_of(reference);
+    return norm_of_change(values, reference) / (scale > 0 ? scale : 1);
   }
 } // namespace auxfem

@@ -25,6 +25,18 @@ namespace auxfem
       return values_or(tried_orders(scene, {own}), own);
     }
 
+    std::string order_title(const unsigned int order)
+    {
+      return "order " + std::to_string(order);
+    }
+
+    /** With the order, if there is one. */
+    std::string scheme_title(const Scene &scene, const Settings &settings)
+    {
+      return (has_mesh(scene) ? order_title(settings.order) + ", " : "") +
+        settings.scheme;
+    }
+
     void add_mesh_refinements(const Scene             &scene,
                               std::vector<Refinement> &refinements)
     {
@@ -32,7 +44,7 @@ namespace auxfem
         return;
       for (const unsigned int order : orders(scene))
         {
-          Refinement refinement{Refined::mesh, {}, {}};
+          Refinement refinement{Refined::mesh, order_title(order), {}, {}};
           Settings   settings = settings_of(scene);
           settings.order      = order;
           for (const unsigned int mesh : meshes(scene))
@@ -57,7 +69,7 @@ namespace auxfem
         return;
       for (const std::string &scheme : tried_schemes(scene))
         {
-          Refinement refinement{Refined::time_step, {}, {}};
+          Refinement refinement{Refined::time_step, scheme, {}, {}};
           Settings   settings = settings_of(scene);
           settings.scheme     = scheme;
           for (const double step : steps(scene))
@@ -86,8 +98,8 @@ namespace auxfem
     {
       if (tolerances.empty())
         return;
-      Refinement refinement{refined, {}, {}};
       Settings   settings = settings_of(scene);
+      Refinement refinement{refined, scheme_title(scene, settings), {}, {}};
       for (const double tolerance : sorted_values(tolerances, std::greater<>()))
         {
           settings.*member = tolerance;
@@ -110,9 +122,12 @@ namespace auxfem
       for (const unsigned int order : orders(scene))
         for (const std::string &scheme : tried_schemes(scene))
           {
-            Refinement refinement{Refined::mesh_and_time_step, {}, {}};
             settings.order  = order;
             settings.scheme = scheme;
+            Refinement refinement{Refined::mesh_and_time_step,
+                                  scheme_title(scene, settings),
+                                  {},
+                                  {}};
             for (std::size_t i = 0; i < meshes(scene).size(); ++i)
               {
                 settings.refinements = meshes(scene)[i];
@@ -138,12 +153,12 @@ namespace auxfem
                                    : std::nullopt;
     }
 
-    /** Largest difference, not relative. */
+    /** Norm of the difference, not relative. */
     std::optional<double> change(const Values &one, const Values &other)
     {
       if (!one || !other)
         return {};
-      const double result = largest_change(*one, *other);
+      const double result = norm_of_change(*one, *other);
       return std::isfinite(result) ? std::optional<double>(result)
                                    : std::nullopt;
     }
@@ -183,8 +198,8 @@ namespace auxfem
       if (!part)
         return fine;
       Values limit = fine;
-      for (std::size_t i = 0; i < limit->size(); ++i)
-        (*limit)[i] += *part * ((*fine)[i] - (*middle)[i]);
+      for (std::size_t i = 0; i < limit->numbers.size(); ++i)
+        limit->numbers[i] += *part * (fine->numbers[i] - middle->numbers[i]);
       return limit;
     }
 
@@ -240,17 +255,6 @@ namespace auxfem
 
 
 
-  std::string Refinement::title() const
-  {
-    const Settings   &one   = runs.front();
-    const std::string order = "order " + std::to_string(one.order);
-    return refined == Refined::mesh   ? order
-      : refined == Refined::time_step ? one.scheme
-                                      : order + ", " + one.scheme;
-  }
-
-
-
   std::vector<Refinement> refinements_of(const Scene &scene)
   {
     std::vector<Refinement> refinements;
@@ -274,6 +278,9 @@ namespace auxfem
                    &Settings::newton_tolerance,
                    10,
                    refinements);
+    if (scene.study.is_exact())
+      for (Refinement &refinement : refinements)
+        refinement.references.clear();
     return refinements;
   }
 
@@ -295,24 +302,24 @@ namespace auxfem
                              const double                    end_time,
                              const bool                      extrapolates)
   {
-    const std::vector<double> times = times_of_comparison(runs);
-    std::vector<Values>       values;
+    const Comparison    comparison = comparison_of(runs);
+    std::vector<Values> values;
     for (const MeasuredRun &run : runs)
-      values.push_back(run.completed() ? Values(value_of(quantity, run, times))
-                                       : std::nullopt);
+      values.push_back(run.completed()
+                         ? Values(value_of(quantity, run, comparison))
+                         : std::nullopt);
     const auto ratio = [&refinement](const std::size_t i) {
       return coarseness(refinement.refined, refinement.runs[i - 1]) /
         coarseness(refinement.refined, refinement.runs[i]);
     };
 
     RefinementErrors  result;
-    const std::size_t n         = refinement.runs.size();
-    const Values     &finer     = values[n];
-    Values            reference = values[n + 1];
-    if (const Values exact = exact_value_of(quantity, end_time, times))
-      reference = exact;
-    else
+    const std::size_t n = refinement.runs.size();
+    Values reference    = exact_value_of(quantity, end_time, comparison);
+    if (!reference)
       {
+        const Values &finer = values[n];
+        reference           = values[n + 1];
         if (extrapolates)
           reference = limit_of(values[n - 1],
                                finer,
@@ -329,9 +336,8 @@ namespace auxfem
       {
         RunError one;
         one.error = difference(values[i], reference);
-        if (values[i] &&
-            quantity.measure != QuantityDefinition::Measure::history)
-          one.value = values[i]->front();
+        if (values[i] && quantity.is_number())
+          one.value = values[i]->numbers.front();
         if (i > 0 && one.error &&
             *one.error > well_above * result.of_reference.value_or(0))
           one.order =

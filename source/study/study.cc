@@ -29,6 +29,15 @@ namespace auxfem
               compared_quantities(scene, history_columns(scene, communicator))};
     }
 
+    /** Throws InputError for what is wrong, before the first simulation. */
+    std::vector<PlannedRun> plan_of(const StudyTask &task)
+    {
+      std::vector<PlannedRun> plan = kind_of(task.scene).plan(task);
+      for (const PlannedRun &run : plan)
+        refuse_fields_between_steps(task.quantities, run.scene);
+      return plan;
+    }
+
     StudyReport report_of(const StudyTask               &task,
                           const std::vector<PlannedRun> &plan,
                           const MPI_Comm                 communicator,
@@ -37,7 +46,7 @@ namespace auxfem
     {
       StudyRuns runs(communicator,
                      folder,
-                     columns_of(task.quantities),
+                     selection_for(task.quantities, task.scene.time.end_time),
                      listener);
       return kind_of(task.scene).report(task, runs.compute(plan), runs);
     }
@@ -113,19 +122,6 @@ namespace auxfem
       const Clock::time_point start;
     };
 
-    /** Of all kinds, so that nothing of another study stays. */
-    std::vector<std::string> files_of_studies()
-    {
-      std::vector<std::string> files = {"study.md",
-                                        "study.csv",
-                                        "study.units.csv"};
-      for (const StudyKind &kind : study_registry())
-        for (const std::string &picture : kind.pictures)
-          for (const std::string &file : picture_files(picture))
-            files.push_back(file);
-      return files;
-    }
-
     /** Draws and says what could not be drawn; returns Markdown that shows the
      * pictures. */
     std::string draw_all(const StudyReport &report,
@@ -168,17 +164,27 @@ namespace auxfem
 
 
 
+  std::vector<std::string> study_files()
+  {
+    std::vector<std::string> files = {"study.md",
+                                      "study.csv",
+                                      "study.units.csv"};
+    for (const StudyKind &kind : study_registry())
+      for (const std::string &picture : kind.pictures)
+        for (const std::string &file : picture_files(picture))
+          files.push_back(file);
+    return files;
+  }
+
+
+
   StudyReport compute_study(const Scene               &scene,
                             const MPI_Comm             communicator,
                             const std::string         &folder,
                             const StudyRuns::Listener &listener)
   {
     const StudyTask task = task_of(scene, communicator);
-    return report_of(task,
-                     kind_of(scene).plan(task),
-                     communicator,
-                     folder,
-                     listener);
+    return report_of(task, plan_of(task), communicator, folder, listener);
   }
 
 
@@ -189,14 +195,14 @@ namespace auxfem
   {
     // Mistakes in it must not cost the results of an earlier run.
     const StudyTask               task = task_of(scene, communicator);
-    const std::vector<PlannedRun> plan = kind_of(scene).plan(task);
+    const std::vector<PlannedRun> plan = plan_of(task);
 
     const std::string        &folder = scene.output.directory;
     const SignalsWaitForStep  signals;
     std::optional<RunFolder>  files;
     std::optional<StudyLines> lines;
     on_first_rank(communicator, [&]() {
-      files.emplace(scene, rules, files_of_studies());
+      files.emplace(scene, rules, study_files());
       lines.emplace(dealii::Utilities::MPI::n_mpi_processes(communicator),
                     files->log());
       lines->print(overview(task, plan));
@@ -233,7 +239,7 @@ namespace auxfem
   void check_study(const Scene &scene, const MPI_Comm communicator)
   {
     const StudyTask               task = task_of(scene, communicator);
-    const std::vector<PlannedRun> plan = kind_of(scene).plan(task);
+    const std::vector<PlannedRun> plan = plan_of(task);
     on_first_rank(communicator, [&]() {
       std::cout << '\n' << overview(task, plan);
       for (const PlannedRun &run : plan)

@@ -1,4 +1,6 @@
 #include <auxfem/study/study_report.h>
+#include <auxfem/study/tried_values.h>
+#include <auxfem/time/schemes.h>
 
 #include <algorithm>
 #include <cmath>
@@ -99,26 +101,35 @@ namespace auxfem
 
 
 
-  std::vector<Column> columns_of_settings()
+  std::vector<Column> columns_of_settings(const Scene &scene)
   {
-    return {{"order", "", "polynomial order of the struts' elements"},
-            {"elements", "", "elements a strut"},
-            {"time_step", "s", "time step"},
-            {"relative_tolerance", "1", "Time/Relative tolerance"},
-            {"newton_tolerance", "1", "Newton/Tolerance"},
-            {"scheme", "", "Time/Scheme"}};
+    std::vector<Column> columns;
+    if (has_mesh(scene))
+      columns = {{"order", "", "polynomial order of the struts' elements"},
+                 {"elements", "", "elements a strut"}};
+    columns.insert(columns.end(),
+                   {{"time_step", "s", "time step"},
+                    {"relative_tolerance", "1", "Time/Relative tolerance"},
+                    {"newton_tolerance", "1", "Newton/Tolerance"},
+                    {"scheme", "", "Time/Scheme"}});
+    return columns;
   }
 
 
 
-  std::vector<std::string> cells_of(const Settings &settings)
+  std::vector<std::string> cells_of(const Settings &settings,
+                                    const Scene    &scene)
   {
-    return {std::to_string(settings.order),
-            std::to_string(settings.elements()),
-            short_number(settings.time_step),
-            number_text(settings.time_tolerance),
-            short_number(settings.newton_tolerance),
-            settings.scheme};
+    std::vector<std::string> cells;
+    if (has_mesh(scene))
+      cells = {std::to_string(settings.order),
+               std::to_string(settings.elements())};
+    cells.insert(cells.end(),
+                 {short_number(settings.time_step),
+                  number_text(settings.time_tolerance),
+                  short_number(settings.newton_tolerance),
+                  settings.scheme});
+    return cells;
   }
 
 
@@ -149,6 +160,26 @@ namespace auxfem
             std::to_string(run.memory),
             name_of(run.verdict),
             run.exit_state};
+  }
+
+
+
+  unsigned int colour_of_order(const unsigned int order)
+  {
+    return order - 1;
+  }
+
+
+
+  unsigned int colour_of_scheme(const std::string &scheme)
+  {
+    const auto &registry = time_scheme_registry();
+    return std::find_if(registry.begin(),
+                        registry.end(),
+                        [&scheme](const TimeSchemeEntry &entry) {
+                          return entry.name == scheme;
+                        }) -
+      registry.begin();
   }
 
 

@@ -79,13 +79,13 @@ namespace auxfem
 
 
 
-  StudyRuns::StudyRuns(const MPI_Comm        communicator,
-                       const std::string    &folder,
-                       std::set<std::string> columns,
-                       Listener              listener)
+  StudyRuns::StudyRuns(const MPI_Comm     communicator,
+                       const std::string &folder,
+                       Selection          selection,
+                       Listener           listener)
     : communicator(communicator)
     , folder(folder)
-    , columns(std::move(columns))
+    , selection(std::move(selection))
     , listener(std::move(listener))
   {}
 
@@ -134,14 +134,8 @@ namespace auxfem
     on_first_rank(communicator, [&]() {
       for (const Task &task : tasks)
         {
-          const auto run    = kept_run(folder, task.key);
-          const bool serves = run &&
-            std::all_of(columns.begin(),
-                        columns.end(),
-                        [&run](const std::string &column) {
-                          return run->columns.count(column) > 0;
-                        });
-          kept.push_back(serves ? json_of(*run) : Json());
+          const auto run = kept_run(folder, task.key);
+          kept.push_back(run && run->has(selection) ? json_of(*run) : Json());
         }
     });
     kept = Json::parse(mpi::broadcast(communicator, text_of(kept)));
@@ -248,7 +242,7 @@ namespace auxfem
     const MeasuredRun run =
       measure_run(task.planned->scene,
                   on_ranks,
-                  columns,
+                  selection,
                   [&](const double fraction) {
                     progress.fraction =
                       (price_done + fraction * price) / price_in_all;

@@ -16,6 +16,7 @@ namespace auxfem
     struct Grid
     {
       std::vector<Settings> runs; ///< the finest mesh and step last
+      /** Two, the finest last; none where all values are known exactly. */
       std::vector<Settings> references;
       /** The last run, with Newton's method to much more than its tolerance. */
       Settings solved_better;
@@ -75,8 +76,9 @@ namespace auxfem
                   grid.runs.push_back(settings);
                 }
             }
-      grid.references =
-        finer_meshes(scene, grid.finest(), /*raises_order=*/true);
+      if (!scene.study.is_exact())
+        grid.references =
+          finer_meshes(scene, grid.finest(), /*raises_order=*/true);
       halve_time_steps(grid.references);
       constexpr double much = 1000;
       grid.solved_better    = grid.finest();
@@ -121,7 +123,8 @@ namespace auxfem
       std::optional<double> of_reference, by_newton;
       /** Quantities that no error is measured by. */
       std::vector<QuantityDefinition> unresolved;
-      MeasuredRun                     reference;
+      /** None if all values are exact. */
+      std::optional<MeasuredRun> reference;
     };
 
     class GridComparison
@@ -132,7 +135,7 @@ namespace auxfem
         , grid(grid_of(task.scene))
         , list(settings_in_grid(grid, 1))
         , all(all)
-        , times(times_of_comparison(all))
+        , comparison(comparison_of(all))
       {
         for (std::size_t q = 0; q < task.quantities.size(); ++q)
           resolved.push_back(is_resolved(q));
@@ -155,6 +158,8 @@ namespace auxfem
         mark_best(found.runs);
         found.by_newton =
           largest_difference(values(grid.solved_better), values(grid.finest()));
+        if (grid.references.empty())
+          return found;
         found.of_reference =
           largest_difference(values(grid.references[0]), finest);
         found.reference = list.of({grid.references[1]}, all).front();
@@ -165,9 +170,11 @@ namespace auxfem
       /** Whether the references agree on it, or it is known. */
       bool is_resolved(const std::size_t quantity) const
       {
+        if (task.quantities[quantity].exact)
+          return true;
         const AllValues finer  = values(grid.references[0]),
                         finest = values(grid.references[1]);
-        return task.quantities[quantity].exact || !finer || !finest ||
+        return !finer || !finest ||
           relative_difference((*finer)[quantity], (*finest)[quantity]) <
           unresolved_error;
       }
@@ -198,18 +205,20 @@ namespace auxfem
           return {};
         std::vector<QuantityValues> result;
         for (const QuantityDefinition &quantity : task.quantities)
-          result.push_back(value_of(quantity, run, times));
+          result.push_back(value_of(quantity, run, comparison));
         return result;
       }
 
       /** With exact values where they are known. */
       AllValues reference() const
       {
-        AllValues result = values(grid.references[1]);
+        AllValues result = grid.references.empty()
+          ? std::vector<QuantityValues>(task.quantities.size())
+          : values(grid.references[1]);
         for (std::size_t q = 0; result && q < task.quantities.size(); ++q)
           if (const auto exact = exact_value_of(task.quantities[q],
                                                 task.scene.time.end_time,
-                                                times))
+                                                comparison))
             (*result)[q] = *exact;
         return result;
       }
@@ -243,58 +252,87 @@ namespace auxfem
       const Grid                      grid;
       const SettingsList              list;
       const std::vector<MeasuredRun> &all;
-      const std::vector<double>       times;
+      const Comparison                comparison;
       std::vector<bool>               resolved; ///< by quantity
     };
 
-    std::string table_text(const WorkPrecision &found)
+    std::vector<std::string> table_header(const bool with_mesh)
+    {
+      std::vector<std::string> header = {"best"};
+      if (with_mesh)
+        header.insert(header.end(), {"order", "elements a strut"});
+      header.insert(header.end(),
+                    {"scheme",
+                     "step (s)",
+                     "tolerance",
+                     "unknowns",
+                     "iterations",
+                     "CPU s",
+                     "spread",
+                     "error"});
+      if (with_mesh)
+        header.insert(header.end(), {"by mesh", "by step"});
+      return header;
+    }
+
+    std::vector<std::string> table_row(const GridRun &one, const bool with_mesh)
+    {
+      const Settings          &settings = one.settings;
+      std::vector<std::string> row      = {one.is_best ? "*" : ""};
+      if (with_mesh)
+        row.insert(row.end(),
+                   {std::to_string(settings.order),
+                    std::to_string(settings.elements())});
+      row.insert(row.end(),
+                 {settings.scheme,
+                  short_number(settings.time_step),
+                  settings.time_tolerance
+                    ? short_number(*settings.time_tolerance)
+                    : "-",
+                  std::to_string(one.run.unknowns),
+                  std::to_string(one.run.iterations),
+                  seconds_text(one.run.cpu_seconds),
+                  percent_text(one.run.spread()),
+                  one.run.completed() ? error_text(one.error) : "failed"});
+      if (with_mesh)
+        row.insert(row.end(),
+                   {error_text(one.by_mesh), error_text(one.by_step)});
+      return row;
+    }
+
+    std::string table_text(const WorkPrecision &found, const bool with_mesh)
     {
       TextTable table;
-      table.header = {"best",
-                      "order",
-                      "elements a strut",
-                      "scheme",
-                      "step (s)",
-                      "tolerance",
-                      "unknowns",
-                      "iterations",
-                      "CPU s",
-                      "spread",
-                      "error",
-                      "by mesh",
-                      "by step"};
+      table.header = table_header(with_mesh);
       for (const GridRun &one : found.runs)
-        table.rows.push_back(
-          {one.is_best ? "*" : "",
-           std::to_string(one.settings.order),
-           std::to_string(one.settings.elements()),
-           one.settings.scheme,
-           short_number(one.settings.time_step),
-           one.settings.time_tolerance
-             ? short_number(*one.settings.time_tolerance)
-             : "-",
-           std::to_string(one.run.unknowns),
-           std::to_string(one.run.iterations),
-           seconds_text(one.run.cpu_seconds),
-           percent_text(one.run.spread()),
-           one.run.completed() ? error_text(one.error) : "failed",
-           error_text(one.by_mesh),
-           error_text(one.by_step)});
+        table.rows.push_back(table_row(one, with_mesh));
       return table.markdown();
     }
 
-    LogPicture picture_of(const WorkPrecision &found)
+    LogPicture picture_of(const WorkPrecision &found, const bool with_mesh)
     {
       LogPicture picture{work_precision_picture,
                          "What accuracy costs",
                          "processor time (s)",
                          "relative error",
                          {}};
-      const auto title_of = [](const Settings &settings) {
-        return settings.scheme +
-          (settings.time_tolerance ? " by tolerance" : "") + ", order " +
-          std::to_string(settings.order) + ", " +
-          std::to_string(settings.elements()) + " a strut";
+      const auto title_of = [with_mesh](const Settings &settings) {
+        const std::string scheme =
+          settings.scheme + (settings.time_tolerance ? " by tolerance" : "");
+        return with_mesh
+          ? scheme + ", order " + std::to_string(settings.order) + ", " +
+            std::to_string(settings.elements()) + " a strut"
+          : scheme;
+      };
+      const auto style_of = [with_mesh](const Settings &settings) -> LineStyle {
+        const unsigned int by_tolerance = settings.time_tolerance ? 1 : 0;
+        if (!with_mesh)
+          return {colour_of_scheme(settings.scheme),
+                  by_tolerance,
+                  by_tolerance};
+        return {colour_of_order(settings.order),
+                settings.refinements,
+                2 * colour_of_scheme(settings.scheme) + by_tolerance};
       };
       Curve best{"best", {}};
       for (const GridRun &one : found.runs)
@@ -308,7 +346,9 @@ namespace auxfem
                                       return candidate.title == title;
                                     });
           if (curve == picture.curves.end())
-            curve = picture.curves.insert(curve, Curve{title, {}});
+            curve =
+              picture.curves.insert(curve,
+                                    Curve{title, {}, style_of(one.settings)});
           curve->points.emplace_back(one.run.cpu_seconds, *one.error);
           if (one.is_best)
             best.points.emplace_back(one.run.cpu_seconds, *one.error);
@@ -319,6 +359,7 @@ namespace auxfem
     }
 
     std::optional<Recommendation> recommend_run(const WorkPrecision &found,
+                                                const bool           with_mesh,
                                                 const double         target)
     {
       std::vector<GridRun> good;
@@ -332,36 +373,43 @@ namespace auxfem
         [](const GridRun &one) { return *one.error; });
       if (!best)
         return {};
+      const std::string parts = ": by mesh " + error_text(best->by_mesh) +
+        ", by step " + error_text(best->by_step);
       return Recommendation{best->settings,
                             seconds_text(best->run.cpu_seconds) +
                               " CPU s, error " + error_text(best->error) +
-                              ": by mesh " + error_text(best->by_mesh) +
-                              ", by step " + error_text(best->by_step)};
+                              (with_mesh ? parts : "")};
     }
 
-    std::vector<Column> work_precision_columns()
+    std::vector<Column> work_precision_columns(const Scene &scene)
     {
-      std::vector<Column> columns = columns_of_settings();
+      std::vector<Column> columns = columns_of_settings(scene);
       for (const Column &column : columns_of_run())
         columns.push_back(column);
       columns.insert(
         columns.end(),
         {{"spread", "1", "longest over shortest repetition, less 1"},
-         {"error", "1", "largest relative error of all quantities"},
-         {"error_by_mesh", "1", "difference from the finest mesh"},
-         {"error_by_step", "1", "error with the finest mesh"},
-         {"best", "", "1 if no cheaper run has a smaller error"}});
+         {"error", "1", "largest relative error of all quantities"}});
+      if (has_mesh(scene))
+        columns.insert(
+          columns.end(),
+          {{"error_by_mesh", "1", "difference from the finest mesh"},
+           {"error_by_step", "1", "error with the finest mesh"}});
+      columns.push_back(
+        {"best", "", "1 if no cheaper run has a smaller error"});
       return columns;
     }
 
-    std::vector<std::string> row_of(const GridRun &one)
+    std::vector<std::string> row_of(const GridRun &one, const Scene &scene)
     {
-      std::vector<std::string> row = cells_of(one.settings);
+      std::vector<std::string> row = cells_of(one.settings, scene);
       for (const std::string &cell : cells_of(one.run))
         row.push_back(cell);
-      for (const auto &number :
-           {one.run.spread(), one.error, one.by_mesh, one.by_step})
-        row.push_back(number_text(number));
+      row.push_back(number_text(one.run.spread()));
+      row.push_back(number_text(one.error));
+      if (has_mesh(scene))
+        row.insert(row.end(),
+                   {number_text(one.by_mesh), number_text(one.by_step)});
       row.emplace_back(one.is_best ? "1" : "0");
       return row;
     }
@@ -370,26 +418,29 @@ namespace auxfem
                                       const std::vector<MeasuredRun> &runs,
                                       StudyRuns & /*further*/)
     {
-      const WorkPrecision found = GridComparison(task, runs).result();
+      const WorkPrecision found     = GridComparison(task, runs).result();
+      const bool          with_mesh = has_mesh(task.scene);
       StudyReport         report;
-      report.text = "## Error and price\n\n" + table_text(found) +
-        "\nErrors are the largest of all quantities. The reference's own error, "
-        "estimated: " +
-        error_text(found.of_reference) +
+      report.text = "## Error and price\n\n" + table_text(found, with_mesh) +
+        "\nErrors are the largest of all quantities" +
+        (found.reference ? ". The reference's own error, estimated: " +
+             error_text(found.of_reference)
+                         : ", against exact values") +
         ". Newton's tolerance is behind a part of " +
         error_text(found.by_newton) + ".\n\n## What to take\n\n" +
-        recommendations_text(task.scene, [&found](const double target) {
-                      return recommend_run(found, target);
+        recommendations_text(task.scene, [&](const double target) {
+                      return recommend_run(found, with_mesh, target);
                     });
-      report.columns = work_precision_columns();
+      report.columns = work_precision_columns(task.scene);
       for (const GridRun &one : found.runs)
-        report.rows.push_back(row_of(one));
-      report.pictures.push_back(picture_of(found));
+        report.rows.push_back(row_of(one, task.scene));
+      report.pictures.push_back(picture_of(found, with_mesh));
       for (const QuantityDefinition &quantity : found.unresolved)
         add_finding(unresolved(quantity), report.findings);
-      add_finding_on_reference(found.reference,
-                               "The reference",
-                               report.findings);
+      if (found.reference)
+        add_finding_on_reference(*found.reference,
+                                 "The reference",
+                                 report.findings);
       return report;
     }
   } // namespace

@@ -136,6 +136,27 @@ namespace
     EXPECT_TRUE(fs::exists(folder / "history.csv"));
   }
 
+  TEST_F(OutputFolderTest, ResultsOfOtherKindsOfRunsGoUnlessTheyAreRead)
+  {
+    {
+      const OutputFolder study(folder, {{"a.csv", "b.csv", "c.csv"}, {}}, {});
+      write("a.csv");
+      write("b.csv");
+    }
+    write("d.csv", "of another");
+    const OutputFolder claim(folder,
+                             folder_contents,
+                             {{(folder / "b.csv").string()},
+                              false,
+                              {"a.csv", "b.csv", "d.csv"}});
+    EXPECT_FALSE(fs::exists(folder / "a.csv"));
+    EXPECT_TRUE(fs::exists(folder / "b.csv"));
+    EXPECT_TRUE(fs::exists(folder / "d.csv"));
+    const std::string list = read_text(folder / ".auxfem-files");
+    EXPECT_FALSE(contains(list, "a.csv"));
+    EXPECT_TRUE(contains(list, "b.csv"));
+  }
+
   TEST_F(OutputFolderTest, LinksThatLeadNowhereAreOfOthers)
   {
     fs::create_symlink("nowhere", folder / "log.txt");

@@ -58,6 +58,29 @@ TEST_F(StudyProgram, LeavesTablesAndPictures)
   EXPECT_EQ(n_runs(), 9u);
 }
 
+TEST_F(StudyProgram, SimulationInItsFolderReplacesItsResults)
+{
+  EXPECT_EQ(
+    run_auxfem(arguments({"--set", "Study/Refinements=none"})).exit_code,
+    0);
+  EXPECT_EQ(run_auxfem({"scene.prm", "--output", "out"}).exit_code, 0);
+  for (const char *const file : {"study.md",
+                                 "study.csv",
+                                 "study.units.csv",
+                                 "error-time-step.gnuplot",
+                                 "error-time-step.svg",
+                                 "error-time-step.png"})
+    EXPECT_FALSE(fs::exists(path("out/" + std::string(file)))) << file;
+  EXPECT_TRUE(fs::exists(path("out/history.csv")));
+  // They serve the next study.
+  EXPECT_EQ(n_runs(), 5u);
+  const ProgramRun again =
+    run_auxfem(arguments({"--set", "Study/Refinements=none"}));
+  EXPECT_EQ(again.exit_code, 0) << again.errors;
+  expect_contains(again.output, {"from an earlier study here"});
+  EXPECT_FALSE(fs::exists(path("out/history.csv")));
+}
+
 TEST_F(StudyProgram, GoesOnWhereItWasInterrupted)
 {
   // Ended while it computes, when some runs are there.

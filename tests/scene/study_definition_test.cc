@@ -154,3 +154,35 @@ TEST(StudyDefinition, SurvivesBeingWrittenWithAllParameters)
   ASSERT_EQ(again.quantities.size(), 1u);
   EXPECT_DOUBLE_EQ(again.quantities[0].exact->value(0), 0.25);
 }
+
+TEST(StudyDefinition, NormsAreOfFieldsAndHaveNoColumns)
+{
+  const QuantityDefinition at_end = quantity_from("energy norm at end");
+  EXPECT_EQ(at_end.measure, Measure::energy_norm);
+  EXPECT_TRUE(at_end.is_field());
+  EXPECT_FALSE(at_end.is_number());
+  EXPECT_TRUE(at_end.columns.empty());
+  EXPECT_FALSE(at_end.time.has_value());
+  const QuantityDefinition total = quantity_from("total energy norm at 20 ms");
+  EXPECT_EQ(total.measure, Measure::total_energy_norm);
+  EXPECT_EQ(total.time, 0.02);
+  expect_parts(refusal_of("Quantities/deflection", "energy norm"),
+               {"Quantities/deflection", "energy norm at TIME"});
+  expect_parts(refusal_of("Quantities/deflection", "energy norm at noon"),
+               {"Quantities/deflection", "allowed after \"at\""});
+  expect_parts(refusal_of("Quantities/deflection", "energy norm at end = 1"),
+               {"Quantities/deflection", "no exact value", "remove"});
+}
+
+TEST(StudyDefinition, StudyIsExactIfAllItsQuantitiesAre)
+{
+  const auto is_exact = [](SceneText scene) {
+    return read_scene_from_text(scene, "test.prm").study.is_exact();
+  };
+  SceneText scene = cantilever();
+  EXPECT_FALSE(is_exact(scene));
+  scene.set("Quantities/one", "tip.ux at end = 0");
+  EXPECT_TRUE(is_exact(scene));
+  scene.set("Quantities/other", "tip.uy at end");
+  EXPECT_FALSE(is_exact(scene));
+}

@@ -46,7 +46,20 @@ TEST(ConvergenceStudy, ErrorsAgainstAnExactValueAreTheTrueOnes)
     last_number_where(report, "deflection.observed_order", "role", "run"),
     2,
     1e-6);
-  EXPECT_TRUE(contains(report.text, "deflection 0 (exact value)"));
+  // Nothing else is measured, so that no reference is computed.
+  EXPECT_EQ(report.rows.size(), 3u);
+  EXPECT_TRUE(contains(report.text, "Reference: exact values."));
+}
+
+TEST(ConvergenceStudy, OneExactValueOfTwoLeavesTheReference)
+{
+  const StudyReport report =
+    study_of(cantilever()
+               .set("Quantities/deflection", "tip.uy at end = 1/12 + 1/50")
+               .set("Quantities/turn", "tip.phi at end"),
+             {"Study/Orders=1", "Study/Refinements=1, 2"});
+  EXPECT_EQ(report.rows.size(), 4u);
+  EXPECT_TRUE(contains(report.text, "deflection 0 (exact value), turn "));
 }
 
 TEST(ConvergenceStudy, ConvergenceIndexBoundsTheTrueError)
@@ -75,6 +88,31 @@ TEST(ConvergenceStudy, ExtrapolationFindsTheLimit)
   EXPECT_NEAR(last_number_where(report, "deflection.error", "role", "run"),
               1. / 64 / 4 / 12 / exact,
               1e-8);
+}
+
+// Bending moments of linear elements are right in the middle of each and
+// constant: against M = F (L - s) the square of their error integrates to
+// F^2 L^3 / (12 n^2), that of M to F^2 L^3 / 3. Shear has no error.
+TEST(ConvergenceStudy, EnergyNormOfTheErrorIsTheTrueOne)
+{
+  const StudyReport report =
+    study_of(cantilever().set("Quantities/field", "energy norm at end"),
+             {"Study/Orders=1", "Study/Refinements=1, 2, 3"});
+  const auto errors = cells_where(report, "field.error", "role", "run");
+  ASSERT_EQ(errors.size(), 3u);
+  for (unsigned int i = 0; i < 3; ++i)
+    {
+      const double n = std::ldexp(1, i + 1), bending = 1. / 12, shear = 1. / 50;
+      // Order 2, the reference, has the exact moments.
+      EXPECT_NEAR(std::stod(errors[i]),
+                  std::sqrt(bending / (bending + shear)) / (2 * n),
+                  1e-9)
+        << i;
+    }
+  EXPECT_EQ(cells_where(report, "field.value", "role", "run")[0], "");
+  EXPECT_NEAR(last_number_where(report, "field.observed_order", "role", "run"),
+              1,
+              1e-6);
 }
 
 TEST(ConvergenceStudy, WithoutQuantitiesProbesAreComparedAsVectors)
@@ -139,6 +177,17 @@ TEST(ConvergenceStudy, SchemesOfTheReducedCellHaveSecondOrder)
       << scheme;
 }
 
+TEST(ConvergenceStudy, ReducedCellHasNeitherOrderNorElements)
+{
+  const StudyReport report = study_of(cell_text(CellCase()),
+                                      {"Study/Time steps=0.2 ms, 0.1 ms",
+                                       "Study/Newton tolerances=1e-4, 1e-6"});
+  for (const Column &column : report.columns)
+    EXPECT_TRUE(column.name != "order" && column.name != "elements");
+  EXPECT_TRUE(contains(report.text, "## Error by Newton tolerance: arkode\n"))
+    << report.text;
+}
+
 TEST(ConvergenceStudy, FailedRunsAreNamedAndDoNotEndTheStudy)
 {
   // Steps of 40 ms alone come by 0.12 s, where the load is no number.
@@ -183,6 +232,21 @@ TEST(ConvergenceStudy, MistakesAreFoundBeforeTheFirstRun)
     {"Quantities/q", "tp.uy", "did you mean \"tip.uy\"", "clamp.ry"});
   expect_parts(refusal(cantilever().set("Quantities/q", "tip.uy at 2 s"), {}),
                {"Quantities/q", "not between 0 and the end time"});
+  expect_parts(
+    refusal(cantilever().set("Quantities/q", "total energy norm at end"), {}),
+    {"Quantities/q", "no kinetic energy", "Allowed: energy norm"});
+  expect_parts(
+    refusal(cantilever().set("Quantities/q", "energy norm at end = 1"), {}),
+    {"Quantities/q", "no exact value", "remove"});
+  expect_parts(refusal(swinging_beam(0.2, 20).set("Quantities/q",
+                                                  "energy norm at 0.02 s"),
+                       {}),
+               {"Quantities/q", "0.02 s", "Time step = 0.04", "multiples"});
+  expect_parts(input_error_of([]() {
+                 study_of(cell_text(CellCase()),
+                          {"Quantities/q=energy norm at end"});
+               }),
+               {"Quantities/q", "Model = lattice"});
   expect_parts(refusal(cantilever(), {"Study/Refinements=none"}),
                {"refines nothing", "Refinements"});
 }

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include <support/messages.h>
 
 using namespace auxfem;
@@ -41,6 +43,44 @@ TEST(StudyReport, ScriptsOfPicturesAreThoseOfGnuplot)
                 "set output 'error-mesh.svg'",
                 "set output 'error-mesh.png'",
                 "title 'order 1'"});
+}
+
+TEST(StudyReport, MethodsKeepTheirColours)
+{
+  LogPicture picture{"error-mesh", "Error by mesh", "h", "error", {}};
+  picture.curves.push_back(
+    {"of one order", {{1, 1}}, {colour_of_order(2), 0, 0}});
+  picture.curves.push_back({"the same", {{1, 2}}, {colour_of_order(2), 1, 1}});
+  picture.curves.push_back({"another", {{1, 3}}, {colour_of_order(3), 0, 0}});
+  const std::string script = gnuplot_script(picture);
+  expect_parts(
+    script,
+    {"linecolor '#D55E00' dashtype 1 pointtype 4 title 'of one order'",
+     "linecolor '#D55E00' dashtype 2 pointtype 5 title 'the same'",
+     "linecolor '#009E73' dashtype 1 pointtype 4 title 'another'"});
+  EXPECT_EQ(colour_of_scheme("newmark"), 0u);
+  EXPECT_NE(colour_of_scheme("hht"), colour_of_scheme("newmark"));
+}
+
+TEST(StudyReport, SlopesOfWholeNumbersAreMarkedOnce)
+{
+  LogPicture picture{"error-mesh", "Error by mesh", "h", "error", {}};
+  const auto add = [&picture](const std::string &name, const double slope) {
+    Curve curve{name, {}};
+    for (const double h : {1., 0.5, 0.25})
+      curve.points.emplace_back(h, 0.1 * std::pow(h, slope));
+    picture.curves.push_back(curve);
+  };
+  add("a", 2);
+  add("b", 2.05);
+  add("c", 3.9);
+  add("d", 2.5);
+  EXPECT_FALSE(contains(gnuplot_script(picture), "slope"));
+  picture.marks_slopes     = true;
+  const std::string script = gnuplot_script(picture);
+  expect_parts(script, {"set label 'slope 2'", "set label 'slope 4'"});
+  EXPECT_EQ(script.find("slope 2"), script.rfind("slope 2"));
+  EXPECT_FALSE(contains(script, "slope 3"));
 }
 
 TEST(StudyReport, ReferencesThatFailMakeResultsUseless)

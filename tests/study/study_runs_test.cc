@@ -61,7 +61,7 @@ namespace
     {
       return StudyRuns(MPI_COMM_WORLD,
                        folder,
-                       std::move(columns),
+                       {std::move(columns), {}},
                        [this](const StudyProgress &progress) {
                          if (progress.result)
                            ++(progress.is_reused ? reused : computed);

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <study/report_cells.h>
 #include <study/swinging_beam.h>
+#include <support/cell_scene.h>
 
 #include <support/messages.h>
 
@@ -73,4 +74,40 @@ TEST(WorkPrecisionStudy, BestRunsHaveNoCheaperAndBetterOne)
   ASSERT_EQ(report.pictures.size(), 1u);
   EXPECT_EQ(report.pictures[0].curves.front().points.size(), n_best);
   EXPECT_TRUE(contains(report.text, "## What to take"));
+}
+
+TEST(WorkPrecisionStudy, ReducedCellHasNoMesh)
+{
+  const StudyReport report = study_of(cell_text(CellCase()),
+                                      {"Study/Kind=work-precision",
+                                       "Study/Repetitions=1",
+                                       "Study/Schemes=newmark, hht",
+                                       "Study/Time steps=0.2 ms, 0.1 ms"});
+  EXPECT_EQ(report.rows.size(), 4u);
+  for (const char *const heading : {"order", "elements a strut", "by mesh"})
+    EXPECT_FALSE(contains(report.text, heading)) << report.text;
+  for (const Column &column : report.columns)
+    EXPECT_TRUE(column.name != "order" && column.name != "error_by_mesh");
+  for (const auto &row : report.rows)
+    EXPECT_EQ(row.size(), report.columns.size());
+  EXPECT_EQ(report.pictures[0].curves[1].title.find(','), std::string::npos);
+}
+
+// F L^3 / (3 E I) at small displacements, to which shear adds next to nothing.
+TEST(WorkPrecisionStudy, ExactValuesTakeNoReference)
+{
+  SceneText scene;
+  scene.frame("0 0; 1 0", "0 1").section({1000, 1e9, 4});
+  scene.support("clamp", "0", "clamp").load("push", "1", {"0", "t", "0"});
+  scene.linear().set("Time/Scheme", "static").probe("tip", "1");
+  scene.set("Quantities/deflection", "tip.uy at end = 1/12");
+  const StudyReport report = study_of(scene,
+                                      {"Study/Kind=work-precision",
+                                       "Study/Repetitions=1",
+                                       "Study/Orders=1, 2"});
+  EXPECT_TRUE(contains(report.text, "against exact values")) << report.text;
+  EXPECT_NEAR(std::stod(cells_where(report, "error", "order", "1")[0]),
+              0.25,
+              1e-6);
+  EXPECT_LT(std::stod(cells_where(report, "error", "order", "2")[0]), 1e-6);
 }

@@ -8,7 +8,8 @@ using namespace auxfem;
 using namespace auxfem::testing_support;
 
 // The orders that a study observes are those of theory: joints converge with
-// order 2p in the mesh, second-order schemes with order 2 in the step.
+// order 2p in the mesh, strains with order p in the energy norm, second-order
+// schemes with order 2 in the step.
 
 namespace
 {
@@ -72,6 +73,31 @@ namespace
       }
   }
 
+  /** Of the strain energy of the error, and in dynamics with its kinetic
+   * energy, after which @p norm is named. */
+  void field_orders(const std::string &name,
+                    const SceneText   &scene,
+                    const std::string &norm)
+  {
+    ResultTable table("Orders in the mesh of the " + norm + ", " + name,
+                      {"order of the elements", "observed", "theory"});
+    for (unsigned int p = 1; p <= 3; ++p)
+      {
+        const std::string order = std::to_string(p);
+        const double      rate =
+          last_number_where(study_of(scene,
+                                     {"Study/Time steps=none",
+                                      "Study/Orders=" + order,
+                                      "Study/Refinements=2, 3, 4",
+                                      "Quantities/field=" + norm + " at end"}),
+                            "field.observed_order",
+                            "order",
+                            order);
+        table.row({order, formatted("%.2f", rate), order});
+        EXPECT_NEAR(rate, p, 0.1) << name << ", order " << p;
+      }
+  }
+
   void step_orders(const std::string              &name,
                    const SceneText                &scene,
                    const std::vector<std::string> &schemes)
@@ -112,6 +138,34 @@ TEST(StudyOrders, MeshInDynamicsInThePlane)
 TEST(StudyOrders, MeshInDynamicsInSpace)
 {
   mesh_orders("dynamics in space", angle(3).time(0.5, 0.01), 4);
+}
+
+TEST(StudyOrders, EnergyNormInStaticsInThePlane)
+{
+  field_orders("statics in the plane",
+               angle(2).time(0.6, 0.1, "static"),
+               "energy norm");
+}
+
+TEST(StudyOrders, EnergyNormInStaticsInSpace)
+{
+  field_orders("statics in space",
+               angle(3).time(0.6, 0.1, "static"),
+               "energy norm");
+}
+
+TEST(StudyOrders, EnergyNormInDynamicsInThePlane)
+{
+  field_orders("dynamics in the plane",
+               angle(2).time(0.5, 0.01),
+               "total energy norm");
+}
+
+TEST(StudyOrders, EnergyNormInDynamicsInSpace)
+{
+  field_orders("dynamics in space",
+               angle(3).time(0.5, 0.01),
+               "total energy norm");
 }
 
 TEST(StudyOrders, StepInThePlane)

@@ -22,6 +22,9 @@ namespace auxfem
     std::vector<std::string> input_files;
     /** Files that auxfem has not written are replaced as well. */
     bool replaces_files_of_others = false;
+    /** Results of other kinds of runs, which go with those that are replaced,
+     * where auxfem has written them and the run does not read them. */
+    std::vector<std::string> results_of_other_kinds = {};
   };
 
   /**
@@ -35,8 +38,8 @@ namespace auxfem
   public:
     /**
      * Makes the folder @p path if there is none, and removes what auxfem has
-     * written into it earlier and @p contents would write again. Throws
-     * InputError, before anything is removed, if
+     * written into it earlier and @p contents would write again, or what else
+     * the rules name. Throws InputError, before anything is removed, if
      * - the folder cannot be made or written to,
      * - another process writes into it,
      * - a file that the run reads would be replaced,
@@ -74,12 +77,15 @@ namespace auxfem
     /** Files in the folder, by name, that @p contents would replace. */
     std::vector<std::string> former(const FolderContents &contents) const;
     bool                     is_own(const std::string &name) const;
+    bool                     is_one_of(const std::string              &name,
+                                       const std::vector<std::string> &files) const;
 
     void refuse_input(const std::vector<std::string> &names,
                       const std::vector<std::string> &input_files) const;
     void refuse_files_of_others(const std::vector<std::string> &names) const;
     void remove(const FolderContents           &contents,
                 const std::vector<std::string> &names);
+    void remove_results_of_other_kinds(const FileRules &rules);
 
     const std::string path;
     /** Holds the lock, which the system releases at the end of the process. */

@@ -10,7 +10,8 @@
 
 namespace auxfem
 {
-  /** A number, or a time history, that the runs of a study are compared by. */
+  /** A number, a time history or a field that the runs of a study are compared
+   * by. */
   struct QuantityDefinition
   {
     enum class Measure
@@ -21,19 +22,34 @@ namespace auxfem
       minimum,
       time_of_maximum,
       time_of_minimum,
-      integral ///< over time, e.g. the impulse of a reaction
+      integral,         ///< over time, e.g. the impulse of a reaction
+      energy_norm,      ///< of the strains of all struts
+      total_energy_norm ///< of their strains and velocities
     };
 
     std::string name;
     Measure     measure = Measure::history;
-    /** Of history.csv; one, but a history may be that of a vector. */
+    /** Of history.csv; one, but a history may be that of a vector, and a norm
+     * has none. */
     std::vector<std::string> columns;
-    /** Of Measure::at_time (s); none is the end. */
+    /** Of Measure::at_time and of norms (s); none is the end. */
     std::optional<double> time;
     /** What it should be, a function of time, where that is known. */
     std::optional<TimeFunction> exact;
     /** `Quantities/NAME`, for messages. */
     std::string path;
+
+    /** Whether it is a norm of what all struts do. */
+    bool is_field() const
+    {
+      return measure == Measure::energy_norm ||
+        measure == Measure::total_energy_norm;
+    }
+
+    bool is_number() const
+    {
+      return measure != Measure::history && !is_field();
+    }
   };
 
   /** `Quantities`. */
@@ -42,8 +58,8 @@ namespace auxfem
   /**
    * One of them: `history top.ux, top.uy`, `top.uy at 5 ms`, `maximum of
    * top.uy`, `time of minimum of top.uy`, `integral of base.ry`; ` =
-   * EXPRESSION` after it is the exact value. Throws InputError for what is none
-   * of these.
+   * EXPRESSION` after it is the exact value; `energy norm at 5 ms`, `total
+   * energy norm at end`. Throws InputError for what is none of these.
    */
   QuantityDefinition read_quantity(ParameterValues &values);
 
@@ -76,6 +92,10 @@ namespace auxfem
     double tolerance = 0.01;
 
     std::vector<QuantityDefinition> quantities;
+
+    /** Whether the exact values of all quantities are known, so that no run is
+     * needed as a reference. */
+    bool is_exact() const;
   };
 
   /** `Study`. */

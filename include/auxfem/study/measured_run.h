@@ -4,6 +4,7 @@
 #include <auxfem/output/recorder.h>
 #include <auxfem/parameters/json.h>
 #include <auxfem/scene/scene.h>
+#include <auxfem/study/recorded_field.h>
 #include <auxfem/study/recorded_history.h>
 
 #include <mpi.h>
@@ -17,6 +18,14 @@
 
 namespace auxfem
 {
+  /** What of a simulation a study wants to know. */
+  struct Selection
+  {
+    std::set<std::string> columns; ///< of history.csv
+    /** Times of the scene's steps, for fields (s). */
+    std::set<double> field_times;
+  };
+
   /** One simulation of a study: what it gave and what it took. */
   struct MeasuredRun
   {
@@ -36,6 +45,8 @@ namespace auxfem
     unsigned long memory = 0;
     /** The columns of history.csv that were asked for, and `time`. */
     std::map<std::string, std::vector<double>> columns;
+    /** The fields that were asked for, by time (s). */
+    std::map<double, RecordedField> fields;
 
     bool completed() const
     {
@@ -48,6 +59,9 @@ namespace auxfem
     /** How much longer than the shortest the longest repetition took, relative;
      * none of a single one. */
     std::optional<double> spread() const;
+
+    /** Whether all of @p selection is there. */
+    bool has(const Selection &selection) const;
 
     /** One of the columns over time. */
     RecordedHistory history(const std::string &column) const;
@@ -62,12 +76,12 @@ namespace auxfem
   /**
    * Computes @p scene and writes nothing. A computation that fails is noted in
    * the result. Throws InputError and Interrupted. Collective.
-   * @param columns of history.csv to be kept.
+   * @param selection what is kept; of columns those that there are.
    */
-  MeasuredRun measure_run(const Scene                 &scene,
-                          MPI_Comm                     communicator,
-                          const std::set<std::string> &columns,
-                          const FractionDone          &progress);
+  MeasuredRun measure_run(const Scene        &scene,
+                          MPI_Comm            communicator,
+                          const Selection    &selection,
+                          const FractionDone &progress);
 
   /** The names of the columns that the history of @p scene has. Collective;
    * finds what the set-up shows to be wrong with the scene (InputError). */

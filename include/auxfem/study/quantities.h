@@ -3,8 +3,8 @@
 
 #include <auxfem/study/measured_run.h>
 
+#include <map>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -15,54 +15,73 @@ namespace auxfem
    * else the displacements of its probes, else the strain energy; with the
    * reduced cell those of angle and force on the
    * foundation. Throws InputError for a column that is none of @p columns, those
-   * of history.csv, and for a time after the end.
+   * of history.csv, for a time after the end, and for a norm of what the scene
+   * does not have.
    */
   std::vector<QuantityDefinition>
   compared_quantities(const Scene                    &scene,
                       const std::vector<std::string> &columns);
 
-  /** The columns they are computed from. */
-  std::set<std::string>
-  columns_of(const std::vector<QuantityDefinition> &quantities);
+  /** What they are computed from. */
+  Selection selection_for(const std::vector<QuantityDefinition> &quantities,
+                          double                                 end_time);
 
-  /** A number, or the values of a history at the times of a comparison. */
-  using QuantityValues = std::vector<double>;
+  /** Throws InputError if @p scene, a simulation of a study, has no step that
+   * ends when the field of one of @p quantities is wanted. */
+  void
+  refuse_fields_between_steps(const std::vector<QuantityDefinition> &quantities,
+                              const Scene                           &scene);
+
+  /** A number, the values of a history or those of a field, where runs are
+   * compared. */
+  struct QuantityValues
+  {
+    std::vector<double> numbers;
+    /** Whether the norm of numbers is the root of the sum of their squares, as
+     * energies are sums, and not the largest. */
+    bool is_field = false;
+  };
+
+  /** Where histories and fields of several runs are compared. */
+  struct Comparison
+  {
+    std::vector<double> times; ///< s
+    /** By the time of the field (s). */
+    std::map<double, std::vector<FieldPoint>> points;
+  };
 
   /**
-   * @p quantity in @p run, which has been completed.
-   * @param times of comparison for histories (s).
+   * At the times of the completed one of @p runs that has fewest, but for the
+   * start; at the Gauss points of the one that has most.
    */
-  QuantityValues value_of(const QuantityDefinition  &quantity,
-                          const MeasuredRun         &run,
-                          const std::vector<double> &times);
+  Comparison comparison_of(const std::vector<MeasuredRun> &runs);
+
+  /** @p quantity in @p run, which has been completed. */
+  QuantityValues value_of(const QuantityDefinition &quantity,
+                          const MeasuredRun        &run,
+                          const Comparison         &comparison);
 
   /** Its exact value, if that is known. */
   std::optional<QuantityValues>
-  exact_value_of(const QuantityDefinition  &quantity,
-                 double                     end_time,
-                 const std::vector<double> &times);
+  exact_value_of(const QuantityDefinition &quantity,
+                 double                    end_time,
+                 const Comparison         &comparison);
 
-  /** Largest difference between @p values and @p others; not a number if one of
-   * them is none. */
-  double largest_change(const QuantityValues &values,
+  /** Norm of the difference between @p values and @p others; not a number if one
+   * of them is none. */
+  double norm_of_change(const QuantityValues &values,
                         const QuantityValues &others);
 
   /**
-   * Largest difference between @p values and @p reference over the largest size
-   * of the latter; the difference itself if that is zero; not a number if one
-   * of them is none.
+   * Norm of the difference between @p values and @p reference over that of the
+   * latter; the difference itself if that is zero; not a number if one of them
+   * is none.
    */
   double relative_difference(const QuantityValues &values,
                              const QuantityValues &reference);
 
   /** Error of a reference from which on nothing is measured by it. */
   constexpr double unresolved_error = 0.1;
-
-  /**
-   * Times for histories: those of the completed one of @p runs that has fewest,
-   * but for the start.
-   */
-  std::vector<double> times_of_comparison(const std::vector<MeasuredRun> &runs);
 } // namespace auxfem
 
 #endif

@@ -26,16 +26,15 @@ namespace auxfem
   /**
    * Simulations that differ in what is refined, from coarse to fine, and two
    * that are finer than all of them, the finest last, which they are measured
-   * against.
+   * against; none where exact values are known of all quantities.
    */
   struct Refinement
   {
-    Refined               refined;
+    Refined refined;
+    /** What the runs have in common, e.g. `order 2`. */
+    std::string           title;
     std::vector<Settings> runs;
     std::vector<Settings> references;
-
-    /** What the runs have in common, e.g. `order 2`. */
-    std::string title() const;
   };
 
   /**
@@ -71,8 +70,8 @@ namespace auxfem
   struct RefinementErrors
   {
     std::vector<RunError> runs;
-    /** Relative, estimated from both references; none if the value is exact or
-     * a reference failed. */
+    /** Relative, estimated from both references; none if the value is exact, a
+     * reference failed or there is none. */
     std::optional<double> of_reference;
 
     /** Whether the reference is better than a guess; it is not where the

@@ -29,6 +29,10 @@ namespace auxfem
   RunResult
   run_study(const Scene &scene, MPI_Comm communicator, const FileRules &rules);
 
+  /** What run_study() leaves in its folder besides what every run does, of all
+   * kinds of studies. The runs that are kept do not belong to it. */
+  std::vector<std::string> study_files();
+
   /** The dry run: prints which simulations the study is made of. Collective. */
   void check_study(const Scene &scene, MPI_Comm communicator);
 } // namespace auxfem

@@ -49,10 +49,27 @@ namespace auxfem
 
   /** @name Columns of study.csv that several studies have, and their cells. */
   ///@{
-  std::vector<Column>      columns_of_settings();
-  std::vector<std::string> cells_of(const Settings &settings);
+  std::vector<Column>      columns_of_settings(const Scene &scene);
+  std::vector<std::string> cells_of(const Settings &settings,
+                                    const Scene    &scene);
   std::vector<Column>      columns_of_run();
   std::vector<std::string> cells_of(const MeasuredRun &run);
+  ///@}
+
+  /** How a line is drawn, by numbers from 0 on. */
+  struct LineStyle
+  {
+    /** Of a method, see colour_of_order() and colour_of_scheme(). */
+    unsigned int colour = 0;
+    /** Of what a picture shows of one method: solid, dashed, ... */
+    unsigned int dashes = 0;
+    unsigned int marks  = 0;
+  };
+
+  /** @name Colours of methods, the same in all pictures of all studies. */
+  ///@{
+  unsigned int colour_of_order(unsigned int order);
+  unsigned int colour_of_scheme(const std::string &scheme);
   ///@}
 
   /** One line of a picture. */
@@ -60,6 +77,7 @@ namespace auxfem
   {
     std::string                            title;
     std::vector<std::pair<double, double>> points; ///< positive
+    LineStyle                              style = {};
     /** Wide and pale, so that others are seen upon it. */
     bool is_beneath = false;
   };
@@ -70,6 +88,8 @@ namespace auxfem
     std::string        name; ///< of the files, without ending
     std::string        title, x_label, y_label;
     std::vector<Curve> curves;
+    /** Whether whole-numbered slopes that curves have are marked. */
+    bool marks_slopes = false;
   };
 
   /** What a study has found. */

@@ -5,7 +5,6 @@
 
 #include <functional>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -50,13 +49,13 @@ namespace auxfem
 
     /**
      * @param folder where runs are kept; empty: nowhere.
-     * @param columns of the histories to be kept.
+     * @param selection what of them is kept.
      * @param listener is told of runs on the first rank.
      */
-    StudyRuns(MPI_Comm              communicator,
-              const std::string    &folder,
-              std::set<std::string> columns,
-              Listener              listener);
+    StudyRuns(MPI_Comm           communicator,
+              const std::string &folder,
+              Selection          selection,
+              Listener           listener);
 
     /**
      * The results of @p plan, in its order, the same on all ranks. With several
@@ -77,12 +76,12 @@ namespace auxfem
     void measure(Task &task, MPI_Comm on_ranks);
     void tell_of(const Task &task, bool is_reused);
 
-    const MPI_Comm              communicator;
-    const std::string           folder;
-    const std::set<std::string> columns;
-    const Listener              listener;
-    StudyProgress               progress; ///< of this call of compute()
-    double                      price_done = 0, price_in_all = 0;
+    const MPI_Comm    communicator;
+    const std::string folder;
+    const Selection   selection;
+    const Listener    listener;
+    StudyProgress     progress; ///< of this call of compute()
+    double            price_done = 0, price_in_all = 0;
   };
 } // namespace auxfem
 

@@ -3,6 +3,8 @@
 
 #include <auxfem/equations/effects/struts.h>
 
+#include <deal.II/base/quadrature_lib.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -299,6 +301,36 @@ namespace auxfem
       return points;
     }
 
+    ScaledMotion scaled_motion(const State       &state,
+                               const unsigned int e) const override
+    {
+      const int    *unknowns = numbering.element_unknowns(e);
+      SectionForces elastic[order], viscous[order] = {};
+      section_forces(e,
+                     Beam::motion(numbering, unknowns, state),
+                     elastic,
+                     viscous);
+      ScaledMotion motion;
+      for (const SectionForces &forces : elastic)
+        motion.strains.push_back(scaled_strains(elements[e].stiffness, forces));
+      if (!state.acceleration)
+        return motion;
+      const double scale = std::sqrt(
+        sections[lattice.struts[numbering.elements()[e].interval.strut].section]
+          .mass_per_length());
+      const dealii::QGauss<1> gauss(order + 1);
+      for (const dealii::Point<1> &point : gauss.get_points())
+        {
+          double N[order + 1];
+          shape.values_at(2 * point[0] - 1, N);
+          const dealii::Tensor<1, 3> velocity =
+            scale * interpolated(N, unknowns, *state.velocity);
+          motion.velocities.push_back(
+            {{velocity[0], velocity[1], velocity[2]}});
+        }
+      return motion;
+    }
+
     StrutStrain largest_strain(const State         &state,
                                const EffectResults &results,
                                const double         least) const override
@@ -374,6 +406,22 @@ namespace auxfem
                            motion,
                            elastic,
                            viscous);
+    }
+
+    /** As in ScaledMotion. */
+    static SectionForces
+    scaled_strains(const typename Beam::Stiffness &stiffness,
+                   const SectionForces            &forces)
+    {
+      SectionForces strains = {};
+      for (unsigned int k = 0; k < strains.size(); ++k)
+        {
+          SectionForces unit = {};
+          unit[k]            = 1;
+          strains[k] =
+            forces[k] * std::sqrt(Beam::strain_product(stiffness, unit, unit));
+        }
+      return strains;
     }
 
     /** Section forces of damping at the Gauss points of an element. */

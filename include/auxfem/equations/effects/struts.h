@@ -6,6 +6,8 @@
 #include <auxfem/equations/effect.h>
 #include <auxfem/model/numbering.h>
 
+#include <array>
+
 namespace auxfem
 {
   /** Section forces and kinematics at a point of a strut, for output. */
@@ -23,6 +25,22 @@ namespace auxfem
     /** Torque and bending moments about axes 2, 3 (N m). */
     dealii::Tensor<1, 3> moment;
     double               energy_density; ///< strain energy per length (J/m)
+  };
+
+  /**
+   * Strains and velocities along an element, so scaled that half the sum of the
+   * squares at a point is an energy per length: strains times the square root
+   * of their stiffness, (J/m)^1/2, velocities times that of the mass per
+   * length. Polynomials, told by their values at Gauss points.
+   */
+  struct ScaledMotion
+  {
+    /** Of epsilon, gamma_2, gamma_3, torsion, kappa_2, kappa_3, at the Gauss
+     * points of the internal forces. */
+    std::vector<std::array<double, 6>> strains;
+    /** Of the displacements along x, y, z, at one Gauss point more; empty
+     * without inertia. */
+    std::vector<std::array<double, 3>> velocities;
   };
 
   /** Strain of an outer fibre: axial strain and those of bending. */
@@ -64,6 +82,10 @@ namespace auxfem
     virtual std::vector<dealii::Point<3>> axis(const Vector &displacement,
                                                unsigned int  e,
                                                unsigned int n_points) const = 0;
+
+    /** Motion of element @p e of the numbering at @p state. */
+    virtual ScaledMotion scaled_motion(const State &state,
+                                       unsigned int e) const = 0;
 
     /**
      * The largest strain at a Gauss point of the struts counted by this rank,
