@@ -19,7 +19,9 @@ namespace
 
   constexpr bool with_shear = true, without_shear = false;
 
-  void finish(SceneText &scene, const double thickness, const bool has_shear)
+  void finish_plane_cell(SceneText   &scene,
+                         const double thickness,
+                         const bool   has_shear)
   {
     scene.rectangle("wall", 1, thickness, {1, "", 0.3})
       .set("Effects/Shear flexibility", has_shear ? "on" : "off")
@@ -71,7 +73,7 @@ namespace
                                   const bool           has_shear,
                                   const StarConstants &reference) {
       LatticePart part{star(p, q, a), stub_ends, a * a};
-      finish(part.scene, t, has_shear);
+      finish_plane_cell(part.scene, t, has_shear);
       compare("p = " + text(p) + ", q = " + text(q) + ", a = " + text(a) +
                 ", t = " + text(t) + (has_shear ? ", shear" : ""),
               part,
@@ -122,7 +124,7 @@ namespace
                    "3 11"),
       stub_ends,
       2.4 * 2.4};
-    finish(part.scene, 0.02, without_shear);
+    finish_plane_cell(part.scene, 0.02, without_shear);
     ComparisonTable table("Star tied at its points, closed form");
     compare("p = 1, q = 0.2, a = 2.4, t = 0.02",
             part,
@@ -158,7 +160,7 @@ namespace
       LatticePart part{star_array(angle, 1),
                        stub_ends,
                        std::pow(period(angle), 2)};
-      finish(part.scene, t, has_shear);
+      finish_plane_cell(part.scene, t, has_shear);
       compare(text(angle) + " deg, t = " + text(t) +
                 (has_shear ? ", shear" : ""),
               part,
@@ -199,7 +201,7 @@ namespace
     const unsigned int n     = 3;
     const double       side  = n * period(60);
     SceneText          scene = star_array(60, n);
-    finish(scene, 0.05, with_shear);
+    finish_plane_cell(scene, 0.05, with_shear);
     const auto lattice =
       auxfem::build_lattice(auxfem::read_scene_from_text(scene.str(), "", {}));
     LatticePart part{scene, {}, side * side};
