@@ -32,6 +32,9 @@ namespace auxfem
 
   DiscretizationParameters read_discretization(ParameterValues &values)
   {
-    return {values[order], values[refinements]};
+    DiscretizationParameters discretization;
+    discretization.order       = values[order];
+    discretization.refinements = values[refinements];
+    return discretization;
   }
 } // namespace auxfem

@@ -108,9 +108,9 @@ namespace auxfem
   void Equations::register_blocks()
   {
     const DofNumbering &numbering = structure.numbering;
-    const unsigned int  n = (numbering.order() + 1) * numbering.n_components();
     for (unsigned int e = 0; e < numbering.elements().size(); ++e)
-      tangent_pattern.register_block(numbering.element_unknowns(e), n);
+      tangent_pattern.register_block(numbering.element_unknowns(e),
+                                     numbering.n_element_unknowns(e));
     for (const auto &effect : effects)
       effect->register_blocks(tangent_pattern);
   }
@@ -124,13 +124,17 @@ namespace auxfem
           simulated.large_rotation,
           simulated.shear_flexibility,
           has_damping(structure, &Section::stiffness_proportional_damping)};
-        auto struts                    = StrutForces::make(structure.lattice,
-                                        structure.numbering,
-                                        structure.sections,
-                                        beams);
-        reporting_effects.struts       = struts.get();
-        reporting_effects.strut_effect = effects.size();
-        effects.push_back(std::move(struts));
+        for (const DofNumbering::Group &group : structure.numbering.groups())
+          {
+            auto struts = StrutForces::make(structure.lattice,
+                                            structure.numbering,
+                                            group,
+                                            structure.sections,
+                                            beams);
+            reporting_effects.struts.push_back(
+              {struts.get(), static_cast<unsigned int>(effects.size())});
+            effects.push_back(std::move(struts));
+          }
       }
     if (auto springs =
           make_rotational_springs(structure.releases,
@@ -190,10 +194,11 @@ namespace auxfem
     const RigidBodies      &bodies    = structure.bodies;
     if (!bodies.in_plane.empty() || !bodies.bars.empty())
       effects.push_back(std::make_unique<RigidPartInertia>(bodies));
-    if (reporting_effects.struts)
+    for (const DofNumbering::Group &group : structure.numbering.groups())
       effects.push_back(make_strut_inertia(
         structure.lattice,
         structure.numbering,
+        group,
         structure.sections,
         {simulated.large_rotation,
          simulated.rotary_inertia,

@@ -11,6 +11,8 @@ namespace auxfem
     unsigned int order = 3; ///< polynomial order 1..6, in space 1..4
     /** Global refinements: 2^n elements a strut. */
     unsigned int refinements = 0;
+    /** Orders by strut, where they differ; empty: all struts have `order`. */
+    std::vector<unsigned int> orders = {};
   };
 
   /** `Discretization`. */

@@ -40,19 +40,24 @@ namespace auxfem
     bool damping           = false; ///< stiffness-proportional
   };
 
-  /** Internal forces of all struts: geometrically exact beams. */
+  /** Internal forces of the struts of one polynomial order: geometrically exact
+   * beams. */
   class StrutForces : public Effect
   {
   public:
-    /** Polynomial order is taken from @p numbering. */
+    /** @param group of the elements of @p numbering. */
     static std::unique_ptr<StrutForces>
     make(const Lattice              &lattice,
          const DofNumbering         &numbering,
+         const DofNumbering::Group  &group,
          const std::vector<Section> &sections,
          const StrutModel           &model);
 
+    /** Which elements of the numbering they are. */
+    virtual const DofNumbering::Group &elements() const = 0;
+
     /**
-     * State of element @p e of the numbering at @p n_points equally spaced points
+     * State of element @p e of the numbering, one of elements(), at @p n_points equally spaced points
      * from its first to its second end. Section forces are those of the
      * Gauss points, interpolated.
      */
