@@ -1,5 +1,6 @@
 #include <auxfem/analysis/lattice_analysis.h>
 #include <auxfem/analysis/lattice_run.h>
+#include <auxfem/analysis/order_choice.h>
 #include <auxfem/output/history.h>
 #include <auxfem/output/run_output.h>
 
@@ -9,6 +10,8 @@ namespace auxfem
                         const MPI_Comm communicator,
                         Recorder      &recorder)
   {
+    if (scene.discretization.tolerance)
+      return run_with_chosen_orders(scene, communicator, recorder);
     return LatticeRun(scene, communicator).run(recorder);
   }
 

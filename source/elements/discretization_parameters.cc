@@ -5,12 +5,24 @@ namespace auxfem
 {
   namespace
   {
-    const Integer order       = {"Order",
-                                 3,
-                                 1,
-                                 largest_plane_order,
-                                 "Polynomial order of the struts' elements; "
-                                       "with Dimension = 3 at most 4."};
+    const Integer  order     = {"Order",
+                                3,
+                                1,
+                                largest_plane_order,
+                                "Polynomial order of the struts' elements; "
+                                     "with Dimension = 3 at most 4. auto: chosen "
+                                     "strut by strut, as low as the tolerance "
+                                     "allows, after a search run with order 3 and "
+                                     "fewer steps.",
+                                {"auto"}};
+    const Quantity tolerance = {
+      "Tolerance",
+      "1e-4",
+      "1",
+      Range::open(0, 1),
+      "With Order = auto: the part of the struts' strain energy, at its largest, that "
+      "the elements may get wrong at any time, by estimate. Displacements have "
+      "errors of this size, section forces of its square root."};
     const Integer refinements = {"Global refinements",
                                  0,
                                  0,
@@ -25,7 +37,7 @@ namespace auxfem
     return {"Discretization",
             SubsectionSchema::Form::fixed,
             "Finite elements of the struts.",
-            {order, refinements}};
+            {order, tolerance, refinements}};
   }
 
 
@@ -33,7 +45,10 @@ namespace auxfem
   DiscretizationParameters read_discretization(ParameterValues &values)
   {
     DiscretizationParameters discretization;
-    discretization.order       = values[order];
+    if (values.is_word(order))
+      discretization.tolerance = values[tolerance];
+    else
+      discretization.order = values[order];
     discretization.refinements = values[refinements];
     return discretization;
   }

@@ -1,9 +1,9 @@
 #include <auxfem/equations/effects/rigid_part_inertia.h>
-#include <auxfem/equations/effects/strut_inertia.h>
 #include <auxfem/equations/equations.h>
 #include <auxfem/equations/make_couplings.h>
 #include <auxfem/equations/make_loads.h>
 #include <auxfem/equations/make_masses.h>
+#include <auxfem/equations/make_struts.h>
 #include <auxfem/equations/prescribed_motion.h>
 #include <auxfem/model/initial_velocities.h>
 #include <auxfem/parameters/errors.h>
@@ -16,17 +16,6 @@ namespace auxfem
 {
   namespace
   {
-    /** Whether a damping of struts is simulated and a section has it. */
-    bool has_damping(const LatticeModel &model, double Section::*damping)
-    {
-      return model.simulated.strut_damping &&
-        std::any_of(model.sections.begin(),
-                    model.sections.end(),
-                    [damping](const Section &section) {
-                      return section.*damping > 0;
-                    });
-    }
-
     StateLayout layout_of_scheme(const Scene &scene, const LatticeModel &model)
     {
       StateLayout layout;
@@ -118,23 +107,12 @@ namespace auxfem
   void Equations::make_internal_forces(const Scene &scene)
   {
     const SimulatedEffects &simulated = structure.simulated;
-    if (structure.lattice.n_elastic_struts() > 0)
+    for (auto &struts :
+         make_strut_forces(structure, structure.lattice, structure.numbering))
       {
-        const StrutModel beams{
-          simulated.large_rotation,
-          simulated.shear_flexibility,
-          has_damping(structure, &Section::stiffness_proportional_damping)};
-        for (const DofNumbering::Group &group : structure.numbering.groups())
-          {
-            auto struts = StrutForces::make(structure.lattice,
-                                            structure.numbering,
-                                            group,
-                                            structure.sections,
-                                            beams);
-            reporting_effects.struts.push_back(
-              {struts.get(), static_cast<unsigned int>(effects.size())});
-            effects.push_back(std::move(struts));
-          }
+        reporting_effects.struts.push_back(
+          {struts.get(), static_cast<unsigned int>(effects.size())});
+        effects.push_back(std::move(struts));
       }
     if (auto springs =
           make_rotational_springs(structure.releases,
@@ -194,15 +172,9 @@ namespace auxfem
     const RigidBodies      &bodies    = structure.bodies;
     if (!bodies.in_plane.empty() || !bodies.bars.empty())
       effects.push_back(std::make_unique<RigidPartInertia>(bodies));
-    for (const DofNumbering::Group &group : structure.numbering.groups())
-      effects.push_back(make_strut_inertia(
-        structure.lattice,
-        structure.numbering,
-        group,
-        structure.sections,
-        {simulated.large_rotation,
-         simulated.rotary_inertia,
-         has_damping(structure, &Section::mass_proportional_damping)}));
+    for (auto &inertia :
+         make_strut_inertia(structure, structure.lattice, structure.numbering))
+      effects.push_back(std::move(inertia));
     for (auto &masses : make_masses(scene,
                                     structure.lattice,
                                     structure.numbering,

@@ -36,9 +36,6 @@ namespace auxfem
     std::vector<double> strain_energies;
   };
 
-  /** Resultants at a point: N, Q_2, Q_3 (N), T, M_2, M_3 (N m). */
-  using SectionForces = std::array<double, 6>;
-
   /**
    * Internal forces of struts as beams of one kind. What depends on the
    * dimension and on the theory is in @p Beam, a class of static functions:
@@ -272,6 +269,16 @@ namespace auxfem
           point.energy_density = Beam::strain_product(data.stiffness, E, E) / 2;
         }
       return points;
+    }
+
+    double energy_density(const unsigned int   of_numbering,
+                          const SectionForces &forces) const override
+    {
+      return Beam::strain_product(
+               of_elements[of_numbering - group.begin].stiffness,
+               forces,
+               forces) /
+        2;
     }
 
     std::vector<dealii::Point<3>>

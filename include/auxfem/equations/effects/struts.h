@@ -8,6 +8,9 @@
 
 namespace auxfem
 {
+  /** Resultants at a point: N, Q_2, Q_3 (N), T, M_2, M_3 (N m). */
+  using SectionForces = std::array<double, 6>;
+
   /** Section forces and kinematics at a point of a strut, for output. */
   struct StrutPoint
   {
@@ -63,6 +66,10 @@ namespace auxfem
      */
     virtual std::vector<StrutPoint>
     sample(const State &state, unsigned int e, unsigned int n_points) const = 0;
+
+    /** Strain energy per length (J/m) of @p forces in element @p e. */
+    virtual double energy_density(unsigned int         e,
+                                  const SectionForces &forces) const = 0;
 
     /** Positions (m) of the same points under @p displacement, by local
      * unknown. */
