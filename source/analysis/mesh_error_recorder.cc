@@ -11,7 +11,7 @@ namespace auxfem
   namespace
   {
     /** How often a run is looked at. */
-    constexpr unsigned int n_looks = 32;
+    constexpr unsigned int n_looks = 64;
 
     const std::string mesh_error_record =
       "mesh error: largest error and energy, next look";

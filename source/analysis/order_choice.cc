@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace auxfem
 {
@@ -17,22 +18,30 @@ namespace auxfem
   {
     namespace mpi = dealii::Utilities::MPI;
 
-    /** Of the search run. */
-    constexpr unsigned int search_order = 3;
-
     /**
-     * Which instants ask for the highest orders is seen with errors of the
-     * steps that a result must not have.
+     * Which instants ask for the highest orders is seen well enough with errors
+     * of elements, steps and iterations that a result must not have.
      */
-    constexpr double longer_steps = 8, fewest_steps = 64;
+    constexpr double       longer_steps = 4, fewest_steps = 64;
+    constexpr double       loose_tolerance      = 1e-2; ///< of steps
+    constexpr double       loose_residual       = 1e-4; ///< of Newton's method
+    constexpr unsigned int first_search_order   = 2;
+    constexpr double       largest_search_error = 0.2; ///< of elements
 
-    Scene search_scene(const Scene &scene)
+    /** What is aimed at of the tolerance, as the run will differ from the
+     * search. */
+    constexpr double aim = 0.5;
+
+    Scene search_scene(const Scene &scene, const unsigned int order)
     {
       Scene search                = with_orders(scene, {});
-      search.discretization.order = search_order;
-      TimeParameters &time        = search.time;
+      search.discretization.order = order;
+      search.newton.tolerance =
+        std::max(scene.newton.tolerance, loose_residual);
+      TimeParameters &time = search.time;
       if (time.relative_tolerance)
-        time.relative_tolerance = std::max(*time.relative_tolerance, 1e-2);
+        time.relative_tolerance =
+          std::max(*time.relative_tolerance, loose_tolerance);
       else
         time.step = std::min(longer_steps * time.step,
                              std::max(time.step, time.end_time / fewest_steps));
@@ -116,6 +125,62 @@ namespace auxfem
         }
       return table;
     }
+
+    /** Takes the orders that the motion found in @p run asks for. */
+    void take_orders(const Scene      &search,
+                     const LatticeRun &run,
+                     const MeshError  &error,
+                     ChosenOrders     &chosen)
+    {
+      const MPI_Comm communicator = run.model.numbering.layout().communicator();
+      const std::vector<unsigned int> &struts = error.struts();
+      const double                     wanted =
+        std::pow(aim * chosen.report.tolerance, 2) * error.largest_energy();
+      const ErrorTable table = table_of(search, run, error, wanted);
+      const double     allowed =
+        allowed_error(table, struts.size(), wanted, communicator);
+      chosen.orders.assign(run.lattice.struts.size(), 0);
+      for (unsigned int i = 0; i < struts.size(); ++i)
+        chosen.orders[struts[i]] = lowest_order(table, i, allowed);
+      mpi::max(chosen.orders, communicator, chosen.orders);
+      for (unsigned int &order : chosen.orders)
+        order = std::max(order, lowest_chosen_order);
+      chosen.report.predicted_error =
+        std::sqrt(sum_of_errors(table, struts.size(), allowed, communicator) /
+                  error.largest_energy());
+    }
+
+    /**
+     * A search run and the orders that it asks for. Returns whether its own
+     * elements are good enough for that.
+     */
+    bool search_orders(const Scene   &search,
+                       const MPI_Comm communicator,
+                       ChosenOrders  &chosen)
+    {
+      LatticeRun        run(search, communicator);
+      Recorder          nobody;
+      MeshErrorRecorder recorder(search, nobody);
+      try
+        {
+          run.run(recorder);
+        }
+      catch (const ComputationError &)
+        {
+          // What it has seen until then has to do; the run itself will tell.
+        }
+      const MeshError *const error = recorder.error();
+      chosen.orders.assign(run.lattice.struts.size(), lowest_chosen_order);
+      // Nothing moves, or nothing that could be judged.
+      if (error != nullptr && error->largest_energy() > 0)
+        take_orders(search, run, *error, chosen);
+      OrderReport &report = chosen.report;
+      report.unknowns     = run.model.numbering.layout().n_global();
+      report.steps += run.work().steps;
+      report.iterations += run.work().iterations;
+      report.reached = run.solution.state.time;
+      return error == nullptr || error->relative() <= largest_search_error;
+    }
   } // namespace
 
   Scene with_orders(const Scene &scene, const std::vector<unsigned int> &orders)
@@ -128,45 +193,13 @@ namespace auxfem
 
   ChosenOrders choose_orders(const Scene &scene, const MPI_Comm communicator)
   {
-    const double      cpu_before = cpu_seconds();
-    const Scene       search     = search_scene(scene);
-    LatticeRun        run(search, communicator);
-    Recorder          nobody;
-    MeshErrorRecorder recorder(search, nobody);
-    ChosenOrders      chosen;
+    const double cpu_before = cpu_seconds();
+    ChosenOrders chosen;
     chosen.report.tolerance = *scene.discretization.tolerance;
-    try
-      {
-        run.run(recorder);
-      }
-    catch (const ComputationError &)
-      {
-        // What it has seen until then has to do; the run itself will tell.
-      }
-
-    chosen.orders.assign(run.lattice.struts.size(), 0);
-    if (const MeshError *error = recorder.error())
-      {
-        const std::vector<unsigned int> &struts = error->struts();
-        const double                     wanted = chosen.report.tolerance *
-          chosen.report.tolerance * error->largest_energy();
-        const ErrorTable table = table_of(search, run, *error, wanted);
-        const double     allowed =
-          allowed_error(table, struts.size(), wanted, communicator);
-        for (unsigned int i = 0; i < struts.size(); ++i)
-          chosen.orders[struts[i]] = lowest_order(table, i, allowed);
-        if (error->largest_energy() > 0)
-          chosen.report.predicted_error = std::sqrt(
-            sum_of_errors(table, struts.size(), allowed, communicator) /
-            error->largest_energy());
-      }
-    mpi::max(chosen.orders, communicator, chosen.orders);
-    for (unsigned int &order : chosen.orders)
-      order = std::max(order, lowest_chosen_order);
-    chosen.report.unknowns   = run.model.numbering.layout().n_global();
-    chosen.report.steps      = run.work().steps;
-    chosen.report.iterations = run.work().iterations;
-    chosen.report.reached    = run.solution.state.time;
+    for (unsigned int order = first_search_order;; ++order)
+      if (search_orders(search_scene(scene, order), communicator, chosen) ||
+          order == highest_strut_order(scene.context.dimension))
+        break;
     chosen.report.cpu_seconds =
       mpi::sum(cpu_seconds() - cpu_before, communicator);
     return chosen;

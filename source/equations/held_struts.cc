@@ -180,7 +180,7 @@ namespace auxfem
     add_loads();
   }
 
-  bool HeldStruts::correct()
+  std::optional<double> HeldStruts::correct()
   {
     const Evaluation evaluation = Evaluation::rates(*state, *state);
     tangent->reset();
@@ -189,32 +189,40 @@ namespace auxfem
     for (const auto &effect : inertia)
       effect->add_tangent(evaluation, nullptr, {}, *tangent);
     if (condensation->condense(Symmetry::none) != FactorizationOutcome::done)
-      return false;
+      return std::nullopt;
     std::vector<double> increment = residual, of_ends;
     for (double &value : increment)
       value = -value;
     condensation->reduce(increment, of_ends);
     std::fill(of_ends.begin(), of_ends.end(), 0.);
     condensation->expand(of_ends, increment);
+    double work = 0;
+    for (unsigned int i = 0; i < increment.size(); ++i)
+      work -= residual[i] * increment[i];
     apply(increment);
     find_residual();
-    return std::all_of(residual.begin(),
-                       residual.end(),
-                       [](const double force) { return std::isfinite(force); });
+    return std::abs(work);
   }
 
   bool HeldStruts::settle()
   {
     // Between its Gauss points a motion of low order has strains that are none
-    // of its own: the first step removes these, the second what they caused.
-    constexpr unsigned int n_corrections = 2;
+    // of its own: the first step removes these, others what they caused.
+    constexpr unsigned int most_corrections = 8;
+    // As a square of the energy norm; the next step would square it.
+    constexpr double negligible = 1e-12;
     if (counted.empty())
       return true;
     find_residual();
-    for (unsigned int i = 0; i < n_corrections; ++i)
-      if (!correct())
-        return false;
-    return true;
+    for (unsigned int i = 0; i < most_corrections; ++i)
+      {
+        const std::optional<double> work = correct();
+        if (!work || !std::isfinite(*work))
+          return false;
+        if (*work <= negligible * strain_energy())
+          break;
+      }
+    return std::isfinite(strain_energy());
   }
 
   void HeldStruts::apply(const std::vector<double> &increment)

@@ -68,12 +68,14 @@ namespace auxfem
       SpaceVector force, moment;
     };
 
-    void               find_residual();
-    void               add_loads();
-    bool               correct();
-    void               apply(const std::vector<double> &increment);
-    EndForces          second_end(unsigned int strut) const;
-    const StrutForces &forces_of(unsigned int element) const;
+    void find_residual();
+    void add_loads();
+    /** A step of Newton's method; the work (J) of what was out of balance, or
+     * nothing if there is none. */
+    std::optional<double> correct();
+    void                  apply(const std::vector<double> &increment);
+    EndForces             second_end(unsigned int strut) const;
+    const StrutForces    &forces_of(unsigned int element) const;
 
     const unsigned int              n_elements; ///< a strut
     const bool                      large_rotation;
