@@ -4,6 +4,8 @@
 #include <auxfem/output/history.h>
 #include <auxfem/output/run_output.h>
 
+#include <iostream>
+
 namespace auxfem
 {
   RunResult run_lattice(const Scene   &scene,
@@ -21,5 +23,10 @@ namespace auxfem
     run.prepare();
     refuse_columns_of_nothing(scene, run.lattice);
     print_overview(scene, run.equations);
+    if (scene.discretization.tolerance &&
+        run.model.numbering.layout().rank() == 0)
+      std::cout << "Discretization/Order = auto: the run chooses orders of its "
+                   "own; these counts are those of order "
+                << scene.discretization.order << '.' << std::endl;
   }
 } // namespace auxfem

@@ -3,6 +3,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -23,13 +24,58 @@ namespace auxfem
       text.precision(2);
       text
         << "The elements make an error of " << *report.estimated_error
-        << " of the strain energy, by estimate, more than "
+        << " in the motion of the joints, by estimate, more than "
            "Discretization/Tolerance = "
         << report.tolerance
         << ": the highest order is not enough for some struts, or the motion "
            "is not that of the search run. Raise Discretization/Global "
            "refinements, or the tolerance.";
       return {Verdict::doubtful, text.str(), time, ""};
+    }
+    /**
+     * Struts of low order that vibrate by themselves, as far as steps can tell:
+     * the first bending mode between clamped ends turns by less than one radian
+     * a step. Errors of its frequency add up over the time, of which estimates
+     * at an instant know nothing.
+     */
+    unsigned int n_vibrating(const Scene &scene, const LatticeModel &model)
+    {
+      // Measured on a graded lattice (doc/theory.md).
+      constexpr unsigned int sufficient_order = 4;
+      constexpr double       first_mode       = 4.73004074; // times 1 / length
+      unsigned int           n                = 0;
+      for (unsigned int i = 0; i < model.lattice.struts.size(); ++i)
+        {
+          const Strut &strut = model.lattice.struts[i];
+          if (strut.is_rigid() ||
+              model.numbering.orders()[i] >= sufficient_order)
+            continue;
+          const Section &section     = model.sections[strut.section];
+          const double   mass        = section.mass_per_length();
+          const double   stiffness   = std::min(section.bending_stiffness_2(),
+                                            section.bending_stiffness_3());
+          const double   wave_number = first_mode / model.lattice.length(strut);
+          if (mass > 0 && scene.discretization.refinements == 0 &&
+              wave_number * wave_number * std::sqrt(stiffness / mass) *
+                  scene.time.step <
+                1)
+            ++n;
+        }
+      return n;
+    }
+
+    Finding own_vibrations(const unsigned int n_struts)
+    {
+      return {Verdict::doubtful,
+              "Steps are short enough to resolve vibrations of " +
+                std::to_string(n_struts) +
+                (n_struts == 1 ? " strut" : " struts") +
+                " of order 2 or 3 between their joints. Errors of their "
+                "frequency are not in the estimated error: where such "
+                "vibrations matter, compare with Discretization/Order = 4 or "
+                "ask Analysis = study.",
+              0.,
+              ""};
     }
   } // namespace
 
@@ -58,6 +104,8 @@ namespace auxfem
         if (*of_run.estimated_error > 2 * of_run.tolerance)
           result.findings.push_back(missed_tolerance(of_run, result.time));
       }
+    if (n_vibrating_struts > 0)
+      result.findings.push_back(own_vibrations(n_vibrating_struts));
     result.orders = of_run;
     return result;
   }
@@ -76,6 +124,8 @@ namespace auxfem
     const double before = cpu_seconds();
     communicator        = equations.model().numbering.layout().communicator();
     estimate            = std::make_unique<MeshError>(scene, equations.model());
+    if (equations.model().simulated.inertia)
+      n_vibrating_struts = n_vibrating(scene, equations.model());
     seconds += cpu_seconds() - before;
     recorder.begin(equations);
   }

@@ -12,7 +12,7 @@ namespace auxfem
                                 "Polynomial order of the struts' elements; "
                                      "with Dimension = 3 at most 4. auto: chosen "
                                      "strut by strut, as low as the tolerance "
-                                     "allows, after a search run with order 3 and "
+                                     "allows, after a search run with order 2 and "
                                      "fewer steps.",
                                 {"auto"}};
     const Quantity tolerance = {
@@ -20,9 +20,9 @@ namespace auxfem
       "1e-4",
       "1",
       Range::open(0, 1),
-      "With Order = auto: the part of the struts' strain energy, at its largest, that "
-      "the elements may get wrong at any time, by estimate. Displacements have "
-      "errors of this size, section forces of its square root."};
+      "With Order = auto: error that the elements may make in the motion of the "
+      "joints at any time, by estimate, in the energy norm and relative to the "
+      "largest motion."};
     const Integer refinements = {"Global refinements",
                                  0,
                                  0,

@@ -10,7 +10,7 @@ namespace auxfem
     std::snprintf(text,
                   sizeof(text),
                   "Orders found by a search run of %lu steps with %u unknowns "
-                  "(%.2f CPU s), for an error of %.1e of the strain energy "
+                  "(%.2f CPU s), for an error of %.1e "
                   "(tolerance %.1e)",
                   report.steps,
                   report.unknowns,
@@ -27,7 +27,7 @@ namespace auxfem
     char text[200];
     std::snprintf(text,
                   sizeof(text),
-                  "Error of the elements, estimated: %.1e of the strain energy "
+                  "Error of the elements, estimated: %.1e "
                   "(tolerance %.1e; estimates took %.2f CPU s)",
                   *report.estimated_error,
                   report.tolerance,

@@ -43,8 +43,9 @@ namespace auxfem
     OrderReport                report;
     std::unique_ptr<MeshError> estimate;
     /** Since when no look is due (s). */
-    double   next = 0, seconds = 0;
-    MPI_Comm communicator = MPI_COMM_NULL;
+    double       next = 0, seconds = 0;
+    MPI_Comm     communicator       = MPI_COMM_NULL;
+    unsigned int n_vibrating_struts = 0;
   };
 } // namespace auxfem
 

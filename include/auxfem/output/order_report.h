@@ -11,7 +11,7 @@ namespace auxfem
   struct OrderReport
   {
     double tolerance = 0;
-    /** Of the strain energy, by the instants of the search for orders. */
+    /** Of the motion of joints, in the energy norm, by the search run. */
     double predicted_error = 0;
     /** The same by the run itself; none before its end. */
     std::optional<double> estimated_error = {};
