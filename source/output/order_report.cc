@@ -4,7 +4,7 @@
 
 namespace auxfem
 {
-  std::string search_text(const OrderReport &report)
+  std::string order_search_text(const OrderReport &report)
   {
     char text[300];
     std::snprintf(text,
@@ -20,7 +20,7 @@ namespace auxfem
     return text;
   }
 
-  std::string error_text(const OrderReport &report)
+  std::string mesh_error_text(const OrderReport &report)
   {
     if (!report.estimated_error)
       return "";

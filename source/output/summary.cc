@@ -368,8 +368,8 @@ namespace auxfem
                              totals.linear_solutions)
              << '\n';
     if (summary.orders)
-      stream << search_text(*summary.orders) << '\n'
-             << error_text(*summary.orders) << '\n';
+      stream << order_search_text(*summary.orders) << '\n'
+             << mesh_error_text(*summary.orders) << '\n';
     stream << poissons_ratio_text(summary.strain)
            << closing_energies_text(summary.energies, folder) << '\n'
            << verdict_text(summary.findings);

@@ -27,11 +27,11 @@ namespace auxfem
   };
 
   /** A sentence on how the orders were found, without the last line break. */
-  std::string search_text(const OrderReport &report);
+  std::string order_search_text(const OrderReport &report);
 
   /** A sentence on what the run says of their error, without the last line
    * break. */
-  std::string error_text(const OrderReport &report);
+  std::string mesh_error_text(const OrderReport &report);
 
   /** All of it for summary.json. */
   Json json_of(const OrderReport &report);
