@@ -33,22 +33,19 @@ namespace auxfem
       return {Verdict::doubtful, text.str(), time, ""};
     }
     /**
-     * Struts of low order that vibrate by themselves, as far as steps can tell:
-     * the first bending mode between clamped ends turns by less than one radian
-     * a step. Errors of its frequency add up over the time, of which estimates
-     * at an instant know nothing.
+     * Struts that vibrate by themselves, as far as steps can tell: the first
+     * bending mode between clamped ends turns by less than one radian a step.
+     * Errors of accelerations inside struts and of such frequencies add up over
+     * the time, of which estimates at an instant know nothing.
      */
     unsigned int n_vibrating(const Scene &scene, const LatticeModel &model)
     {
-      // Measured on a graded lattice (doc/theory.md).
-      constexpr unsigned int sufficient_order = 4;
-      constexpr double       first_mode       = 4.73004074; // times 1 / length
-      unsigned int           n                = 0;
+      constexpr double first_mode = 4.73004074; // times 1 / length
+      unsigned int     n          = 0;
       for (unsigned int i = 0; i < model.lattice.struts.size(); ++i)
         {
           const Strut &strut = model.lattice.struts[i];
-          if (strut.is_rigid() ||
-              model.numbering.orders()[i] >= sufficient_order)
+          if (strut.is_rigid())
             continue;
           const Section &section     = model.sections[strut.section];
           const double   mass        = section.mass_per_length();
@@ -70,10 +67,10 @@ namespace auxfem
               "Steps are short enough to resolve vibrations of " +
                 std::to_string(n_struts) +
                 (n_struts == 1 ? " strut" : " struts") +
-                " of order 2 or 3 between their joints. Errors of their "
-                "frequency are not in the estimated error: where such "
-                "vibrations matter, compare with Discretization/Order = 4 or "
-                "ask Analysis = study.",
+                " between the joints. Errors of these add up over the time and "
+                "are not in the estimated error of the elements: where such "
+                "vibrations matter, give Discretization/Order a number and "
+                "compare it with the next, or ask Analysis = study.",
               0.,
               ""};
     }
