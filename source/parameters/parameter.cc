@@ -212,7 +212,7 @@ namespace auxfem
         case Kind::quantity_list:
           return list_phrase(*this);
         case Kind::integer:
-          return "a whole number " + range.text();
+          return words_before(*this) + "a whole number " + range.text();
         case Kind::choice:
           return "one of " + joined(words);
         case Kind::time_expression:
