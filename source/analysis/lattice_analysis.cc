@@ -1,7 +1,10 @@
 #include <auxfem/analysis/lattice_analysis.h>
 #include <auxfem/analysis/lattice_run.h>
+#include <auxfem/analysis/order_choice.h>
 #include <auxfem/output/history.h>
 #include <auxfem/output/run_output.h>
+
+#include <iostream>
 
 namespace auxfem
 {
@@ -9,6 +12,8 @@ namespace auxfem
                         const MPI_Comm communicator,
                         Recorder      &recorder)
   {
+    if (scene.discretization.tolerance)
+      return run_with_chosen_orders(scene, communicator, recorder);
     return LatticeRun(scene, communicator).run(recorder);
   }
 
@@ -18,5 +23,10 @@ namespace auxfem
     run.prepare();
     refuse_columns_of_nothing(scene, run.lattice);
     print_overview(scene, run.equations);
+    if (scene.discretization.tolerance &&
+        run.model.numbering.layout().rank() == 0)
+      std::cout << "Discretization/Order = auto: the run chooses orders of its "
+                   "own; these counts are those of order "
+                << scene.discretization.order << '.' << std::endl;
   }
 } // namespace auxfem

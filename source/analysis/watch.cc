@@ -15,7 +15,7 @@ namespace auxfem
     if (has_inertia)
       watches.push_back(make_step_watch(scene, equations));
     // Nor does what is in proportion to the loads show by its size.
-    if (equations.reporting().struts != nullptr && !equations.is_linear())
+    if (!equations.reporting().struts.empty() && !equations.is_linear())
       {
         watches.push_back(make_strain_watch(equations));
         if (!scene.lattice.struts_may_cross)

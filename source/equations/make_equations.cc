@@ -1,9 +1,9 @@
 #include <auxfem/equations/effects/rigid_part_inertia.h>
-#include <auxfem/equations/effects/strut_inertia.h>
 #include <auxfem/equations/equations.h>
 #include <auxfem/equations/make_couplings.h>
 #include <auxfem/equations/make_loads.h>
 #include <auxfem/equations/make_masses.h>
+#include <auxfem/equations/make_struts.h>
 #include <auxfem/equations/prescribed_motion.h>
 #include <auxfem/model/initial_velocities.h>
 #include <auxfem/parameters/errors.h>
@@ -16,17 +16,6 @@ namespace auxfem
 {
   namespace
   {
-    /** Whether a damping of struts is simulated and a section has it. */
-    bool has_damping(const LatticeModel &model, double Section::*damping)
-    {
-      return model.simulated.strut_damping &&
-        std::any_of(model.sections.begin(),
-                    model.sections.end(),
-                    [damping](const Section &section) {
-                      return section.*damping > 0;
-                    });
-    }
-
     StateLayout layout_of_scheme(const Scene &scene, const LatticeModel &model)
     {
       StateLayout layout;
@@ -108,9 +97,9 @@ namespace auxfem
   void Equations::register_blocks()
   {
     const DofNumbering &numbering = structure.numbering;
-    const unsigned int  n = (numbering.order() + 1) * numbering.n_components();
     for (unsigned int e = 0; e < numbering.elements().size(); ++e)
-      tangent_pattern.register_block(numbering.element_unknowns(e), n);
+      tangent_pattern.register_block(numbering.element_unknowns(e),
+                                     numbering.n_element_unknowns(e));
     for (const auto &effect : effects)
       effect->register_blocks(tangent_pattern);
   }
@@ -118,18 +107,11 @@ namespace auxfem
   void Equations::make_internal_forces(const Scene &scene)
   {
     const SimulatedEffects &simulated = structure.simulated;
-    if (structure.lattice.n_elastic_struts() > 0)
+    for (auto &struts :
+         make_strut_forces(structure, structure.lattice, structure.numbering))
       {
-        const StrutModel beams{
-          simulated.large_rotation,
-          simulated.shear_flexibility,
-          has_damping(structure, &Section::stiffness_proportional_damping)};
-        auto struts                    = StrutForces::make(structure.lattice,
-                                        structure.numbering,
-                                        structure.sections,
-                                        beams);
-        reporting_effects.struts       = struts.get();
-        reporting_effects.strut_effect = effects.size();
+        reporting_effects.struts.push_back(
+          {struts.get(), static_cast<unsigned int>(effects.size())});
         effects.push_back(std::move(struts));
       }
     if (auto springs =
@@ -190,14 +172,9 @@ namespace auxfem
     const RigidBodies      &bodies    = structure.bodies;
     if (!bodies.in_plane.empty() || !bodies.bars.empty())
       effects.push_back(std::make_unique<RigidPartInertia>(bodies));
-    if (reporting_effects.struts)
-      effects.push_back(make_strut_inertia(
-        structure.lattice,
-        structure.numbering,
-        structure.sections,
-        {simulated.large_rotation,
-         simulated.rotary_inertia,
-         has_damping(structure, &Section::mass_proportional_damping)}));
+    for (auto &inertia :
+         make_strut_inertia(structure, structure.lattice, structure.numbering))
+      effects.push_back(std::move(inertia));
     for (auto &masses : make_masses(scene,
                                     structure.lattice,
                                     structure.numbering,

@@ -91,21 +91,24 @@ namespace auxfem
                           const PerLength         &per_length,
                           AppliedLoads            &loads)
     {
-      const LineRule     rule(numbering.order());
       const unsigned int n = numbering.n_components();
-      for (unsigned int e = 0; e < numbering.elements().size(); ++e)
+      for (const DofNumbering::Group &group : numbering.groups())
         {
-          const StrutMesh::Interval &interval =
-            numbering.elements()[e].interval;
-          if (!chosen[interval.strut])
-            continue;
-          const Strut &strut = lattice.struts[interval.strut];
-          const double force = per_length(strut) * lattice.length(strut) *
-            (interval.end - interval.begin) / 2;
-          for (unsigned int a = 0; a < rule.integrals.size(); ++a)
-            loads.add_weight(load,
-                             numbering.element_unknowns(e)[n * a + c],
-                             force * rule.integrals[a]);
+          const LineRule rule(group.order);
+          for (unsigned int e = group.begin; e < group.end; ++e)
+            {
+              const StrutMesh::Interval &interval =
+                numbering.elements()[e].interval;
+              if (!chosen[interval.strut])
+                continue;
+              const Strut &strut = lattice.struts[interval.strut];
+              const double force = per_length(strut) * lattice.length(strut) *
+                (interval.end - interval.begin) / 2;
+              for (unsigned int a = 0; a < rule.integrals.size(); ++a)
+                loads.add_weight(load,
+                                 numbering.element_unknowns(e)[n * a + c],
+                                 force * rule.integrals[a]);
+            }
         }
     }
 

@@ -60,6 +60,7 @@ namespace auxfem
            Triangulation::none,
            /*allow_artificial_cells=*/false,
            Triangulation::partition_custom_signal)
+    , refinements(refinements)
     , ranks(
         partition_struts(lattice,
                          dealii::Utilities::MPI::n_mpi_processes(communicator)))
@@ -103,6 +104,11 @@ namespace auxfem
   unsigned int StrutMesh::n_cells() const
   {
     return mesh.n_active_cells();
+  }
+
+  unsigned int StrutMesh::n_cells_of_strut() const
+  {
+    return 1u << refinements;
   }
 
   unsigned int StrutMesh::rank(const unsigned int strut) const

@@ -1,44 +1,54 @@
 #include <auxfem/model/unknown_distribution.h>
 
-#include <deal.II/dofs/dof_handler.h>
-#include <deal.II/fe/fe_q.h>
-
 #include <algorithm>
 
 namespace auxfem
 {
+  namespace
+  {
+    /** Of each strut the first of its nodes, if those of all struts are
+     * numbered one after the other, and the end of the last; joints count anew
+     * at each strut. */
+    std::vector<std::size_t>
+    find_first_nodes(const StrutMesh                 &mesh,
+                     const std::vector<unsigned int> &orders)
+    {
+      std::vector<std::size_t> first(1, 0);
+      first.reserve(orders.size() + 1);
+      for (const unsigned int order : orders)
+        first.push_back(first.back() +
+                        std::size_t(order) * mesh.n_cells_of_strut() + 1);
+      return first;
+    }
+  } // namespace
+
   GlobalNumbers::GlobalNumbers(const Lattice                   &lattice,
                                const StrutMesh                 &mesh,
-                               const unsigned int               order,
+                               const std::vector<unsigned int> &orders,
                                const std::vector<unsigned int> &components,
                                const Ties                      &ties,
                                const unsigned int               n_ranks)
   {
-    const dealii::FE_Q<1> fe(order);
-    dealii::DoFHandler<1> nodes(mesh.triangulation());
-    if (mesh.n_cells() > 0)
-      nodes.distribute_dofs(fe);
-
     // Every node gets the numbers its joint has, if it lies at one, else those
     // of its own. Numbers are first counted apart for each rank (the rank whose
     // cell touches the unknown first owns it), then shifted to rank ranges.
-    using Unknown                     = UnknownDistribution::Unknown;
-    const std::size_t    n_components = components.size();
-    UnknownDistribution  distribution(lattice, ties, n_ranks);
-    std::vector<Unknown> of_node(std::size_t(nodes.n_dofs()) * n_components);
-    std::vector<const Unknown *> of_cell;
-    of_cell.reserve(std::size_t(mesh.n_cells()) * fe.n_dofs_per_cell() *
-                    n_components);
-
-    std::vector<dealii::types::global_dof_index> of_this(fe.n_dofs_per_cell());
-    for (const auto &cell : active_cells(nodes, mesh))
+    using Unknown                               = UnknownDistribution::Unknown;
+    const std::size_t              n_components = components.size();
+    UnknownDistribution            distribution(lattice, ties, n_ranks);
+    const std::vector<std::size_t> first_node = find_first_nodes(mesh, orders);
+    std::vector<Unknown>           of_node(first_node.back() * n_components);
+    std::vector<const Unknown *>   of_cell;
+    for (const auto &cell : active_cells(mesh.triangulation(), mesh))
       {
         const StrutMesh::Interval interval = StrutMesh::interval(cell);
         const int                 rank     = cell->subdomain_id();
-        cell->get_dof_indices(of_this);
-        for (unsigned int node = 0; node < of_this.size(); ++node)
+        const unsigned int        order    = orders[interval.strut];
+        const std::size_t         first =
+          first_node[interval.strut] + std::size_t(order) * interval.number();
+        for (unsigned int node = 0; node <= order; ++node)
           {
-            Unknown *own = &of_node[of_this[node] * n_components];
+            Unknown *own =
+              &of_node[(first + place_along(node, order)) * n_components];
             for (const unsigned int component : components)
               of_cell.push_back(interval.is_joint(node)
                                   ? distribution.assign_end(interval.strut,

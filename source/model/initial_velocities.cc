@@ -276,7 +276,7 @@ namespace auxfem
         const std::array<MovingEnd, 2> ends = {
           {end_of(interval.strut, 0), end_of(interval.strut, 1)}};
         const StrutVelocities inside(ends);
-        const LineRule        rule(numbering.order());
+        const LineRule        rule(numbering.elements()[e].order);
         const unsigned int    n = numbering.n_components();
         for (unsigned int a = 0; a < rule.nodes.size(); ++a)
           {

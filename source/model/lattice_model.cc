@@ -78,6 +78,17 @@ namespace auxfem
       return pairs;
     }
 
+    std::vector<unsigned int> orders_of(const Scene   &scene,
+                                        const Lattice &lattice)
+    {
+      const DiscretizationParameters &discretization = scene.discretization;
+      if (discretization.orders.empty())
+        return std::vector<unsigned int>(lattice.struts.size(),
+                                         discretization.order);
+      AssertDimension(discretization.orders.size(), lattice.struts.size());
+      return discretization.orders;
+    }
+
     Ties all_ties(const Scene                               &scene,
                   const Lattice                             &lattice,
                   const std::vector<JointRelease>           &releases,
@@ -105,7 +116,7 @@ namespace auxfem
                 StrutMesh(lattice,
                           scene.discretization.refinements,
                           communicator),
-                scene.discretization.order,
+                orders_of(scene, lattice),
                 all_ties(scene, lattice, releases, connector_pairs),
                 communicator)
     , rows(numbering.unknowns().owned_rows())

@@ -3,6 +3,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <set>
 
 namespace auxfem
 {
@@ -16,18 +17,17 @@ namespace auxfem
     }
   } // namespace
 
-  DofNumbering::DofNumbering(const Lattice     &lattice,
-                             const StrutMesh   &mesh,
-                             const unsigned int order,
-                             const Ties        &ties,
-                             const MPI_Comm     communicator)
+  DofNumbering::DofNumbering(const Lattice                   &lattice,
+                             const StrutMesh                 &mesh,
+                             const std::vector<unsigned int> &orders,
+                             const Ties                      &ties,
+                             const MPI_Comm                   communicator)
     : of_lattice(lattice)
-    , polynomial_order(order)
+    , of_struts(orders)
     , node_components(components_of_nodes(lattice.dimension))
-    , n_of_element((order + 1) * node_components.size())
     , numbers(lattice,
               mesh,
-              order,
+              orders,
               node_components,
               ties,
               dealii::Utilities::MPI::n_mpi_processes(communicator))
@@ -50,10 +50,9 @@ namespace auxfem
                                              const Ties        &ties,
                                              const unsigned int rank)
   {
-    const int begin      = numbers.first_owned[rank],
-              end        = numbers.first_owned[rank + 1];
-    const unsigned int n = (polynomial_order + 1) * n_components();
-    const auto is_mine   = [=](const int g) { return g >= begin && g < end; };
+    const int begin    = numbers.first_owned[rank],
+              end      = numbers.first_owned[rank + 1];
+    const auto is_mine = [=](const int g) { return g >= begin && g < end; };
     Kept       result;
     result.n_owned = end - begin;
 
@@ -65,18 +64,24 @@ namespace auxfem
           result.ghosts.push_back(g);
         }
     };
+    std::size_t next = 0;
     for (const auto &cell : active_cells(mesh.triangulation(), mesh))
       {
-        const std::size_t c    = cell->active_cell_index();
-        const int *const first = &numbers.cells[c * n], *const last = first + n;
+        const StrutMesh::Interval interval = StrutMesh::interval(cell);
+        const unsigned int        order    = of_struts[interval.strut];
+        const std::size_t         c        = next;
+        next += (order + 1) * n_components();
+        const int *const        first = numbers.cells.data() + c,
+                         *const last  = numbers.cells.data() + next;
         if (std::none_of(first, last, is_mine))
           continue;
         std::for_each(first, last, keep);
         result.cells.push_back(c);
         // The rank of the last node owns an unknown of the element, so it
         // keeps the element; the rank of the cell may not.
-        element_list.push_back({StrutMesh::interval(cell), is_mine(last[-1])});
+        element_list.push_back({interval, order, is_mine(last[-1])});
       }
+    sort_elements(result);
     for (const JointPair &pair : ties.connected)
       for (const unsigned int mine : {pair.first, pair.second})
         if (mine != invalid_index && is_mine(numbers.joints[mine][0]))
@@ -99,13 +104,41 @@ namespace auxfem
     return result;
   }
 
+  void DofNumbering::sort_elements(Kept &kept)
+  {
+    std::set<unsigned int> used;
+    for (unsigned int strut = 0; strut < of_struts.size(); ++strut)
+      if (!of_lattice.struts[strut].is_rigid())
+        used.insert(of_struts[strut]);
+    std::vector<Element>     sorted;
+    std::vector<std::size_t> cells;
+    for (const unsigned int order : used)
+      {
+        const unsigned int begin = sorted.size();
+        for (std::size_t e = 0; e < element_list.size(); ++e)
+          if (element_list[e].order == order)
+            {
+              sorted.push_back(element_list[e]);
+              cells.push_back(kept.cells[e]);
+            }
+        element_groups.push_back(
+          {order, begin, static_cast<unsigned int>(sorted.size())});
+      }
+    element_list.swap(sorted);
+    kept.cells.swap(cells);
+  }
+
   void DofNumbering::take_elements()
   {
-    const unsigned int n = (polynomial_order + 1) * n_components();
-    element_numbers.reserve(kept.cells.size() * n);
-    for (const std::size_t c : kept.cells)
-      for (unsigned int i = 0; i < n; ++i)
-        element_numbers.push_back(layout().local(numbers.cells[c * n + i]));
+    first_number.assign(1, 0);
+    for (std::size_t e = 0; e < element_list.size(); ++e)
+      {
+        const unsigned int n = (element_list[e].order + 1) * n_components();
+        for (unsigned int i = 0; i < n; ++i)
+          element_numbers.push_back(
+            layout().local(numbers.cells[kept.cells[e] + i]));
+        first_number.push_back(element_numbers.size());
+      }
     numbers.cells.clear();
     numbers.cells.shrink_to_fit();
     kept = Kept();
@@ -135,9 +168,8 @@ namespace auxfem
         if (of_motion[c] >= 0)
           mark(layout().local(of_motion[c]), node, c);
     };
-    const unsigned int n_nodes = polynomial_order + 1;
     for (std::size_t e = 0; e < element_list.size(); ++e)
-      for (unsigned int node = 0; node < n_nodes; ++node)
+      for (unsigned int node = 0; node <= element_list[e].order; ++node)
         if (!element_list[e].interval.is_joint(node))
           for (unsigned int c = 0; c < n_components(); ++c)
             {
@@ -216,9 +248,9 @@ namespace auxfem
     return of_lattice;
   }
 
-  unsigned int DofNumbering::order() const
+  const std::vector<unsigned int> &DofNumbering::orders() const
   {
-    return polynomial_order;
+    return of_struts;
   }
 
   unsigned int DofNumbering::n_components() const
@@ -254,6 +286,11 @@ namespace auxfem
   const std::vector<DofNumbering::Element> &DofNumbering::elements() const
   {
     return element_list;
+  }
+
+  const std::vector<DofNumbering::Group> &DofNumbering::groups() const
+  {
+    return element_groups;
   }
 
   int DofNumbering::joint_unknown(const unsigned int joint,

@@ -4,6 +4,23 @@
 
 namespace auxfem
 {
+  namespace
+  {
+    /** By strut, if the nodes of all are numbered one after the other; @p of_any
+     * is any element, as all struts have equally many. */
+    std::vector<unsigned int>
+    first_nodes(const std::vector<unsigned int> &orders,
+                const StrutMesh::Interval       &of_any)
+    {
+      const unsigned int n_elements =
+        std::lround(1 / (of_any.end - of_any.begin));
+      std::vector<unsigned int> first(1, 0);
+      for (const unsigned int order : orders)
+        first.push_back(first.back() + order * n_elements + 1);
+      return first;
+    }
+  } // namespace
+
   std::vector<unsigned int> rotation_numbers(const Lattice      &lattice,
                                              const DofNumbering &numbering)
   {
@@ -19,25 +36,18 @@ namespace auxfem
     };
 
     // What comes later has a better claim to the name.
-    const unsigned int order = numbering.order();
+    std::vector<unsigned int> first_node;
     for (unsigned int e = 0; e < numbering.elements().size(); ++e)
       {
         const StrutMesh::Interval &interval = numbering.elements()[e].interval;
-        // All struts have equally many elements.
-        const double       length  = interval.end - interval.begin;
-        const unsigned int n_nodes = order * std::lround(1 / length),
-                           before =
-                             order * std::lround(interval.begin / length);
+        const unsigned int         order    = numbering.elements()[e].order;
+        if (first_node.empty())
+          first_node = first_nodes(numbering.orders(), interval);
         const int *unknowns = numbering.element_unknowns(e);
         for (unsigned int node = 0; node <= order; ++node)
-          {
-            // Both ends come first.
-            const unsigned int inside =
-              node == 0 ? 0 : (node == 1 ? order : node - 1);
-            name(unknowns[numbering.n_components() * node + first_rotation],
-                 n_parts + n_joints + n_ends + interval.strut * (n_nodes + 1) +
-                   before + inside);
-          }
+          name(unknowns[numbering.n_components() * node + first_rotation],
+               n_parts + n_joints + n_ends + first_node[interval.strut] +
+                 order * interval.number() + place_along(node, order));
       }
     for (unsigned int strut = 0; strut < lattice.struts.size(); ++strut)
       for (const unsigned int end : {0u, 1u})

@@ -91,11 +91,10 @@ namespace auxfem
                                   const DofNumbering &numbering,
                                   const unsigned int  unknown)
     {
-      const unsigned int n = numbering.n_components() * (numbering.order() + 1);
       for (unsigned int e = 0; e < numbering.elements().size(); ++e)
         {
           const int *const        begin = numbering.element_unknowns(e),
-                           *const end   = begin + n,
+                           *const end = begin + numbering.n_element_unknowns(e),
                            *const found =
                              std::find(begin, end, static_cast<int>(unknown));
           if (found == end)

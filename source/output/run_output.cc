@@ -241,6 +241,7 @@ namespace auxfem
       dealii::Utilities::MPI::max(history->largest_rotation(), communicator);
     summary.time       = result.time;
     summary.time_error = result.time_error;
+    summary.orders     = result.orders;
     summary.exit_state = result.exit_state;
     summary.findings   = result.findings;
     summary.notes      = notes;

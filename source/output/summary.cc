@@ -34,9 +34,13 @@ namespace auxfem
 
     Json json_of(const Counts &counts)
     {
+      Json orders = Json::object();
+      for (const auto &[order, n] : counts.struts_of_order)
+        orders[std::to_string(order)] = n;
       return {{"joints", counts.joints},
               {"struts", counts.struts},
               {"elements", counts.elements},
+              {"struts_of_order", orders},
               {"connectors", counts.connectors},
               {"rigid_parts", counts.rigid_parts},
               {"unknowns", counts.unknowns},
@@ -97,6 +101,21 @@ namespace auxfem
                    << decision.reason << '\n';
           }
     }
+
+    std::string orders_text(const Counts &counts)
+    {
+      if (counts.struts_of_order.empty())
+        return "";
+      if (counts.struts_of_order.size() == 1)
+        return " of order " +
+          std::to_string(counts.struts_of_order.begin()->first);
+      std::string text;
+      for (const auto &[order, n] : counts.struts_of_order)
+        text += (text.empty() ? ": " : ", ") + std::to_string(n) +
+          (text.empty() ? " struts of order " : " of order ") +
+          std::to_string(order);
+      return text;
+    }
   } // namespace
 
   Counts count(const Equations &equations)
@@ -115,10 +134,13 @@ namespace auxfem
                   numbering.layout().communicator());
 
     Counts counts;
-    counts.joints        = equations.model().lattice.joints.size();
-    counts.struts        = equations.model().lattice.struts.size();
-    counts.elements      = mine[0];
-    counts.connectors    = mine[1];
+    counts.joints     = equations.model().lattice.joints.size();
+    counts.struts     = equations.model().lattice.struts.size();
+    counts.elements   = mine[0];
+    counts.connectors = mine[1];
+    for (unsigned int s = 0; s < numbering.orders().size(); ++s)
+      if (!equations.model().lattice.struts[s].is_rigid())
+        ++counts.struts_of_order[numbering.orders()[s]];
     counts.rigid_parts   = equations.model().lattice.rigid_parts.size();
     counts.unknowns      = numbering.layout().n_global();
     counts.free_unknowns = numbering.unknowns().n_free();
@@ -260,6 +282,8 @@ namespace auxfem
     json["work"]             = json_of(summary.totals);
     if (summary.time_error)
       json["estimated_time_error"] = *summary.time_error;
+    if (summary.orders)
+      json["order_choice"] = json_of(*summary.orders);
     json["wall_seconds"]            = wall_seconds(summary.resources);
     json["cpu_seconds"]             = summary.resources.cpu_seconds;
     json["cpu_seconds_of_start"]    = summary.resources.start.cpu;
@@ -293,9 +317,7 @@ namespace auxfem
     };
     line("Joints", counts.joints);
     line("Struts", counts.struts);
-    line("Elements",
-         counts.elements,
-         " of order " + std::to_string(scene.discretization.order));
+    line("Elements", counts.elements, orders_text(counts));
     line("Connectors", counts.connectors);
     if (counts.rigid_parts > 0)
       line("Rigid parts",
@@ -345,6 +367,9 @@ namespace auxfem
              << std::llround(double(totals.linear_iterations) /
                              totals.linear_solutions)
              << '\n';
+    if (summary.orders)
+      stream << order_search_text(*summary.orders) << '\n'
+             << mesh_error_text(*summary.orders) << '\n';
     stream << poissons_ratio_text(summary.strain)
            << closing_energies_text(summary.energies, folder) << '\n'
            << verdict_text(summary.findings);

@@ -89,7 +89,7 @@ namespace auxfem
         sets.push_back(std::move(members));
       }
 
-    if (equations.reporting().struts)
+    if (!equations.reporting().struts.empty())
       strut_series.emplace(folder, "solution", communicator);
     if (equations.reporting().rigid_parts)
       rigid_part_series.emplace(folder, "rigid_parts", communicator);
@@ -142,17 +142,16 @@ namespace auxfem
     values.push_back(point.energy_density);
   }
 
-  void VtuWriter::write_struts(const State &state)
+  void VtuWriter::add_struts(const StrutForces &struts,
+                             const State       &state,
+                             LineGraphics      &graphics) const
   {
-    if (!strut_series)
-      return;
-
     const DofNumbering &numbering = equations.model().numbering;
-    LineGraphics        graphics(strut_fields());
 
     std::vector<dealii::Point<3>> points;
     std::vector<float>            values;
-    for (unsigned int e = 0; e < numbering.elements().size(); ++e)
+    for (unsigned int e = struts.elements().begin; e < struts.elements().end;
+         ++e)
       {
         const DofNumbering::Element &element = numbering.elements()[e];
         if (!element.is_owned)
@@ -164,8 +163,7 @@ namespace auxfem
 
         points.clear();
         values.clear();
-        for (const StrutPoint &point :
-             equations.reporting().struts->sample(state, e, n_segments + 1))
+        for (const StrutPoint &point : struts.sample(state, e, n_segments + 1))
           {
             points.push_back(point.position);
             append_point(point, values);
@@ -178,6 +176,16 @@ namespace auxfem
           }
         graphics.add_line(points, values);
       }
+  }
+
+  void VtuWriter::write_struts(const State &state)
+  {
+    if (!strut_series)
+      return;
+
+    LineGraphics graphics(strut_fields());
+    for (const StrutGroup &group : equations.reporting().struts)
+      add_struts(*group.forces, state, graphics);
     strut_series->write(graphics, state.time);
   }
 

@@ -212,7 +212,7 @@ namespace auxfem
         case Kind::quantity_list:
           return list_phrase(*this);
         case Kind::integer:
-          return "a whole number " + range.text();
+          return words_before(*this) + "a whole number " + range.text();
         case Kind::choice:
           return "one of " + joined(words);
         case Kind::time_expression:
@@ -362,17 +362,19 @@ namespace auxfem
 
 
 
-  Integer::Integer(const std::string &name,
-                   const unsigned int default_value,
-                   const unsigned int minimum,
-                   const unsigned int maximum,
-                   const std::string &sentence)
+  Integer::Integer(const std::string              &name,
+                   const unsigned int              default_value,
+                   const unsigned int              minimum,
+                   const unsigned int              maximum,
+                   const std::string              &sentence,
+                   const std::vector<std::string> &words)
     : Parameter{name,
                 std::to_string(default_value),
                 sentence,
                 Kind::integer,
                 "1",
-                Range::closed(minimum, maximum)}
+                Range::closed(minimum, maximum),
+                words}
   {}
 
 

@@ -218,6 +218,18 @@ namespace auxfem
                              "Global refinements"));
     }
 
+    void check_chosen_order(const Scene &scene, Mistakes &mistakes)
+    {
+      if (scene.discretization.tolerance && scene.analysis == Analysis::study &&
+          scene.study.kind != "effects")
+        mistakes.add(message(scene,
+                             "Discretization/Order = auto: a study with Study/"
+                             "Kind = ",
+                             scene.study.kind,
+                             " compares orders that are numbers. Set Order to "
+                             "one, e.g. 3"));
+    }
+
     void check_reduced_cell(const Scene &scene, Mistakes &mistakes)
     {
       if (scene.context.dimension == 3)
@@ -291,6 +303,7 @@ namespace auxfem
       check_reduced_cell(scene, mistakes);
     check_smallest_step(scene, mistakes);
     check_order(scene, mistakes);
+    check_chosen_order(scene, mistakes);
     check_tolerance(scene, mistakes);
     check_inertia(scene, mistakes);
     check_motions(scene, mistakes);

@@ -52,8 +52,7 @@ namespace auxfem
 
   unsigned int highest_order(const Scene &scene)
   {
-    return scene.context.dimension == 2 ? largest_plane_order
-                                        : largest_space_order;
+    return highest_strut_order(scene.context.dimension);
   }
 
 

@@ -21,9 +21,22 @@ namespace
              const unsigned int refinements  = 0,
              const Ties        &ties         = {},
              const MPI_Comm     communicator = MPI_COMM_WORLD)
+      : Numbered(lattice,
+                 std::vector<unsigned int>(lattice.struts.size(), order),
+                 refinements,
+                 ties,
+                 communicator)
+    {}
+
+    /** With orders by strut. */
+    Numbered(const Lattice                   &lattice,
+             const std::vector<unsigned int> &orders,
+             const unsigned int               refinements,
+             const Ties                      &ties,
+             const MPI_Comm                   communicator)
       : lattice(lattice)
       , mesh(this->lattice, refinements, communicator)
-      , dofs(this->lattice, mesh, order, complete(ties), communicator)
+      , dofs(this->lattice, mesh, orders, complete(ties), communicator)
     {}
 
     Ties complete(Ties ties) const
@@ -87,8 +100,47 @@ TEST(DofNumbering, CountsFollowFromOrderAndRefinement)
         const Numbered     tripods(tripod(), order, refinements);
         const unsigned int inner_nodes = order * (1u << refinements) - 1;
         EXPECT_EQ(tripods.dofs.layout().n_global(), 3 * (4 + 3 * inner_nodes));
-        EXPECT_EQ(tripods.dofs.order(), order);
+        EXPECT_EQ(tripods.dofs.groups().at(0).order, order);
       }
+}
+
+TEST(DofNumbering, StrutsOfDifferentOrderShareJointsOnly)
+{
+  for (const unsigned int refinements : {0u, 1u})
+    {
+      const Numbered      tripods(tripod(),
+                             {4, 1, 4},
+                             refinements,
+                             {},
+                             MPI_COMM_WORLD);
+      const DofNumbering &dofs = tripods.dofs;
+      const unsigned int  n    = 1u << refinements;
+      EXPECT_EQ(dofs.layout().n_global(),
+                3 * (4 + 2 * (4 * n - 1) + (1 * n - 1)));
+      ASSERT_EQ(dofs.groups().size(), 2u);
+      EXPECT_EQ(dofs.groups()[0].order, 1u);
+      EXPECT_EQ(dofs.groups()[1].order, 4u);
+      EXPECT_EQ(dofs.groups()[0].end, dofs.groups()[1].begin);
+      EXPECT_EQ(dofs.groups()[1].end, dofs.elements().size());
+
+      for (const DofNumbering::Group &group : dofs.groups())
+        for (unsigned int e = group.begin; e < group.end; ++e)
+          {
+            const StrutMesh::Interval &interval = dofs.elements()[e].interval;
+            const Strut &strut = tripods.lattice.struts[interval.strut];
+            EXPECT_EQ(dofs.elements()[e].order, group.order);
+            EXPECT_EQ(dofs.orders()[interval.strut], group.order);
+            EXPECT_EQ(dofs.n_element_unknowns(e), 3 * (group.order + 1));
+            for (unsigned int node = 0; node <= group.order; ++node)
+              {
+                const int unknown = dofs.element_unknowns(e)[3 * node];
+                if (interval.is_joint(node))
+                  EXPECT_EQ(unknown, dofs.joint_unknown(strut.joints[node], 0));
+                else
+                  EXPECT_EQ(dofs.unknowns().strut[unknown], interval.strut);
+              }
+          }
+    }
 }
 
 TEST(DofNumbering, StrutsShareTheUnknownsOfTheirJoint)

@@ -66,6 +66,20 @@ namespace
 
 
 
+  TEST(Parameter, WordsMayStandForWholeNumbers)
+  {
+    const Integer order = {"Order", 3, 1, 6, "Number or word.", {"auto"}};
+    EXPECT_EQ(order.problem("auto"), "");
+    EXPECT_EQ(order.problem("4"), "");
+    EXPECT_NE(order.problem("automatic"), "");
+    EXPECT_NE(order.allowed().find("auto"), std::string::npos);
+    EXPECT_NE(order.allowed().find("a whole number >= 1 and <= 6"),
+              std::string::npos);
+    EXPECT_EQ(integer.allowed(), "a whole number >= 1 and <= 6");
+  }
+
+
+
   TEST(Parameter, MissingAndMisplacedValuesAreRefused)
   {
     ParameterValues values(all);

@@ -61,9 +61,10 @@ namespace
         const auto  &interval = elements[e].interval;
         const double length   = interval.end - interval.begin;
         const auto   points =
-          run.equations.reporting().struts->sample(run.state,
-                                                   e,
-                                                   n_intervals + 1);
+          run.equations.reporting().struts.front().forces->sample(run.state,
+                                                                  e,
+                                                                  n_intervals +
+                                                                    1);
         for (unsigned int i = 0; i <= n_intervals; ++i)
           {
             const double s = interval.begin + length * i / n_intervals;

@@ -42,7 +42,7 @@ namespace
     const DofNumbering &numbering = model.numbering;
     std::vector<bool>   along(numbering.layout().n_owned(), false);
     for (unsigned int e = 0; e < numbering.elements().size(); ++e)
-      for (unsigned int node = 0; node <= numbering.order(); ++node)
+      for (unsigned int node = 0; node <= numbering.elements()[e].order; ++node)
         along[numbering.element_unknowns(e)[3 * node]] = true;
     std::vector<int> unknowns;
     for (unsigned int i = 0; i < numbering.layout().n_owned(); ++i)

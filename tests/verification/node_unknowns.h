@@ -23,7 +23,7 @@ namespace auxfem
       const DofNumbering      &numbering = run.model.numbering;
       std::vector<NodeUnknown> result(numbering.layout().n_local());
       const auto               nodes =
-        dealii::FE_Q<1>(numbering.order()).get_unit_support_points();
+        dealii::FE_Q<1>(numbering.orders().front()).get_unit_support_points();
       for (unsigned int e = 0; e < numbering.elements().size(); ++e)
         {
           const StrutMesh::Interval &interval =

@@ -166,7 +166,7 @@ namespace
     const DofNumbering &dofs = run.model.numbering;
     std::set<int>       firsts;
     for (unsigned int e = 0; e < dofs.elements().size(); ++e)
-      for (unsigned int i = 0; i < 6 * (dofs.order() + 1); i += 3)
+      for (unsigned int i = 0; i < dofs.n_element_unknowns(e); i += 3)
         firsts.insert(dofs.element_unknowns(e)[i]);
     for (unsigned int joint = 0; joint < run.lattice.joints.size(); ++joint)
       for (const unsigned int first : {0u, first_rotation})

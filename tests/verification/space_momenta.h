@@ -34,7 +34,7 @@ namespace auxfem
       {
         const DofNumbering &dofs = run.model.numbering;
         const auto          points =
-          dealii::FE_Q<1>(dofs.order()).get_unit_support_points();
+          dealii::FE_Q<1>(dofs.orders().front()).get_unit_support_points();
         for (unsigned int e = 0; e < dofs.elements().size(); ++e)
           for (unsigned int a = 0; a < points.size(); ++a)
             {

@@ -3,6 +3,9 @@
 
 #include <auxfem/parameters/subsection_schema.h>
 
+#include <optional>
+#include <vector>
+
 namespace auxfem
 {
   /** `Discretization`. */
@@ -11,6 +14,11 @@ namespace auxfem
     unsigned int order = 3; ///< polynomial order 1..6, in space 1..4
     /** Global refinements: 2^n elements a strut. */
     unsigned int refinements = 0;
+    /** Error of the motion that orders are chosen for, strut by strut; nothing:
+     * all struts have `order`. */
+    std::optional<double> tolerance = {};
+    /** Orders by strut, where they differ; empty: all struts have `order`. */
+    std::vector<unsigned int> orders = {};
   };
 
   /** `Discretization`. */

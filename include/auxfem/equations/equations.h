@@ -24,12 +24,19 @@ namespace auxfem
                            const EvaluationResults &results) const;
   };
 
+  /** Struts of one polynomial order among the effects. */
+  struct StrutGroup
+  {
+    const StrutForces *forces;
+    unsigned int       effect; ///< index in EvaluationResults::of_effects
+  };
+
   /** The effects that output asks for more than forces. */
   struct ReportingEffects
   {
-    /** nullptr if the scene has no elastic struts. */
-    const StrutForces *struts = nullptr;
-    unsigned int strut_effect = 0; ///< index in EvaluationResults::of_effects
+    /** By ascending order, as DofNumbering::groups(); none if the scene has no
+     * elastic struts. */
+    std::vector<StrutGroup> struts;
     /** nullptr if the scene has no rigid parts. */
     const RigidPartConstraints *rigid_parts = nullptr;
     std::vector<ConnectorGroup> connectors;

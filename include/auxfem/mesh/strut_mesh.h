@@ -5,6 +5,8 @@
 
 #include <deal.II/distributed/shared_tria.h>
 
+#include <cmath>
+
 namespace auxfem
 {
   /**
@@ -35,6 +37,13 @@ namespace auxfem
         return begin + (end - begin) * (1 + xi) / 2;
       }
 
+      /** Number of the cell along its strut: all cells of a strut are equally
+       * long. */
+      unsigned int number() const
+      {
+        return std::lround(begin / (end - begin));
+      }
+
       /** Whether @p node of the cell, in the order of FE_Q, lies at a joint. */
       bool is_joint(const unsigned int node) const
       {
@@ -56,6 +65,9 @@ namespace auxfem
     /** Number of active cells of all ranks. */
     unsigned int n_cells() const;
 
+    /** Number of active cells of every elastic strut. */
+    unsigned int n_cells_of_strut() const;
+
     /** Position of an active cell. */
     static Interval interval(const Triangulation::cell_iterator &cell);
 
@@ -64,8 +76,19 @@ namespace auxfem
 
   private:
     Triangulation                   mesh;
+    const unsigned int              refinements;
     const std::vector<unsigned int> ranks; ///< by strut
   };
+
+  /**
+   * Position along the element, 0..order, of @p node in the order of FE_Q (both
+   * ends, then the inner nodes).
+   */
+  inline unsigned int place_along(const unsigned int node,
+                                  const unsigned int order)
+  {
+    return node == 0 ? 0 : (node == 1 ? order : node - 1);
+  }
 
   /** Active cells of @p container on @p mesh, which may have none. */
   template <class Container>

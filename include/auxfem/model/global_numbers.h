@@ -36,12 +36,13 @@ namespace auxfem
     };
 
     /**
+     * @param orders polynomial orders of the elements, by strut
      * @param components of motion that nodes have.
      * Collective.
      */
     GlobalNumbers(const Lattice                   &lattice,
                   const StrutMesh                 &mesh,
-                  unsigned int                     order,
+                  const std::vector<unsigned int> &orders,
                   const std::vector<unsigned int> &components,
                   const Ties                      &ties,
                   unsigned int                     n_ranks);

@@ -29,26 +29,38 @@ namespace auxfem
     struct Element
     {
       StrutMesh::Interval interval;
+      unsigned int        order; ///< polynomial
       /** Whether this rank counts its energy and writes it to files. */
       bool is_owned;
     };
 
+    /** Elements of one order, which are kept one after the other: [begin, end).
+     */
+    struct Group
+    {
+      unsigned int order;
+      unsigned int begin, end;
+    };
+
     /**
      * @param lattice must outlive the object.
+     * @param orders polynomial orders of the elements, by strut, the same on
+     *   every rank
      * Collective.
      */
-    DofNumbering(const Lattice   &lattice,
-                 const StrutMesh &mesh,
-                 unsigned int     order,
-                 const Ties      &ties,
-                 MPI_Comm         communicator);
+    DofNumbering(const Lattice                   &lattice,
+                 const StrutMesh                 &mesh,
+                 const std::vector<unsigned int> &orders,
+                 const Ties                      &ties,
+                 MPI_Comm                         communicator);
 
     DofNumbering(const DofNumbering &)            = delete;
     DofNumbering &operator=(const DofNumbering &) = delete;
 
     const Lattice &lattice() const;
 
-    unsigned int order() const;
+    /** Polynomial orders of the elements, by strut. */
+    const std::vector<unsigned int> &orders() const;
 
     /** Unknowns a node: 3 in the plane, 6 in space. */
     unsigned int n_components() const;
@@ -73,16 +85,30 @@ namespace auxfem
     /** The rotations in space. */
     const SpatialRotations &rotations() const;
 
-    /** Elements kept on this rank, those of a strut one after the other. */
+    /** Elements kept on this rank by ascending order, those of a strut one
+     * after the other. */
     const std::vector<Element> &elements() const;
 
     /**
-     * Local numbers of the (order + 1) * n_components() unknowns of element @p e,
-     * node by node in the node order of FE_Q (both ends, then the inner nodes).
+     * The elements by order: a group for every order that an elastic strut of
+     * the lattice has, empty if none of them is kept on this rank.
+     */
+    const std::vector<Group> &groups() const;
+
+    /**
+     * Local numbers of the unknowns of element @p e, n_components() at each of
+     * its order + 1 nodes, in the node order of FE_Q (both ends, then the inner
+     * nodes).
      */
     const int *element_unknowns(const unsigned int e) const
     {
-      return element_numbers.data() + std::size_t(e) * n_of_element;
+      return element_numbers.data() + first_number[e];
+    }
+
+    /** Number of unknowns of element @p e. */
+    unsigned int n_element_unknowns(const unsigned int e) const
+    {
+      return first_number[e + 1] - first_number[e];
     }
 
     /**
@@ -115,13 +141,15 @@ namespace auxfem
     /** Marks in order what each rank keeps of the unknowns of others. */
     struct Kept
     {
-      unsigned int              n_owned = 0;
-      std::vector<int>          ghosts;
+      unsigned int     n_owned = 0;
+      std::vector<int> ghosts;
+      /** Of each element, where its numbers begin in GlobalNumbers::cells. */
       std::vector<std::size_t>  cells;
       std::vector<unsigned int> rigid_parts;
     };
 
     Kept find_kept(const StrutMesh &mesh, const Ties &ties, unsigned int rank);
+    void sort_elements(Kept &kept);
     void take_elements();
     void mark_unknowns();
     void mark(int unknown, unsigned int node, unsigned int component);
@@ -130,16 +158,18 @@ namespace auxfem
     void find_rotations();
 
     const Lattice                  &of_lattice;
-    const unsigned int              polynomial_order;
+    const std::vector<unsigned int> of_struts; ///< orders
     const std::vector<unsigned int> node_components;
-    const std::size_t               n_of_element; ///< unknowns
     GlobalNumbers                   numbers;
     std::vector<Element>            element_list;
+    std::vector<Group>              element_groups;
     Kept                            kept; ///< emptied after set-up
     std::vector<int>                element_numbers;
-    Unknowns                        of_unknowns;
-    ConstraintUnknowns              of_constraints;
-    SpatialRotations                in_space;
+    /** Of each element, and the end of the last. */
+    std::vector<std::size_t> first_number;
+    Unknowns                 of_unknowns;
+    ConstraintUnknowns       of_constraints;
+    SpatialRotations         in_space;
   };
 } // namespace auxfem
 

@@ -3,6 +3,7 @@
 
 #include <auxfem/equations/equations.h>
 #include <auxfem/equations/solution.h>
+#include <auxfem/output/order_report.h>
 #include <auxfem/output/verdict.h>
 #include <auxfem/time/step_report.h>
 
@@ -26,6 +27,9 @@ namespace auxfem
     /** Estimated error of the time integration, relative to the largest
      * displacements, where steps follow it. */
     std::optional<double> time_error = {};
+
+    /** With Discretization/Order = auto. */
+    std::optional<OrderReport> orders = {};
 
     bool completed() const
     {

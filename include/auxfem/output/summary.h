@@ -3,22 +3,27 @@
 
 #include <auxfem/equations/equations.h>
 #include <auxfem/output/history.h>
+#include <auxfem/output/order_report.h>
 #include <auxfem/output/start_times.h>
 #include <auxfem/output/verdict.h>
 #include <auxfem/parameters/json.h>
 #include <auxfem/scene/scene.h>
 #include <auxfem/time/step_report.h>
 
+#include <map>
+
 namespace auxfem
 {
   /** Sizes of a scene over all ranks. */
   struct Counts
   {
-    unsigned int joints      = 0;
-    unsigned int struts      = 0;
-    unsigned int elements    = 0;
-    unsigned int connectors  = 0;
-    unsigned int rigid_parts = 0;
+    unsigned int joints   = 0;
+    unsigned int struts   = 0;
+    unsigned int elements = 0;
+    /** Elastic struts by the polynomial order of their elements. */
+    std::map<unsigned int, unsigned int> struts_of_order;
+    unsigned int                         connectors  = 0;
+    unsigned int                         rigid_parts = 0;
     /** Displacements, rotations and multipliers. */
     unsigned int unknowns = 0;
     /** Displacements and rotations that are not prescribed. */
@@ -68,7 +73,8 @@ namespace auxfem
     double        largest_rotation = 0; ///< rad
     double        time             = 0; ///< reached (s)
     /** See RunResult. */
-    std::optional<double> time_error;
+    std::optional<double>      time_error;
+    std::optional<OrderReport> orders;
     /** What the user should know of the scene (output/notes.h). */
     std::vector<std::string> notes;
     /** `completed` or the reason it was not. */

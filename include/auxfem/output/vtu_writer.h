@@ -51,6 +51,11 @@ namespace auxfem
      */
     void write_struts(const State &state);
 
+    /** Those of one polynomial order. */
+    void add_struts(const StrutForces &struts,
+                    const State       &state,
+                    LineGraphics      &graphics) const;
+
     /** As write_struts(), for rigid parts. */
     void write_rigid_parts(const State &state);
 

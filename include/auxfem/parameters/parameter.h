@@ -137,11 +137,13 @@ namespace auxfem
   /** A whole number. */
   struct Integer : Parameter
   {
-    Integer(const std::string &name,
-            unsigned int       default_value,
-            unsigned int       minimum,
-            unsigned int       maximum,
-            const std::string &sentence);
+    /** Words, e.g. `auto`, may stand in place of the number. */
+    Integer(const std::string              &name,
+            unsigned int                    default_value,
+            unsigned int                    minimum,
+            unsigned int                    maximum,
+            const std::string              &sentence,
+            const std::vector<std::string> &words = {});
 
     unsigned int value(const std::string &text) const;
   };

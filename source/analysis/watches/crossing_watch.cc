@@ -227,7 +227,7 @@ namespace auxfem
         const auto          for_ways = [&](const auto &act) {
           for (unsigned int e = 0; e < numbering.elements().size(); ++e)
             if (numbering.elements()[e].is_owned)
-              for (unsigned int a = 0; a <= numbering.order(); ++a)
+              for (unsigned int a = 0; a <= numbering.elements()[e].order; ++a)
                 {
                   const int *unknowns =
                     numbering.element_unknowns(e) + n_components * a;
@@ -271,16 +271,26 @@ namespace auxfem
       /** Of the elastic struts of this rank. */
       Axes axes_of(const Vector &displacement) const
       {
-        const DofNumbering &numbering = model.numbering;
-        const unsigned int  n_points  = numbering.order() + 1;
-        Axes                axes;
-        for (unsigned int e = 0; e < numbering.elements().size(); ++e)
+        Axes axes;
+        for (const StrutGroup &group : equations.reporting().struts)
+          add_axes(*group.forces, displacement, axes);
+        return axes;
+      }
+
+      void add_axes(const StrutForces &struts,
+                    const Vector      &displacement,
+                    Axes              &axes) const
+      {
+        for (unsigned int e = struts.elements().begin;
+             e < struts.elements().end;
+             ++e)
           {
-            const DofNumbering::Element &element = numbering.elements()[e];
+            const DofNumbering::Element &element =
+              model.numbering.elements()[e];
             if (!element.is_owned)
               continue;
             const Points points =
-              equations.reporting().struts->axis(displacement, e, n_points);
+              struts.axis(displacement, e, element.order + 1);
             if (axes.struts.empty() ||
                 axes.struts.back() != element.interval.strut)
               {
@@ -292,7 +302,6 @@ namespace auxfem
                                         points.begin() + 1,
                                         points.end());
           }
-        return axes;
       }
 
       /** All that cross, of all ranks, each once. Collective. */

@@ -25,15 +25,18 @@ namespace auxfem
                 const EvaluationResults &results,
                 TangentSolver & /*solver*/) override
       {
-        const ReportingEffects &effects = equations.reporting();
-        const StrutStrain       found   = effects.struts->largest_strain(
-          step.to,
-          *results.of_effects[effects.strut_effect],
-          std::max(largest.value, doubtful_strain));
-        if (found.strut == invalid_index)
-          return;
-        largest.add(found.value, step.to.time);
-        strut = found.strut;
+        for (const StrutGroup &group : equations.reporting().struts)
+          {
+            const StrutStrain found =
+              group.forces->largest_strain(step.to,
+                                           *results.of_effects[group.effect],
+                                           std::max(largest.value,
+                                                    doubtful_strain));
+            if (found.strut == invalid_index)
+              continue;
+            largest.add(found.value, step.to.time);
+            strut = found.strut;
+          }
       }
 
       std::vector<Finding> findings() const override

@@ -261,12 +261,14 @@ namespace auxfem
   std::unique_ptr<StrutForces>
   make_plane_struts(const Lattice              &lattice,
                     const DofNumbering         &numbering,
+                    const DofNumbering::Group  &group,
                     const std::vector<Section> &sections,
                     const StrutModel           &model)
   {
-    return dispatch_order(numbering.order(), [&](auto order) {
+    return dispatch_order(group.order, [&](auto order) {
       return make_struts_of_order<PlaneBeam, order>(lattice,
                                                     numbering,
+                                                    group,
                                                     sections,
                                                     model);
     });

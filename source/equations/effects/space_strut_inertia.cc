@@ -31,15 +31,18 @@ namespace auxfem
     public:
       SpaceStrutInertia(const Lattice              &lattice,
                         const DofNumbering         &numbering,
+                        const DofNumbering::Group  &group,
                         const std::vector<Section> &sections,
                         const bool                  rotary_inertia)
         : StrutInertia(damped)
         , numbering(numbering)
+        , group(group)
         , node_rotations(numbering)
         , rotary(rotary_inertia)
       {
-        for (const DofNumbering::Element &element : numbering.elements())
+        for (unsigned int e = group.begin; e < group.end; ++e)
           {
+            const DofNumbering::Element &element = numbering.elements()[e];
             const Strut   &strut    = lattice.struts[element.interval.strut];
             const Section &section  = sections[strut.section];
             const double   jacobian = lattice.length(strut) *
@@ -70,7 +73,7 @@ namespace auxfem
         const DampedVelocity velocities(evaluation);
         for (unsigned int e = 0; e < elements.size(); ++e)
           {
-            const int   *unknowns = numbering.element_unknowns(e);
+            const int   *unknowns = numbering.element_unknowns(group.begin + e);
             const auto   a        = gather(accelerations, unknowns, 0);
             const auto   v        = gather(velocities.values(), unknowns, 0);
             const double alpha    = damped ? elements[e].damping : 0.;
@@ -117,7 +120,7 @@ namespace auxfem
                     mass * shape.mass[i][j] * elements[e].mass;
             if (rotary)
               add_rotary_tangent(e, evaluation, factors, mass, block);
-            matrix.add(e, block);
+            matrix.add(group.begin + e, block);
           }
       }
 
@@ -151,11 +154,12 @@ namespace auxfem
                  const State             &state,
                  const double            *velocities)
         {
-          const int *unknowns = inertia.numbering.element_unknowns(e);
-          velocity            = gather(velocities, unknowns, 3);
-          acceleration        = gather(state.acceleration->data(), unknowns, 3);
-          momentum            = inertia.momenta(e, velocity);
-          rate                = inertia.momenta(e, acceleration);
+          const int *unknowns =
+            inertia.numbering.element_unknowns(inertia.group.begin + e);
+          velocity     = gather(velocities, unknowns, 3);
+          acceleration = gather(state.acceleration->data(), unknowns, 3);
+          momentum     = inertia.momenta(e, velocity);
+          rate         = inertia.momenta(e, acceleration);
           if constexpr (large_rotation)
             for (int i = 0; i <= order; ++i)
               rotation[i] = state.rotations[inertia.numbering.rotations().with(
@@ -266,7 +270,7 @@ namespace auxfem
                 add(i, j, mass * pair_inertia(e, i, j));
             return;
           }
-        const int     *unknowns = numbering.element_unknowns(e);
+        const int     *unknowns = numbering.element_unknowns(group.begin + e);
         const Rotating rotating(*this,
                                 e,
                                 evaluation.to,
@@ -306,9 +310,9 @@ namespace auxfem
         for (unsigned int e = 0; e < elements.size(); ++e)
           if (elements[e].owned)
             {
-              const int *unknowns   = numbering.element_unknowns(e);
-              const auto v          = gather(x.data(), unknowns, 0);
-              const auto w          = gather(y.data(), unknowns, 0);
+              const int *unknowns = numbering.element_unknowns(group.begin + e);
+              const auto v        = gather(x.data(), unknowns, 0);
+              const auto w        = gather(y.data(), unknowns, 0);
               double     of_element = 0;
               for (int i = 0; i <= order; ++i)
                 for (int j = 0; j <= order; ++j)
@@ -326,11 +330,12 @@ namespace auxfem
         return sum;
       }
 
-      const DofNumbering    &numbering;
-      const NodeRotations    node_rotations;
-      const bool             rotary;
-      const BeamShape<order> shape;
-      std::vector<Element>   elements;
+      const DofNumbering       &numbering;
+      const DofNumbering::Group group;
+      const NodeRotations       node_rotations;
+      const bool                rotary;
+      const BeamShape<order>    shape;
+      std::vector<Element>      elements;
       /** M_ab (kg m2), n_pairs an element; none without rotary inertia. */
       std::vector<SpaceTensor> pair_inertias;
     };
@@ -339,6 +344,7 @@ namespace auxfem
   std::unique_ptr<Effect>
   make_space_strut_inertia(const Lattice              &lattice,
                            const DofNumbering         &numbering,
+                           const DofNumbering::Group  &group,
                            const std::vector<Section> &sections,
                            const InertiaModel         &model)
   {
@@ -348,20 +354,16 @@ namespace auxfem
       return std::make_unique<SpaceStrutInertia<order, large_rotation, damped>>(
         lattice,
         numbering,
+        group,
         sections,
         model.rotary_inertia);
     };
     const std::true_type  yes;
     const std::false_type no;
-    return dispatch_order<largest_space_order>(numbering.order(),
-                                               [&](auto order) {
-                                                 if (model.large_rotation)
-                                                   return model.damping
-                                                     ? make(order, yes, yes)
-                                                     : make(order, yes, no);
-                                                 return model.damping
-                                                   ? make(order, no, yes)
-                                                   : make(order, no, no);
-                                               });
+    return dispatch_order<largest_space_order>(group.order, [&](auto order) {
+      if (model.large_rotation)
+        return model.damping ? make(order, yes, yes) : make(order, yes, no);
+      return model.damping ? make(order, no, yes) : make(order, no, no);
+    });
   }
 } // namespace auxfem

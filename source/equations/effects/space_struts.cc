@@ -369,16 +369,16 @@ namespace auxfem
   std::unique_ptr<StrutForces>
   make_space_struts(const Lattice              &lattice,
                     const DofNumbering         &numbering,
+                    const DofNumbering::Group  &group,
                     const std::vector<Section> &sections,
                     const StrutModel           &model)
   {
-    return dispatch_order<largest_space_order>(
-      numbering.order(),
-      [&](auto order) {
-        return make_struts_of_order<SpaceBeam, order>(lattice,
-                                                      numbering,
-                                                      sections,
-                                                      model);
-      });
+    return dispatch_order<largest_space_order>(group.order, [&](auto order) {
+      return make_struts_of_order<SpaceBeam, order>(lattice,
+                                                    numbering,
+                                                    group,
+                                                    sections,
+                                                    model);
+    });
   }
 } // namespace auxfem

@@ -15,13 +15,16 @@ namespace auxfem
     public:
       PlaneStrutInertia(const Lattice              &lattice,
                         const DofNumbering         &numbering,
+                        const DofNumbering::Group  &group,
                         const std::vector<Section> &sections,
                         const bool                  rotary_inertia)
         : StrutInertia(damped)
         , numbering(numbering)
+        , group(group)
       {
-        for (const DofNumbering::Element &element : numbering.elements())
+        for (unsigned int e = group.begin; e < group.end; ++e)
           {
+            const DofNumbering::Element &element = numbering.elements()[e];
             const Strut   &strut    = lattice.struts[element.interval.strut];
             const Section &section  = sections[strut.section];
             const double   jacobian = lattice.length(strut) *
@@ -76,7 +79,7 @@ namespace auxfem
                   block[(3 * i + c) * n + 3 * j + c] = factor *
                     shape.mass[i][j] *
                     (c < 2 ? elements[e].mass : elements[e].rotary);
-            matrix.add(e, block);
+            matrix.add(group.begin + e, block);
           }
       }
 
@@ -99,7 +102,7 @@ namespace auxfem
         double local[n];
         for (unsigned int e = 0; e < elements.size(); ++e)
           {
-            const int *unknowns = numbering.element_unknowns(e);
+            const int *unknowns = numbering.element_unknowns(group.begin + e);
             for (int i = 0; i < n; ++i)
               local[i] = damped
                 ? a[unknowns[i]] + elements[e].damping * v[unknowns[i]]
@@ -133,7 +136,7 @@ namespace auxfem
         for (unsigned int e = 0; e < elements.size(); ++e)
           if (elements[e].owned)
             {
-              const int *unknowns = numbering.element_unknowns(e);
+              const int *unknowns = numbering.element_unknowns(group.begin + e);
               double     linear = 0, rotary = 0;
               for (int i = 0; i <= order; ++i)
                 {
@@ -151,9 +154,10 @@ namespace auxfem
         return sum;
       }
 
-      const DofNumbering    &numbering;
-      const BeamShape<order> shape;
-      std::vector<Element>   elements;
+      const DofNumbering       &numbering;
+      const DofNumbering::Group group;
+      const BeamShape<order>    shape;
+      std::vector<Element>      elements;
     };
   } // namespace
 
@@ -233,19 +237,25 @@ namespace auxfem
   std::unique_ptr<Effect>
   make_strut_inertia(const Lattice              &lattice,
                      const DofNumbering         &numbering,
+                     const DofNumbering::Group  &group,
                      const std::vector<Section> &sections,
                      const InertiaModel         &model)
   {
     if (lattice.dimension == 3)
-      return make_space_strut_inertia(lattice, numbering, sections, model);
+      return make_space_strut_inertia(lattice,
+                                      numbering,
+                                      group,
+                                      sections,
+                                      model);
     const auto make = [&](auto order, auto damped) -> std::unique_ptr<Effect> {
       return std::make_unique<PlaneStrutInertia<order, damped>>(
         lattice,
         numbering,
+        group,
         sections,
         model.rotary_inertia);
     };
-    return dispatch_order(numbering.order(), [&](auto order) {
+    return dispatch_order(group.order, [&](auto order) {
       return model.damping ? make(order, std::true_type())
                            : make(order, std::false_type());
     });

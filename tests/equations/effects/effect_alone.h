@@ -51,10 +51,10 @@ namespace auxfem
     inline TangentPattern pattern_of(Effect             &effect,
                                      const DofNumbering &numbering)
     {
-      TangentPattern     pattern(numbering.unknowns());
-      const unsigned int n = (numbering.order() + 1) * numbering.n_components();
+      TangentPattern pattern(numbering.unknowns());
       for (unsigned int e = 0; e < numbering.elements().size(); ++e)
-        pattern.register_block(numbering.element_unknowns(e), n);
+        pattern.register_block(numbering.element_unknowns(e),
+                               numbering.n_element_unknowns(e));
       effect.register_blocks(pattern);
       return pattern;
     }

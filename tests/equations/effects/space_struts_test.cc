@@ -40,6 +40,7 @@ namespace
     {
       return StrutForces::make(of_scene.lattice,
                                of_scene.dofs(),
+                               of_scene.dofs().groups().front(),
                                of_scene.model.sections,
                                {large_rotation, true, damping});
     }
@@ -49,6 +50,7 @@ namespace
     {
       return make_strut_inertia(of_scene.lattice,
                                 of_scene.dofs(),
+                                of_scene.dofs().groups().front(),
                                 of_scene.model.sections,
                                 {large_rotation, true, damping});
     }

@@ -27,6 +27,7 @@ namespace
       : of_scene(text, overrides, MPI_COMM_SELF)
       , inertia(make_strut_inertia(of_scene.lattice,
                                    of_scene.dofs(),
+                                   of_scene.dofs().groups().front(),
                                    of_scene.model.sections,
                                    {/*large_rotation=*/true, rotary, damping}))
       , layout(of_scene.equations.layout())

@@ -38,9 +38,6 @@ namespace auxfem
     std::vector<double> strain_energies;
   };
 
-  /** Resultants at a point: N, Q_2, Q_3 (N), T, M_2, M_3 (N m). */
-  using SectionForces = std::array<double, 6>;
-
   /**
    * Internal forces of struts as beams of one kind. What depends on the
    * dimension and on the theory is in @p Beam, a class of static functions:
@@ -58,18 +55,21 @@ namespace auxfem
   public:
     BeamForces(const Lattice              &lattice,
                const DofNumbering         &numbering,
+               const DofNumbering::Group  &group,
                const std::vector<Section> &sections,
                const bool                  shear_flexibility)
       : lattice(lattice)
       , numbering(numbering)
+      , group(group)
       , sections(sections)
     {
-      const unsigned int n_elements = numbering.elements().size();
+      const unsigned int n_elements = group.end - group.begin;
       frames.resize(std::size_t(n_elements) * order);
-      elements.reserve(n_elements);
+      of_elements.reserve(n_elements);
       for (unsigned int e = 0; e < n_elements; ++e)
         {
-          const DofNumbering::Element &element = numbering.elements()[e];
+          const DofNumbering::Element &element =
+            numbering.elements()[group.begin + e];
           const Strut   &strut   = lattice.struts[element.interval.strut];
           const Section &section = sections[strut.section];
           const double   length  = lattice.length(strut);
@@ -82,13 +82,18 @@ namespace auxfem
             Beam::stiffness(section, shear_flexibility ? 0. : length);
           data.owned             = element.is_owned;
           data.strain_per_energy = strain_per_energy(section);
-          elements.push_back(data);
+          of_elements.push_back(data);
           set_frames(element.interval,
                      strut,
                      section,
                      data.jacobian,
                      &frames[std::size_t(e) * order]);
         }
+    }
+
+    const DofNumbering::Group &elements() const override
+    {
+      return group;
     }
 
     bool is_linear() const override
@@ -112,7 +117,7 @@ namespace auxfem
 
     std::unique_ptr<EffectResults> make_results() const override
     {
-      return std::make_unique<BeamResults>(elements.size());
+      return std::make_unique<BeamResults>(of_elements.size());
     }
 
     void add_residual(const Evaluation &evaluation,
@@ -135,7 +140,7 @@ namespace auxfem
           [&](const unsigned int e, double *force) {
             return internal_force(e,
                                   Beam::motion(numbering,
-                                               numbering.element_unknowns(e),
+                                               unknowns_of(e),
                                                evaluation.to),
                                   force);
           },
@@ -157,18 +162,18 @@ namespace auxfem
             return;
           }
       double block[n * n];
-      for (unsigned int e = 0; e < elements.size(); ++e)
+      for (unsigned int e = 0; e < of_elements.size(); ++e)
         {
           Beam::tangent(shape,
                         &frames[std::size_t(e) * order],
-                        elements[e].jacobian,
-                        elements[e].stiffness,
+                        of_elements[e].jacobian,
+                        of_elements[e].stiffness,
                         numbering,
-                        numbering.element_unknowns(e),
+                        unknowns_of(e),
                         evaluation,
                         factors,
                         block);
-          matrix.add(e, block);
+          matrix.add(group.begin + e, block);
         }
     }
 
@@ -213,7 +218,7 @@ namespace auxfem
                       double              *forces) const override
     {
       const auto &of_struts = static_cast<const BeamResults &>(*results);
-      for (unsigned int e = 0; e < elements.size(); ++e)
+      for (unsigned int e = 0; e < of_elements.size(); ++e)
         raise_nodes(e, of_struts.forces[e], forces);
     }
 
@@ -223,22 +228,24 @@ namespace auxfem
                                 const double largest_rotation,
                                 double      *forces) const override
     {
-      for (unsigned int e = 0; e < elements.size(); ++e)
+      for (unsigned int e = 0; e < of_elements.size(); ++e)
         raise_nodes(e,
-                    Beam::largest_stiffness(elements[e].stiffness) *
-                      (largest_displacement / elements[e].jacobian +
+                    Beam::largest_stiffness(of_elements[e].stiffness) *
+                      (largest_displacement / of_elements[e].jacobian +
                        std::min(1., largest_rotation)),
                     forces);
     }
 
     std::vector<StrutPoint> sample(const State       &state,
-                                   const unsigned int e,
+                                   const unsigned int of_numbering,
                                    const unsigned int n_points) const override
     {
-      const DofNumbering::Element &element = numbering.elements()[e];
+      const unsigned int           e = of_numbering - group.begin;
+      const DofNumbering::Element &element =
+        numbering.elements()[group.begin + e];
       const Strut   &strut    = lattice.struts[element.interval.strut];
-      const int     *unknowns = numbering.element_unknowns(e);
-      const Element &data     = elements[e];
+      const int     *unknowns = unknowns_of(e);
+      const Element &data     = of_elements[e];
       const typename Beam::Motion motion =
         Beam::motion(numbering, unknowns, state);
       SectionForces elastic[order], viscous[order] = {};
@@ -278,13 +285,25 @@ namespace auxfem
       return points;
     }
 
+    double energy_density(const unsigned int   of_numbering,
+                          const SectionForces &forces) const override
+    {
+      return Beam::strain_product(
+               of_elements[of_numbering - group.begin].stiffness,
+               forces,
+               forces) /
+        2;
+    }
+
     std::vector<dealii::Point<3>>
     axis(const Vector      &displacement,
-         const unsigned int e,
+         const unsigned int of_numbering,
          const unsigned int n_points) const override
     {
-      const DofNumbering::Element  &element  = numbering.elements()[e];
-      const int                    *unknowns = numbering.element_unknowns(e);
+      const unsigned int           e = of_numbering - group.begin;
+      const DofNumbering::Element &element =
+        numbering.elements()[group.begin + e];
+      const int                    *unknowns = unknowns_of(e);
       std::vector<dealii::Point<3>> points(n_points);
       for (unsigned int i = 0; i < n_points; ++i)
         {
@@ -340,15 +359,16 @@ namespace auxfem
       const double weight =
         *std::min_element(std::begin(shape.weight), std::end(shape.weight));
       StrutStrain largest{least, invalid_index};
-      for (unsigned int e = 0; e < elements.size(); ++e)
+      for (unsigned int e = 0; e < of_elements.size(); ++e)
         {
-          const Element &data = elements[e];
+          const Element &data = of_elements[e];
           if (!data.owned ||
               2 * data.strain_per_energy * energies[e] <=
                 largest.value * largest.value * weight * data.jacobian)
             continue;
-          const unsigned int strut = numbering.elements()[e].interval.strut;
-          const double       strain =
+          const unsigned int strut =
+            numbering.elements()[group.begin + e].interval.strut;
+          const double strain =
             largest_strain(state, e, sections[lattice.struts[strut].section]);
           if (strain > largest.value)
             largest = {strain, strut};
@@ -380,6 +400,12 @@ namespace auxfem
       double strain_per_energy;
     };
 
+    /** Local unknowns of element @p e of the group. */
+    const int *unknowns_of(const unsigned int e) const
+    {
+      return numbering.element_unknowns(group.begin + e);
+    }
+
     /** Of the translations among @p values of all local unknowns, at a point with
      * shape functions @p N. */
     dealii::Tensor<1, 3> interpolated(const double (&N)[order + 1],
@@ -401,8 +427,8 @@ namespace auxfem
     {
       Beam::section_forces(shape,
                            &frames[std::size_t(e) * order],
-                           elements[e].jacobian,
-                           elements[e].stiffness,
+                           of_elements[e].jacobian,
+                           of_elements[e].stiffness,
                            motion,
                            elastic,
                            viscous);
@@ -435,7 +461,7 @@ namespace auxfem
         SectionForces elastic[order];
         beams.section_forces(e,
                              Beam::motion(beams.numbering,
-                                          beams.numbering.element_unknowns(e),
+                                          beams.unknowns_of(e),
                                           state,
                                           velocity.data()),
                              elastic,
@@ -459,10 +485,10 @@ namespace auxfem
       const bool ends_alike =
         step.kind == Evaluation::Kind::static_step && !step.from.before;
       DampingWork work;
-      for (unsigned int e = 0; e < elements.size(); ++e)
+      for (unsigned int e = 0; e < of_elements.size(); ++e)
         {
-          const double beta = elements[e].stiffness.damping_time;
-          if (!elements[e].owned || beta == 0)
+          const double beta = of_elements[e].stiffness.damping_time;
+          if (!of_elements[e].owned || beta == 0)
             continue;
           const ViscousForces start(*this, e, step.from, *step.from.velocity),
             end(*this, e, step.to, *step.to.velocity),
@@ -471,12 +497,12 @@ namespace auxfem
             along_end(*this, e, step.to, motion.rate);
           const auto product = [&](const SectionForces &one,
                                    const SectionForces &other) {
-            return Beam::strain_product(elements[e].stiffness, one, other);
+            return Beam::strain_product(of_elements[e].stiffness, one, other);
           };
           for (int g = 0; g < order; ++g)
             {
               const double factor =
-                shape.weight[g] * elements[e].jacobian * step.dt / beta;
+                shape.weight[g] * of_elements[e].jacobian * step.dt / beta;
               SectionForces mean = end.at_point[g];
               if (!ends_alike)
                 for (unsigned int k = 0; k < mean.size(); ++k)
@@ -509,9 +535,7 @@ namespace auxfem
     {
       SectionForces elastic[order], viscous[order] = {};
       section_forces(e,
-                     Beam::motion(numbering,
-                                  numbering.element_unknowns(e),
-                                  state),
+                     Beam::motion(numbering, unknowns_of(e), state),
                      elastic,
                      viscous);
       const auto &fibres  = section.fibre_distances;
@@ -534,18 +558,18 @@ namespace auxfem
     {
       BeamEnergy energy;
       double     force[n];
-      for (unsigned int e = 0; e < elements.size(); ++e)
+      for (unsigned int e = 0; e < of_elements.size(); ++e)
         {
-          const int       *unknowns   = numbering.element_unknowns(e);
+          const int       *unknowns   = unknowns_of(e);
           const BeamEnergy of_element = element_force(e, force);
-          if (elements[e].owned)
+          if (of_elements[e].owned)
             {
               energy.strain += of_element.strain;
               energy.dissipation += of_element.dissipation;
             }
           for (int i = 0; i < n; ++i)
             residual[unknowns[i]] += force[i];
-          results.forces[e] = largest_at_ends(force, elements[e].length);
+          results.forces[e] = largest_at_ends(force, of_elements[e].length);
           results.strain_energies[e] = of_element.strain;
         }
       results.energy = energy;
@@ -568,8 +592,8 @@ namespace auxfem
     void
     raise_nodes(const unsigned int e, const double force, double *forces) const
     {
-      const int   *unknowns = numbering.element_unknowns(e);
-      const double moment   = force * elements[e].length;
+      const int   *unknowns = unknowns_of(e);
+      const double moment   = force * of_elements[e].length;
       for (int a = 0; a <= order; ++a)
         for (int c = 0; c < n_components; ++c)
           {
@@ -584,8 +608,8 @@ namespace auxfem
     {
       return Beam::internal_force(shape,
                                   &frames[std::size_t(e) * order],
-                                  elements[e].jacobian,
-                                  elements[e].stiffness,
+                                  of_elements[e].jacobian,
+                                  of_elements[e].stiffness,
                                   motion,
                                   force);
     }
@@ -595,7 +619,7 @@ namespace auxfem
                           const unsigned int e,
                           double            *force) const
     {
-      const int *unknowns = numbering.element_unknowns(e);
+      const int *unknowns = unknowns_of(e);
       if constexpr (Beam::is_linear)
         {
           const typename Beam::Motion start = Beam::motion(numbering,
@@ -618,8 +642,8 @@ namespace auxfem
       else
         return Beam::mean_force(shape,
                                 &frames[std::size_t(e) * order],
-                                elements[e].jacobian,
-                                elements[e].stiffness,
+                                of_elements[e].jacobian,
+                                of_elements[e].stiffness,
                                 unknowns,
                                 step,
                                 force);
@@ -630,17 +654,17 @@ namespace auxfem
                           TangentMatrix        &matrix) const
     {
       double block[n * n];
-      for (unsigned int e = 0; e < elements.size(); ++e)
+      for (unsigned int e = 0; e < of_elements.size(); ++e)
         {
           Beam::mean_tangent(shape,
                              &frames[std::size_t(e) * order],
-                             elements[e].jacobian,
-                             elements[e].stiffness,
-                             numbering.element_unknowns(e),
+                             of_elements[e].jacobian,
+                             of_elements[e].stiffness,
+                             unknowns_of(e),
                              step,
                              factors,
                              block);
-          matrix.add(e, block);
+          matrix.add(group.begin + e, block);
         }
     }
 
@@ -670,9 +694,10 @@ namespace auxfem
 
     const Lattice                    &lattice;
     const DofNumbering               &numbering;
+    const DofNumbering::Group         group;
     const std::vector<Section>       &sections;
     const BeamShape<order>            shape;
-    std::vector<Element>              elements;
+    std::vector<Element>              of_elements;
     std::vector<typename Beam::Frame> frames;
     unsigned int strain_entry = 0, damping_entry = 0, numerical_entry = 0;
   };
@@ -689,12 +714,14 @@ namespace auxfem
   std::unique_ptr<StrutForces>
   make_plane_struts(const Lattice              &lattice,
                     const DofNumbering         &numbering,
+                    const DofNumbering::Group  &group,
                     const std::vector<Section> &sections,
                     const StrutModel           &model);
 
   std::unique_ptr<StrutForces>
   make_space_struts(const Lattice              &lattice,
                     const DofNumbering         &numbering,
+                    const DofNumbering::Group  &group,
                     const std::vector<Section> &sections,
                     const StrutModel           &model);
   ///@}
@@ -704,6 +731,7 @@ namespace auxfem
   std::unique_ptr<StrutForces>
   make_struts_of_order(const Lattice              &lattice,
                        const DofNumbering         &numbering,
+                       const DofNumbering::Group  &group,
                        const std::vector<Section> &sections,
                        const StrutModel           &model)
   {
@@ -712,6 +740,7 @@ namespace auxfem
       return std::make_unique<BeamForces<Beam<order, large_rotation, damped>>>(
         lattice,
         numbering,
+        group,
         sections,
         model.shear_flexibility);
     };

@@ -74,6 +74,7 @@ namespace auxfem
   std::unique_ptr<Effect>
   make_strut_inertia(const Lattice              &lattice,
                      const DofNumbering         &numbering,
+                     const DofNumbering::Group  &group,
                      const std::vector<Section> &sections,
                      const InertiaModel         &model);
 
@@ -81,6 +82,7 @@ namespace auxfem
   std::unique_ptr<Effect>
   make_space_strut_inertia(const Lattice              &lattice,
                            const DofNumbering         &numbering,
+                           const DofNumbering::Group  &group,
                            const std::vector<Section> &sections,
                            const InertiaModel         &model);
 } // namespace auxfem

@@ -10,6 +10,9 @@
 
 namespace auxfem
 {
+  /** Resultants at a point: N, Q_2, Q_3 (N), T, M_2, M_3 (N m). */
+  using SectionForces = std::array<double, 6>;
+
   /** Section forces and kinematics at a point of a strut, for output. */
   struct StrutPoint
   {
@@ -58,24 +61,33 @@ namespace auxfem
     bool damping           = false; ///< stiffness-proportional
   };
 
-  /** Internal forces of all struts: geometrically exact beams. */
+  /** Internal forces of the struts of one polynomial order: geometrically exact
+   * beams. */
   class StrutForces : public Effect
   {
   public:
-    /** Polynomial order is taken from @p numbering. */
+    /** @param group of the elements of @p numbering. */
     static std::unique_ptr<StrutForces>
     make(const Lattice              &lattice,
          const DofNumbering         &numbering,
+         const DofNumbering::Group  &group,
          const std::vector<Section> &sections,
          const StrutModel           &model);
 
+    /** Which elements of the numbering they are. */
+    virtual const DofNumbering::Group &elements() const = 0;
+
     /**
-     * State of element @p e of the numbering at @p n_points equally spaced points
+     * State of element @p e of the numbering, one of elements(), at @p n_points equally spaced points
      * from its first to its second end. Section forces are those of the
      * Gauss points, interpolated.
      */
     virtual std::vector<StrutPoint>
     sample(const State &state, unsigned int e, unsigned int n_points) const = 0;
+
+    /** Strain energy per length (J/m) of @p forces in element @p e. */
+    virtual double energy_density(unsigned int         e,
+                                  const SectionForces &forces) const = 0;
 
     /** Positions (m) of the same points under @p displacement, by local
      * unknown. */

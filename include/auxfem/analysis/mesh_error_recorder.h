@@ -1,0 +1,52 @@
+#ifndef auxfem_analysis_mesh_error_recorder_h
+#define auxfem_analysis_mesh_error_recorder_h
+
+#include <auxfem/analysis/mesh_error.h>
+#include <auxfem/output/order_report.h>
+#include <auxfem/output/recorder.h>
+
+namespace auxfem
+{
+  /**
+   * Tells another recorder all that it is told, and estimates the error of the
+   * elements at instants in equal distances over the run.
+   */
+  class MeshErrorRecorder : public Recorder
+  {
+  public:
+    /**
+     * @param scene, recorder must outlive the object.
+     * @param report what is known of the orders before the run
+     */
+    MeshErrorRecorder(const Scene       &scene,
+                      Recorder          &recorder,
+                      const OrderReport &report = {});
+
+    /** What was found; nullptr before the run has begun. */
+    const MeshError *error() const;
+
+    /** @p result with what was found out about the elements. */
+    RunResult completed(RunResult result) const;
+
+    void begin(const Equations &equations) override;
+    void start(const Solution &solution) override;
+    void resume(const Solution &solution, const Records &records) override;
+    void save(Records &records) const override;
+    void step(const Solution &solution, const StepReport &report) override;
+    void finish(const Solution &last, const RunResult &result) override;
+
+  private:
+    void look(const State &state);
+
+    const Scene               &scene;
+    Recorder                  &recorder;
+    OrderReport                report;
+    std::unique_ptr<MeshError> estimate;
+    /** Since when no look is due (s). */
+    double       next = 0, seconds = 0;
+    MPI_Comm     communicator       = MPI_COMM_NULL;
+    unsigned int n_vibrating_struts = 0;
+  };
+} // namespace auxfem
+
+#endif

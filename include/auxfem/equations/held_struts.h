@@ -1,0 +1,102 @@
+#ifndef auxfem_equations_held_struts_h
+#define auxfem_equations_held_struts_h
+
+#include <auxfem/algebra/strut_condensation.h>
+#include <auxfem/equations/make_struts.h>
+#include <auxfem/equations/strut_motion.h>
+
+namespace auxfem
+{
+  /**
+   * The struts that a rank counts, each for itself with its ends held: they
+   * share no joint, so each may be in a state of its own, of any instant. Its
+   * inside is in equilibrium, or not, with its line loads and weight, and with
+   * the inertia of accelerations that stay as they are. No communication.
+   */
+  class HeldStruts
+  {
+  public:
+    /**
+     * @param scene, model must outlive the object. The elements of the model
+     *   have at least two orders, so that all of a strut's are counted by one
+     *   rank.
+     * @param orders of the elements here, by strut
+     * @param refinements 2^n elements a strut
+     */
+    HeldStruts(const Scene                     &scene,
+               const LatticeModel              &model,
+               const std::vector<unsigned int> &orders,
+               unsigned int                     refinements);
+
+    HeldStruts(const HeldStruts &)            = delete;
+    HeldStruts &operator=(const HeldStruts &) = delete;
+
+    /** The struts, by their numbers in the lattice. */
+    const std::vector<unsigned int> &struts() const
+    {
+      return counted;
+    }
+
+    /** Brings a strut into @p motion, interpolated to its nodes. */
+    void move(unsigned int strut, const StrutMotion &motion);
+
+    /** What the nodes of a strut do. */
+    StrutMotion motion(unsigned int strut) const;
+
+    /**
+     * Brings the inside of all struts into equilibrium. Returns whether there
+     * is one: not where the inside of a strut is singular or a force not
+     * finite.
+     */
+    bool settle();
+
+    /**
+     * By how much the forces that hold the ends of a strut, which both have
+     * settled, differ from those of @p other: the strain energy, times two, of a
+     * strut that these differences alone load (J). So it is the square of their
+     * norm by the flexibility of the strut.
+     */
+    double difference(unsigned int strut, const HeldStruts &other) const;
+
+    /** Strain energy (J) of all struts. */
+    double strain_energy() const;
+
+  private:
+    /** Force (N) and moment (N m) on the second end of a strut. */
+    struct EndForces
+    {
+      SpaceVector force, moment;
+    };
+
+    void find_residual();
+    void add_loads();
+    /** A step of Newton's method; the work (J) of what was out of balance, or
+     * nothing if there is none. */
+    std::optional<double> correct();
+    void                  apply(const std::vector<double> &increment);
+    EndForces             second_end(unsigned int strut) const;
+    const StrutForces    &forces_of(unsigned int element) const;
+
+    const unsigned int              n_elements; ///< a strut
+    const bool                      large_rotation;
+    const std::vector<unsigned int> counted;
+    /** Joints apart; struts of others are none of this mesh. */
+    const Lattice                               lattice;
+    const DofNumbering                          numbering;
+    std::vector<std::unique_ptr<StrutForces>>   forces;
+    std::vector<std::unique_ptr<Effect>>        inertia, loads;
+    std::vector<std::unique_ptr<EffectResults>> results; ///< of forces
+    TangentPattern                              pattern;
+    std::unique_ptr<TangentMatrix>              tangent;
+    std::unique_ptr<StrutCondensation>          condensation;
+    std::unique_ptr<State>                      state;
+    std::vector<double>                         residual; ///< by local unknown
+    /** By strut of the lattice: its first element, the instant it is at. */
+    ///@{
+    std::vector<unsigned int>              first_element;
+    std::vector<std::pair<double, double>> instants; ///< time, load factor
+    ///@}
+  };
+} // namespace auxfem
+
+#endif

@@ -1,0 +1,106 @@
+#include <auxfem/analysis/mesh_error.h>
+#include <auxfem/elements/strut_order.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace auxfem
+{
+  namespace
+  {
+    std::vector<unsigned int> finer_orders(const LatticeModel       &model,
+                                           std::vector<unsigned int> orders)
+    {
+      for (unsigned int &order : orders)
+        order =
+          std::min(order + 1, highest_strut_order(model.lattice.dimension));
+      return orders;
+    }
+
+    /** Errors (J) of the struts of @p coarse in @p motions; none if they cannot
+     * be found. */
+    std::vector<double> errors_of(HeldStruts                     &coarse,
+                                  HeldStruts                     &finer,
+                                  const std::vector<StrutMotion> &motions)
+    {
+      const std::vector<unsigned int> &struts = coarse.struts();
+      for (unsigned int i = 0; i < struts.size(); ++i)
+        coarse.move(struts[i], motions[i]);
+      if (!coarse.settle())
+        return {};
+      for (const unsigned int strut : struts)
+        finer.move(strut, coarse.motion(strut));
+      if (!finer.settle())
+        return {};
+      std::vector<double> errors;
+      for (const unsigned int strut : struts)
+        errors.push_back(finer.difference(strut, coarse));
+      return errors;
+    }
+  } // namespace
+
+  MeshError::MeshError(const Scene &scene, const LatticeModel &model)
+    : model(model)
+    , same(scene,
+           model,
+           model.numbering.orders(),
+           scene.discretization.refinements)
+    , finer(scene,
+            model,
+            finer_orders(model, model.numbering.orders()),
+            scene.discretization.refinements + 1)
+    , largest(same.struts().size(), -1.)
+    , motions(same.struts().size())
+  {
+    const auto &elements = model.numbering.elements();
+    for (unsigned int e = 0; e < elements.size(); ++e)
+      if (elements[e].is_owned && elements[e].interval.begin == 0)
+        first_elements.push_back(e);
+  }
+
+  void MeshError::look(const State &state)
+  {
+    std::vector<StrutMotion> now;
+    now.reserve(first_elements.size());
+    for (const unsigned int element : first_elements)
+      now.push_back(motion_of_strut(model.numbering, state, element));
+    const std::vector<double> errors = errors_of(same, finer, now);
+    std::vector<double>       sums(2, 0.); // of the errors, of the energy
+    for (unsigned int i = 0; i < errors.size(); ++i)
+      {
+        sums[0] += errors[i];
+        if (errors[i] > largest[i])
+          {
+            largest[i] = errors[i];
+            motions[i] = std::move(now[i]);
+          }
+      }
+    if (!errors.empty())
+      sums[1] = 2 * finer.strain_energy();
+    const std::vector<double> total = model.numbering.layout().sum(sums);
+    error                           = std::max(error, total[0]);
+    energy                          = std::max(energy, total[1]);
+  }
+
+  double MeshError::relative() const
+  {
+    return energy > 0 ? std::sqrt(error / energy) : 0.;
+  }
+
+  std::vector<double> errors_of_order(const Scene                    &scene,
+                                      const LatticeModel             &model,
+                                      const std::vector<StrutMotion> &motions,
+                                      const unsigned int              order)
+  {
+    const std::vector<unsigned int> orders(model.lattice.struts.size(), order);
+    const unsigned int refinements = scene.discretization.refinements;
+    HeldStruts         of_order(scene, model, orders, refinements),
+      finer(scene, model, finer_orders(model, orders), refinements + 1);
+    const std::vector<double> errors = errors_of(of_order, finer, motions);
+    if (!errors.empty())
+      return errors;
+    return std::vector<double>(motions.size(),
+                               std::numeric_limits<double>::infinity());
+  }
+} // namespace auxfem

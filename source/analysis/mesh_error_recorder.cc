@@ -1,0 +1,166 @@
+#include <auxfem/analysis/mesh_error_recorder.h>
+#include <auxfem/output/summary.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace auxfem
+{
+  namespace
+  {
+    /** How often a run is looked at. */
+    constexpr unsigned int n_looks = 64;
+
+    const std::string mesh_error_record =
+      "mesh error: largest error and energy, next look";
+
+    /** A run whose elements are not good enough. */
+    Finding missed_tolerance(const OrderReport &report, const double time)
+    {
+      std::ostringstream text;
+      text.precision(2);
+      text
+        << "The elements make an error of " << *report.estimated_error
+        << " in the motion of the joints, by estimate, more than "
+           "Discretization/Tolerance = "
+        << report.tolerance
+        << ": the highest order is not enough for some struts, or the motion "
+           "is not that of the search run. Raise Discretization/Global "
+           "refinements, or the tolerance.";
+      return {Verdict::doubtful, text.str(), time, ""};
+    }
+    /**
+     * Struts that vibrate by themselves, as far as steps can tell: the first
+     * bending mode between clamped ends turns by less than one radian a step.
+     * Errors of accelerations inside struts and of such frequencies add up over
+     * the time, of which estimates at an instant know nothing.
+     */
+    unsigned int n_vibrating(const Scene &scene, const LatticeModel &model)
+    {
+      constexpr double first_mode = 4.73004074; // times 1 / length
+      unsigned int     n          = 0;
+      for (unsigned int i = 0; i < model.lattice.struts.size(); ++i)
+        {
+          const Strut &strut = model.lattice.struts[i];
+          if (strut.is_rigid())
+            continue;
+          const Section &section     = model.sections[strut.section];
+          const double   mass        = section.mass_per_length();
+          const double   stiffness   = std::min(section.bending_stiffness_2(),
+                                            section.bending_stiffness_3());
+          const double   wave_number = first_mode / model.lattice.length(strut);
+          if (mass > 0 && scene.discretization.refinements == 0 &&
+              wave_number * wave_number * std::sqrt(stiffness / mass) *
+                  scene.time.step <
+                1)
+            ++n;
+        }
+      return n;
+    }
+
+    Finding own_vibrations(const unsigned int n_struts)
+    {
+      return {Verdict::doubtful,
+              "Steps are short enough to resolve vibrations of " +
+                std::to_string(n_struts) +
+                (n_struts == 1 ? " strut" : " struts") +
+                " between the joints. Errors of these add up over the time and "
+                "are not in the estimated error of the elements: where such "
+                "vibrations matter, give Discretization/Order a number and "
+                "compare it with the next, or ask Analysis = study.",
+              0.,
+              ""};
+    }
+  } // namespace
+
+  MeshErrorRecorder::MeshErrorRecorder(const Scene       &scene,
+                                       Recorder          &recorder,
+                                       const OrderReport &report)
+    : scene(scene)
+    , recorder(recorder)
+    , report(report)
+  {}
+
+  const MeshError *MeshErrorRecorder::error() const
+  {
+    return estimate.get();
+  }
+
+  RunResult MeshErrorRecorder::completed(RunResult result) const
+  {
+    OrderReport of_run = report;
+    if (estimate)
+      {
+        of_run.estimated_error = estimate->relative();
+        of_run.cpu_seconds_of_estimates =
+          dealii::Utilities::MPI::sum(seconds, communicator);
+        // Estimates are good to a factor.
+        if (*of_run.estimated_error > 2 * of_run.tolerance)
+          result.findings.push_back(missed_tolerance(of_run, result.time));
+      }
+    if (n_vibrating_struts > 0)
+      result.findings.push_back(own_vibrations(n_vibrating_struts));
+    result.orders = of_run;
+    return result;
+  }
+
+  void MeshErrorRecorder::look(const State &state)
+  {
+    const double before = cpu_seconds();
+    estimate->look(state);
+    const double distance = scene.time.end_time / n_looks;
+    next = (std::floor(state.time / distance * (1 + 1e-12)) + 1) * distance;
+    seconds += cpu_seconds() - before;
+  }
+
+  void MeshErrorRecorder::begin(const Equations &equations)
+  {
+    const double before = cpu_seconds();
+    communicator        = equations.model().numbering.layout().communicator();
+    estimate            = std::make_unique<MeshError>(scene, equations.model());
+    if (equations.model().simulated.inertia)
+      n_vibrating_struts = n_vibrating(scene, equations.model());
+    seconds += cpu_seconds() - before;
+    recorder.begin(equations);
+  }
+
+  void MeshErrorRecorder::start(const Solution &solution)
+  {
+    look(solution.state);
+    recorder.start(solution);
+  }
+
+  void MeshErrorRecorder::resume(const Solution &solution,
+                                 const Records  &records)
+  {
+    std::vector<double> saved = records.values(mesh_error_record, 3);
+    next                      = saved.back();
+    saved.pop_back();
+    estimate->resume(saved);
+    recorder.resume(solution, records);
+  }
+
+  void MeshErrorRecorder::save(Records &records) const
+  {
+    std::vector<double> saved = estimate->save();
+    saved.push_back(next);
+    records.keep(mesh_error_record, saved);
+    recorder.save(records);
+  }
+
+  void MeshErrorRecorder::step(const Solution   &solution,
+                               const StepReport &step_report)
+  {
+    if (solution.state.time >= next)
+      look(solution.state);
+    recorder.step(solution, step_report);
+  }
+
+  void MeshErrorRecorder::finish(const Solution &last, const RunResult &result)
+  {
+    recorder.finish(last, completed(result));
+  }
+} // namespace auxfem

@@ -1,0 +1,58 @@
+#include <auxfem/equations/effects/strut_inertia.h>
+#include <auxfem/equations/make_struts.h>
+
+#include <algorithm>
+
+namespace auxfem
+{
+  namespace
+  {
+    /** Whether a damping of struts is simulated and a section has it. */
+    bool has_damping(const LatticeModel &model, double Section::*damping)
+    {
+      return model.simulated.strut_damping &&
+        std::any_of(model.sections.begin(),
+                    model.sections.end(),
+                    [damping](const Section &section) {
+                      return section.*damping > 0;
+                    });
+    }
+  } // namespace
+
+  std::vector<std::unique_ptr<StrutForces>>
+  make_strut_forces(const LatticeModel &model,
+                    const Lattice      &lattice,
+                    const DofNumbering &numbering)
+  {
+    const StrutModel beams{
+      model.simulated.large_rotation,
+      model.simulated.shear_flexibility,
+      has_damping(model, &Section::stiffness_proportional_damping)};
+    std::vector<std::unique_ptr<StrutForces>> forces;
+    for (const DofNumbering::Group &group : numbering.groups())
+      forces.push_back(
+        StrutForces::make(lattice, numbering, group, model.sections, beams));
+    return forces;
+  }
+
+  std::vector<std::unique_ptr<Effect>>
+  make_strut_inertia(const LatticeModel &model,
+                     const Lattice      &lattice,
+                     const DofNumbering &numbering)
+  {
+    std::vector<std::unique_ptr<Effect>> inertia;
+    if (!model.simulated.inertia)
+      return inertia;
+    const InertiaModel of_struts{
+      model.simulated.large_rotation,
+      model.simulated.rotary_inertia,
+      has_damping(model, &Section::mass_proportional_damping)};
+    for (const DofNumbering::Group &group : numbering.groups())
+      inertia.push_back(make_strut_inertia(lattice,
+                                           numbering,
+                                           group,
+                                           model.sections,
+                                           of_struts));
+    return inertia;
+  }
+} // namespace auxfem

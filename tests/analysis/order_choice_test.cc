@@ -1,0 +1,268 @@
+#include <auxfem/analysis/lattice_run.h>
+#include <auxfem/analysis/mesh_error_recorder.h>
+#include <auxfem/analysis/order_choice.h>
+#include <auxfem/output/memory_recorder.h>
+#include <auxfem/parameters/errors.h>
+
+#include <gtest/gtest.h>
+#include <support/scene_text.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace auxfem;
+using namespace auxfem::testing_support;
+
+namespace
+{
+  /** A bent knee of three struts, the last one an arc, each shorter than the
+   * one before. */
+  SceneText knee()
+  {
+    return static_frame("0 0; 0 0.4; 0.2 0.4; 0.25 0.4", "0 1; 1 2; 2 3 0.005")
+      .section({100, 50, 0.05})
+      .support("foot", "0", "clamp")
+      .load("tip", "3", {"0.1 * t", "-0.3 * t", "0"})
+      .time(1, 0.5)
+      .probe("tip", "3");
+  }
+
+  /** The same with masses at its joints, hit: struts follow as springs. */
+  SceneText hit_knee()
+  {
+    return knee()
+      .set("Time/Scheme", "generalized-alpha")
+      .set("Sections/section 0/Density", 1e-6)
+      .set("Loads/tip/Force x", "0.1 * sin(40 * t)")
+      .mass("bob", "1, 3", 0.05, 1e-4)
+      .time(0.1, 0.001);
+  }
+
+  SceneText space_knee()
+  {
+    return static_space_frame("0 0 0; 0 0.4 0; 0.2 0.4 0; 0.2 0.4 0.1",
+                              "0 1; 1 2; 2 3")
+      .space_section({100, 50, 50, 0.05, 0.05, 0.05})
+      .support("foot", "0", "clamp")
+      .load("tip", "3", {"0.05 * t", "-0.1 * t", "0.1 * t"}, {"0", "0", "0"})
+      .time(1, 0.5)
+      .probe("tip", "3");
+  }
+
+  Scene scene_of(const SceneText &text, const double tolerance)
+  {
+    return read_scene_from_text(SceneText(text)
+                                  .set("Discretization/Order", "auto")
+                                  .set("Discretization/Tolerance", tolerance)
+                                  .str(),
+                                "test.prm");
+  }
+
+  Scene scene_of_order(const SceneText   &text,
+                       const unsigned int order,
+                       const unsigned int refinements = 0)
+  {
+    return read_scene_from_text(SceneText(text).mesh(order, refinements).str(),
+                                "test.prm");
+  }
+
+  /** Of the tip's displacement by component, at all times. */
+  std::vector<double> tip_motion(const MemoryRecorder &recorder)
+  {
+    std::vector<double> values;
+    for (const Column &column : recorder.columns())
+      if (column.name == "tip.ux" || column.name == "tip.uy" ||
+          column.name == "tip.uz")
+        for (const double value : recorder.column(column.name))
+          values.push_back(value);
+    return values;
+  }
+
+  double relative_difference(const std::vector<double> &values,
+                             const std::vector<double> &exact)
+  {
+    double largest = 0, difference = 0;
+    for (unsigned int i = 0; i < exact.size(); ++i)
+      {
+        largest    = std::max(largest, std::abs(exact[i]));
+        difference = std::max(difference, std::abs(values.at(i) - exact[i]));
+      }
+    return difference / largest;
+  }
+
+  /** Motion of the tip on elements no result depends on any more. */
+  std::vector<double> exact_motion(const SceneText   &text,
+                                   const unsigned int order)
+  {
+    const Scene    scene = scene_of_order(text, order, 2);
+    MemoryRecorder recorder(scene, MPI_COMM_WORLD);
+    LatticeRun(scene, MPI_COMM_WORLD).run(recorder);
+    return tip_motion(recorder);
+  }
+
+  /** Expects the error, and what is said of it, to be below the tolerance. */
+  void expect_met(const SceneText           &text,
+                  const double               tolerance,
+                  const std::vector<double> &exact,
+                  const double               factor = 1)
+  {
+    const Scene     scene = scene_of(text, tolerance);
+    MemoryRecorder  recorder(scene, MPI_COMM_WORLD);
+    const RunResult result =
+      run_with_chosen_orders(scene, MPI_COMM_WORLD, recorder);
+    ASSERT_TRUE(result.orders && result.orders->estimated_error);
+    EXPECT_EQ(result.orders->tolerance, tolerance);
+    EXPECT_LE(result.orders->predicted_error, tolerance);
+    EXPECT_LE(*result.orders->estimated_error, factor * tolerance);
+    EXPECT_LE(relative_difference(tip_motion(recorder), exact),
+              factor * tolerance)
+      << tolerance;
+  }
+} // namespace
+
+TEST(OrderChoice, StaticsMeetTheTolerance)
+{
+  const std::vector<double> exact = exact_motion(knee(), 6);
+  for (const double tolerance : {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6})
+    expect_met(knee(), tolerance, exact);
+}
+
+TEST(OrderChoice, DynamicsMeetTheTolerance)
+{
+  // The search run takes longer steps: its motion is not quite that of the run.
+  const std::vector<double> exact = exact_motion(hit_knee(), 6);
+  for (const double tolerance : {1e-2, 1e-3, 1e-4})
+    expect_met(hit_knee(), tolerance, exact, 3);
+}
+
+TEST(OrderChoice, SpaceMeetsTheTolerance)
+{
+  const std::vector<double> exact = exact_motion(space_knee(), 4);
+  for (const double tolerance : {1e-1, 1e-2, 1e-3, 1e-4})
+    expect_met(space_knee(), tolerance, exact);
+}
+
+TEST(OrderChoice, LongStrutsGetHigherOrders)
+{
+  const SceneText    straight = knee().set("Lattice/Struts", "0 1; 1 2; 2 3");
+  const ChosenOrders chosen =
+    choose_orders(scene_of(straight, 1e-4), MPI_COMM_WORLD);
+  ASSERT_EQ(chosen.orders.size(), 3u);
+  EXPECT_GT(chosen.orders[0], chosen.orders[2]);
+  EXPECT_GE(chosen.orders[0], chosen.orders[1]);
+  EXPECT_GT(chosen.report.steps, 0u);
+}
+
+TEST(OrderChoice, EstimateIsNoLessThanTheErrorOfTheJoints)
+{
+  const std::vector<double> exact = exact_motion(knee(), 6);
+  for (unsigned int order = 2; order <= 5; ++order)
+    {
+      const Scene       scene = scene_of_order(knee(), order);
+      MemoryRecorder    memory(scene, MPI_COMM_WORLD);
+      MeshErrorRecorder recorder(scene, memory);
+      LatticeRun(scene, MPI_COMM_WORLD).run(recorder);
+      const double error    = relative_difference(tip_motion(memory), exact),
+                   estimate = recorder.error()->relative();
+      // In the energy norm it is; that of one displacement is about the same.
+      EXPECT_GE(estimate, 0.5 * error) << order;
+      EXPECT_LE(estimate, 100 * error) << order;
+    }
+}
+
+TEST(OrderChoice, WhatIsNotMetIsAFinding)
+{
+  // No order is good enough; 6 is chosen for all that need it.
+  const Scene     scene = scene_of(knee(), 1e-14);
+  MemoryRecorder  recorder(scene, MPI_COMM_WORLD);
+  const RunResult result =
+    run_with_chosen_orders(scene, MPI_COMM_WORLD, recorder);
+  EXPECT_TRUE(std::any_of(result.findings.begin(),
+                          result.findings.end(),
+                          [](const Finding &finding) {
+                            return finding.text.find(
+                                     "Discretization/Tolerance = 1e-14") !=
+                              std::string::npos;
+                          }));
+}
+
+TEST(OrderChoice, StrutsThatVibrateAreAFinding)
+{
+  const Scene scene =
+    scene_of(hit_knee().set("Sections/section 0/Density", 0.01), 1e-2);
+  MemoryRecorder  recorder(scene, MPI_COMM_WORLD);
+  const RunResult result =
+    run_with_chosen_orders(scene, MPI_COMM_WORLD, recorder);
+  EXPECT_TRUE(std::any_of(result.findings.begin(),
+                          result.findings.end(),
+                          [](const Finding &finding) {
+                            return finding.text.find("resolve vibrations of") !=
+                              std::string::npos;
+                          }));
+}
+
+TEST(OrderChoice, IsTheSameOnAnyNumberOfRanks)
+{
+  for (const SceneText &text : {knee(), space_knee()})
+    EXPECT_EQ(choose_orders(scene_of(text, 1e-4), MPI_COMM_WORLD).orders,
+              choose_orders(scene_of(text, 1e-4), MPI_COMM_SELF).orders);
+}
+
+TEST(OrderChoice, RunThatIsResumedGoesOnAlike)
+{
+  for (const SceneText &text : {hit_knee(), space_knee().time(1, 0.1)})
+    {
+      const Scene        read   = scene_of(text, 1e-3);
+      const ChosenOrders found  = choose_orders(read, MPI_COMM_WORLD);
+      const Scene        scene  = with_orders(read, found.orders);
+      const auto         end_of = [&](MeshErrorRecorder    &recorder,
+                              const MemoryRecorder &memory,
+                              LatticeRun           &run) {
+        run.advance_to_end(recorder);
+        return std::make_pair(memory.rows().back(),
+                              recorder.error()->relative());
+      };
+
+      MemoryRecorder    first_memory(scene, MPI_COMM_WORLD);
+      MeshErrorRecorder first(scene, first_memory, found.report);
+      LatticeRun        run(scene, MPI_COMM_WORLD);
+      first.begin(run.equations);
+      run.start();
+      first.start(run.solution);
+      for (unsigned int step = 0; step < 5; ++step)
+        {
+          const StepReport report = run.advance();
+          first.step(run.solution, report);
+        }
+      const Checkpoint checkpoint = run.checkpoint(first);
+      const auto       whole      = end_of(first, first_memory, run);
+
+      MemoryRecorder    second_memory(scene, MPI_COMM_WORLD);
+      MeshErrorRecorder second(scene, second_memory, found.report);
+      LatticeRun        resumed(scene, MPI_COMM_WORLD);
+      second.begin(resumed.equations);
+      resumed.resume(checkpoint, second);
+      const auto half = end_of(second, second_memory, resumed);
+      EXPECT_EQ(whole.first, half.first);
+      EXPECT_EQ(whole.second, half.second);
+    }
+}
+
+TEST(OrderChoice, StudyOfOrdersIsRefused)
+{
+  const SceneText text = knee()
+                           .set("Analysis", "study")
+                           .set("Discretization/Order", "auto")
+                           .set("Quantities/tip", "tip.uy at 1 s");
+  try
+    {
+      read_scene_from_text(text.str(), "test.prm");
+      FAIL();
+    }
+  catch (const InputError &error)
+    {
+      EXPECT_NE(std::string(error.what()).find("Discretization/Order = auto"),
+                std::string::npos)
+        << error.what();
+    }
+}

@@ -1,0 +1,159 @@
+#include <auxfem/analysis/lattice_run.h>
+#include <auxfem/analysis/mesh_error_recorder.h>
+#include <auxfem/analysis/order_choice.h>
+#include <auxfem/output/memory_recorder.h>
+
+#include <support/scene_text.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "result_table.h"
+
+using namespace auxfem;
+using namespace auxfem::testing_support;
+
+// Discretization/Order = auto on a lattice whose struts differ in length.
+
+namespace
+{
+  constexpr unsigned int n_meshes = 8;
+  constexpr double       ratio    = 1.4; ///< of neighbouring meshes
+
+  std::string joint(const unsigned int i, const unsigned int j)
+  {
+    return std::to_string(j * (n_meshes + 1) + i);
+  }
+
+  /** Squares of 120 mm that become larger to the right and to the top, every
+   * other one with a diagonal; clamped at the bottom, pushed at the top. */
+  SceneText graded_lattice()
+  {
+    std::vector<double> places(1, 0.);
+    for (unsigned int i = 0; i < n_meshes; ++i)
+      places.push_back(places.back() + std::pow(ratio, i));
+    std::string joints, struts, bottom, top;
+    const auto  add = [](std::string &list, const std::string &item) {
+      list += (list.empty() ? "" : "; ") + item;
+    };
+    for (unsigned int j = 0; j <= n_meshes; ++j)
+      for (unsigned int i = 0; i <= n_meshes; ++i)
+        {
+          add(joints,
+              text(0.12 * places[i] / places.back()) + " " +
+                text(0.12 * places[j] / places.back()));
+          if (i < n_meshes)
+            add(struts, joint(i, j) + " " + joint(i + 1, j));
+          if (j < n_meshes)
+            add(struts, joint(i, j) + " " + joint(i, j + 1));
+          if (i < n_meshes && j < n_meshes && (i + j) % 2 == 0)
+            add(struts, joint(i, j) + " " + joint(i + 1, j + 1));
+        }
+    for (unsigned int i = 0; i <= n_meshes; ++i)
+      {
+        bottom += (i == 0 ? "" : ", ") + joint(i, 0);
+        top += (i == 0 ? "" : ", ") + joint(i, n_meshes);
+      }
+    return static_frame(joints, struts)
+      .rectangle("strip", "10 mm", "1 mm", {"2 GPa", "", 0.3})
+      .set("Sections/strip/Struts", "all")
+      .support("foot", bottom, "clamp")
+      .load("push", top, {"0.5 * t", "0", "0"})
+      .probe("corner", joint(n_meshes, n_meshes))
+      .probe("middle", joint(n_meshes / 2, n_meshes))
+      .time(1, 0.25);
+  }
+
+  Scene graded_scene(const SceneText &text)
+  {
+    return read_scene_from_text(text.str(), "test.prm");
+  }
+
+  /** What a run found. */
+  struct GradedOutcome
+  {
+    unsigned int        unknowns;
+    double              estimate;
+    std::vector<double> motion; ///< of the probes at all times
+  };
+
+  GradedOutcome graded_outcome(const Scene &scene)
+  {
+    MemoryRecorder    memory(scene, MPI_COMM_WORLD);
+    MeshErrorRecorder recorder(scene, memory);
+    LatticeRun        run(scene, MPI_COMM_WORLD);
+    run.run(recorder);
+    GradedOutcome outcome{run.model.numbering.layout().n_global(),
+                          recorder.error()->relative(),
+                          {}};
+    for (const char *column :
+         {"corner.ux", "corner.uy", "middle.ux", "middle.uy"})
+      for (const double value : memory.column(column))
+        outcome.motion.push_back(value);
+    return outcome;
+  }
+
+  double graded_error(const GradedOutcome &outcome, const GradedOutcome &exact)
+  {
+    double largest = 0, difference = 0;
+    for (unsigned int i = 0; i < exact.motion.size(); ++i)
+      {
+        largest = std::max(largest, std::abs(exact.motion[i]));
+        difference =
+          std::max(difference, std::abs(outcome.motion[i] - exact.motion[i]));
+      }
+    return difference / largest;
+  }
+
+  ResultTable::Cells graded_cells(const std::string   &order,
+                                  const GradedOutcome &outcome,
+                                  const double         error)
+  {
+    return {order,
+            std::to_string(outcome.unknowns),
+            formatted("%.1e", outcome.estimate),
+            formatted("%.1e", error)};
+  }
+} // namespace
+
+TEST(GradedLattice, OrdersThatDifferMeetATolerance)
+{
+  const GradedOutcome exact =
+    graded_outcome(graded_scene(graded_lattice().mesh(6, 1)));
+  ResultTable                table("Graded lattice: error of displacements",
+                    {"order", "unknowns", "estimated", "error"});
+  std::vector<GradedOutcome> uniform;
+  for (unsigned int order = 2; order <= 5; ++order)
+    {
+      uniform.push_back(
+        graded_outcome(graded_scene(graded_lattice().mesh(order))));
+      const double error = graded_error(uniform.back(), exact);
+      table.row(graded_cells(std::to_string(order), uniform.back(), error));
+      // The estimate is an upper bound; that of a graded lattice is a rough
+      // one.
+      EXPECT_LT(error, uniform.back().estimate);
+    }
+  for (const double tolerance : {1e-3, 1e-4, 1e-5, 1e-6, 1e-7})
+    {
+      const Scene scene =
+        graded_scene(graded_lattice()
+                       .set("Discretization/Order", "auto")
+                       .set("Discretization/Tolerance", tolerance));
+      const ChosenOrders  chosen = choose_orders(scene, MPI_COMM_WORLD);
+      const GradedOutcome outcome =
+        graded_outcome(with_orders(scene, chosen.orders));
+      const double error = graded_error(outcome, exact);
+      table.row(graded_cells("auto to " + formatted("%.0e", tolerance),
+                             outcome,
+                             error));
+      EXPECT_LT(outcome.estimate, tolerance);
+      EXPECT_LT(error, tolerance);
+      const auto as_good = std::find_if(uniform.begin(),
+                                        uniform.end(),
+                                        [&](const GradedOutcome &of_one) {
+                                          return of_one.estimate <= tolerance;
+                                        });
+      ASSERT_TRUE(as_good != uniform.end());
+      EXPECT_LT(outcome.unknowns, 0.85 * as_good->unknowns);
+    }
+}
