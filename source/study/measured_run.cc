@@ -68,7 +68,7 @@ namespace auxfem
       void begin(const Equations &of_run) override
       {
         equations = &of_run;
-        if (!wanted.field_times.empty() && !of_run.reporting().struts)
+        if (!wanted.field_times.empty() && of_run.reporting().struts.empty())
           throw InputError(
             "Quantities: energy norms are of elastic struts, which the scene "
             "does not have. Compare columns of history.csv");

@@ -121,22 +121,26 @@ namespace auxfem
   {
     const DofNumbering  &numbering = equations.model().numbering;
     const Lattice       &lattice   = equations.model().lattice;
-    const StrutForces   *struts    = equations.reporting().struts;
     std::vector<Element> mine;
-    for (unsigned int e = 0; struts && e < numbering.elements().size(); ++e)
-      {
-        const auto &[interval, is_owned] = numbering.elements()[e];
-        if (!is_owned)
-          continue;
-        const ScaledMotion motion = struts->scaled_motion(solution.state, e);
-        mine.push_back({interval.strut,
-                        interval.begin,
-                        interval.end,
-                        lattice.length(lattice.struts[interval.strut]) *
-                          (interval.end - interval.begin),
-                        joined_values(motion.strains),
-                        joined_values(motion.velocities)});
-      }
+    for (const StrutGroup &struts : equations.reporting().struts)
+      for (unsigned int e = struts.forces->elements().begin;
+           e < struts.forces->elements().end;
+           ++e)
+        {
+          const DofNumbering::Element &element  = numbering.elements()[e];
+          const StrutMesh::Interval   &interval = element.interval;
+          if (!element.is_owned)
+            continue;
+          const ScaledMotion motion =
+            struts.forces->scaled_motion(solution.state, e);
+          mine.push_back({interval.strut,
+                          interval.begin,
+                          interval.end,
+                          lattice.length(lattice.struts[interval.strut]) *
+                            (interval.end - interval.begin),
+                          joined_values(motion.strains),
+                          joined_values(motion.velocities)});
+        }
     RecordedField field;
     for (const std::vector<double> &numbers :
          dealii::Utilities::MPI::all_gather(communicator, flat(mine)))

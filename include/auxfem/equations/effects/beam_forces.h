@@ -321,21 +321,25 @@ namespace auxfem
     }
 
     ScaledMotion scaled_motion(const State       &state,
-                               const unsigned int e) const override
+                               const unsigned int of_numbering) const override
     {
-      const int    *unknowns = numbering.element_unknowns(e);
-      SectionForces elastic[order], viscous[order] = {};
+      const unsigned int e        = of_numbering - group.begin;
+      const int         *unknowns = unknowns_of(e);
+      SectionForces      elastic[order], viscous[order] = {};
       section_forces(e,
                      Beam::motion(numbering, unknowns, state),
                      elastic,
                      viscous);
       ScaledMotion motion;
       for (const SectionForces &forces : elastic)
-        motion.strains.push_back(scaled_strains(elements[e].stiffness, forces));
+        motion.strains.push_back(
+          scaled_strains(of_elements[e].stiffness, forces));
       if (!state.acceleration)
         return motion;
       const double scale = std::sqrt(
-        sections[lattice.struts[numbering.elements()[e].interval.strut].section]
+        sections[lattice
+                   .struts[numbering.elements()[of_numbering].interval.strut]
+                   .section]
           .mass_per_length());
       const dealii::QGauss<1> gauss(order + 1);
       for (const dealii::Point<1> &point : gauss.get_points())
