@@ -1,6 +1,7 @@
 #include <auxfem/time/runge_kutta.h>
 
-#include <complex>
+#include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace auxfem
@@ -76,7 +77,7 @@ namespace auxfem
     return tableau.order;
   }
 
-  double RungeKutta::amplification(const double angle) const
+  std::complex<double> RungeKutta::response(const double angle) const
   {
     // y' = i angle y over a step of length one, y_0 = 1.
     const std::complex<double>        lambda(0, angle);
@@ -87,7 +88,23 @@ namespace auxfem
           values[i] += tableau.factors[i][j] * lambda * values[j];
         values[i] /= 1. - tableau.diagonal * lambda;
       }
-    return std::abs(values.back());
+    return values.back();
+  }
+
+  double RungeKutta::amplification(const double angle) const
+  {
+    return std::abs(response(angle));
+  }
+
+  double RungeKutta::missed_way(const double by_trapezoidal_rule) const
+  {
+    const double angle =
+      2 * std::asin(std::min(1., std::sqrt(12 * by_trapezoidal_rule) / 2));
+    if (angle == 0)
+      return 0;
+    return std::abs(response(angle) -
+                    std::exp(std::complex<double>(0, angle))) /
+      angle;
   }
 
   std::optional<double> RungeKutta::error_constant() const

@@ -45,6 +45,11 @@ namespace auxfem
     return 1;
   }
 
+  double ImplicitScheme::missed_way(const double by_trapezoidal_rule) const
+  {
+    return by_trapezoidal_rule;
+  }
+
   unsigned int ImplicitScheme::order() const
   {
     return 2;

@@ -38,6 +38,18 @@ TEST(StepWatch, KnowsTheErrorOfAVibration)
     << verdict_text(ruinous);
 }
 
+TEST(StepWatch, AllowsRungeKuttaStepsWhatTheyResolve)
+{
+  // 6 steps a period are many for order 4; 2 are few for any scheme.
+  const std::vector<std::string> sound    = {"Time/Scheme=esdirk",
+                                             "Time/Time step=0.5"},
+                                 doubtful = {"Time/Scheme=esdirk",
+                                             "Time/Time step=1.5"};
+  EXPECT_TRUE(findings_of(swinging_mass, sound).empty());
+  EXPECT_GE(verdict_of(findings_of(swinging_mass, doubtful)),
+            Verdict::doubtful);
+}
+
 TEST(StabilityWatch, SaysWhenAndWhereAColumnBucklesInStatics)
 {
   const auto straight = findings_of(column, {});

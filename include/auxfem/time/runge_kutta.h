@@ -3,6 +3,7 @@
 
 #include <auxfem/time/time_scheme.h>
 
+#include <complex>
 #include <vector>
 
 namespace auxfem
@@ -74,6 +75,12 @@ namespace auxfem
     double                amplification(double angle) const override;
 
     /**
+     * Of an oscillation that turns by z in a step the differences give 4
+     * sin^2(z/2) / 12 of its way; it misses |R(iz) - exp(iz)| / z.
+     */
+    double missed_way(double by_trapezoidal_rule) const override;
+
+    /**
      * For y' = lambda y the error of a step of order p, in which y grows by
      * R(z), z = lambda dt, is C z^(p+1), and the difference to the embedded
      * scheme D z^p: so C / D dt times the difference in velocity, which is dt
@@ -83,6 +90,9 @@ namespace auxfem
     std::optional<double> error_constant() const override;
 
   private:
+    /** R(iz): what becomes in a step of an oscillation that turns by @p angle. */
+    std::complex<double> response(double angle) const;
+
     const ButcherTableau tableau;
   };
 } // namespace auxfem

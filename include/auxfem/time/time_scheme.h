@@ -123,6 +123,13 @@ namespace auxfem
      */
     virtual double amplification(double angle) const;
 
+    /**
+     * Part of its way that an oscillation misses in a step, of which the
+     * trapezoidal rule, its error taken from third differences of displacements
+     * at the ends of steps, would miss @p by_trapezoidal_rule.
+     */
+    virtual double missed_way(double by_trapezoidal_rule) const;
+
     /** Power of the step's length with which the error of many steps goes. */
     virtual unsigned int order() const;
 

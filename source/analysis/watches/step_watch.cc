@@ -12,9 +12,9 @@ namespace auxfem
     const std::string step_record = "watch: error of steps";
 
     /**
-     * Error of the displacements in a step over their increments: of a
-     * vibration with n steps a period (2 pi / n)^2 / 12, 5 % with 8 steps, 25 %
-     * with 3.6.
+     * Error of the displacements in a step over their increments: by the
+     * trapezoidal rule of a vibration with n steps a period (2 pi / n)^2 / 12,
+     * 5 % with 8 steps, 25 % with 3.6.
      */
     constexpr double doubtful_error = 0.05, ruinous_error = 0.25;
 
@@ -25,13 +25,17 @@ namespace auxfem
      * Error of the trapezoidal rule in a step, dt^3 u''' / 12, by the third
      * difference of displacements at the ends of steps: accelerations may ring
      * where displacements do not. Sums over all unknowns and steps weigh each
-     * motion by the way it goes.
+     * motion by the way it goes. What another scheme misses is that of the
+     * vibration of which the rule would miss so much.
      */
     class StepWatch : public Watch
     {
     public:
-      StepWatch(const double step, const Equations &equations)
+      StepWatch(const double          step,
+                const ImplicitScheme &scheme,
+                const Equations      &equations)
         : scene_step(step)
+        , scheme(scheme)
         , equations(equations)
       {}
 
@@ -57,8 +61,12 @@ namespace auxfem
         const std::vector<double> sums   = layout.sum({error, way});
         const LargestInTime  increment = largest_increment.of_all_ranks(layout);
         std::vector<Finding> found;
-        if (!(sums[0] <= doubtful_error * sums[1]))
-          found.push_back(error_finding(sums[0] / sums[1]));
+        if (sums[1] > 0)
+          {
+            const double missed = scheme.missed_way(sums[0] / sums[1]);
+            if (!(missed <= doubtful_error))
+              found.push_back(error_finding(missed));
+          }
         if (increment.value > doubtful_increment)
           {
             std::ostringstream text;
@@ -152,7 +160,8 @@ namespace auxfem
         text << "The steps are long for the motion: each misses about "
              << 100 * relative
              << " % of the way of the joints (Time/Time step = " << scene_step
-             << " s). A step of " << scene_step * std::sqrt(0.01 / relative)
+             << " s). A step of "
+             << scene_step * std::pow(0.01 / relative, 1. / scheme.order())
              << " s would miss 1 %.";
         return {is_ruinous ? Verdict::not_to_be_used : Verdict::doubtful,
                 text.str(),
@@ -160,11 +169,12 @@ namespace auxfem
                 ""};
       }
 
-      const double     scene_step; ///< s
-      const Equations &equations;
-      double           error = 0, way = 0; ///< m, summed up on this rank
-      double           time = 0;           ///< s
-      LargestInTime    largest_increment;  ///< rad
+      const double          scene_step; ///< s
+      const ImplicitScheme &scheme;
+      const Equations      &equations;
+      double                error = 0, way = 0; ///< m, summed up on this rank
+      double                time = 0;           ///< s
+      LargestInTime         largest_increment;  ///< rad
 
       /** Owned and free ones of n_unknowns owned in all. */
       std::vector<int> translations, rotations;
@@ -182,6 +192,8 @@ namespace auxfem
   std::unique_ptr<Watch> make_step_watch(const Scene     &scene,
                                          const Equations &equations)
   {
-    return std::make_unique<StepWatch>(scene.time.step, equations);
+    return std::make_unique<StepWatch>(scene.time.step,
+                                       scene.time.implicit_scheme(),
+                                       equations);
   }
 } // namespace auxfem
