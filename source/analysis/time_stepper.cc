@@ -228,7 +228,7 @@ namespace auxfem
           }
         ++report.retries;
         ++work.retries;
-        if (!control->rejected())
+        if (!control->rejected(rejected_error))
           give_up(solution.state, planned.dt);
       }
   }
@@ -333,6 +333,7 @@ namespace auxfem
                              StepReport        &report)
   {
     State &state       = solution.state;
+    rejected_error     = 0;
     trial.state.time   = planned.end;
     Evaluation step    = evaluation_of(state, planned.dt);
     step.event_at_from = event_at_begin(state.time);
@@ -408,9 +409,11 @@ namespace auxfem
     if (creates_energy(step))
       return reject(
         "the step would create energy (more than Time/Largest energy error)");
-    if (error && relative_error(step) > 1 && control->may_be_shorter())
-      return reject("the error is larger than Time/Relative tolerance allows");
-    return true;
+    const double error_of_step = error ? relative_error(step) : 0;
+    if (error_of_step <= 1 || !control->may_be_shorter())
+      return true;
+    rejected_error = error_of_step;
+    return reject("the error is larger than Time/Relative tolerance allows");
   }
 
   double TimeStepper::relative_error(const Evaluation &step)

@@ -48,6 +48,7 @@ namespace auxfem
     n_balanced = effects.size();
     make_loads(scene);
     refuse_without_mean_forces(scene);
+    refuse_unknown_errors(scene);
     enter_energies();
     for (const auto &effect : effects)
       effect->register_in(state_layout);
@@ -73,6 +74,18 @@ namespace auxfem
                        found +
                        ". Use Scheme = newmark or generalized-alpha, or a "
                        "scene in the plane.");
+  }
+
+  void Equations::refuse_unknown_errors(const Scene &scene) const
+  {
+    const ImplicitScheme &scheme = scene.time.implicit_scheme();
+    // A rank without parts has constraints all the same.
+    if (scene.time.relative_tolerance && scheme.stages() != nullptr &&
+        !reporting_effects.constraints.empty())
+      throw InputError(
+        "Time/Relative tolerance: the error of Time/Scheme = " + scheme.name() +
+        " is not known where parts are rigid or hinges revolute. Remove it, or "
+        "choose newmark, hht or generalized-alpha.");
   }
 
   void Equations::enter_energies()

@@ -52,12 +52,19 @@ namespace auxfem
         return length / (2u << level) >= smallest;
       }
 
-      bool rejected() override
+      bool rejected(const double relative_error) override
       {
         if (!may_be_shorter())
           return false;
-        ++level;
-        position *= 2;
+        halve();
+        // As often as the error asks for.
+        for (double error = relative_error; order_of_error && may_be_shorter();)
+          {
+            error /= std::pow(2., *order_of_error);
+            if (error <= 1)
+              break;
+            halve();
+          }
         return true;
       }
 
@@ -93,6 +100,12 @@ namespace auxfem
       }
 
     private:
+      void halve()
+      {
+        ++level;
+        position *= 2;
+      }
+
       void begin_interval(const double time, const double next_target)
       {
         target = next_target;

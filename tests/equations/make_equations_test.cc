@@ -174,6 +174,18 @@ TEST(MakeEquations, AReferenceVectorAlongAStrutIsRefused)
   EXPECT_NO_THROW(EquationsOnRanks(scene("0 0.3 1"), {}, MPI_COMM_SELF));
 }
 
+TEST(MakeEquations, RungeKuttaStepsWithRigidPartsFollowNoError)
+{
+  const SceneText esdirk = SceneText()
+                             .set("Time/Scheme", "esdirk")
+                             .set("Time/Relative tolerance", "1e-3");
+  EXPECT_NO_THROW(EquationsOnRanks(two_struts_with(esdirk), {}, MPI_COMM_SELF));
+  EXPECT_EQ(equations_refusal(SceneText(esdirk).rigid_part("bar", "1", 0.5)),
+            "Time/Relative tolerance: the error of Time/Scheme = esdirk is not "
+            "known where parts are rigid or hinges revolute. Remove it, or "
+            "choose newmark, hht or generalized-alpha.");
+}
+
 TEST(MakeEquations, WithoutMeanForcesASchemeThatBalancesThemIsRefusedByName)
 {
   const std::string              frame    = space_frame("0 0 0; 1 0 0", "0 1");

@@ -30,13 +30,33 @@ namespace
     bool reject(const double target)
     {
       control->plan(time, target);
-      return control->rejected();
+      return control->rejected(0);
     }
 
     std::unique_ptr<StepControl> control;
     double                       time;
   };
 } // namespace
+
+TEST(StepControl, HalvesAsOftenAsTheErrorAsksFor)
+{
+  const auto length_after = [](const std::optional<unsigned int> order,
+                               const double                      error,
+                               const double                      smallest) {
+    const auto control = make_halved_steps(1, smallest, order);
+    control->plan(0, 1);
+    EXPECT_TRUE(control->rejected(error));
+    return control->plan(0, 1).dt;
+  };
+  // 60 / 4^3 < 1, 60 / 16^2 < 1.
+  EXPECT_EQ(length_after(2, 60, 1e-3), 1. / 8);
+  EXPECT_EQ(length_after(4, 60, 1e-3), 1. / 4);
+  EXPECT_EQ(length_after(2, 3.9, 1e-3), 1. / 2);
+  // Never shorter than allowed; once for a step that was not solved.
+  EXPECT_EQ(length_after(2, 1e6, 0.2), 1. / 4);
+  EXPECT_EQ(length_after(2, 0, 1e-3), 1. / 2);
+  EXPECT_EQ(length_after(std::nullopt, 60, 1e-3), 1. / 2);
+}
 
 TEST(StepControl, ConstantStepsReachTheirTargetsWithExactlyEqualLengths)
 {
@@ -120,7 +140,7 @@ TEST(StepControl, NoStepIsShorterThanTheSmallest)
   EXPECT_TRUE(walk.reject(1));
   EXPECT_TRUE(walk.reject(1));
   EXPECT_EQ(walk.control->plan(walk.time, 1).dt, 0.25);
-  EXPECT_FALSE(walk.control->rejected());
+  EXPECT_FALSE(walk.control->rejected(0));
   // Nothing is shorter than a step that is the smallest itself.
   Walk stiff(1, 1);
   EXPECT_FALSE(stiff.reject(1));

@@ -74,15 +74,22 @@ namespace
     EXPECT_TRUE(report.findings.empty());
   }
 
-  /** By Newmark's method to 1e-5, by Runge-Kutta schemes to 1e-7. */
-  void expect_tolerances_kept(const std::string &name,
-                              const SceneText   &scene,
-                              const std::string &probe)
+  void expect_tolerances_kept_by_newmark(const std::string &name,
+                                         const SceneText   &scene,
+                                         const std::string &probe)
   {
     expect_tolerances_kept(name,
                            SceneText(scene).set("Newton/Tolerance", "1e-10"),
                            probe,
                            5);
+  }
+
+  /** By Newmark's method to 1e-5, by Runge-Kutta schemes to 1e-7. */
+  void expect_tolerances_kept(const std::string &name,
+                              const SceneText   &scene,
+                              const std::string &probe)
+  {
+    expect_tolerances_kept_by_newmark(name, scene, probe);
     for (const char *order : {"3", "4"})
       expect_tolerances_kept(name + ", esdirk of order " + order,
                              SceneText(scene)
@@ -114,9 +121,10 @@ TEST(Tolerance, IsKeptByRigidPartsWhoseLoadJumps)
   SceneText scene = frame_in(2);
   scene.rigid_part("block", "1", 0.5);
   scene.set("Loads/push/Force y", "if(t < 0.2, -10, 5)");
-  expect_tolerances_kept("frame with a rigid part, load that jumps",
-                         scene,
-                         "tip");
+  // Of Runge-Kutta schemes the error with rigid parts is not known.
+  expect_tolerances_kept_by_newmark("frame with a rigid part, load that jumps",
+                                    scene,
+                                    "tip");
 }
 
 TEST(Tolerance, IsKeptByAStarLatticeWithMaxwellConnectors)

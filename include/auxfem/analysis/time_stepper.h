@@ -167,6 +167,9 @@ namespace auxfem
     const StepEnds           ends;
     Watches                  watches;
     std::string              last_failure;
+    /** Of the last step, over the one that is allowed; 0: it failed for another
+     * reason, or did not. */
+    double rejected_error = 0;
   };
 } // namespace auxfem
 

@@ -39,10 +39,11 @@ namespace auxfem
     virtual bool may_be_shorter() const = 0;
 
     /**
-     * The step last planned was not solved. Returns false if it may not be
-     * shorter.
+     * The step last planned was not solved, or not well enough. Returns false if
+     * it may not be shorter.
+     * @param relative_error as accepted()
      */
-    virtual bool rejected() = 0;
+    virtual bool rejected(double relative_error) = 0;
 
     /** Length of the shortest step (s). */
     virtual double shortest() const = 0;
