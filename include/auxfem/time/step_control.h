@@ -39,8 +39,8 @@ namespace auxfem
     virtual bool may_be_shorter() const = 0;
 
     /**
-     * The step last planned was not solved, or not well enough. Returns false if
-     * it may not be shorter.
+     * The step last planned was not solved, or not well enough. Returns false
+     * if it may not be shorter.
      * @param relative_error as accepted()
      */
     virtual bool rejected(double relative_error) = 0;
