@@ -39,6 +39,14 @@ namespace auxfem
              &EffectSwitches::hinges,
              "Hinges and rotational springs; off: all joints are rigid.")};
 
+    const Quantity effects_tolerance = {
+      "Tolerance",
+      "1e-3",
+      "1",
+      Range::closed(0, 1),
+      "Relative change of the answer up to which auto leaves an effect out, "
+      "where that saves time."};
+
     Switch switch_of(const std::string &word)
     {
       return word == "on" ? Switch::on
@@ -54,6 +62,7 @@ namespace auxfem
     Parameters parameters;
     for (const Effect &effect : effects)
       parameters.push_back(effect.entry);
+    parameters.push_back(effects_tolerance);
     return {"Effects",
             SubsectionSchema::Form::fixed,
             "What is simulated; auto: on if the scene needs it.",
@@ -67,6 +76,7 @@ namespace auxfem
     EffectSwitches switches;
     for (const Effect &effect : effects)
       switches.*effect.target = switch_of(values[effect.entry]);
+    switches.tolerance = values[effects_tolerance];
     return switches;
   }
 } // namespace auxfem

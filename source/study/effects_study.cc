@@ -1,3 +1,4 @@
+#include <auxfem/model/build_lattice.h>
 #include <auxfem/model/effect_decisions.h>
 #include <auxfem/parameters/errors.h>
 #include <auxfem/study/quantities.h>
@@ -49,7 +50,8 @@ namespace auxfem
     std::vector<std::string> simulated_effects(const Scene &scene)
     {
       std::vector<std::string> names;
-      for (const EffectDecision &decision : decide_effects(scene).decisions)
+      for (const EffectDecision &decision :
+           decide_effects(scene, build_lattice(scene)).decisions)
         for (const Parameter &parameter : effects_schema().parameters)
           if (decision.on && boost::iequals(decision.name, parameter.name))
             names.push_back(parameter.name);
