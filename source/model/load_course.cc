@@ -11,6 +11,11 @@ namespace auxfem
     /** Loads and motions are looked at this many times at most. */
     constexpr unsigned long most_looks = 4096;
 
+    unsigned long n_looks(const Scene &scene)
+    {
+      return std::min(scene.time.n_steps(), most_looks);
+    }
+
     /** All courses in time of the scene that are not zero. */
     std::vector<TimeFunction> courses_of(const Scene &scene)
     {
@@ -44,7 +49,7 @@ namespace auxfem
 
     double relative_rate(const TimeFunction &course, const Scene &scene)
     {
-      const unsigned long n        = std::min(scene.time.n_steps(), most_looks);
+      const unsigned long n        = n_looks(scene);
       const double        interval = scene.time.end_time / n;
       double previous = course.value(0), largest = std::abs(previous), rate = 0;
       for (unsigned long i = 1; i <= n; ++i)
@@ -56,7 +61,47 @@ namespace auxfem
         }
       return largest > 0 ? rate / largest : 0;
     }
+    /** See uncommanded_motion(); of one course, which does not jump. */
+    double uncommanded_part(const TimeFunction &course,
+                            const Scene        &scene,
+                            const double        frequency)
+    {
+      const double        end      = scene.time.end_time;
+      const unsigned long n        = n_looks(scene);
+      const auto          at_start = course.jet(0);
+      double largest = std::abs(at_start[0]), worst = std::abs(at_start[1]);
+      for (const TimeEvent &event : course.events(0, end))
+        worst = std::max(worst,
+                         std::abs(course.jet(event.time, TimeSide::after)[1] -
+                                  course.jet(event.time, TimeSide::before)[1]));
+      for (unsigned long i = 1; i <= n; ++i)
+        {
+          const auto now = course.jet(end * i / n, TimeSide::before);
+          largest        = std::max(largest, std::abs(now[0]));
+          worst          = std::max(worst, std::abs(now[2]) / frequency);
+        }
+      return largest > 0 ? worst / frequency / largest : 0;
+    }
   } // namespace
+
+  double uncommanded_motion(const Scene &scene, const double frequency)
+  {
+    if (load_course(scene).is_sudden)
+      return 1;
+    double largest = 0;
+    try
+      {
+        for (const TimeFunction &course : courses_of(scene))
+          largest =
+            std::max(largest, uncommanded_part(course, scene, frequency));
+      }
+    catch (const ComputationError &)
+      {
+        // A slope may be infinite where the load is a number all the same.
+        return 1;
+      }
+    return std::min(1., largest);
+  }
 
   double resolved_frequency(const Scene &scene)
   {

@@ -15,6 +15,9 @@ namespace auxfem
   {
     const std::string nothing = "nothing";
 
+    /** Whether an effect matters is what the study finds out. */
+    const std::string keep_all_effects = "Effects/Tolerance=0";
+
     /** The scene without some of its effects. */
     struct Simplification
     {
@@ -66,7 +69,8 @@ namespace auxfem
                          ": Study/Kind = effects is for Model = lattice, which "
                          "has effects to leave out");
       std::vector<Simplification> all = {{nothing, {}, ""}};
-      for (const std::string &effect : simulated_effects(scene))
+      for (const std::string &effect :
+           simulated_effects(scene_with(scene, {keep_all_effects})))
         {
           const std::vector<std::string> without = {assignment_without(effect)};
           all.push_back({effect, without, obstacle_to(scene, without)});
@@ -74,12 +78,16 @@ namespace auxfem
       return all;
     }
 
+    /** With the effects that auto would leave out, but for those of
+     * @p simplification. */
     PlannedRun planned_run(const Scene          &scene,
                            const Simplification &simplification)
     {
-      const bool is_whole = simplification.overrides.empty();
+      const bool               is_whole  = simplification.overrides.empty();
+      std::vector<std::string> overrides = simplification.overrides;
+      overrides.push_back(keep_all_effects);
       return {is_whole ? "as it is" : "without " + simplification.name,
-              scene_with(scene, simplification.overrides),
+              scene_with(scene, overrides),
               scene.study.repetitions};
     }
 

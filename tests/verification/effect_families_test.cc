@@ -1,4 +1,5 @@
 #include <auxfem/analysis/lattice_analysis.h>
+#include <auxfem/analysis/lattice_run.h>
 #include <auxfem/model/build_lattice.h>
 #include <auxfem/model/effect_decisions.h>
 #include <auxfem/output/memory_recorder.h>
@@ -56,7 +57,9 @@ namespace
       return motion_of(
         read_scene_from_text(family.scene(value).probe("top", "top").str(),
                              "test.prm",
-                             {"Effects/" + family.effect + "=" + choice}));
+                             {family.effect == "Inertia" && choice == "off"
+                                ? "Time/Scheme=static"
+                                : "Effects/" + family.effect + "=" + choice}));
     };
     const auto with = motion("on"), without = motion("off");
     double     largest = 0, change = 0;
@@ -74,6 +77,8 @@ namespace
   {
     const Scene scene =
       read_scene_from_text(family.scene(value).str(), "test.prm");
+    if (family.effect == "Inertia")
+      return LatticeRun(scene, MPI_COMM_WORLD).inertia_measure()->change;
     std::string name = family.effect;
     name[0]          = std::tolower(name[0]);
     for (const EffectDecision &decision :
@@ -251,6 +256,34 @@ TEST(EffectFamilies, StrutDampingFromShortToLongTimes)
      [](const double time) {
        return pressed_star(0.4e-3, 1)
          .set("Sections/aluminium/Stiffness-proportional damping", time);
+     }});
+}
+
+TEST(EffectFamilies, InertiaFromSlowToFastRamps)
+{
+  expect_turn_at_tolerance(
+    {"Inertia",
+     "rate of a ramp that pushes a star lattice aside (1/s)",
+     {0.3, 1, 3, 10, 30},
+     [](const double rate) {
+       return star(0.4e-3)
+         .load("push", "top", {"1e-4 * t * " + text(rate), "0", "0"})
+         .linear()
+         .time(1 / rate, 2e-4, "newmark");
+     }});
+}
+
+TEST(EffectFamilies, InertiaFromSlowToFastCurves)
+{
+  expect_turn_at_tolerance(
+    {"Inertia",
+     "rate of a cubic course that pushes a star lattice aside (1/s)",
+     {1, 3, 10, 30, 100, 300},
+     [](const double rate) {
+       return star(0.4e-3)
+         .load("push", "top", {"1e-4 * (t * " + text(rate) + ")^3", "0", "0"})
+         .linear()
+         .time(1 / rate, 1 / (400 * rate), "newmark");
      }});
 }
 

@@ -30,6 +30,14 @@ namespace auxfem
   /** Weight counts as a load if there is no other. */
   LoadCourse load_course(const Scene &scene);
 
+  /**
+   * How much of the answer is motion that the loads of @p scene do not command,
+   * of a structure with the lowest angular frequency @p frequency (1/s): the
+   * largest jump of a load, of its slope over the frequency, and second
+   * derivative over its square, over its largest value; at most 1.
+   */
+  double uncommanded_motion(const Scene &scene, double frequency);
+
   /** Angular frequency (1/s) of an oscillation of which steps of @p scene
    * make a period of twenty. */
   double resolved_frequency(const Scene &scene);
