@@ -81,9 +81,9 @@ namespace auxfem
     stepper.start(solution);
   }
 
-  StepReport LatticeRun::advance()
+  StepReport LatticeRun::advance(Recorder &recorder)
   {
-    return stepper.advance(solution);
+    return stepper.advance(solution, recorder);
   }
 
   Checkpoint LatticeRun::checkpoint(const Recorder &recorder)
@@ -121,7 +121,7 @@ namespace auxfem
     while (solution.state.time < scene.time.end_time)
       {
         end_if_interrupted(model.numbering.layout().communicator());
-        const StepReport report = advance();
+        const StepReport report = advance(recorder);
         recorder.step(solution, report);
       }
   }

@@ -151,6 +151,16 @@ namespace auxfem
     recorder.save(records);
   }
 
+  std::optional<double> MeshErrorRecorder::next_time(const double time) const
+  {
+    return recorder.next_time(time);
+  }
+
+  void MeshErrorRecorder::between(const Solution &solution)
+  {
+    recorder.between(solution);
+  }
+
   void MeshErrorRecorder::step(const Solution   &solution,
                                const StepReport &step_report)
   {

@@ -54,7 +54,7 @@ namespace auxfem
     void start();
 
     /** The next step of the scene, as TimeStepper::advance(). */
-    StepReport advance();
+    StepReport advance(Recorder &recorder);
 
     /**
      * The solution now, with what the run and @p recorder, which has been told

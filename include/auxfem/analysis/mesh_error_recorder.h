@@ -32,6 +32,8 @@ namespace auxfem
     void start(const Solution &solution) override;
     void resume(const Solution &solution, const Records &records) override;
     void save(Records &records) const override;
+    std::optional<double> next_time(double time) const override;
+    void                  between(const Solution &solution) override;
     void step(const Solution &solution, const StepReport &report) override;
     void finish(const Solution &last, const RunResult &result) override;
 

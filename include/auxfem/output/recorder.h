@@ -73,6 +73,20 @@ namespace auxfem
     virtual void save(Records & /*records*/) const
     {}
 
+    /**
+     * The first time after @p time (s) for which the recorder wants a solution
+     * wherever steps end; nothing if there is none. The same on all ranks.
+     */
+    virtual std::optional<double> next_time(double /*time*/) const
+    {
+      return {};
+    }
+
+    /** The solution at such a time, before the step that it lies in, or that
+     * ends there, is done. */
+    virtual void between(const Solution & /*solution*/)
+    {}
+
     /** A step of the scene is done. */
     virtual void step(const Solution & /*solution*/,
                       const StepReport & /*report*/)
