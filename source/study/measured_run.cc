@@ -266,11 +266,23 @@ namespace auxfem
 
 
 
-  MeasuredRun measure_run(const Scene        &scene,
+  namespace
+  {
+    /** A decision that changes from run to run would be an error of its own. */
+    Scene without_decisions_on_the_way(Scene scene)
+    {
+      if (scene.effects.large_rotation == Switch::automatic)
+        scene.effects.large_rotation = Switch::on;
+      return scene;
+    }
+  } // namespace
+
+  MeasuredRun measure_run(const Scene        &planned,
                           const MPI_Comm      communicator,
                           const Selection    &selection,
                           const FractionDone &progress)
   {
+    const Scene       scene = without_decisions_on_the_way(planned);
     MeasuredRun       run;
     SelectionRecorder recorder(scene, communicator, selection, progress, run);
     forget_peak_memory();
