@@ -83,11 +83,22 @@ namespace auxfem
         keep_fields(solution);
       }
 
+      std::optional<double> next_time(const double time) const override
+      {
+        const auto next = wanted.field_times.upper_bound(time);
+        return next == wanted.field_times.end() ? std::nullopt
+                                                : std::optional<double>(*next);
+      }
+
+      void between(const Solution &solution) override
+      {
+        keep_fields(solution);
+      }
+
       void step(const Solution &solution,
                 const StepReport & /*report*/) override
       {
         keep(history->values(solution));
-        keep_fields(solution);
       }
 
       void begin_cell() override
