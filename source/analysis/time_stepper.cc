@@ -55,6 +55,7 @@ namespace auxfem
                                 parameters.relative_tolerance
                                   ? std::optional(scheme.order())
                                   : std::nullopt))
+    , dense_output(equations, scheme)
     , ends(step_ends(scene))
     , watches(scene, equations, work)
   {
@@ -189,7 +190,7 @@ namespace auxfem
     state = trial.state;
   }
 
-  StepReport TimeStepper::advance(Solution &solution)
+  StepReport TimeStepper::advance(Solution &solution, Recorder &recorder)
   {
     State     &state = solution.state;
     StepReport report;
@@ -203,8 +204,8 @@ namespace auxfem
             if (stages)
               stages->forget();
           }
-        const bool is_jump = pass_events(solution, report);
-        take_step(solution, next_target(state.time, end), report);
+        const bool is_jump = pass_events(solution, report, recorder);
+        take_step(solution, next_target(state.time, end), report, recorder);
         if (is_jump)
           state.before.reset();
       }
@@ -215,12 +216,13 @@ namespace auxfem
 
   void TimeStepper::take_step(Solution    &solution,
                               const double target,
-                              StepReport  &report)
+                              StepReport  &report,
+                              Recorder    &recorder)
   {
     while (true)
       {
         const PlannedStep planned = control->plan(solution.state.time, target);
-        if (try_step(solution, planned, report))
+        if (try_step(solution, planned, report, recorder))
           {
             ++report.substeps;
             report.dt = std::min(report.dt, planned.dt);
@@ -278,7 +280,9 @@ namespace auxfem
     return TimeLimit{first->time, TimeSide::before};
   }
 
-  bool TimeStepper::pass_events(Solution &solution, StepReport &report)
+  bool TimeStepper::pass_events(Solution   &solution,
+                                StepReport &report,
+                                Recorder   &recorder)
   {
     const auto [first, after] = ends_at(solution.state.time);
     if (first == after)
@@ -297,16 +301,21 @@ namespace auxfem
     solution.state.before.reset();
     if (jump != StepEnd::Jump::accelerations || !solution.state.velocity)
       return jump != StepEnd::Jump::none;
-    take_sudden_loads(solution, report);
+    take_sudden_loads(solution, report, recorder);
     return false;
   }
 
-  void TimeStepper::take_sudden_loads(Solution &solution, StepReport &report)
+  void TimeStepper::take_sudden_loads(Solution   &solution,
+                                      StepReport &report,
+                                      Recorder   &recorder)
   {
     constexpr double part_of_step = 1e-5;
     State           &state        = solution.state;
     StepReport       of_jump;
-    take_step(solution, state.time + part_of_step * parameters.step, of_jump);
+    take_step(solution,
+              state.time + part_of_step * parameters.step,
+              of_jump,
+              recorder);
     report.iterations += of_jump.iterations;
     report.retries += of_jump.retries;
     state.before.reset();
@@ -330,7 +339,8 @@ namespace auxfem
 
   bool TimeStepper::try_step(Solution          &solution,
                              const PlannedStep &planned,
-                             StepReport        &report)
+                             StepReport        &report,
+                             Recorder          &recorder)
   {
     State &state       = solution.state;
     rejected_error     = 0;
@@ -343,15 +353,28 @@ namespace auxfem
       return false;
     if (!is_acceptable(step))
       return false;
+    accept(solution, step, recorder);
+    return true;
+  }
+
+  void TimeStepper::accept(Solution         &solution,
+                           const Evaluation &step,
+                           Recorder         &recorder)
+  {
     control->accepted(error ? error->accept() : 0);
     if (stages)
       stages->accept();
-    raise_largest_energy(state, trial.state);
+    raise_largest_energy(solution.state, trial.state);
     watches.step(step, trial.results, solvers->tangent);
-    trial.state.step = state.step;
-    state            = trial.state;
-    std::swap(solution.results, trial.results);
-    return true;
+    trial.state.step = solution.state.step;
+    std::swap(solution, trial);
+    dense_output.record(trial,
+                        solution,
+                        step.event_at_from,
+                        nearness_of_step_ends(parameters),
+                        solvers->tangent,
+                        recorder);
+    trial.state = solution.state;
   }
 
   bool TimeStepper::solve_step(const Evaluation &step, StepReport &report)

@@ -21,9 +21,6 @@ namespace auxfem
     /** Of the number in a file's name. */
     constexpr unsigned int n_digits = 5;
 
-    const std::string schedule_record =
-      "graphics: next time, time of the last step";
-
     const std::string record_head =
       "<?xml version=\"1.0\"?>\n"
       "<VTKFile type=\"Collection\" version=\"0.1\" "
@@ -259,33 +256,6 @@ namespace auxfem
     std::filesystem::resize_file(record,
                                  end_of_entries + record_tail.size(),
                                  ignored);
-  }
-
-  GraphicsSchedule::GraphicsSchedule(const double interval)
-    : interval(interval)
-    , next(interval)
-  {}
-
-  bool GraphicsSchedule::is_due(const double time)
-  {
-    const double reached = time + (time - previous) / 2;
-    previous             = time;
-    if (interval <= 0 || reached < next)
-      return false;
-    next = (std::floor(reached / interval) + 1) * interval;
-    return true;
-  }
-
-  void GraphicsSchedule::save(Records &records) const
-  {
-    records.keep(schedule_record, {next, previous});
-  }
-
-  void GraphicsSchedule::resume(const Records &records)
-  {
-    const std::vector<double> values = records.values(schedule_record, 2);
-    next                             = values[0];
-    previous                         = values[1];
   }
 
   std::string field_name(const std::string &name)

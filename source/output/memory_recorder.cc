@@ -1,5 +1,6 @@
 #include <auxfem/output/memory_recorder.h>
 #include <auxfem/parameters/errors.h>
+#include <auxfem/scene/step_ends.h>
 
 #include <algorithm>
 
@@ -9,6 +10,7 @@ namespace auxfem
                                  const MPI_Comm communicator)
     : scene(scene)
     , communicator(communicator)
+    , row_times(scene.output.row_interval, nearness_of_step_ends(scene.time))
   {}
 
   void MemoryRecorder::begin(const Equations &equations)
@@ -33,10 +35,23 @@ namespace auxfem
     history->save(records);
   }
 
+  std::optional<double> MemoryRecorder::next_time(const double time) const
+  {
+    return row_times.after(time);
+  }
+
+  void MemoryRecorder::between(const Solution &solution)
+  {
+    row_list.push_back(history->values(solution));
+  }
+
   void MemoryRecorder::step(const Solution &solution,
                             const StepReport & /*report*/)
   {
-    row_list.push_back(history->values(solution));
+    if (scene.output.row_interval)
+      history->note(solution.state);
+    else
+      row_list.push_back(history->values(solution));
   }
 
   const std::vector<Column> &MemoryRecorder::columns() const

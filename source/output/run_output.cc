@@ -2,12 +2,15 @@
 #include <auxfem/output/first_rank.h>
 #include <auxfem/output/history.h>
 #include <auxfem/output/notes.h>
+#include <auxfem/output/output_times.h>
 #include <auxfem/output/run_folder.h>
 #include <auxfem/output/run_output.h>
 #include <auxfem/output/vtu_writer.h>
+#include <auxfem/scene/step_ends.h>
 #include <auxfem/time/interruption.h>
 #include <auxfem/time/stopwatch.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <fstream>
@@ -34,6 +37,8 @@ namespace auxfem
     void start_series(const Solution &solution);
     void resume(const Solution &solution, const Records &records);
     void save(Records &records) const;
+    std::optional<double> next_time(double time) const;
+    void                  write_between(const Solution &solution);
     void write_step(const Solution &solution, const StepReport &report);
     void finish(const Solution &last, const RunResult &result);
 
@@ -70,7 +75,7 @@ namespace auxfem
     std::optional<History>            history;
     std::optional<CsvTable>           table; ///< on rank 0
     std::optional<VtuWriter>          graphics;
-    GraphicsSchedule                  schedule;
+    const OutputTimes                 row_times, graphics_times;
 
     /** Times last written (s); none before write_start(). */
     std::optional<double> last_row, last_graphics;
@@ -87,7 +92,11 @@ namespace auxfem
     , rules(rules)
     , start(Clock::now())
     , first_step(start)
-    , schedule(scene.output.graphics_interval)
+    , row_times(scene.output.row_interval, nearness_of_step_ends(scene.time))
+    , graphics_times(scene.output.graphics && scene.output.graphics_interval > 0
+                       ? std::optional(scene.output.graphics_interval)
+                       : std::nullopt,
+                     nearness_of_step_ends(scene.time))
   {}
 
   void RunOutput::Implementation::begin(const Equations &equations)
@@ -96,6 +105,8 @@ namespace auxfem
     refuse_columns_of_nothing(scene, equations.model().lattice);
 
     on_first_rank(communicator, [&]() {
+      if (console) // A run that is done again goes on in the same log.
+        return console->end_progress();
       files.emplace(scene, rules);
       console.emplace(std::cout,
                       terminal_width(
@@ -114,6 +125,8 @@ namespace auxfem
                        '\n');
       }
     this->equations = &equations;
+    last_row.reset();
+    last_graphics.reset();
     history.emplace(scene, equations, communicator);
     on_first_rank(communicator, [&]() {
       table.emplace(folder + "/history.csv", history->columns());
@@ -164,7 +177,6 @@ namespace auxfem
     if (!graphics)
       return;
     graphics->resume(records);
-    schedule.resume(records);
     last_graphics = records.values(graphics_record, 1)[0];
   }
 
@@ -175,20 +187,34 @@ namespace auxfem
     if (!graphics)
       return;
     graphics->save(records);
-    schedule.save(records);
     records.keep(graphics_record, {last_graphics.value()});
+  }
+
+  std::optional<double>
+  RunOutput::Implementation::next_time(const double time) const
+  {
+    const std::optional<double> row      = row_times.after(time),
+                                graphics = graphics_times.after(time);
+    return row && graphics ? std::min(*row, *graphics) : row ? row : graphics;
+  }
+
+  void RunOutput::Implementation::write_between(const Solution &solution)
+  {
+    if (row_times.has(solution.state.time))
+      write_row(solution);
+    if (graphics_times.has(solution.state.time))
+      write_graphics(solution);
   }
 
   void RunOutput::Implementation::write_step(const Solution   &solution,
                                              const StepReport &report)
   {
     const State &state = solution.state;
-    if (state.step % scene.output.history_interval == 0)
+    if (!scene.output.row_interval &&
+        state.step % scene.output.history_interval == 0)
       write_row(solution);
     else
       history->note(state);
-    if (schedule.is_due(state.time))
-      write_graphics(solution);
     if (console)
       show_progress(state, report);
   }
@@ -239,13 +265,14 @@ namespace auxfem
     summary.strain             = history->largest_strain();
     summary.largest_rotation =
       dealii::Utilities::MPI::max(history->largest_rotation(), communicator);
-    summary.time       = result.time;
-    summary.time_error = result.time_error;
-    summary.orders     = result.orders;
-    summary.exit_state = result.exit_state;
-    summary.findings   = result.findings;
-    summary.notes      = notes;
-    summary.decisions  = equations->model().simulated.decisions;
+    summary.time                     = result.time;
+    summary.time_error               = result.time_error;
+    summary.small_displacement_error = result.small_displacement_error;
+    summary.orders                   = result.orders;
+    summary.exit_state               = result.exit_state;
+    summary.findings                 = result.findings;
+    summary.notes                    = notes;
+    summary.decisions                = equations->model().simulated.decisions;
 
     on_first_rank(communicator, [&]() {
       replace_file(folder + "/summary.json", summary_json(scene, summary));
@@ -286,6 +313,17 @@ namespace auxfem
   void RunOutput::save(Records &records) const
   {
     implementation->save(records);
+  }
+
+  std::optional<double> RunOutput::next_time(const double time) const
+  {
+    return implementation->next_time(time);
+  }
+
+  void RunOutput::between(const Solution &solution)
+  {
+    const Stopwatch watch(implementation->seconds);
+    implementation->write_between(solution);
   }
 
   void RunOutput::step(const Solution &solution, const StepReport &report)

@@ -230,6 +230,19 @@ namespace auxfem
                              "one, e.g. 3"));
     }
 
+    void check_rows(const Scene &scene, Mistakes &mistakes)
+    {
+      const OutputParameters &output = scene.output;
+      if (output.row_interval && output.history_interval > 1)
+        mistakes.add(message(scene,
+                             "Output/Time between rows = ",
+                             *output.row_interval,
+                             " s and Output/History interval = ",
+                             output.history_interval,
+                             " steps both say when history.csv gets a row. "
+                             "Remove one of them"));
+    }
+
     void check_reduced_cell(const Scene &scene, Mistakes &mistakes)
     {
       if (scene.context.dimension == 3)
@@ -264,6 +277,13 @@ namespace auxfem
                              "with Model = reduced cell, which has no joint "
                              "sets. Remove it; angle and rise of the cell are "
                              "in history.csv"));
+      if (scene.output.row_interval)
+        mistakes.add(message(scene,
+                             "Output/Time between rows = ",
+                             *scene.output.row_interval,
+                             " s is not possible with Model = reduced cell, "
+                             "whose rows are those of its steps. Set History "
+                             "interval, a number of steps"));
     }
 
     /**
@@ -302,6 +322,7 @@ namespace auxfem
     if (scene.context.model == Model::reduced_cell)
       check_reduced_cell(scene, mistakes);
     check_smallest_step(scene, mistakes);
+    check_rows(scene, mistakes);
     check_order(scene, mistakes);
     check_chosen_order(scene, mistakes);
     check_tolerance(scene, mistakes);

@@ -18,9 +18,12 @@ namespace auxfem
     }
 
     const std::vector<Effect> effects = {
-      effect("Large rotation",
-             &EffectSwitches::large_rotation,
-             "Geometrically exact struts; off: small displacements."),
+      effect(
+        "Large rotation",
+        &EffectSwitches::large_rotation,
+        "Geometrically exact struts; off: small displacements. auto: small "
+        "displacements as long as their estimated error is within the "
+        "tolerance, else exact from the start."),
       effect("Shear flexibility",
              &EffectSwitches::shear_flexibility,
              "Shear deformation of the struts."),
@@ -43,9 +46,9 @@ namespace auxfem
       "Tolerance",
       "1e-3",
       "1",
-      Range::closed(0, 1),
-      "Relative change of the answer up to which auto leaves an effect out, "
-      "where that saves time."};
+      Range{0, 1, false, true},
+      "Relative change of the answer that may be given away by leaving an effect "
+      "out where that saves time."};
 
     Switch switch_of(const std::string &word)
     {

@@ -16,13 +16,24 @@ namespace auxfem
       "0 s",
       "s",
       Range::non_negative(),
-      "Time between two of them; 0: at start and end only."};
+      "Time between two of them, from within steps if these do not end there; 0: "
+      "at start and end only."};
     const Integer history_interval = {
       "History interval",
       1,
       1,
       1000000000,
       "Number of steps between two rows of history.csv."};
+    const Quantity row_interval = {
+      "Time between rows",
+      "none",
+      "s",
+      Range::positive(),
+      "Time between two rows of history.csv, in place of a number of steps: from "
+      "within steps, by polynomials of the order of the time scheme, if these do "
+      "not end there. So steps may be as long as accuracy allows. none: at ends "
+      "of steps.",
+      {"none"}};
     const Integer segments = {
       "Segments per element",
       8,
@@ -56,6 +67,7 @@ namespace auxfem
              graphics,
              graphics_interval,
              history_interval,
+             row_interval,
              segments,
              effective_strains,
              verdict_fails},
@@ -73,6 +85,8 @@ namespace auxfem
     output.graphics          = values[graphics];
     output.graphics_interval = values[graphics_interval];
     output.history_interval  = values[history_interval];
+    if (!values.is_word(row_interval))
+      output.row_interval = values[row_interval];
     output.segments          = values[segments];
     output.effective_strains = values[effective_strains];
     output.verdict_fails     = values[verdict_fails];

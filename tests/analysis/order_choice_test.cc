@@ -231,7 +231,7 @@ TEST(OrderChoice, RunThatIsResumedGoesOnAlike)
       first.start(run.solution);
       for (unsigned int step = 0; step < 5; ++step)
         {
-          const StepReport report = run.advance();
+          const StepReport report = run.advance(first);
           first.step(run.solution, report);
         }
       const Checkpoint checkpoint = run.checkpoint(first);

@@ -33,6 +33,29 @@ namespace
     double        displacement = 0;
   };
 
+  /** Takes the time of what an output writes within steps. */
+  struct TimedBetween : public Recorder
+  {
+    TimedBetween(RunOutput &output, double &seconds)
+      : output(output)
+      , seconds(seconds)
+    {}
+
+    std::optional<double> next_time(const double time) const override
+    {
+      return output.next_time(time);
+    }
+
+    void between(const Solution &solution) override
+    {
+      const Stopwatch watch(seconds);
+      output.between(solution);
+    }
+
+    RunOutput &output;
+    double    &seconds;
+  };
+
   Measurement measure(const std::string &prm, const Case &c)
   {
     const std::string         cells = std::to_string(c.cells);
@@ -55,6 +78,7 @@ namespace
       const Stopwatch watch(output_seconds);
       action();
     };
+    TimedBetween    between(output, output_seconds);
     const Solution &solution = run.computation.solution;
     const Work      at_start = run.work();
     timed([&] {
@@ -63,9 +87,9 @@ namespace
     });
     while (run.state.step < run.scene.time.n_steps())
       {
-        const double     start  = cpu_seconds();
-        const StepReport report = run.advance();
-        result.cpu_seconds += cpu_seconds() - start;
+        const double     start  = cpu_seconds() - output_seconds;
+        const StepReport report = run.computation.advance(between);
+        result.cpu_seconds += cpu_seconds() - output_seconds - start;
         timed([&] { output.step(solution, report); });
       }
     std::cout.clear();

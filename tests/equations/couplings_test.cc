@@ -116,10 +116,11 @@ namespace
     TimeStepper stepper(equations, scene, work);
     Solution    solution = equations.initial_solution();
     stepper.start(solution);
+    Recorder            nobody;
     std::vector<double> ends;
     for (unsigned int step = 0; step < 40; ++step)
       {
-        stepper.advance(solution);
+        stepper.advance(solution, nobody);
         if (step != 19 && step != 39)
           continue;
         for (const unsigned int joint : {1u, 3u, 5u, 7u})

@@ -126,8 +126,9 @@ namespace
       , solution(on_ranks.equations.initial_solution())
     {
       stepper.start(solution);
+      Recorder nobody;
       while (state.step < on_ranks.scene.time.n_steps())
-        iterations += stepper.advance(solution).iterations;
+        iterations += stepper.advance(solution, nobody).iterations;
     }
 
     EquationsOnRanks on_ranks;

@@ -74,7 +74,9 @@ namespace
     const Lists lists = check({});
     EXPECT_EQ(lists.simulated,
               (std::map<std::string, std::string>{
-                {"large rotation", "on by default"},
+                {"large rotation",
+                 "static answer to the loads: no equilibrium of exact "
+                 "kinematics is near"},
                 {"shear flexibility",
                  "0.35 % of the bending compliance, above 0.1 %"},
                 {"inertia", "time scheme newmark"},

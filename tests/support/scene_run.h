@@ -55,7 +55,8 @@ namespace auxfem
       /** One step of the scene. */
       StepReport advance()
       {
-        return computation.advance();
+        Recorder nobody;
+        return computation.advance(nobody);
       }
 
       /** All that was done so far. */

@@ -146,6 +146,7 @@ namespace
   {
     const std::string force = "-0.01 * t / " + text(duration);
     return star(height)
+      .set("Effects/Large rotation", "on")
       .load("press", "top", {"0", force, "0"})
       .time(duration, duration / 200, "newmark");
   }

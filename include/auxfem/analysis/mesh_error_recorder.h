@@ -11,7 +11,7 @@ namespace auxfem
    * Tells another recorder all that it is told, and estimates the error of the
    * elements at instants in equal distances over the run.
    */
-  class MeshErrorRecorder : public Recorder
+  class MeshErrorRecorder : public ForwardingRecorder
   {
   public:
     /**
@@ -39,7 +39,6 @@ namespace auxfem
     void look(const State &state);
 
     const Scene               &scene;
-    Recorder                  &recorder;
     OrderReport                report;
     std::unique_ptr<MeshError> estimate;
     /** Since when no look is due (s). */

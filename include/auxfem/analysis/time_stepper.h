@@ -2,6 +2,7 @@
 #define auxfem_analysis_time_stepper_h
 
 #include <auxfem/analysis/consistent_rates.h>
+#include <auxfem/analysis/dense_output.h>
 #include <auxfem/analysis/newton.h>
 #include <auxfem/analysis/stages.h>
 #include <auxfem/analysis/step_error.h>
@@ -34,11 +35,11 @@ namespace auxfem
     void start(Solution &solution);
 
     /**
-     * Advances @p solution by one step of the scene. Throws ComputationError if
-     * even the smallest step does not converge; @p solution is then the last
-     * accepted one.
+     * Advances @p solution by one step of the scene. @p recorder is told of what
+     * it asks for within the step. Throws ComputationError if even the smallest
+     * step does not converge; @p solution is then the last accepted one.
      */
-    StepReport advance(Solution &solution);
+    StepReport advance(Solution &solution, Recorder &recorder);
 
     /**
      * Keeps what resume() needs beside the state. The solvers begin anew, with
@@ -78,12 +79,15 @@ namespace auxfem
      * What follows from loads, or motions of supports, that are not smooth at
      * the state. Returns whether the next step follows a jump of them.
      */
-    bool pass_events(Solution &solution, StepReport &report);
+    bool
+    pass_events(Solution &solution, StepReport &report, Recorder &recorder);
     /**
      * Without inertia: a part of a step in which springs answer loads that have
      * jumped, dashpots do not.
      */
-    void take_sudden_loads(Solution &solution, StepReport &report);
+    void take_sudden_loads(Solution   &solution,
+                           StepReport &report,
+                           Recorder   &recorder);
     /** With inertia: rates just after the jump at the time @p event (s). */
     void renew_rates(Solution &solution, StepEnd::Jump jump, double event);
     /**
@@ -96,10 +100,16 @@ namespace auxfem
                            const ConsistentRates *rates,
                            double                 event);
     /** One accepted step, to @p target (s) at the latest. */
-    void take_step(Solution &solution, double target, StepReport &report);
+    void take_step(Solution   &solution,
+                   double      target,
+                   StepReport &report,
+                   Recorder   &recorder);
     bool try_step(Solution          &solution,
                   const PlannedStep &planned,
-                  StepReport        &report);
+                  StepReport        &report,
+                  Recorder          &recorder);
+    /** The trial of @p step becomes the solution. */
+    void accept(Solution &solution, const Evaluation &step, Recorder &recorder);
     bool solve_step(const Evaluation &step, StepReport &report);
     /** By stages, of which the last remains in the trial. */
     bool solve_stages(const Solution   &solution,
@@ -162,6 +172,7 @@ namespace auxfem
     std::unique_ptr<StepControl> control;
     /** Only of a scheme that has some. */
     std::optional<Stages> stages;
+    const DenseOutput     dense_output;
     /** Only where the length of steps follows their error. */
     std::optional<StepError> error;
     const StepEnds           ends;

@@ -116,33 +116,6 @@ namespace auxfem
     std::streamoff end_of_entries = 0;
   };
 
-  /** When to write graphics: at the times next to the multiples of an interval.
-   */
-  class GraphicsSchedule
-  {
-  public:
-    /** @param interval (s); 0: never. */
-    explicit GraphicsSchedule(double interval);
-
-    /**
-     * Whether to write at @p time (s): it is the first within half a step of
-     * the next multiple, or past it. To be asked once after every step from
-     * time 0 on.
-     */
-    bool is_due(double time);
-
-    /** Keeps what resume() needs. */
-    void save(Records &records) const;
-
-    /** Goes on from where @p records were saved. */
-    void resume(const Records &records);
-
-  private:
-    double interval;
-    double next;
-    double previous = 0;
-  };
-
   /** @p name with everything but letters, digits, `-` and `_` replaced by `_`. */
   std::string field_name(const std::string &name);
 } // namespace auxfem

@@ -2,6 +2,7 @@
 #define auxfem_output_memory_recorder_h
 
 #include <auxfem/output/history.h>
+#include <auxfem/output/output_times.h>
 #include <auxfem/output/recorder.h>
 
 #include <optional>
@@ -11,8 +12,9 @@ namespace auxfem
 {
   /**
    * Keeps the history of a lattice in memory and writes nothing: the columns of
-   * history.csv with a row for each step of the scene, of a resumed run for
-   * each that follows. The same on all ranks.
+   * history.csv with a row for each step of the scene, or for each of the times
+   * that Output/Time between rows asks for; of a resumed run for those that
+   * follow. The same on all ranks.
    */
   class MemoryRecorder : public Recorder
   {
@@ -24,6 +26,8 @@ namespace auxfem
     void start(const Solution &solution) override;
     void resume(const Solution &solution, const Records &records) override;
     void save(Records &records) const override;
+    std::optional<double> next_time(double time) const override;
+    void                  between(const Solution &solution) override;
     void step(const Solution &solution, const StepReport &report) override;
 
     const std::vector<Column>              &columns() const;
@@ -36,6 +40,7 @@ namespace auxfem
   private:
     const Scene                     &scene;
     const MPI_Comm                   communicator;
+    const OutputTimes                row_times;
     std::optional<History>           history; ///< from begin() on
     std::vector<Column>              column_list;
     std::vector<std::vector<double>> row_list;

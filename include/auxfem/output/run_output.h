@@ -56,8 +56,14 @@ namespace auxfem
 
     void save(Records &records) const override;
 
+    /** When a row or graphics are due that do not go by steps. */
+    std::optional<double> next_time(double time) const override;
+
+    /** Writes these. Throws ComputationError if the disk takes no more. */
+    void between(const Solution &solution) override;
+
     /**
-     * A finished step: progress line; history row and graphics when due. Throws
+     * A finished step: progress line; history row if rows go by steps. Throws
      * ComputationError if the disk takes no more.
      */
     void step(const Solution &solution, const StepReport &report) override;

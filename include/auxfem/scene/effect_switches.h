@@ -24,7 +24,7 @@ namespace auxfem
     Switch strut_damping       = Switch::automatic;
     Switch gravity             = Switch::automatic;
     Switch hinges              = Switch::automatic;
-    /** Relative change of the answer that leaving an effect out may make. */
+    /** Relative change of the answer that may be given away. */
     double tolerance = 1e-3;
   };
 

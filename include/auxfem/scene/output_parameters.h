@@ -3,6 +3,7 @@
 
 #include <auxfem/parameters/subsection_schema.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,7 +38,8 @@ namespace auxfem
     double      graphics_interval =
       0; ///< s between .vtu files; 0: start and end only
     bool         graphics         = true;
-    unsigned int history_interval = 1; ///< steps between rows of history.csv
+    unsigned int history_interval = 1;  ///< steps between rows of history.csv
+    std::optional<double> row_interval; ///< in place of it (s)
     unsigned int segments = 8; ///< straight pieces an element is drawn with
     /** Whether history.csv has the strains between opposite sides. */
     bool effective_strains = false;

@@ -1,0 +1,71 @@
+#ifndef auxfem_analysis_dense_output_h
+#define auxfem_analysis_dense_output_h
+
+#include <auxfem/analysis/tangent_solver.h>
+#include <auxfem/equations/node_rotations.h>
+#include <auxfem/output/recorder.h>
+
+#include <vector>
+
+namespace auxfem
+{
+  /**
+   * Dense output: solutions at times within a step, for a recorder that asks
+   * for them. With inertia motions are Hermite's quintic polynomials of
+   * displacement, velocity and acceleration at both ends (E. Hairer, S. P.
+   * Norsett & G. Wanner, Solving Ordinary Differential Equations I, section
+   * II.6), rotations in space by their vector since the start of the step.
+   * Internal variables, work and dissipation are cubic where the scheme has
+   * stages, else linear, as all is without inertia. So nothing is of lower
+   * order than the scheme, up to order 4; motions are up to order 5.
+   */
+  class DenseOutput
+  {
+  public:
+    /** @p equations must outlive the object. */
+    DenseOutput(const Equations &equations, const ImplicitScheme &scheme);
+
+    /**
+     * Tells @p recorder of all solutions that it asks for in an accepted step,
+     * also at its end. Collective.
+     * @param from, to its ends
+     * @param event_at_from as in its evaluation (s)
+     * @param nearness of times that are the same (s)
+     */
+    void record(const Solution       &from,
+                const Solution       &to,
+                std::optional<double> event_at_from,
+                double                nearness,
+                TangentSolver        &solver,
+                Recorder             &recorder) const;
+
+  private:
+    /** Rates at one end of a step. */
+    struct Rates
+    {
+      std::vector<double> history, energy_sums;
+    };
+
+    /** Only of a scheme with stages. */
+    struct EndRates
+    {
+      Rates from, to;
+    };
+
+    Rates rates(const Solution &end) const;
+    /** Displacements with their rates, and rotations, at between.time. */
+    void move(const Evaluation &between, const State &end) const;
+    void rotate(const Evaluation &between, const State &end) const;
+    /** What follows from motions by integration over time. */
+    void integrate(const State    &from,
+                   const State    &to,
+                   const EndRates *rates,
+                   State          &between) const;
+
+    const Equations    &equations;
+    const NodeRotations rotations;
+    const bool          has_stages;
+  };
+} // namespace auxfem
+
+#endif
