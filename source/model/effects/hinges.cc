@@ -102,6 +102,9 @@ namespace auxfem
                       scene.joints.empty() ? "no strut ends are released"
                                            : "joints with released struts"};
             },
-            measure_hinges};
+            measure_hinges,
+            [](const SimulatedEffects & /*before*/) -> std::string {
+              return "springs in joints are kept";
+            }};
   }
 } // namespace auxfem
