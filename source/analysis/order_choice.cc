@@ -62,7 +62,8 @@ namespace auxfem
         {
           if (errors[i] <= allowed)
             return order;
-          if (errors[i] < table.at(best)[i])
+          // Also where no order has an error that can be found.
+          if (errors[i] <= table.at(best)[i])
             best = order;
         }
       return best;
