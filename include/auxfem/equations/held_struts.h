@@ -85,8 +85,8 @@ namespace auxfem
     void   for_each_unknown(unsigned int strut, const Act &act) const;
     double work_on(unsigned int               strut,
                    const std::vector<double> &increment) const;
-    /** Applies an increment, to struts that it leads astray only a part of it.
-     */
+    /** Goes along an increment, in a strut whose residual does more work on it
+     * there than at its start only a part of the way. */
     void advance(std::vector<double> &increment);
     /** Of every strut to what it may be corrected by at once. */
     void               shorten(std::vector<double> &increment) const;
