@@ -3,6 +3,7 @@
 #include <auxfem/analysis/mesh_error_recorder.h>
 #include <auxfem/analysis/order_choice.h>
 #include <auxfem/elements/strut_order.h>
+#include <auxfem/output/history.h>
 #include <auxfem/output/summary.h>
 #include <auxfem/parameters/errors.h>
 
@@ -31,6 +32,25 @@ namespace auxfem
     /** What is aimed at of the tolerance, as the run will differ from the
      * search. */
     constexpr double aim = 0.5;
+
+    /** Tells a recorder how far a search run has come. */
+    class SearchProgress : public Recorder
+    {
+    public:
+      SearchProgress(const Scene &search, Recorder &told)
+        : search(search)
+        , told(told)
+      {}
+
+      void step(const Solution &solution, const StepReport &report) override
+      {
+        told.search_step(search, solution.state, report);
+      }
+
+    private:
+      const Scene &search;
+      Recorder    &told;
+    };
 
     Scene search_scene(const Scene &scene, const unsigned int order)
     {
@@ -157,11 +177,14 @@ namespace auxfem
      */
     bool search_orders(const Scene   &search,
                        const MPI_Comm communicator,
+                       Recorder      &told,
                        ChosenOrders  &chosen)
     {
-      LatticeRun        run(search, communicator);
-      Recorder          nobody;
-      MeshErrorRecorder recorder(search, nobody);
+      LatticeRun run(search, communicator);
+      // What ends the run at its begin may not cost a search.
+      refuse_columns_of_nothing(search, run.lattice);
+      SearchProgress    progress(search, told);
+      MeshErrorRecorder recorder(search, progress);
       try
         {
           run.run(recorder);
@@ -192,13 +215,18 @@ namespace auxfem
     return result;
   }
 
-  ChosenOrders choose_orders(const Scene &scene, const MPI_Comm communicator)
+  ChosenOrders choose_orders(const Scene   &scene,
+                             const MPI_Comm communicator,
+                             Recorder      &recorder)
   {
     const double cpu_before = cpu_seconds();
     ChosenOrders chosen;
     chosen.report.tolerance = *scene.discretization.tolerance;
     for (unsigned int order = first_search_order;; ++order)
-      if (search_orders(search_scene(scene, order), communicator, chosen) ||
+      if (search_orders(search_scene(scene, order),
+                        communicator,
+                        recorder,
+                        chosen) ||
           order == highest_strut_order(scene.context.dimension))
         break;
     chosen.report.cpu_seconds =
@@ -210,7 +238,7 @@ namespace auxfem
                                    const MPI_Comm communicator,
                                    Recorder      &recorder)
   {
-    const ChosenOrders found  = choose_orders(scene, communicator);
+    const ChosenOrders found  = choose_orders(scene, communicator, recorder);
     const Scene        chosen = with_orders(scene, found.orders);
     LatticeRun         run(chosen, communicator);
     MeshErrorRecorder  watching(chosen, recorder, found.report);

@@ -58,6 +58,12 @@ namespace
                                 "test.prm");
   }
 
+  ChosenOrders orders_of(const Scene &scene, const MPI_Comm communicator)
+  {
+    Recorder nobody;
+    return choose_orders(scene, communicator, nobody);
+  }
+
   Scene scene_of_order(const SceneText   &text,
                        const unsigned int order,
                        const unsigned int refinements = 0)
@@ -162,7 +168,7 @@ TEST(OrderChoice, LongStrutsGetHigherOrders)
 {
   const SceneText    straight = knee().set("Lattice/Struts", "0 1; 1 2; 2 3");
   const ChosenOrders chosen =
-    choose_orders(scene_of(straight, 1e-4), MPI_COMM_WORLD);
+    orders_of(scene_of(straight, 1e-4), MPI_COMM_WORLD);
   ASSERT_EQ(chosen.orders.size(), 3u);
   EXPECT_GT(chosen.orders[0], chosen.orders[2]);
   EXPECT_GE(chosen.orders[0], chosen.orders[1]);
@@ -202,6 +208,49 @@ TEST(OrderChoice, WhatIsNotMetIsAFinding)
                           }));
 }
 
+TEST(OrderChoice, SearchTellsHowFarItHasCome)
+{
+  struct : public Recorder
+  {
+    void search_step(const Scene &search,
+                     const State &state,
+                     const StepReport &) override
+    {
+      EXPECT_EQ(search.discretization.order, 2u);
+      EXPECT_FALSE(has_begun);
+      EXPECT_EQ(state.step, ++n_steps);
+      time = state.time;
+    }
+    void begin(const Equations &) override
+    {
+      has_begun = true;
+    }
+    unsigned long n_steps   = 0;
+    double        time      = 0;
+    bool          has_begun = false;
+  } recorder;
+  run_with_chosen_orders(scene_of(hit_knee(), 1e-3), MPI_COMM_WORLD, recorder);
+  EXPECT_EQ(recorder.n_steps, 64u);
+  EXPECT_DOUBLE_EQ(recorder.time, 0.1);
+  EXPECT_TRUE(recorder.has_begun);
+}
+
+TEST(OrderChoice, MistypedProbeIsFoundBeforeTheSearch)
+{
+  struct : public Recorder
+  {
+    void search_step(const Scene &, const State &, const StepReport &) override
+    {
+      ADD_FAILURE();
+    }
+  } recorder;
+  EXPECT_THROW(
+    run_with_chosen_orders(scene_of(knee().probe("nowhere", "x > 100"), 1e-3),
+                           MPI_COMM_WORLD,
+                           recorder),
+    InputError);
+}
+
 TEST(OrderChoice, StrutsThatVibrateAreAFinding)
 {
   const Scene scene =
@@ -220,8 +269,8 @@ TEST(OrderChoice, StrutsThatVibrateAreAFinding)
 TEST(OrderChoice, IsTheSameOnAnyNumberOfRanks)
 {
   for (const SceneText &text : {knee(), space_knee()})
-    EXPECT_EQ(choose_orders(scene_of(text, 1e-4), MPI_COMM_WORLD).orders,
-              choose_orders(scene_of(text, 1e-4), MPI_COMM_SELF).orders);
+    EXPECT_EQ(orders_of(scene_of(text, 1e-4), MPI_COMM_WORLD).orders,
+              orders_of(scene_of(text, 1e-4), MPI_COMM_SELF).orders);
 }
 
 TEST(OrderChoice, RunThatIsResumedGoesOnAlike)
@@ -229,7 +278,7 @@ TEST(OrderChoice, RunThatIsResumedGoesOnAlike)
   for (const SceneText &text : {hit_knee(), space_knee().time(1, 0.1)})
     {
       const Scene        read   = scene_of(text, 1e-3);
-      const ChosenOrders found  = choose_orders(read, MPI_COMM_WORLD);
+      const ChosenOrders found  = orders_of(read, MPI_COMM_WORLD);
       const Scene        scene  = with_orders(read, found.orders);
       const auto         end_of = [&](MeshErrorRecorder    &recorder,
                               const MemoryRecorder &memory,
