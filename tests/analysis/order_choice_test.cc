@@ -253,17 +253,30 @@ TEST(OrderChoice, MistypedProbeIsFoundBeforeTheSearch)
 
 TEST(OrderChoice, StrutsThatVibrateAreAFinding)
 {
-  const Scene scene =
-    scene_of(hit_knee().set("Sections/section 0/Density", 0.01), 1e-2);
-  MemoryRecorder  recorder(scene, MPI_COMM_WORLD);
-  const RunResult result =
-    run_with_chosen_orders(scene, MPI_COMM_WORLD, recorder);
-  EXPECT_TRUE(std::any_of(result.findings.begin(),
-                          result.findings.end(),
-                          [](const Finding &finding) {
-                            return finding.text.find("resolve vibrations of") !=
-                              std::string::npos;
-                          }));
+  const SceneText heavy = hit_knee().set("Sections/section 0/Density", 0.01);
+  const auto      finds = [](const SceneText &text) {
+    const Scene     scene = scene_of(text, 1e-2);
+    MemoryRecorder  recorder(scene, MPI_COMM_WORLD);
+    const RunResult result =
+      run_with_chosen_orders(scene, MPI_COMM_WORLD, recorder);
+    return std::any_of(result.findings.begin(),
+                       result.findings.end(),
+                       [](const Finding &finding) {
+                         return finding.text.find("resolve vibrations of") !=
+                           std::string::npos;
+                       });
+  };
+  EXPECT_TRUE(finds(heavy));
+  // Shorter elements do not tell of them either.
+  EXPECT_TRUE(
+    finds(SceneText(heavy).set("Discretization/Global refinements", 1)));
+  // Steps of the scene are too long for them, what they are divided into is
+  // not.
+  const SceneText long_steps =
+    hit_knee().set("Sections/section 0/Density", 0.001).time(0.1, 0.002);
+  EXPECT_FALSE(finds(long_steps));
+  EXPECT_TRUE(
+    finds(SceneText(long_steps).set("Time/Relative tolerance", "1e-6")));
 }
 
 TEST(OrderChoice, IsTheSameOnAnyNumberOfRanks)
