@@ -4,6 +4,7 @@
 #include <auxfem/analysis/mesh_error_recorder.h>
 #include <auxfem/analysis/order_choice.h>
 #include <auxfem/elements/strut_order.h>
+#include <auxfem/output/history.h>
 #include <auxfem/output/summary.h>
 #include <auxfem/parameters/errors.h>
 
@@ -32,6 +33,25 @@ namespace auxfem
     /** What is aimed at of the tolerance, as the run will differ from the
      * search. */
     constexpr double aim = 0.5;
+
+    /** Tells a recorder how far a search run has come. */
+    class SearchProgress : public Recorder
+    {
+    public:
+      SearchProgress(const Scene &search, Recorder &told)
+        : search(search)
+        , told(told)
+      {}
+
+      void step(const Solution &solution, const StepReport &report) override
+      {
+        told.search_step(search, solution.state, report);
+      }
+
+    private:
+      const Scene &search;
+      Recorder    &told;
+    };
 
     Scene search_scene(const Scene &scene, const unsigned int order)
     {
@@ -63,7 +83,8 @@ namespace auxfem
         {
           if (errors[i] <= allowed)
             return order;
-          if (errors[i] < table.at(best)[i])
+          // Also where no order has an error that can be found.
+          if (errors[i] <= table.at(best)[i])
             best = order;
         }
       return best;
@@ -157,11 +178,14 @@ namespace auxfem
      */
     bool search_orders(const Scene   &search,
                        const MPI_Comm communicator,
+                       Recorder      &told,
                        ChosenOrders  &chosen)
     {
-      LatticeRun        run(search, communicator);
-      Recorder          nobody;
-      MeshErrorRecorder recorder(search, nobody);
+      LatticeRun run(search, communicator);
+      // What ends the run at its begin may not cost a search.
+      refuse_columns_of_nothing(search, run.lattice);
+      SearchProgress    progress(search, told);
+      MeshErrorRecorder recorder(search, progress);
       try
         {
           run.run(recorder);
@@ -192,13 +216,18 @@ namespace auxfem
     return result;
   }
 
-  ChosenOrders choose_orders(const Scene &scene, const MPI_Comm communicator)
+  ChosenOrders choose_orders(const Scene   &scene,
+                             const MPI_Comm communicator,
+                             Recorder      &recorder)
   {
     const double cpu_before = cpu_seconds();
     ChosenOrders chosen;
     chosen.report.tolerance = *scene.discretization.tolerance;
     for (unsigned int order = first_search_order;; ++order)
-      if (search_orders(search_scene(scene, order), communicator, chosen) ||
+      if (search_orders(search_scene(scene, order),
+                        communicator,
+                        recorder,
+                        chosen) ||
           order == highest_strut_order(scene.context.dimension))
         break;
     chosen.report.cpu_seconds =
@@ -210,7 +239,7 @@ namespace auxfem
                                    const MPI_Comm communicator,
                                    Recorder      &recorder)
   {
-    const ChosenOrders found  = choose_orders(scene, communicator);
+    const ChosenOrders found  = choose_orders(scene, communicator, recorder);
     const Scene        chosen = with_orders(scene, found.orders);
     MeshErrorRecorder  watching(chosen, recorder, found.report);
     return watching.completed(

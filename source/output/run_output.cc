@@ -23,6 +23,22 @@ namespace auxfem
   {
     const std::string row_record      = "output: time of the last row",
                       graphics_record = "output: time of the last graphics";
+
+    Progress progress_of(const TimeParameters &time,
+                         const State          &state,
+                         const StepReport     &report)
+    {
+      Progress progress;
+      progress.step              = state.step;
+      progress.n_steps           = time.n_steps();
+      progress.time              = state.time;
+      progress.end_time          = time.end_time;
+      progress.dt                = report.dt;
+      progress.iterations        = report.iterations;
+      progress.retries           = report.retries;
+      progress.relative_residual = report.relative_residual;
+      return progress;
+    }
   } // namespace
 
   class RunOutput::Implementation
@@ -33,6 +49,9 @@ namespace auxfem
                    const StartTimes &start_times,
                    const FileRules  &rules);
 
+    void search_step(const Scene      &search,
+                     const State      &state,
+                     const StepReport &report);
     void begin(const Equations &equations);
     void start_series(const Solution &solution);
     void resume(const Solution &solution, const Records &records);
@@ -61,6 +80,13 @@ namespace auxfem
     const MPI_Comm   communicator;
     const StartTimes start_times;
     const FileRules  rules;
+
+    /** On rank 0, of a search run; it has no log. */
+    ///@{
+    std::ostream           nowhere{nullptr};
+    std::optional<Console> search_console;
+    Clock::time_point      first_search_step;
+    ///@}
 
     const Clock::time_point start;
     Clock::time_point       first_step;
@@ -99,8 +125,30 @@ namespace auxfem
                      nearness_of_step_ends(scene.time))
   {}
 
+  void RunOutput::Implementation::search_step(const Scene      &search,
+                                              const State      &state,
+                                              const StepReport &report)
+  {
+    const unsigned int n_processes =
+      dealii::Utilities::MPI::n_mpi_processes(communicator);
+    if (dealii::Utilities::MPI::this_mpi_process(communicator) != 0)
+      return;
+    if (state.step == 1)
+      {
+        search_console.emplace(std::cout, terminal_width(n_processes), nowhere);
+        search_console->print(
+          "Search for the orders of the struts, with elements of order " +
+          std::to_string(search.discretization.order) + ':');
+        first_search_step = Clock::now();
+      }
+    Progress progress = progress_of(search.time, state, report);
+    progress.seconds  = since(first_search_step);
+    search_console->progress(progress);
+  }
+
   void RunOutput::Implementation::begin(const Equations &equations)
   {
+    search_console.reset();
     // A mistyped probe must not cost the results of an earlier run.
     refuse_columns_of_nothing(scene, equations.model().lattice);
 
@@ -222,17 +270,9 @@ namespace auxfem
   void RunOutput::Implementation::show_progress(const State      &state,
                                                 const StepReport &report)
   {
-    Progress progress;
-    progress.step              = state.step;
-    progress.time              = state.time;
-    progress.end_time          = scene.time.end_time;
-    progress.dt                = report.dt;
-    progress.iterations        = report.iterations;
-    progress.retries           = report.retries;
-    progress.relative_residual = report.relative_residual;
-    progress.seconds           = since(first_step);
-    progress.begin_time        = begin_time;
-    progress.n_steps           = scene.time.n_steps();
+    Progress progress   = progress_of(scene.time, state, report);
+    progress.seconds    = since(first_step);
+    progress.begin_time = begin_time;
 
     const EnergyRecord &energies = history->energies();
     if (energies.largest_energy > 0)
@@ -291,6 +331,13 @@ namespace auxfem
   {}
 
   RunOutput::~RunOutput() = default;
+
+  void RunOutput::search_step(const Scene      &search,
+                              const State      &state,
+                              const StepReport &report)
+  {
+    implementation->search_step(search, state, report);
+  }
 
   void RunOutput::begin(const Equations &equations)
   {

@@ -58,6 +58,12 @@ namespace
                                 "test.prm");
   }
 
+  ChosenOrders orders_of(const Scene &scene, const MPI_Comm communicator)
+  {
+    Recorder nobody;
+    return choose_orders(scene, communicator, nobody);
+  }
+
   Scene scene_of_order(const SceneText   &text,
                        const unsigned int order,
                        const unsigned int refinements = 0)
@@ -127,6 +133,23 @@ TEST(OrderChoice, StaticsMeetTheTolerance)
     expect_met(knee(), tolerance, exact);
 }
 
+TEST(OrderChoice, OneStrutThatIsBentFarMeetsTheTolerance)
+{
+  // The search run's elements of low order are far from its arc.
+  const SceneText strut =
+    static_frame("0 0; 1 0; 1.1 0; 1.2 0", "0 1; 1 2; 2 3")
+      .section({1.2e5, 4e4, 1})
+      .support("foot", "0", "clamp")
+      .set("Loads/push/Type", "line")
+      .set("Loads/push/Struts", "0")
+      .set("Loads/push/Force per length y", "6 * t")
+      .time(1, 0.1)
+      .probe("tip", "3");
+  const std::vector<double> exact = exact_motion(strut, 6);
+  for (const double tolerance : {1e-2, 1e-3, 1e-4})
+    expect_met(strut, tolerance, exact);
+}
+
 TEST(OrderChoice, DynamicsMeetTheTolerance)
 {
   // The search run takes longer steps: its motion is not quite that of the run.
@@ -146,7 +169,7 @@ TEST(OrderChoice, LongStrutsGetHigherOrders)
 {
   const SceneText    straight = knee().set("Lattice/Struts", "0 1; 1 2; 2 3");
   const ChosenOrders chosen =
-    choose_orders(scene_of(straight, 1e-4), MPI_COMM_WORLD);
+    orders_of(scene_of(straight, 1e-4), MPI_COMM_WORLD);
   ASSERT_EQ(chosen.orders.size(), 3u);
   EXPECT_GT(chosen.orders[0], chosen.orders[2]);
   EXPECT_GE(chosen.orders[0], chosen.orders[1]);
@@ -186,26 +209,81 @@ TEST(OrderChoice, WhatIsNotMetIsAFinding)
                           }));
 }
 
+TEST(OrderChoice, SearchTellsHowFarItHasCome)
+{
+  struct : public Recorder
+  {
+    void search_step(const Scene &search,
+                     const State &state,
+                     const StepReport &) override
+    {
+      EXPECT_EQ(search.discretization.order, 2u);
+      EXPECT_FALSE(has_begun);
+      EXPECT_EQ(state.step, ++n_steps);
+      time = state.time;
+    }
+    void begin(const Equations &) override
+    {
+      has_begun = true;
+    }
+    unsigned long n_steps   = 0;
+    double        time      = 0;
+    bool          has_begun = false;
+  } recorder;
+  run_with_chosen_orders(scene_of(hit_knee(), 1e-3), MPI_COMM_WORLD, recorder);
+  EXPECT_EQ(recorder.n_steps, 64u);
+  EXPECT_DOUBLE_EQ(recorder.time, 0.1);
+  EXPECT_TRUE(recorder.has_begun);
+}
+
+TEST(OrderChoice, MistypedProbeIsFoundBeforeTheSearch)
+{
+  struct : public Recorder
+  {
+    void search_step(const Scene &, const State &, const StepReport &) override
+    {
+      ADD_FAILURE();
+    }
+  } recorder;
+  EXPECT_THROW(
+    run_with_chosen_orders(scene_of(knee().probe("nowhere", "x > 100"), 1e-3),
+                           MPI_COMM_WORLD,
+                           recorder),
+    InputError);
+}
+
 TEST(OrderChoice, StrutsThatVibrateAreAFinding)
 {
-  const Scene scene =
-    scene_of(hit_knee().set("Sections/section 0/Density", 0.01), 1e-2);
-  MemoryRecorder  recorder(scene, MPI_COMM_WORLD);
-  const RunResult result =
-    run_with_chosen_orders(scene, MPI_COMM_WORLD, recorder);
-  EXPECT_TRUE(std::any_of(result.findings.begin(),
-                          result.findings.end(),
-                          [](const Finding &finding) {
-                            return finding.text.find("resolve vibrations of") !=
-                              std::string::npos;
-                          }));
+  const SceneText heavy = hit_knee().set("Sections/section 0/Density", 0.01);
+  const auto      finds = [](const SceneText &text) {
+    const Scene     scene = scene_of(text, 1e-2);
+    MemoryRecorder  recorder(scene, MPI_COMM_WORLD);
+    const RunResult result =
+      run_with_chosen_orders(scene, MPI_COMM_WORLD, recorder);
+    return std::any_of(result.findings.begin(),
+                       result.findings.end(),
+                       [](const Finding &finding) {
+                         return finding.text.find("resolve vibrations of") !=
+                           std::string::npos;
+                       });
+  };
+  EXPECT_TRUE(finds(heavy));
+  // Shorter elements do not tell of them either.
+  EXPECT_TRUE(
+    finds(SceneText(heavy).set("Discretization/Global refinements", 1)));
+  // Steps of the scene are too long for them, what they are divided into is
+  // not.
+  const SceneText long_steps = hit_knee();
+  EXPECT_FALSE(finds(long_steps));
+  EXPECT_TRUE(
+    finds(SceneText(long_steps).set("Time/Relative tolerance", "1e-6")));
 }
 
 TEST(OrderChoice, IsTheSameOnAnyNumberOfRanks)
 {
   for (const SceneText &text : {knee(), space_knee()})
-    EXPECT_EQ(choose_orders(scene_of(text, 1e-4), MPI_COMM_WORLD).orders,
-              choose_orders(scene_of(text, 1e-4), MPI_COMM_SELF).orders);
+    EXPECT_EQ(orders_of(scene_of(text, 1e-4), MPI_COMM_WORLD).orders,
+              orders_of(scene_of(text, 1e-4), MPI_COMM_SELF).orders);
 }
 
 TEST(OrderChoice, RunThatIsResumedGoesOnAlike)
@@ -213,7 +291,7 @@ TEST(OrderChoice, RunThatIsResumedGoesOnAlike)
   for (const SceneText &text : {hit_knee(), space_knee().time(1, 0.1)})
     {
       const Scene        read   = scene_of(text, 1e-3);
-      const ChosenOrders found  = choose_orders(read, MPI_COMM_WORLD);
+      const ChosenOrders found  = orders_of(read, MPI_COMM_WORLD);
       const Scene        scene  = with_orders(read, found.orders);
       const auto         end_of = [&](MeshErrorRecorder    &recorder,
                               const MemoryRecorder &memory,

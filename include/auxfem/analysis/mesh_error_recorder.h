@@ -38,13 +38,24 @@ namespace auxfem
   private:
     void look(const State &state);
 
+    /**
+     * Struts that vibrate by themselves, as far as steps until @p time (s) can
+     * tell: the first bending mode between clamped ends turns by less than one
+     * radian in a step of mean length. Errors of accelerations inside struts
+     * and of such frequencies add up over the time, of which estimates at an
+     * instant know nothing.
+     */
+    unsigned int n_vibrating(double time) const;
+
     const Scene               &scene;
     OrderReport                report;
     std::unique_ptr<MeshError> estimate;
     /** Since when no look is due (s). */
-    double       next = 0, seconds = 0;
-    MPI_Comm     communicator       = MPI_COMM_NULL;
-    unsigned int n_vibrating_struts = 0;
+    double   next = 0, seconds = 0;
+    MPI_Comm communicator = MPI_COMM_NULL;
+    /** Of struts (rad/s); none without inertia. */
+    std::vector<double> frequencies;
+    double              n_parts = 0; ///< of steps so far
   };
 } // namespace auxfem
 

@@ -13,6 +13,7 @@
 namespace auxfem
 {
   struct CellSample;
+  struct Scene;
 
   /** How a run ended and what it took. */
   struct RunResult
@@ -54,6 +55,15 @@ namespace auxfem
 
     /** @name Lattices. */
     ///@{
+    /**
+     * Before begin(), with Discretization/Order = auto: a step is done of the
+     * scene @p search, whose motion tells the orders.
+     */
+    virtual void search_step(const Scene & /*search*/,
+                             const State & /*state*/,
+                             const StepReport & /*report*/)
+    {}
+
     /** The set-up is complete. @p equations outlive the recording. */
     virtual void begin(const Equations & /*equations*/)
     {}

@@ -38,6 +38,11 @@ namespace auxfem
               const FileRules  &rules = FileRules());
     ~RunOutput() override;
 
+    /** A progress line on the screen. */
+    void search_step(const Scene      &search,
+                     const State      &state,
+                     const StepReport &report) override;
+
     /**
      * Makes the folder, prints and logs counts and what is simulated and left
      * out, starts the history. Throws InputError for a probe whose joints do
