@@ -354,6 +354,21 @@ namespace auxfem
       return motion;
     }
 
+    double axial_force(const State       &state,
+                       const unsigned int of_numbering) const override
+    {
+      const unsigned int e = of_numbering - group.begin;
+      SectionForces      elastic[order], viscous[order] = {};
+      section_forces(e,
+                     Beam::motion(numbering, unknowns_of(e), state),
+                     elastic,
+                     viscous);
+      double integral = 0;
+      for (int g = 0; g < order; ++g)
+        integral += shape.weight[g] * elastic[g][0];
+      return integral / 2;
+    }
+
     StrutStrain largest_strain(const State         &state,
                                const EffectResults &results,
                                const double         least) const override

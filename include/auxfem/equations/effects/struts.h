@@ -99,6 +99,10 @@ namespace auxfem
     virtual ScaledMotion scaled_motion(const State &state,
                                        unsigned int e) const = 0;
 
+    /** Axial force (N) in element @p e of the numbering at @p state, the mean
+     * along it, without damping; positive in tension. */
+    virtual double axial_force(const State &state, unsigned int e) const = 0;
+
     /**
      * The largest strain at a Gauss point of the struts counted by this rank,
      * if
