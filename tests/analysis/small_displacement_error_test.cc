@@ -157,3 +157,28 @@ TEST(SmallDisplacementEstimate, SeesRigidPartsAndConnectors)
   EXPECT_NEAR(of_spring.rotation, 0.1, 1e-12);
   EXPECT_EQ(of_spring.location, "connector spring of joint 1");
 }
+TEST(SmallDisplacementWatch, TellsDisplacementsThatAreNotSmall)
+{
+  const auto with = [](const double load) {
+    return findings_of(
+      chain("0", text(load) + " * t").set("Effects/Large rotation", "off"));
+  };
+  EXPECT_TRUE(with(0.15).empty());
+  const auto doubtful = with(0.25);
+  ASSERT_EQ(doubtful.size(), 1u) << verdict_text(doubtful);
+  EXPECT_EQ(doubtful[0].verdict, Verdict::doubtful);
+  EXPECT_EQ(doubtful[0].time, 1);
+  EXPECT_EQ(doubtful[0].location, "strut 3");
+  EXPECT_EQ(verdict_of(with(1.5)), Verdict::not_to_be_used);
+}
+
+TEST(SmallDisplacementWatch, FindsTheSameOnAllRanks)
+{
+  const SceneText text =
+    chain("-0.6 * t", "0.1 * t").set("Effects/Large rotation", "off");
+  const auto alone    = findings_of(text),
+             together = findings_of(text, {}, MPI_COMM_WORLD);
+  ASSERT_EQ(alone.size(), 1u);
+  ASSERT_EQ(together.size(), 1u);
+  EXPECT_EQ(together[0].text, alone[0].text);
+}
