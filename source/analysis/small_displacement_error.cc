@@ -215,7 +215,9 @@ namespace auxfem
         axial_energy +=
           force * force * chord.line.length / (2 * chord.axial_stiffness);
         worst.add({std::max(rotation, node_rotation(chord, displacement)),
-                   std::max(0., -force) / chord.buckling_force,
+                   // Below that it depends on what bends.
+                   -force > chord.buckling_force ? -force / chord.buckling_force
+                                                 : 0.,
                    std::abs(force) / chord.axial_stiffness,
                    ""},
                   Worst::Kind::strut,

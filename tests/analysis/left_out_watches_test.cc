@@ -21,6 +21,7 @@ namespace
       .section({1e6, 1e7, 1})
       .support("foot", "0", "clamp")
       .prescribe("press", "1", {"-70e-6 * t", "0", "0"})
+      .set("Effects/Large rotation", "on")
       .mesh(order, refinements)
       .time(1, 0.0025, "static");
   }
@@ -51,14 +52,14 @@ namespace
   }
 
   /** Without inertia: 1 kg on a spring of (2 pi)^2 N/m, of 1 s a period, and a
-   * weak dashpot, pressed by a force that is raised in a time (s). */
+   * dashpot, pressed by a force that is raised in a time (s). */
   SceneText loaded_mass(const double      rise,
                         const std::string law = "kelvin-voigt")
   {
     return one_mass_scene("Law = " + law +
                             " | Spring stiffness = " + text(4 * pi * pi) +
                             (law == "spring" ? ""
-                                             : " | Damping coefficient = 0.01"),
+                                             : " | Damping coefficient = 0.5"),
                           "Scheme = static | End time = 10 | Time step = 0.02",
                           SceneText().mass("body", "0", 1))
       .load("push", "0", {"min(1, t / " + text(rise) + ")", "0", "0"});

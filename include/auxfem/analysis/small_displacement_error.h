@@ -18,9 +18,9 @@ namespace auxfem
     /** Of an end or chord of an element, a rigid part or a connector (rad). */
     double rotation = 0;
     /**
-     * Effect of axial forces on the stiffness: the compressive force of a strut
-     * over its buckling load with hinged ends, or the work of all axial forces
-     * on the turned struts over the energy of bending, if that is more.
+     * Effect of axial forces on the stiffness: the work of all of them on the
+     * turned struts over the energy of bending, or the compressive force of a
+     * strut over its buckling load with hinged ends, if it is beyond that.
      */
     double second_order = 0;
     /** Axial strain of a strut. */

@@ -18,6 +18,9 @@ namespace auxfem
      */
     constexpr double doubtful_kinetic_energy = 0.01;
 
+    /** Dissipated part of the work from which on results depend on time. */
+    constexpr double noticeable_dissipation = 0.01;
+
     /** A shorter part of a time step is one in which loads are there at once.
      */
     constexpr double sudden_part = 1e-4;
@@ -40,7 +43,8 @@ namespace auxfem
                 const EvaluationResults & /*results*/,
                 TangentSolver & /*solver*/) override
       {
-        work = std::max(work, std::abs(step.to.energies.external()));
+        work       = std::max(work, std::abs(step.to.energies.external()));
+        dissipated = std::max(dissipated, step.to.energies.dissipated());
         if (step.dt < sudden_part * scene_step)
           return;
         double sum = 0;
@@ -54,7 +58,8 @@ namespace auxfem
 
       std::vector<Finding> findings() const override
       {
-        if (kinetic.value <= doubtful_kinetic_energy * work)
+        if (kinetic.value <= doubtful_kinetic_energy * work ||
+            dissipated <= noticeable_dissipation * work)
           return {};
         std::ostringstream text;
         text.precision(2);
@@ -73,14 +78,16 @@ namespace auxfem
 
       void save(Records &records) const override
       {
-        records.keep(load_speed_record, {kinetic.value, kinetic.time, work});
+        records.keep(load_speed_record,
+                     {kinetic.value, kinetic.time, work, dissipated});
       }
 
       void resume(const Records &records) override
       {
-        const std::vector<double> values = records.values(load_speed_record, 3);
+        const std::vector<double> values = records.values(load_speed_record, 4);
         kinetic                          = {values[0], values[1]};
         work                             = values[2];
+        dissipated                       = values[3];
       }
 
     private:
@@ -88,7 +95,8 @@ namespace auxfem
       const std::vector<NodeMass> masses;
       const double                scene_step; ///< s
       LargestInTime               kinetic;    ///< J
-      double                      work = 0;   ///< J, the largest so far
+      /** The largest so far (J). */
+      double work = 0, dissipated = 0;
     };
   } // namespace
 
