@@ -68,6 +68,15 @@ namespace auxfem
       "strut's length; a run with smaller displacements ends with a warning that "
       "has the value to be set.",
       {"auto"}};
+    const Quantity absolute_tolerance_of_rotations = {
+      "Absolute tolerance of rotations",
+      "auto",
+      "rad",
+      Range::positive(),
+      "With a relative tolerance, which rotations obey as well as displacements: "
+      "the error that is allowed while rotations are small. auto: that of "
+      "displacements over a mean strut's length.",
+      {"auto"}};
     const Quantity energy_error = {
       "Largest energy error",
       "0.5",
@@ -95,6 +104,7 @@ namespace auxfem
                                                    smallest_step,
                                                    relative_tolerance,
                                                    absolute_tolerance,
+                                                   absolute_tolerance_of_rotations,
                                                    energy_error,
                                                    start})
         parameters.push_back(parameter);
@@ -158,6 +168,9 @@ namespace auxfem
       time.relative_tolerance = values[relative_tolerance];
     if (!values.is_word(absolute_tolerance))
       time.absolute_tolerance = values[absolute_tolerance];
+    if (!values.is_word(absolute_tolerance_of_rotations))
+      time.absolute_tolerance_of_rotations =
+        values[absolute_tolerance_of_rotations];
     time.static_start = (values[start] == "static equilibrium");
 
     time.scheme = time_scheme_entry(values[scheme_choice()]).make(values);
