@@ -65,9 +65,8 @@ namespace auxfem
     double sum = 0;
     for (const unsigned int i : motions.rows)
       sum += values[i] * values[i];
-    const std::vector<double> total =
-      equations.model().numbering.layout().sum(
-        {sum, double(motions.rows.size())});
+    const std::vector<double> total = equations.model().numbering.layout().sum(
+      {sum, double(motions.rows.size())});
     return total[1] > 0 ? std::sqrt(total[0] / total[1]) : 0;
   }
 
@@ -86,8 +85,8 @@ namespace auxfem
                            const double      damping)
   {
     Motions::Estimate &latest = motions.latest;
-    latest.error   = of_oscillation * std::abs(constant) * difference;
-    latest.damping = damping;
+    latest.damping            = damping;
+    latest.error = of_oscillation * std::abs(constant) * difference;
     latest.largest =
       std::max(motions.largest, mean(motions, step.to.displacement));
     latest.allowed =
@@ -95,8 +94,8 @@ namespace auxfem
     const double left = std::max(latest.allowed - motions.left_error,
                                  least_left * latest.allowed),
                  part = std::min(1., step.dt / (end_time - step.from.time));
-    latest.relative   = latest.error /
-      (std::max(part, damping) * left + damping * motions.left_error);
+    latest.relative =
+      latest.error / std::max(part * left, damping * latest.allowed);
   }
 
   double StepError::relative(const Evaluation &step)
@@ -111,10 +110,10 @@ namespace auxfem
     for (Motions &motions : all)
       {
         motions.latest.is_smooth = smooth.has_value();
-        if (smooth)
-          estimate(motions, step, dt * dt * mean(motions, *smooth), 0);
-        else
-          estimate(motions, step, dt * dt * mean(motions, change), 0);
+        estimate(motions,
+                 step,
+                 dt * dt * mean(motions, smooth ? *smooth : change),
+                 /*damping=*/0);
         limit_fast(motions, mean(motions, fast));
       }
     return worst();
@@ -128,12 +127,15 @@ namespace auxfem
         if (!motions.error_rate)
           return;
         const double before = *motions.error_rate * dt * dt * dt;
-        latest.relative *= std::min(1., before / latest.error);
-        latest.error = std::min(latest.error, before);
+        if (latest.error > before)
+          {
+            latest.relative *= before / latest.error;
+            latest.error = before;
+          }
       }
-    latest.relative =
-      std::max(latest.relative,
-               amplitudes * std::abs(constant) * dt * dt * fast / latest.allowed);
+    latest.relative = std::max(latest.relative,
+                               amplitudes * std::abs(constant) * dt * dt *
+                                 fast / latest.allowed);
   }
 
   double StepError::relative(const Evaluation         &step,
@@ -143,7 +145,7 @@ namespace auxfem
       {
         const double of_motion   = mean(motions, difference.displacement),
                      of_velocity = step.dt * mean(motions, difference.velocity);
-        const double angle = of_motion > 0 ? of_velocity / of_motion : 0;
+        const double angle       = of_motion > 0 ? of_velocity / of_motion : 0;
         estimate(motions,
                  step,
                  std::min(of_motion, of_velocity),
@@ -191,6 +193,13 @@ namespace auxfem
     return total;
   }
 
+  void StepError::forget()
+  {
+    accelerations.forget();
+    for (Motions &motions : all)
+      motions.error_rate.reset();
+  }
+
   std::vector<Finding> StepError::findings() const
   {
     std::vector<Finding> findings;
@@ -233,12 +242,12 @@ namespace auxfem
     auto value = values.begin();
     for (Motions &motions : all)
       {
-        motions.left_error  = *value++;
-        motions.total_error = *value++;
-        motions.largest     = *value++;
-        const bool has_rate = *value++ != 0;
-        const double rate   = *value++;
-        motions.error_rate  = has_rate ? std::optional(rate) : std::nullopt;
+        motions.left_error    = *value++;
+        motions.total_error   = *value++;
+        motions.largest       = *value++;
+        const bool   has_rate = *value++ != 0;
+        const double rate     = *value++;
+        motions.error_rate    = has_rate ? std::optional(rate) : std::nullopt;
       }
   }
 } // namespace auxfem

@@ -337,6 +337,8 @@ namespace auxfem
     if (jump == Jump::none ||
         (scheme.balances_means() && jump != Jump::velocities))
       return;
+    if (error)
+      error->forget();
     ConsistentRates rates(solvers->tangent);
     const State     before = rates.renew(state, event, parameters.step);
     account_for_rates(solution, before, &rates, event);

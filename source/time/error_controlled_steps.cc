@@ -57,13 +57,12 @@ namespace auxfem
       PlannedStep plan(const double time, const double target) override
       {
         if (!interval.leads_to(target))
-          interval.start(time,
-                         target,
-                         step,
-                         pieces_of(DividedInterval::length_between(time,
-                                                                   target,
-                                                                   step),
-                                   wanted));
+          interval.start(
+            time,
+            target,
+            step,
+            pieces_of(DividedInterval::length_between(time, target, step),
+                      wanted));
         const PlannedStep planned = interval.next();
         change_length(planned.dt);
         return planned;
@@ -149,8 +148,7 @@ namespace auxfem
       {
         const unsigned int now  = interval.pieces(),
                            best = pieces_of(interval.length(), wanted);
-        for (unsigned int pieces = best; pieces != now;
-             pieces              = next(pieces))
+        for (unsigned int pieces = best; pieces != now; pieces = next(pieces))
           if (interval.divide(pieces))
             return;
       }

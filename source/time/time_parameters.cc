@@ -52,7 +52,7 @@ namespace auxfem
       "none",
       "1",
       Range::open(0, 1),
-      "Error that the time integration may make in the displacements until the "
+      "Error that the time integration may make in displacements and rotations until the "
       "end time, relative to the largest ones, as root mean squares: a time step is divided "
       "into halves, these in halves again, where its estimated error asks for "
       "it. So results still come at every time step, which may be long. none: "
@@ -99,14 +99,15 @@ namespace auxfem
         parameters.insert(parameters.end(),
                           entry.parameters.begin(),
                           entry.parameters.end());
-      for (const Parameter &parameter : Parameters{end_time,
-                                                   step,
-                                                   smallest_step,
-                                                   relative_tolerance,
-                                                   absolute_tolerance,
-                                                   absolute_tolerance_of_rotations,
-                                                   energy_error,
-                                                   start})
+      for (const Parameter &parameter :
+           Parameters{end_time,
+                      step,
+                      smallest_step,
+                      relative_tolerance,
+                      absolute_tolerance,
+                      absolute_tolerance_of_rotations,
+                      energy_error,
+                      start})
         parameters.push_back(parameter);
       return parameters;
     }

@@ -7,13 +7,15 @@
 #include <auxfem/time/time_parameters.h>
 
 #include <array>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace auxfem
 {
   /**
-   * The error of the motion that a step adds. Of a scheme of the alpha family it
-   * follows from how much the acceleration changes in the step (O. C.
+   * The error of the motion that a step adds. Of a scheme of the alpha family
+   * it follows from how much the acceleration changes in the step (O. C.
    * Zienkiewicz & Y. M. Xie, Earthquake Eng. Struct. Dyn. 20 (1991) 871-887,
    * eq. 22 for Newmark; here for the whole family), of a Runge-Kutta scheme
    * from how much its embedded scheme differs in displacement and velocity,
@@ -36,8 +38,8 @@ namespace auxfem
    * their amplitude, in however many steps. Of the alpha family they are told
    * by accelerations that change sign from step to step (SmoothedChange). What
    * a Runge-Kutta scheme damps of them is known: the ratio of the two
-   * differences above is the angle by which what errs most turns in the step, of
-   * which ImplicitScheme::amplification() is left.
+   * differences above is the angle by which what errs most turns in the step,
+   * of which ImplicitScheme::amplification() is left.
    */
   class StepError
   {
@@ -57,6 +59,10 @@ namespace auxfem
     /** The step that relative() was last asked of becomes the solution; returns
      * what that has said. */
     double accept();
+
+    /** Accelerations have jumped: the steps before do not tell any more what
+     * the next can follow. */
+    void forget();
 
     /** Of all steps together, as far as the scheme has not damped it, relative
      * to the largest motions; the largest so far. */
@@ -88,11 +94,11 @@ namespace auxfem
       /** Of the step that relative() was last asked of. */
       struct Estimate
       {
-        double error    = 0;
-        double largest  = 0; ///< motion so far
-        double allowed  = 0; ///< error of all steps
-        double damping  = 0; ///< part of errors so far that it takes away
-        double relative = 0; ///< error over the one that is wanted
+        double error     = 0;
+        double largest   = 0;     ///< motion so far
+        double allowed   = 0;     ///< error of all steps
+        double damping   = 0;     ///< part of errors so far that it takes away
+        double relative  = 0;     ///< error over the one that is wanted
         bool   is_smooth = false; ///< free of what a step cannot follow
       };
       Estimate latest = {};

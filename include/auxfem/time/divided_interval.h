@@ -8,8 +8,8 @@
 
 namespace auxfem
 {
-  /** An interval of time that is passed in equal pieces, whose number may change
-   * on the way. */
+  /** An interval of time that is passed in equal pieces, whose number may
+   * change on the way. */
   class DividedInterval
   {
   public:

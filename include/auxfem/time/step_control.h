@@ -71,9 +71,8 @@ namespace auxfem
    * 2^k or 3 2^k of equal length. The error of a step over its length goes with
    * the power @p order of that.
    */
-  std::unique_ptr<StepControl> make_error_controlled_steps(double step,
-                                                           double smallest,
-                                                           unsigned int order);
+  std::unique_ptr<StepControl>
+  make_error_controlled_steps(double step, double smallest, unsigned int order);
 } // namespace auxfem
 
 #endif
