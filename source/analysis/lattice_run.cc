@@ -1,6 +1,8 @@
+#include <auxfem/analysis/first_frequency.h>
 #include <auxfem/analysis/inverse_iteration.h>
 #include <auxfem/analysis/lattice_run.h>
 #include <auxfem/model/build_lattice.h>
+#include <auxfem/model/load_course.h>
 #include <auxfem/parameters/errors.h>
 #include <auxfem/parameters/out_of_memory.h>
 #include <auxfem/time/interruption.h>
@@ -76,6 +78,16 @@ namespace auxfem
       start();
   }
 
+  std::optional<EffectMeasure> LatticeRun::inertia_measure()
+  {
+    if (!model.simulated.inertia)
+      return std::nullopt;
+    const auto frequency = first_frequency(stepper.solver(), solution.state);
+    if (!frequency)
+      return std::nullopt;
+    return EffectMeasure{uncommanded_motion(scene, *frequency), "the answer"};
+  }
+
   void LatticeRun::start()
   {
     stepper.start(solution);
@@ -118,12 +130,22 @@ namespace auxfem
 
   void LatticeRun::advance_to_end(Recorder &recorder)
   {
-    while (solution.state.time < scene.time.end_time)
+    while (solution.state.time < scene.time.end_time && !recorder.ends_run())
       {
         end_if_interrupted(model.numbering.layout().communicator());
         const StepReport report = advance(recorder);
         recorder.step(solution, report);
       }
+  }
+
+  TangentSolver &LatticeRun::solver()
+  {
+    return stepper.solver();
+  }
+
+  void LatticeRun::add_work_of(const LatticeRun &other)
+  {
+    work_done.add_effort(other.work_done);
   }
 
   const Work &LatticeRun::work() const
@@ -186,6 +208,8 @@ namespace auxfem
           finish(failure.what());
         throw;
       }
+    if (recorder.ends_run())
+      return result("ended before its end time");
     RunResult completed = result("completed");
     recorder.finish(solution, completed);
     return completed;
