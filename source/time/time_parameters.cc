@@ -52,10 +52,10 @@ namespace auxfem
       "none",
       "1",
       Range::open(0, 1),
-      "Error that the time integration may make in displacements and rotations until the "
-      "end time, relative to the largest ones, as root mean squares: a time step is divided "
-      "into halves, these in halves again, where its estimated error asks for "
-      "it. So results still come at every time step, which may be long. none: "
+      "Error that the time integration may make in displacements and rotations "
+      "until the end time, relative to the largest ones, as root mean squares: a "
+      "time step is divided into parts where its estimated error asks for it. So "
+      "results still come at every time step, which may be long. none: "
       "steps are divided only where they fail.",
       {"none"}};
     const Quantity absolute_tolerance = {
