@@ -187,32 +187,6 @@ TEST(LoadSpeedWatch, ALoadThatIsThereAtOnceIsMeantToBe)
   EXPECT_TRUE(findings_of(sudden).empty());
 }
 
-TEST(WaveWatch, KnowsWavesThatElementsAreTooLongFor)
-{
-  // Elements of order 2 and 1 m resolve waves up to k = 2 / m, omega = 4 / s;
-  // those of a quarter of a metre 64 / s. What is not resolved shows against a
-  // finer mesh in the largest strain energy.
-  const auto largest_energy = [](const SceneText &text) {
-    SceneRun run(text);
-    double   largest = 0;
-    run.run([&] { largest = std::max(largest, run.state.energies.strain()); });
-    return largest;
-  };
-  const auto error = [&](const double omega) {
-    return std::abs(largest_energy(shaken_struts(omega, 0)) /
-                      largest_energy(shaken_struts(omega, 3)) -
-                    1);
-  };
-  EXPECT_LT(error(1), 0.01);
-  EXPECT_TRUE(findings_of(shaken_struts(1, 0)).empty());
-  EXPECT_GT(error(12), 0.1);
-  const auto found = findings_of(shaken_struts(12, 0));
-  ASSERT_EQ(found.size(), 1u) << verdict_text(found);
-  EXPECT_EQ(found[0].verdict, Verdict::doubtful);
-  EXPECT_EQ(found[0].location.substr(0, 5), "strut");
-  EXPECT_TRUE(findings_of(shaken_struts(12, 2)).empty());
-}
-
 TEST(LeftOutWatches, FindTheSameOnAllRanks)
 {
   for (const std::string &scene : {std::string(shaken_struts(12, 0)),

@@ -189,7 +189,7 @@ TEST(OrderChoice, StrutsThatAreAlikeGetEqualOrders)
   for (double tolerance = 0.3; tolerance > 1e-6; tolerance /= 1.3)
     {
       const std::vector<unsigned int> orders =
-        choose_orders(scene_of(arcade, tolerance), MPI_COMM_WORLD).orders;
+        orders_of(scene_of(arcade, tolerance), MPI_COMM_WORLD).orders;
       EXPECT_EQ(orders[0], orders[6]) << tolerance;
       EXPECT_EQ(orders[1], orders[5]) << tolerance;
       EXPECT_EQ(orders[2], orders[4]) << tolerance;

@@ -1,314 +1,259 @@
-#include <auxfem/analysis/node_masses.h>
-#include <auxfem/analysis/occurrences.h>
 #include <auxfem/analysis/watch.h>
+#include <auxfem/model/line_rule.h>
 #include <auxfem/time/largest_in_time.h>
+
+#include <deal.II/base/numbers.h>
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <sstream>
 
 namespace auxfem
 {
   namespace
   {
-    const std::string wave_record = "watch: short waves";
+    const std::string wave_record = "watch: waves in struts";
 
-    /** Part of the kinetic energy in bending waves shorter than elements
-     * resolve. */
-    constexpr double doubtful_wave_energy = 0.05;
+    /** Part of the kinetic energy in waves that elements do not follow. */
+    constexpr double doubtful_part = 0.02, ruinous_part = 0.2;
 
-    /** Filters need every look, their energies do not. */
-    constexpr unsigned int looks_between_energies = 4;
-
-    /**
-     * Wave number times length of an element of @p order up to which the
-     * frequency of bending waves is met to about a twentieth, also at clamped
-     * ends (doc/theory.md).
-     */
-    double resolved_phase(const unsigned int order)
+    /** n (n - 2) (n - 4) ... 1. */
+    double double_factorial(const unsigned int n)
     {
-      return order == 1 ? 0.6 : 2. * (order - 1);
+      return n < 2 ? 1. : n * double_factorial(n - 2);
     }
 
     /**
-     * Of struts whose ends move at frequencies at which the bending waves in
-     * them are shorter than their elements resolve. Velocities pass twice
-     * through a filter that keeps what is faster than that.
+     * Wave number times length of an element of order p at which the part of
+     * the energy of a wave that is in its highest degree,
+     * (k h)^2p / (4^p (2p + 1)!! (2p - 1)!!), is ruinous.
+     */
+    double ruinous_phase(const unsigned int p)
+    {
+      return 2 *
+        std::pow(ruinous_part * double_factorial(2 * p + 1) *
+                   double_factorial(2 * p - 1),
+                 1. / (2 * p));
+    }
+
+    /** Poles of a high-pass filter that falls about as that part does, with
+     * the power p of the frequency: k^2 of bending waves. */
+    unsigned int poles_of(const unsigned int p)
+    {
+      return (p + 1) / 2;
+    }
+
+    /** Frequency of the filter over that of which it passes that part. */
+    double filter_over_passed(const unsigned int n_poles)
+    {
+      return std::sqrt(std::pow(ruinous_part, -1. / n_poles) - 1);
+    }
+
+    bool is_counted_with_mass(const LatticeModel &model, const unsigned int e)
+    {
+      const DofNumbering::Element &element = model.numbering.elements()[e];
+      const Strut &strut = model.lattice.struts[element.interval.strut];
+      return element.is_owned &&
+        model.sections[strut.section].mass_per_length() > 0;
+    }
+
+    /** Of an element, of which the velocities of nodes are filtered. */
+    struct FilteredElement
+    {
+      FilteredElement(const LatticeModel &model,
+                      const LineRule     &rule,
+                      const unsigned int  e)
+        : strut(model.numbering.elements()[e].interval.strut)
+        , n_poles(poles_of(model.numbering.elements()[e].order))
+      {
+        const DofNumbering::Element &element    = model.numbering.elements()[e];
+        const Strut                 &of_lattice = model.lattice.struts[strut];
+        const Section     &section   = model.sections[of_lattice.section];
+        const unsigned int dimension = model.lattice.dimension;
+        const double       length    = model.lattice.length(of_lattice) *
+          (element.interval.end - element.interval.begin);
+        const double bending     = dimension == 2
+              ? section.bending_stiffness_3()
+              : std::min(section.bending_stiffness_2(),
+                     section.bending_stiffness_3());
+        const double wave_number = ruinous_phase(element.order) / length;
+        const double mass        = section.mass_per_length();
+        frequency = wave_number * wave_number * std::sqrt(bending / mass);
+        of_filter = frequency * filter_over_passed(n_poles);
+
+        const int *of_element = model.numbering.element_unknowns(e);
+        for (unsigned int a = 0; a <= element.order; ++a)
+          for (unsigned int d = 0; d < dimension; ++d)
+            {
+              unknowns.push_back(
+                of_element[a * model.numbering.n_components() + d]);
+              masses.push_back(mass * rule.integrals[a] * length / 2);
+            }
+        forget();
+      }
+
+      void forget()
+      {
+        filtered.assign(unknowns.size() * n_poles, 0.);
+      }
+
+      /** Kinetic energy (J) of what passes the filter after a step. */
+      double filter(const Evaluation &step)
+      {
+        const double *before  = step.from.velocity->data(),
+                     *now     = step.to.velocity->data();
+        const double decay    = 1 / (1 + of_filter * step.dt);
+        double      *of_value = filtered.data();
+        double       twice    = 0;
+        for (std::size_t i = 0; i < unknowns.size(); ++i)
+          {
+            double change = now[unknowns[i]] - before[unknowns[i]];
+            for (unsigned int pole = 0; pole < n_poles; ++pole, ++of_value)
+              {
+                const double passed = decay * (*of_value + change);
+                change              = passed - *of_value;
+                *of_value           = passed;
+              }
+            twice += masses[i] * of_value[-1] * of_value[-1];
+          }
+        return twice / 2;
+      }
+
+      unsigned int        strut, n_poles;
+      double              frequency; ///< of waves that are too short (rad/s)
+      double              of_filter; ///< rad/s
+      std::vector<int>    unknowns;  ///< translations, node by node
+      std::vector<double> masses;    ///< kg, that of the element shared out
+      std::vector<double> filtered;  ///< m/s, of each unknown after each pole
+      double              unresolved = 0; ///< J s, summed up
+    };
+
+    /**
+     * Kinetic energy in bending waves too short for the elements: what is left
+     * of it when the velocities have passed a high-pass filter with the
+     * frequency of such waves, over the time.
      */
     class WaveWatch : public Watch
     {
     public:
-      WaveWatch(const Scene &scene, const Equations &equations)
-        : model(equations.model())
-        , layout(equations.unknowns().layout)
-        , filter_of(layout.n_local(), -1)
-        , velocities(layout.n_local(), 0.)
-        , fast(layout.n_local(), 0.)
+      WaveWatch(const double time_step, const Equations &equations)
+        : layout(equations.unknowns().layout)
       {
-        for (unsigned int e = 0; e < model.numbering.elements().size(); ++e)
-          if (model.numbering.elements()[e].is_owned)
-            add_element(e);
-        double largest = 0;
-        for (const Filter &filter : filters)
-          largest = std::max(largest, filter.limit);
-        largest = layout.largest(largest);
-        if (largest > 0)
-          steps_between_looks = std::max(1., 1 / (largest * scene.time.step));
+        const LatticeModel &model = equations.model();
+        for (const DofNumbering::Group &group : model.numbering.groups())
+          {
+            const LineRule rule(group.order);
+            for (unsigned int e = group.begin; e < group.end; ++e)
+              if (is_counted_with_mass(model, e))
+                {
+                  FilteredElement element(model, rule, e);
+                  // Steps longer than half a period hold no such waves.
+                  if (element.frequency * time_step < dealii::numbers::PI)
+                    elements.push_back(std::move(element));
+                }
+          }
       }
 
       void step(const Evaluation &step,
                 const EvaluationResults & /*results*/,
                 TangentSolver & /*solver*/) override
       {
-        if (last_displacement.size() != step.to.displacement.size())
-          remember(step.from);
-        if (++n_steps < steps_between_looks)
-          return;
-        const double dt = step.to.time - last_time;
-        filter(last_displacement, step.to.displacement, dt);
-        if (++n_looks % looks_between_energies == 0)
-          add_energies(step.to, dt);
-        remember(step.to);
+        double in_step = 0;
+        for (FilteredElement &element : elements)
+          {
+            const double energy = element.filter(step);
+            element.unresolved += energy * step.dt;
+            in_step += energy;
+          }
+        unresolved += in_step * step.dt;
+        kinetic += step.to.energies.kinetic() * step.dt;
+        largest.add(in_step, step.to.time);
       }
 
       std::vector<Finding> findings() const override
       {
-        Occurrences worst;
-        double      of_fast = 0;
-        for (const Element &element : elements)
-          {
-            of_fast += element.fast;
-            worst.add({element.fast, 0., strut_of(element)});
-          }
-        const std::vector<double> sums =
-          layout.sum(std::vector<double>{of_fast, all});
-        const auto worst_of_all = worst.largest_of_all(layout.communicator());
-        if (!worst_of_all || sums[0] <= doubtful_wave_energy * sums[1])
+        const double part = layout.sum(unresolved) / kinetic;
+        if (!(part > doubtful_part))
           return {};
-        const std::string location =
-          "strut " + std::to_string(worst_of_all->number);
+        const std::string  location = "strut " + std::to_string(worst().strut);
         std::ostringstream text;
-        text.precision(2);
-        text << "The elements are long for the motion: "
-             << 100 * sums[0] / sums[1]
-             << " % of the kinetic energy move so fast that the bending waves "
-                "of struts are shorter than their elements resolve, most in "
+        text << std::fixed << std::setprecision(0)
+             << "Vibrations of struts that are too fast for their elements "
+                "carry "
+             << 100 * std::min(1., part) << " % of the kinetic energy, most in "
              << location
-             << ". Raise Discretization/Order, or set one more of Global "
-                "refinements, and compare.";
-        return {{Verdict::doubtful,
-                 text.str(),
-                 fastest.of_all_ranks(layout).time,
-                 location}};
+             << ": their frequencies are wrong. Raise Discretization/Order or "
+                "Discretization/Global refinements, and compare.";
+        return {
+          {part > ruinous_part ? Verdict::not_to_be_used : Verdict::doubtful,
+           text.str(),
+           largest.of_all_ranks(layout).time,
+           location}};
       }
 
       void save(Records &records) const override
       {
-        std::vector<unsigned int> items;
-        std::vector<double>       energies;
-        for (const Element &element : elements)
-          {
-            items.push_back(item_of(element));
-            energies.push_back(element.fast);
-          }
-        const LargestInTime largest = fastest.of_all_ranks(layout);
-        records.keep(wave_record + ": elements", items, 1, energies);
+        const LargestInTime of_steps = largest.of_all_ranks(layout);
+        const WorstStrut    strut    = worst();
         records.keep(wave_record,
-                     {layout.sum(all), largest.value, largest.time});
+                     {layout.sum(unresolved),
+                      kinetic,
+                      of_steps.value,
+                      of_steps.time,
+                      strut.unresolved,
+                      double(strut.strut)});
       }
 
       void resume(const Records &records) override
       {
-        std::vector<unsigned int> items;
-        for (const Element &element : elements)
-          items.push_back(item_of(element));
-        const std::vector<double> energies =
-          records.values(wave_record + ": elements", items, 1);
-        for (std::size_t i = 0; i < elements.size(); ++i)
-          elements[i].fast = energies[i];
-        const std::vector<double> values = records.values(wave_record, 3);
+        const std::vector<double> values = records.values(wave_record, 6);
         // Sums go on on one rank.
-        all     = layout.rank() == 0 ? values[0] : 0;
-        fastest = {values[1], values[2]};
+        unresolved = layout.rank() == 0 ? values[0] : 0.;
+        kinetic    = values[1];
+        largest    = {values[2], values[3]};
+        worst_before =
+          WorstStrut{values[4], static_cast<unsigned int>(values[5])};
+        for (FilteredElement &element : elements)
+          {
+            element.forget();
+            element.unresolved = 0;
+          }
       }
 
     private:
-      /** An element that this rank counts. */
-      struct Element
+      /** With the most of that energy in one element. */
+      struct WorstStrut
       {
-        unsigned int        number; ///< of the numbering
-        SpaceVector         span;   ///< of its ends at rest (m)
-        std::vector<double> masses; ///< kg, of its nodes
-        double fast = 0; ///< of MotionEnergies, summed up over time (J s)
+        double       unresolved = 0; ///< J s
+        unsigned int strut      = 0;
       };
 
-      /** Of the velocity (m/s) of a local unknown. */
-      struct Filter
+      /** Of all ranks and, in a run that was resumed, of before. */
+      WorstStrut worst() const
       {
-        int    unknown;
-        double limit; ///< rad/s, up to which waves are resolved
-        double slow      = 0,
-               slow_rest = 0; ///< what the first, the second keep back
-      };
-
-      /** Kinetic energies of an element, times two (J). */
-      struct MotionEnergies
-      {
-        double fast; ///< of motion across it, beyond the limit
-        double all;
-      };
-
-      void add_element(const unsigned int e)
-      {
-        const DofNumbering::Element &element = model.numbering.elements()[e];
-        const Strut     &strut   = model.lattice.struts[element.interval.strut];
-        const Section   &section = model.sections[strut.section];
-        dealii::Point<3> ends[2];
-        for (unsigned int end = 0; end < 2; ++end)
-          {
-            SpaceVector tangent;
-            model.lattice.axis(strut,
-                               element.interval.at(end == 0 ? -1 : 1),
-                               ends[end],
-                               tangent);
-          }
-        elements.push_back({e, ends[1] - ends[0], node_masses(model, e)});
-        const double length = model.lattice.length(strut) *
-          (element.interval.end - element.interval.begin),
-                     bending = model.lattice.dimension == 2
-          ? section.bending_stiffness_3()
-          : std::min(section.bending_stiffness_2(),
-                     section.bending_stiffness_3());
-        // Bending waves: omega = k^2 sqrt(EI / rho A).
-        const double limit =
-          std::pow(resolved_phase(element.order) / length, 2) *
-          std::sqrt(bending / section.mass_per_length());
-        for (unsigned int a = 0; a <= element.order; ++a)
-          for (unsigned int c = 0; c < model.lattice.dimension; ++c)
-            add_filter(model.numbering.element_unknowns(
-                         e)[model.numbering.n_components() * a + c],
-                       limit);
+        WorstStrut mine = worst_before;
+        for (const FilteredElement &element : elements)
+          if (element.unresolved > mine.unresolved)
+            mine = {element.unresolved, element.strut};
+        const double all = layout.largest(mine.unresolved);
+        return {all,
+                static_cast<unsigned int>(layout.largest(
+                  mine.unresolved == all ? double(mine.strut) : 0.))};
       }
 
-      void add_filter(const int unknown, const double limit)
-      {
-        if (filter_of[unknown] < 0)
-          {
-            filter_of[unknown] = filters.size();
-            filters.push_back({unknown, limit});
-          }
-        Filter &filter = filters[filter_of[unknown]];
-        filter.limit   = std::min(filter.limit, limit);
-      }
-
-      /** The state of a look. */
-      void remember(const State &state)
-      {
-        last_displacement = state.displacement;
-        last_time         = state.time;
-        n_steps           = 0;
-      }
-
-      void add_energies(const State &state, const double dt)
-      {
-        double sum = 0;
-        for (Element &element : elements)
-          {
-            const MotionEnergies energies = energies_of(element, state);
-            element.fast += energies.fast * dt;
-            all += energies.all * dt;
-            sum += energies.fast;
-          }
-        fastest.add(sum, state.time);
-      }
-
-      /** @param dt between both displacements (s) */
-      void filter(const Vector &from, const Vector &to, const double dt)
-      {
-        for (Filter &filter : filters)
-          {
-            const int    i        = filter.unknown;
-            const double velocity = (to[i] - from[i]) / dt,
-                         part     = 1 / (1 + 1 / (filter.limit * dt));
-            if (!is_started)
-              filter.slow = velocity;
-            filter.slow += part * (velocity - filter.slow);
-            const double rest = velocity - filter.slow;
-            filter.slow_rest += part * (rest - filter.slow_rest);
-            velocities[i] = velocity;
-            fast[i]       = rest - filter.slow_rest;
-          }
-        is_started = true;
-      }
-
-      MotionEnergies energies_of(const Element &element,
-                                 const State   &state) const
-      {
-        const DofNumbering &numbering = model.numbering;
-        const unsigned int  dimension = model.lattice.dimension,
-                           stride     = numbering.n_components();
-        const int *const unknowns = numbering.element_unknowns(element.number);
-        SpaceVector      chord    = element.span;
-        for (unsigned int c = 0; c < dimension; ++c)
-          chord[c] += state.displacement[unknowns[stride + c]] -
-            state.displacement[unknowns[c]];
-        const double   square = chord.norm_square();
-        MotionEnergies energies{0, 0};
-        for (unsigned int a = 0; a < element.masses.size(); ++a)
-          {
-            double along = 0, fast_square = 0, velocity_square = 0;
-            for (unsigned int c = 0; c < dimension; ++c)
-              {
-                const int i = unknowns[stride * a + c];
-                along += fast[i] * chord[c];
-                fast_square += fast[i] * fast[i];
-                velocity_square += velocities[i] * velocities[i];
-              }
-            energies.fast +=
-              element.masses[a] * (fast_square - along * along / square);
-            energies.all += element.masses[a] * velocity_square;
-          }
-        return energies;
-      }
-
-      unsigned int strut_of(const Element &element) const
-      {
-        return model.numbering.elements()[element.number].interval.strut;
-      }
-
-      /** A number of its own among all ranks. */
-      unsigned int item_of(const Element &element) const
-      {
-        const StrutMesh::Interval &interval =
-          model.numbering.elements()[element.number].interval;
-        return interval.strut *
-          std::lround(1 / (interval.end - interval.begin)) +
-          interval.number();
-      }
-
-      const LatticeModel  &model;
-      const UnknownLayout &layout;
-      std::vector<Element> elements;
-      std::vector<Filter>  filters;
-      /** As many as let waves at the limit go on by about a radian. */
-      unsigned int  steps_between_looks = 1;
-      unsigned int  n_steps = 0, n_looks = 0;
-      bool          is_started = false; ///< the filters
-      Vector        last_displacement;  ///< m, at the last look
-      double        last_time = 0;      ///< s
-      double        all       = 0;      ///< of MotionEnergies, over time (J s)
-      LargestInTime fastest; ///< of MotionEnergies, of all elements (J)
-      /** @name By local unknown. */
-      ///@{
-      std::vector<int>    filter_of;
-      std::vector<double> velocities, fast; ///< m/s
-      ///@}
+      const UnknownLayout         &layout;
+      std::vector<FilteredElement> elements;
+      double                       unresolved = 0; ///< J s, on this rank
+      double                       kinetic    = 0; ///< J s, of all ranks
+      LargestInTime                largest;        ///< J, on this rank
+      WorstStrut                   worst_before;
     };
   } // namespace
 
   std::unique_ptr<Watch> make_wave_watch(const Scene     &scene,
                                          const Equations &equations)
   {
-    return std::make_unique<WaveWatch>(scene, equations);
+    return std::make_unique<WaveWatch>(scene.time.step, equations);
   }
 } // namespace auxfem
