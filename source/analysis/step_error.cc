@@ -32,6 +32,9 @@ namespace auxfem
      * estimated, (omega dt)^2 / 6 of one, is a sixth of that or more. */
     constexpr double amplitudes = 3;
 
+    /** Of the tolerance, for what steps err more than is wanted of them. */
+    constexpr double part_of_tolerance = 0.8;
+
     double absolute_tolerance_of(const TimeParameters &parameters,
                                  const LatticeModel   &model)
     {
@@ -91,11 +94,11 @@ namespace auxfem
       std::max(motions.largest, mean(motions, step.to.displacement));
     latest.allowed =
       allowed(motions, latest.largest, all.front().latest.allowed);
-    const double left = std::max(latest.allowed - motions.left_error,
-                                 least_left * latest.allowed),
+    const double wanted = part_of_tolerance * latest.allowed,
+                 left =
+                   std::max(wanted - motions.left_error, least_left * wanted),
                  part = std::min(1., step.dt / (end_time - step.from.time));
-    latest.relative =
-      latest.error / std::max(part * left, damping * latest.allowed);
+    latest.relative   = latest.error / std::max(part * left, damping * wanted);
   }
 
   double StepError::relative(const Evaluation &step)

