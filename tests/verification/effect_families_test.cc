@@ -316,3 +316,33 @@ TEST(EffectFamilies, SpringsInJointsFromStiffToSoft)
                                 .linear();
                             }});
 }
+
+TEST(EffectFamilies, DampingIsKeptWhereStrutsSwing)
+{
+  // A beam of 1 m with omega_1 = 207/s: a load of that frequency, and one that
+  // is put on in half a period and stays. Either leaves a swing for 50 periods.
+  for (const std::string force : {"sin(206.7 * t)", "min(1, t / 0.015)"})
+    {
+      const Family
+        family{"Strut damping", "", {}, [&force](const double damping) {
+                 SceneText scene;
+                 scene.frame("0 0; 0 1", "0 1")
+                   .rectangle("bar", 0.04, 0.04, {70e9, 2700, 0.33})
+                   .set("Sections/bar/Struts", "all")
+                   .set("Sections/bar/Stiffness-proportional damping", damping)
+                   .support("wall", "0", "clamp")
+                   .load("tip", "1", {force, "0", "0"})
+                   .mesh(4, 1)
+                   .linear()
+                   .time(1.5, 0.7e-3, "newmark");
+                 return scene;
+               }};
+      constexpr double damping = 2.4e-6;
+      EXPECT_LT(measure_of(family, damping), tolerance) << force;
+      EXPECT_GT(change_without(family, damping), 10 * tolerance) << force;
+      const Scene scene =
+        read_scene_from_text(family.scene(damping).str(), "test.prm");
+      EXPECT_TRUE(decide_effects(scene, build_lattice(scene)).strut_damping)
+        << force;
+    }
+}
