@@ -153,6 +153,26 @@ TEST(OrderChoice, LongStrutsGetHigherOrders)
   EXPECT_GT(chosen.report.steps, 0u);
 }
 
+TEST(OrderChoice, StrutsThatAreAlikeGetEqualOrders)
+{
+  // Else a symmetric lattice would buckle to one side.
+  const SceneText arcade =
+    static_frame("0.1 0; 0.1 1; 0.8 1.2; 1.5 1; 1.5 0; 2.2 1.2; 2.9 1; 2.9 0",
+                 "0 1; 1 2; 2 3; 3 4; 3 5; 5 6; 6 7")
+      .section({100, 50, 0.05})
+      .support("feet", "0, 4, 7", "clamp")
+      .load("weight", "2, 5", {"0", "-0.3 * t", "0"})
+      .time(1, 0.1);
+  for (double tolerance = 0.3; tolerance > 1e-6; tolerance /= 1.3)
+    {
+      const std::vector<unsigned int> orders =
+        choose_orders(scene_of(arcade, tolerance), MPI_COMM_WORLD).orders;
+      EXPECT_EQ(orders[0], orders[6]) << tolerance;
+      EXPECT_EQ(orders[1], orders[5]) << tolerance;
+      EXPECT_EQ(orders[2], orders[4]) << tolerance;
+    }
+}
+
 TEST(OrderChoice, EstimateIsNoLessThanTheErrorOfTheJoints)
 {
   const std::vector<double> exact = exact_motion(knee(), 6);
