@@ -9,8 +9,6 @@
 #include <auxfem/parameters/errors.h>
 
 #include <algorithm>
-#include <map>
-#include <set>
 
 // Which effects a scene calls for.
 
@@ -51,7 +49,6 @@ namespace auxfem
     make_loads(scene);
     refuse_without_mean_forces(scene);
     refuse_unknown_errors(scene);
-    refuse_rotations_about_two_axes(scene);
     enter_energies();
     for (const auto &effect : effects)
       effect->register_in(state_layout);
@@ -89,32 +86,6 @@ namespace auxfem
         "Time/Relative tolerance: the error of Time/Scheme = " + scheme.name() +
         " is not known where parts are rigid or hinges revolute. Remove it, or "
         "choose newmark, hht or generalized-alpha.");
-  }
-
-  void Equations::refuse_rotations_about_two_axes(const Scene &scene) const
-  {
-    const ImplicitScheme &scheme = scene.time.implicit_scheme();
-    if (scheme.stages() == nullptr || structure.lattice.dimension < 3 ||
-        !structure.simulated.large_rotation)
-      return;
-    // A component may be held by more than one support.
-    std::map<unsigned int, std::set<unsigned int>> held;
-    for (const JointMotion &motion :
-         prescribed_motions(scene, structure.lattice))
-      if (motion.component >= first_rotation &&
-          structure.numbering.joint_has(motion.joint, motion.component))
-        held[motion.joint].insert(motion.component);
-    for (const auto &[joint, components] : held)
-      if (components.size() == 1)
-        throw InputError(
-          "Supports: the rotation of joint " + std::to_string(joint) +
-          " is held about the axis " +
-          "xyz"[*components.begin() - first_rotation] +
-          " only. Such rotations, free about two axes, are not for Time/Scheme "
-          "= " +
-          scheme.name() +
-          ": hold it about two axes, all or none, or choose newmark, hht or "
-          "generalized-alpha.");
   }
 
   void Equations::enter_energies()

@@ -186,27 +186,6 @@ TEST(MakeEquations, RungeKuttaStepsWithRigidPartsFollowNoError)
             "choose newmark, hht or generalized-alpha.");
 }
 
-TEST(MakeEquations, RungeKuttaStepsHoldNoRotationAboutOneAxisAlone)
-{
-  const auto message = [](const std::string &held) {
-    return input_error_of([&] {
-      EquationsOnRanks(std::string(space_frame("0 0 0; 1 0 0", "0 1")) +
-                         "subsection Supports\nsubsection guide\n"
-                         "set Joints = 1\nset Type = prescribed\n" +
-                         held + "end\nend\n",
-                       {"Time/Scheme=esdirk"},
-                       MPI_COMM_SELF);
-    });
-  };
-  const std::string y = "set Rotation y = 0\n", z = "set Rotation z = 0\n";
-  EXPECT_EQ(message(y),
-            "Supports: the rotation of joint 1 is held about the axis y only. "
-            "Such rotations, free about two axes, are not for Time/Scheme = "
-            "esdirk: hold it about two axes, all or none, or choose newmark, "
-            "hht or generalized-alpha.");
-  EXPECT_EQ(message(y + z), "");
-}
-
 TEST(MakeEquations, WithoutMeanForcesASchemeThatBalancesThemIsRefusedByName)
 {
   const std::string              frame    = space_frame("0 0 0; 1 0 0", "0 1");

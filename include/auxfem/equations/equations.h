@@ -170,10 +170,6 @@ namespace auxfem
     void refuse_without_mean_forces(const Scene &scene) const;
     /** Throws InputError if steps are to follow an error that is not known. */
     void refuse_unknown_errors(const Scene &scene) const;
-    /** Throws InputError for rotations in space that supports hold about one
-     * axis only, which is no constraint of their rotation vectors, if the
-     * scheme integrates these. */
-    void refuse_rotations_about_two_axes(const Scene &scene) const;
     void enter_energies();
     void register_blocks();
 
