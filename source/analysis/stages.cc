@@ -7,14 +7,12 @@ namespace auxfem
   class Stages::Rule : public ImplicitScheme
   {
   public:
-    Rule(const NodeRotations     &rotations,
-         const std::vector<bool> &prescribed,
-         const ImplicitScheme    &scheme,
-         const Vector            &base,
-         Vector                  &vectors)
+    Rule(const NodeRotations  &rotations,
+         const ImplicitScheme &scheme,
+         const Vector         &base,
+         Vector               &vectors)
       : ImplicitScheme(scheme.name())
       , rotations(rotations)
-      , prescribed(prescribed)
       , scheme(scheme)
       , base(base)
       , vectors(vectors)
@@ -51,7 +49,8 @@ namespace auxfem
       for (unsigned int i = 0; i < trial.rotations.size(); ++i)
         {
           const SpaceVector change = rotations.values(increment, i);
-          if (prescribed[i] || change.norm_square() == 0)
+          // The rates of rotations that supports move are known.
+          if (change.norm_square() == 0)
             continue;
           rotations.set_values(rotations.values(vectors, i) + change,
                                i,
@@ -77,31 +76,14 @@ namespace auxfem
         *stage.to.acceleration);
     }
 
-    const NodeRotations     &rotations;
-    const std::vector<bool> &prescribed;
-    const ImplicitScheme    &scheme;
+    const NodeRotations  &rotations;
+    const ImplicitScheme &scheme;
     /** Rotation vectors since the start of the step: at the base and now. What
      * is added to the latter counts divided by dt^2, so it must not be lost in
      * the sum of all steps that State::displacement is. */
     const Vector &base;
     Vector       &vectors;
   };
-
-  namespace
-  {
-    /** Which rotations in space supports move as a whole: their rates are
-     * known, and what rounding leaves of their increments may not change them.
-     */
-    std::vector<bool> prescribed_rotations(const LatticeModel &model)
-    {
-      std::vector<bool> prescribed(model.numbering.rotations().size(), false);
-      for (const Support &support : model.supports)
-        for (const Support::PrescribedRotation &rotation : support.rotations)
-          if (rotation.is_whole())
-            prescribed[rotation.rotation] = true;
-      return prescribed;
-    }
-  } // namespace
 
   Stages::Stages(const Equations &equations, const ImplicitScheme &scheme)
     : equations(equations)
@@ -111,9 +93,7 @@ namespace auxfem
     , base(equations.initial_state())
     , base_displacement(base.displacement)
     , rotation_vectors(base.displacement)
-    , prescribed(prescribed_rotations(equations.model()))
     , stage_rule(std::make_unique<Rule>(rotations,
-                                        prescribed,
                                         scheme,
                                         base_displacement,
                                         rotation_vectors))

@@ -150,20 +150,6 @@ TEST(RungeKuttaOrder, InSpace)
   expect_orders("space", soft_angle(3), {"tip.phi_z"});
 }
 
-// About several axes rounding leaves something of increments that are zero.
-TEST(RungeKuttaOrder, InSpaceWithASupportThatTurns)
-{
-  SceneText scene = soft_angle(3);
-  scene.probe("tip", "2").set("Newton/Tolerance", "1e-11");
-  scene.prescribe("clamp",
-                  "0",
-                  {"0", "0.2 * t^2", "0"},
-                  {"0.6 * t^2", "-0.4 * t^2", "t^2"});
-  for (const auto &[quantity, order] :
-       observed_orders(scene, 4, 0.001, {"tip.uy", "tip.phi_z", "external"}))
-    EXPECT_NEAR(order, 4, 0.3) << quantity;
-}
-
 TEST(RungeKuttaOrder, OfOneMassOnAMaxwellElementAgainstItsClosedForm)
 {
   const double    end = 0.32, stiffness = 400, spring = 300, tau = 0.02;

@@ -82,9 +82,7 @@ namespace auxfem
     /** Displacements at the base, of rotations in space since the start. */
     Vector base_displacement;
     /** Only of rotations in space: where they are since the start. */
-    Vector rotation_vectors;
-    /** Rotations in space that supports move as a whole. */
-    std::vector<bool>     prescribed;
+    Vector                rotation_vectors;
     std::unique_ptr<Rule> stage_rule;
 
     double              dt = 0, end = 0; ///< of the step (s)
