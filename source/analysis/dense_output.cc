@@ -69,6 +69,14 @@ namespace auxfem
       std::array<Motion<double>, 5> weights;
     };
 
+    /** What a step begins with where functions of time jump. */
+    std::optional<TimeLimit> after(const std::optional<double> event)
+    {
+      if (!event)
+        return {};
+      return TimeLimit{*event, TimeSide::after};
+    }
+
     double part_of(const Evaluation &between, const State &end)
     {
       return between.dt / (end.time - between.from.time);
@@ -112,12 +120,13 @@ namespace auxfem
     , has_stages(scheme.stages() != nullptr)
   {}
 
-  void DenseOutput::record(const Solution             &from,
-                           const Solution             &to,
-                           const std::optional<double> event_at_from,
-                           const double                nearness,
-                           TangentSolver              &solver,
-                           Recorder                   &recorder) const
+  void DenseOutput::record(const Solution                &from,
+                           const Solution                &to,
+                           const std::optional<double>    event_at_from,
+                           const std::optional<TimeLimit> event_at_to,
+                           const double                   nearness,
+                           TangentSolver                 &solver,
+                           Recorder                      &recorder) const
   {
     const double            begin = from.state.time, end = to.state.time;
     std::optional<double>   next = recorder.next_time(begin + nearness);
@@ -126,7 +135,8 @@ namespace auxfem
          next = recorder.next_time(*next + nearness))
       {
         if (has_stages && !end_rates)
-          end_rates = {rates(from), rates(to)};
+          end_rates = {rates(from, after(event_at_from)),
+                       rates(to, event_at_to)};
         Solution between{from.state, equations.make_results()};
         between.state.time = *next;
         Evaluation way =
@@ -147,13 +157,16 @@ namespace auxfem
       recorder.between(to);
   }
 
-  DenseOutput::Rates DenseOutput::rates(const Solution &end) const
+  DenseOutput::Rates
+  DenseOutput::rates(const Solution                &end,
+                     const std::optional<TimeLimit> event) const
   {
     constexpr double one_second = 1;
     State            after      = end.state;
-    equations.account_stage(
-      Evaluation::stage(end.state, after, /*dt=*/0, one_second),
-      end.results);
+    Evaluation       instant =
+      Evaluation::stage(end.state, after, /*dt=*/0, one_second);
+    instant.event_at_to = event;
+    equations.account_stage(instant, end.results);
     Rates rates{equations.find_internal_rates(end.state, end.results),
                 after.energy_sums};
     for (std::size_t i = 0; i < rates.history.size(); ++i)

@@ -1,18 +1,39 @@
 #include <auxfem/analysis/stages.h>
 #include <auxfem/time/extrapolation.h>
 
+#include <set>
+
 namespace auxfem
 {
+  namespace
+  {
+    /** Large rotations in space that no support moves or holds as a whole. */
+    std::vector<unsigned int> rotations_to_find(const LatticeModel &model)
+    {
+      std::set<unsigned int> known;
+      for (const Support &support : model.supports)
+        for (const Support::PrescribedRotation &prescribed : support.rotations)
+          if (prescribed.is_whole())
+            known.insert(prescribed.rotation);
+      std::vector<unsigned int> result;
+      for (unsigned int i = 0; i < model.n_large_rotations(); ++i)
+        if (known.count(i) == 0)
+          result.push_back(i);
+      return result;
+    }
+  } // namespace
+
   /** The scheme's own rule, of rotations in space for their vectors. */
   class Stages::Rule : public ImplicitScheme
   {
   public:
-    Rule(const NodeRotations  &rotations,
+    Rule(const LatticeModel   &model,
          const ImplicitScheme &scheme,
          const Vector         &base,
          Vector               &vectors)
       : ImplicitScheme(scheme.name())
-      , rotations(rotations)
+      , rotations(model.numbering)
+      , to_find(rotations_to_find(model))
       , scheme(scheme)
       , base(base)
       , vectors(vectors)
@@ -22,7 +43,7 @@ namespace auxfem
     {
       scheme.predict(from, dt, to);
       const Evaluation stage = Evaluation::stage(from, to, dt, /*weight=*/0);
-      for (unsigned int i = 0; i < to.rotations.size(); ++i)
+      for (const unsigned int i : to_find)
         {
           const SpaceVector at_base = rotations.values(base, i);
           const SpaceVector vector  = at_base +
@@ -46,13 +67,10 @@ namespace auxfem
     {
       scheme.correct(from, increment, dt, trial);
       const Evaluation stage = Evaluation::stage(from, trial, dt, /*weight=*/0);
-      for (unsigned int i = 0; i < trial.rotations.size(); ++i)
+      for (const unsigned int i : to_find)
         {
-          const SpaceVector change = rotations.values(increment, i);
-          // The rates of rotations that supports move are known.
-          if (change.norm_square() == 0)
-            continue;
-          rotations.set_values(rotations.values(vectors, i) + change,
+          rotations.set_values(rotations.values(vectors, i) +
+                                 rotations.values(increment, i),
                                i,
                                vectors);
           find_rates(stage, i);
@@ -76,8 +94,9 @@ namespace auxfem
         *stage.to.acceleration);
     }
 
-    const NodeRotations  &rotations;
-    const ImplicitScheme &scheme;
+    const NodeRotations             rotations;
+    const std::vector<unsigned int> to_find;
+    const ImplicitScheme           &scheme;
     /** Rotation vectors since the start of the step: at the base and now. What
      * is added to the latter counts divided by dt^2, so it must not be lost in
      * the sum of all steps that State::displacement is. */
@@ -93,7 +112,7 @@ namespace auxfem
     , base(equations.initial_state())
     , base_displacement(base.displacement)
     , rotation_vectors(base.displacement)
-    , stage_rule(std::make_unique<Rule>(rotations,
+    , stage_rule(std::make_unique<Rule>(equations.model(),
                                         scheme,
                                         base_displacement,
                                         rotation_vectors))

@@ -371,6 +371,7 @@ namespace auxfem
     dense_output.record(trial,
                         solution,
                         step.event_at_from,
+                        step.event_at_to,
                         nearness_of_step_ends(parameters),
                         solvers->tangent,
                         recorder);

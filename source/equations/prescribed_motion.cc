@@ -103,6 +103,21 @@ namespace auxfem
           }
     }
 
+    /** By what spin (rad) a rotation has to turn back that is held about some
+     * axes. At a stage it is the angular velocity about these that vanishes: a
+     * rotation vector over several stages may not be held, as the other axes
+     * turn with the node. */
+    SpaceVector turned_about_held_axes(const NodeRotations &rotations,
+                                       const unsigned int   i,
+                                       const Evaluation    &evaluation)
+    {
+      const State &state = evaluation.to;
+      if (evaluation.kind == Evaluation::Kind::stage)
+        return evaluation.dt *
+          rotated(state.rotations[i], rotations.values(*state.velocity, i));
+      return rotations.spatial_increment(evaluation, i);
+    }
+
     /** Holds a rotation about some axes. */
     void hold(const NodeRotations       &rotations,
               const unsigned int         i,
@@ -148,7 +163,7 @@ namespace auxfem
         for (const Support::PrescribedRotation &prescribed : support.rotations)
           if (prescribed.is_whole())
             prescribe(rotations, prescribed.rotation, moved, evaluation);
-          else
+          else if (evaluation.kind != Evaluation::Kind::stage)
             hold(rotations, prescribed.rotation, prescribed.fixed, evaluation);
       }
     rotations.follow(evaluation);
@@ -235,7 +250,7 @@ namespace auxfem
             const SpaceVector         missing = prescribed.is_whole()
                       ? rotation_vector(exponential(rotation_of(support, evaluation)) *
                                 conjugate(state.rotations[i]))
-                      : -rotations.spatial_increment(evaluation, i);
+                      : -turned_about_held_axes(rotations, i, evaluation);
             const std::array<int, 3> &spins   = numbering.rotations()[i];
             for (unsigned int c = 0; c < 3; ++c)
               if (prescribed.fixed[c] && numbering.layout().is_owned(spins[c]))

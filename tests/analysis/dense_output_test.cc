@@ -132,6 +132,21 @@ TEST(DenseOutput, MotionsOfSupportsAreExact)
     }
 }
 
+TEST(DenseOutput, WorkWithStagesIsThatOfLoadsBeforeTheyJump)
+{
+  // The step that ends at 0.1 s, the eighth, has rows within.
+  const MemoryRecorder history =
+    history_of(struck_angle(2)
+                 .set("Loads/push/Force x", "if(t < 0.1, 80 * t, -8)")
+                 .set("Time/Scheme", "esdirk")
+                 .set("Time/Time step", 0.0125)
+                 .set("Time/End time", 0.1125),
+               0.0025);
+  const double largest = history.column("external").back();
+  for (const double balance : history.column("balance"))
+    EXPECT_NEAR(balance, 0, 1e-3 * largest);
+}
+
 TEST(DenseOutput, IsLinearWithoutInertia)
 {
   SceneText scene;

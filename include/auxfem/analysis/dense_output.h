@@ -29,15 +29,16 @@ namespace auxfem
      * Tells @p recorder of all solutions that it asks for in an accepted step,
      * also at its end. Collective.
      * @param from, to its ends
-     * @param event_at_from as in its evaluation (s)
+     * @param event_at_from, event_at_to as in its evaluation (s)
      * @param nearness of times that are the same (s)
      */
-    void record(const Solution       &from,
-                const Solution       &to,
-                std::optional<double> event_at_from,
-                double                nearness,
-                TangentSolver        &solver,
-                Recorder             &recorder) const;
+    void record(const Solution          &from,
+                const Solution          &to,
+                std::optional<double>    event_at_from,
+                std::optional<TimeLimit> event_at_to,
+                double                   nearness,
+                TangentSolver           &solver,
+                Recorder                &recorder) const;
 
   private:
     /** Rates at one end of a step. */
@@ -52,7 +53,7 @@ namespace auxfem
       Rates from, to;
     };
 
-    Rates rates(const Solution &end) const;
+    Rates rates(const Solution &end, std::optional<TimeLimit> event) const;
     /** Displacements with their rates, and rotations, at between.time. */
     void move(const Evaluation &between, const State &end) const;
     void rotate(const Evaluation &between, const State &end) const;
