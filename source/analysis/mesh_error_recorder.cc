@@ -15,7 +15,7 @@ namespace auxfem
     constexpr unsigned int n_looks = 64;
 
     const std::string mesh_error_record =
-      "mesh error: largest error and energy, next look";
+      "mesh error: largest error and energy, next look, steps so far";
 
     /** A run whose elements are not good enough. */
     Finding missed_tolerance(const OrderReport &report, const double time)
@@ -33,18 +33,15 @@ namespace auxfem
       return {Verdict::doubtful, text.str(), time, ""};
     }
     /**
-     * Struts that vibrate by themselves, as far as steps can tell: the first
-     * bending mode between clamped ends turns by less than one radian a step.
-     * Errors of accelerations inside struts and of such frequencies add up over
-     * the time, of which estimates at an instant know nothing.
+     * Of each strut with mass the angular frequency (rad/s) of the first
+     * bending mode between clamped ends.
      */
-    unsigned int n_vibrating(const Scene &scene, const LatticeModel &model)
+    std::vector<double> own_frequencies(const LatticeModel &model)
     {
-      constexpr double first_mode = 4.73004074; // times 1 / length
-      unsigned int     n          = 0;
-      for (unsigned int i = 0; i < model.lattice.struts.size(); ++i)
+      constexpr double    first_mode = 4.73004074; // times 1 / length
+      std::vector<double> frequencies;
+      for (const Strut &strut : model.lattice.struts)
         {
-          const Strut &strut = model.lattice.struts[i];
           if (strut.is_rigid())
             continue;
           const Section &section     = model.sections[strut.section];
@@ -52,13 +49,17 @@ namespace auxfem
           const double   stiffness   = std::min(section.bending_stiffness_2(),
                                             section.bending_stiffness_3());
           const double   wave_number = first_mode / model.lattice.length(strut);
-          if (mass > 0 && scene.discretization.refinements == 0 &&
-              wave_number * wave_number * std::sqrt(stiffness / mass) *
-                  scene.time.step <
-                1)
-            ++n;
+          if (mass > 0)
+            frequencies.push_back(wave_number * wave_number *
+                                  std::sqrt(stiffness / mass));
         }
-      return n;
+      return frequencies;
+    }
+
+    /** In how many parts a step of @p scheme follows a motion. */
+    unsigned int parts_of_step(const ImplicitScheme &scheme)
+    {
+      return scheme.stages() == nullptr ? 1 : scheme.stages()->n_stages() - 1;
     }
 
     Finding own_vibrations(const unsigned int n_struts)
@@ -101,10 +102,23 @@ namespace auxfem
         if (*of_run.estimated_error > 2 * of_run.tolerance)
           result.findings.push_back(missed_tolerance(of_run, result.time));
       }
-    if (n_vibrating_struts > 0)
-      result.findings.push_back(own_vibrations(n_vibrating_struts));
+    if (const unsigned int n = n_vibrating(result.time); n > 0)
+      result.findings.push_back(own_vibrations(n));
     result.orders = of_run;
     return result;
+  }
+
+  unsigned int MeshErrorRecorder::n_vibrating(const double time) const
+  {
+    if (n_steps == 0)
+      return 0;
+    const double followed =
+      time / (n_steps * parts_of_step(scene.time.implicit_scheme()));
+    return std::count_if(frequencies.begin(),
+                         frequencies.end(),
+                         [followed](const double frequency) {
+                           return frequency * followed < 1;
+                         });
   }
 
   void MeshErrorRecorder::look(const State &state)
@@ -122,7 +136,7 @@ namespace auxfem
     communicator        = equations.model().numbering.layout().communicator();
     estimate            = std::make_unique<MeshError>(scene, equations.model());
     if (equations.model().simulated.inertia)
-      n_vibrating_struts = n_vibrating(scene, equations.model());
+      frequencies = own_frequencies(equations.model());
     seconds += cpu_seconds() - before;
     recorder.begin(equations);
   }
@@ -136,8 +150,10 @@ namespace auxfem
   void MeshErrorRecorder::resume(const Solution &solution,
                                  const Records  &records)
   {
-    std::vector<double> saved = records.values(mesh_error_record, 3);
-    next                      = saved.back();
+    std::vector<double> saved = records.values(mesh_error_record, 4);
+    n_steps                   = saved.back();
+    saved.pop_back();
+    next = saved.back();
     saved.pop_back();
     estimate->resume(saved);
     recorder.resume(solution, records);
@@ -147,6 +163,7 @@ namespace auxfem
   {
     std::vector<double> saved = estimate->save();
     saved.push_back(next);
+    saved.push_back(n_steps);
     records.keep(mesh_error_record, saved);
     recorder.save(records);
   }
@@ -164,6 +181,7 @@ namespace auxfem
   void MeshErrorRecorder::step(const Solution   &solution,
                                const StepReport &step_report)
   {
+    n_steps += step_report.substeps;
     if (solution.state.time >= next)
       look(solution.state);
     recorder.step(solution, step_report);

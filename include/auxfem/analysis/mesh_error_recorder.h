@@ -39,15 +39,26 @@ namespace auxfem
 
   private:
     void look(const State &state);
+    /**
+     * Number of struts that vibrate by themselves, as far as the mean step
+     * until
+     * @p time (s) can tell: the first bending mode turns by less than one radian
+     * in it, in a stage of it if there are some. Errors of accelerations inside
+     * struts and of such frequencies add up over the time, of which estimates
+     * at an instant know nothing.
+     */
+    unsigned int n_vibrating(double time) const;
 
     const Scene               &scene;
     Recorder                  &recorder;
     OrderReport                report;
     std::unique_ptr<MeshError> estimate;
     /** Since when no look is due (s). */
-    double       next = 0, seconds = 0;
-    MPI_Comm     communicator       = MPI_COMM_NULL;
-    unsigned int n_vibrating_struts = 0;
+    double   next = 0, seconds = 0;
+    MPI_Comm communicator = MPI_COMM_NULL;
+    /** Of struts by themselves (rad/s), without inertia none. */
+    std::vector<double> frequencies;
+    unsigned long       n_steps = 0; ///< parts of steps counted
   };
 } // namespace auxfem
 
