@@ -3,6 +3,7 @@
 #include <auxfem/analysis/mesh_error_recorder.h>
 #include <auxfem/analysis/order_choice.h>
 #include <auxfem/elements/strut_order.h>
+#include <auxfem/output/history.h>
 #include <auxfem/output/summary.h>
 #include <auxfem/parameters/errors.h>
 
@@ -47,6 +48,25 @@ namespace auxfem
                              std::max(time.step, time.end_time / fewest_steps));
       return search;
     }
+
+    /** Tells of the steps of a search run. */
+    class SearchRecorder : public Recorder
+    {
+    public:
+      SearchRecorder(const Scene &search, Recorder &recorder)
+        : search(search)
+        , recorder(recorder)
+      {}
+
+      void step(const Solution &solution, const StepReport &report) override
+      {
+        recorder.search_step(search, solution.state, report);
+      }
+
+    private:
+      const Scene &search;
+      Recorder    &recorder;
+    };
 
     /** Errors (J) of this rank's struts, by order and strut. */
     using ErrorTable = std::map<unsigned int, std::vector<double>>;
@@ -158,11 +178,13 @@ namespace auxfem
      */
     bool search_orders(const Scene   &search,
                        const MPI_Comm communicator,
+                       Recorder      &told,
                        ChosenOrders  &chosen)
     {
-      LatticeRun        run(search, communicator);
-      Recorder          nobody;
-      MeshErrorRecorder recorder(search, nobody);
+      LatticeRun run(search, communicator);
+      refuse_columns_of_nothing(search, run.lattice);
+      SearchRecorder    steps(search, told);
+      MeshErrorRecorder recorder(search, steps);
       try
         {
           run.run(recorder);
@@ -193,13 +215,18 @@ namespace auxfem
     return result;
   }
 
-  ChosenOrders choose_orders(const Scene &scene, const MPI_Comm communicator)
+  ChosenOrders choose_orders(const Scene   &scene,
+                             const MPI_Comm communicator,
+                             Recorder      &recorder)
   {
     const double cpu_before = cpu_seconds();
     ChosenOrders chosen;
     chosen.report.tolerance = *scene.discretization.tolerance;
     for (unsigned int order = first_search_order;; ++order)
-      if (search_orders(search_scene(scene, order), communicator, chosen) ||
+      if (search_orders(search_scene(scene, order),
+                        communicator,
+                        recorder,
+                        chosen) ||
           order == highest_strut_order(scene.context.dimension))
         break;
     chosen.report.cpu_seconds =
@@ -211,7 +238,7 @@ namespace auxfem
                                    const MPI_Comm communicator,
                                    Recorder      &recorder)
   {
-    const ChosenOrders found  = choose_orders(scene, communicator);
+    const ChosenOrders found  = choose_orders(scene, communicator, recorder);
     const Scene        chosen = with_orders(scene, found.orders);
     LatticeRun         run(chosen, communicator);
     MeshErrorRecorder  watching(chosen, recorder, found.report);

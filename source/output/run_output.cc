@@ -33,6 +33,9 @@ namespace auxfem
                    const StartTimes &start_times,
                    const FileRules  &rules);
 
+    void show_search(const Scene      &search,
+                     const State      &state,
+                     const StepReport &report);
     void begin(const Equations &equations);
     void start_series(const Solution &solution);
     void resume(const Solution &solution, const Records &records);
@@ -53,9 +56,12 @@ namespace auxfem
       return std::chrono::duration<double>(Clock::now() - start).count();
     }
 
-    void write_row(const Solution &solution);
-    void write_graphics(const Solution &solution);
-    void show_progress(const State &state, const StepReport &report);
+    void     write_row(const Solution &solution);
+    void     write_graphics(const Solution &solution);
+    Progress progress_of(const Scene      &scene,
+                         const State      &state,
+                         const StepReport &report) const;
+    void     show_progress(const State &state, const StepReport &report);
 
     const Scene     &scene;
     const MPI_Comm   communicator;
@@ -70,8 +76,10 @@ namespace auxfem
     std::vector<std::string> notes;               ///< on rank 0
     /** What was begun is closed, also if a signal asks for the end. */
     std::optional<SignalsWaitForStep> signals;
-    std::optional<RunFolder>          files;   ///< on rank 0
-    std::optional<Console>            console; ///< on rank 0
+    std::ostream                      no_log{nullptr};
+    std::optional<Console>            search_console; ///< on rank 0
+    std::optional<RunFolder>          files;          ///< on rank 0
+    std::optional<Console>            console;        ///< on rank 0
     std::optional<History>            history;
     std::optional<CsvTable>           table; ///< on rank 0
     std::optional<VtuWriter>          graphics;
@@ -99,8 +107,32 @@ namespace auxfem
                      nearness_of_step_ends(scene.time))
   {}
 
+  void RunOutput::Implementation::show_search(const Scene      &search,
+                                              const State      &state,
+                                              const StepReport &report)
+  {
+    if (dealii::Utilities::MPI::this_mpi_process(communicator) != 0)
+      return;
+    // A search may be done again, with a higher order.
+    if (!search_console || state.step == 1)
+      {
+        search_console.emplace(
+          std::cout,
+          terminal_width(dealii::Utilities::MPI::n_mpi_processes(communicator)),
+          no_log);
+        search_console->print("Search run for the orders of the struts, with "
+                              "order " +
+                              std::to_string(search.discretization.order));
+        first_step = Clock::now();
+      }
+    search_console->progress(progress_of(search, state, report));
+  }
+
   void RunOutput::Implementation::begin(const Equations &equations)
   {
+    if (search_console)
+      search_console->end_progress();
+    search_console.reset();
     // A mistyped probe must not cost the results of an earlier run.
     refuse_columns_of_nothing(scene, equations.model().lattice);
 
@@ -215,8 +247,10 @@ namespace auxfem
       show_progress(state, report);
   }
 
-  void RunOutput::Implementation::show_progress(const State      &state,
-                                                const StepReport &report)
+  Progress
+  RunOutput::Implementation::progress_of(const Scene      &scene,
+                                         const State      &state,
+                                         const StepReport &report) const
   {
     Progress progress;
     progress.step              = state.step;
@@ -229,7 +263,13 @@ namespace auxfem
     progress.seconds           = since(first_step);
     progress.begin_time        = begin_time;
     progress.n_steps           = scene.time.n_steps();
+    return progress;
+  }
 
+  void RunOutput::Implementation::show_progress(const State      &state,
+                                                const StepReport &report)
+  {
+    Progress            progress = progress_of(scene, state, report);
     const EnergyRecord &energies = history->energies();
     if (energies.largest_energy > 0)
       progress.relative_balance = energies.relative(energies.balance);
@@ -285,6 +325,13 @@ namespace auxfem
   {}
 
   RunOutput::~RunOutput() = default;
+
+  void RunOutput::search_step(const Scene      &search,
+                              const State      &state,
+                              const StepReport &report)
+  {
+    implementation->show_search(search, state, report);
+  }
 
   void RunOutput::begin(const Equations &equations)
   {

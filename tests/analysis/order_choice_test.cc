@@ -58,6 +58,13 @@ namespace
                                 "test.prm");
   }
 
+  ChosenOrders orders_for(const Scene   &scene,
+                          const MPI_Comm communicator = MPI_COMM_WORLD)
+  {
+    Recorder nobody;
+    return choose_orders(scene, communicator, nobody);
+  }
+
   Scene scene_of_order(const SceneText   &text,
                        const unsigned int order,
                        const unsigned int refinements = 0)
@@ -146,11 +153,39 @@ TEST(OrderChoice, LongStrutsGetHigherOrders)
 {
   const SceneText    straight = knee().set("Lattice/Struts", "0 1; 1 2; 2 3");
   const ChosenOrders chosen =
-    choose_orders(scene_of(straight, 1e-4), MPI_COMM_WORLD);
+    orders_for(scene_of(straight, 1e-4), MPI_COMM_WORLD);
   ASSERT_EQ(chosen.orders.size(), 3u);
   EXPECT_GT(chosen.orders[0], chosen.orders[2]);
   EXPECT_GE(chosen.orders[0], chosen.orders[1]);
   EXPECT_GT(chosen.report.steps, 0u);
+}
+
+TEST(OrderChoice, StepsOfTheSearchAreTold)
+{
+  class Listener : public Recorder
+  {
+  public:
+    void search_step(const Scene & /*search*/,
+                     const State &state,
+                     const StepReport & /*report*/) override
+    {
+      times.push_back(state.time);
+    }
+
+    std::vector<double> times;
+  };
+  Listener           listener;
+  const ChosenOrders chosen =
+    choose_orders(scene_of(knee(), 1e-4), MPI_COMM_WORLD, listener);
+  EXPECT_EQ(listener.times.size(), chosen.report.steps);
+  EXPECT_EQ(listener.times.back(), 1);
+
+  listener.times.clear();
+  EXPECT_THROW(choose_orders(scene_of(knee().probe("crown", "nowhere"), 1e-4),
+                             MPI_COMM_WORLD,
+                             listener),
+               InputError);
+  EXPECT_TRUE(listener.times.empty());
 }
 
 TEST(OrderChoice, StrutsThatAreAlikeGetEqualOrders)
@@ -166,7 +201,7 @@ TEST(OrderChoice, StrutsThatAreAlikeGetEqualOrders)
   for (double tolerance = 0.3; tolerance > 1e-6; tolerance /= 1.3)
     {
       const std::vector<unsigned int> orders =
-        choose_orders(scene_of(arcade, tolerance), MPI_COMM_WORLD).orders;
+        orders_for(scene_of(arcade, tolerance), MPI_COMM_WORLD).orders;
       EXPECT_EQ(orders[0], orders[6]) << tolerance;
       EXPECT_EQ(orders[1], orders[5]) << tolerance;
       EXPECT_EQ(orders[2], orders[4]) << tolerance;
@@ -208,24 +243,36 @@ TEST(OrderChoice, WhatIsNotMetIsAFinding)
 
 TEST(OrderChoice, StrutsThatVibrateAreAFinding)
 {
-  const Scene scene =
-    scene_of(hit_knee().set("Sections/section 0/Density", 0.01), 1e-2);
-  MemoryRecorder  recorder(scene, MPI_COMM_WORLD);
-  const RunResult result =
-    run_with_chosen_orders(scene, MPI_COMM_WORLD, recorder);
-  EXPECT_TRUE(std::any_of(result.findings.begin(),
-                          result.findings.end(),
-                          [](const Finding &finding) {
-                            return finding.text.find("resolve vibrations of") !=
-                              std::string::npos;
-                          }));
+  const auto is_found = [](const SceneText &text) {
+    const Scene     scene = scene_of(text, 1e-2);
+    MemoryRecorder  recorder(scene, MPI_COMM_WORLD);
+    const RunResult result =
+      run_with_chosen_orders(scene, MPI_COMM_WORLD, recorder);
+    return std::any_of(result.findings.begin(),
+                       result.findings.end(),
+                       [](const Finding &finding) {
+                         return finding.text.find("resolve vibrations of") !=
+                           std::string::npos;
+                       });
+  };
+  EXPECT_FALSE(is_found(hit_knee()));
+
+  const SceneText heavy = hit_knee().set("Sections/section 0/Density", 0.01);
+  EXPECT_TRUE(is_found(heavy));
+  EXPECT_TRUE(
+    is_found(SceneText(heavy).set("Discretization/Global refinements", 1)));
+  // Steps that follow their error, and stages, resolve more than a time step.
+  const SceneText long_steps = SceneText(heavy).time(0.1, 0.1);
+  EXPECT_FALSE(is_found(long_steps));
+  EXPECT_TRUE(
+    is_found(SceneText(long_steps).set("Time/Relative tolerance", 1e-4)));
 }
 
 TEST(OrderChoice, IsTheSameOnAnyNumberOfRanks)
 {
   for (const SceneText &text : {knee(), space_knee()})
-    EXPECT_EQ(choose_orders(scene_of(text, 1e-4), MPI_COMM_WORLD).orders,
-              choose_orders(scene_of(text, 1e-4), MPI_COMM_SELF).orders);
+    EXPECT_EQ(orders_for(scene_of(text, 1e-4), MPI_COMM_WORLD).orders,
+              orders_for(scene_of(text, 1e-4), MPI_COMM_SELF).orders);
 }
 
 TEST(OrderChoice, RunThatIsResumedGoesOnAlike)
@@ -233,7 +280,7 @@ TEST(OrderChoice, RunThatIsResumedGoesOnAlike)
   for (const SceneText &text : {hit_knee(), space_knee().time(1, 0.1)})
     {
       const Scene        read   = scene_of(text, 1e-3);
-      const ChosenOrders found  = choose_orders(read, MPI_COMM_WORLD);
+      const ChosenOrders found  = orders_for(read, MPI_COMM_WORLD);
       const Scene        scene  = with_orders(read, found.orders);
       const auto         end_of = [&](MeshErrorRecorder    &recorder,
                               const MemoryRecorder &memory,

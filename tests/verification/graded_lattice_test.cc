@@ -139,7 +139,8 @@ TEST(GradedLattice, OrdersThatDifferMeetATolerance)
         graded_scene(graded_lattice()
                        .set("Discretization/Order", "auto")
                        .set("Discretization/Tolerance", tolerance));
-      const ChosenOrders  chosen = choose_orders(scene, MPI_COMM_WORLD);
+      Recorder            nobody;
+      const ChosenOrders  chosen = choose_orders(scene, MPI_COMM_WORLD, nobody);
       const GradedOutcome outcome =
         graded_outcome(with_orders(scene, chosen.orders));
       const double error = graded_error(outcome, exact);

@@ -17,9 +17,11 @@ namespace auxfem
    * The lowest orders with which the estimated errors of all struts add up to
    * no more than `Discretization/Tolerance`; the highest possible where this is
    * not enough. The motion that asks for them is that of a search run: the
-   * scene with one order for all struts and fewer steps. Collective.
+   * scene with one order for all struts and fewer steps, of which @p recorder is
+   * told. Throws InputError as refuse_columns_of_nothing(). Collective.
    */
-  ChosenOrders choose_orders(const Scene &scene, MPI_Comm communicator);
+  ChosenOrders
+  choose_orders(const Scene &scene, MPI_Comm communicator, Recorder &recorder);
 
   /**
    * A lattice's run with Discretization/Order = auto: chooses the orders, and

@@ -50,6 +50,13 @@ namespace auxfem
 
     /** @name Lattices. */
     ///@{
+    /** Before begin(): a run that finds out how to compute this one, of the
+     * scene @p search, has done a step. */
+    virtual void search_step(const Scene & /*search*/,
+                             const State & /*state*/,
+                             const StepReport & /*report*/)
+    {}
+
     /** The set-up is complete. @p equations outlive the recording. */
     virtual void begin(const Equations & /*equations*/)
     {}

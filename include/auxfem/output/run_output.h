@@ -43,6 +43,9 @@ namespace auxfem
      * out, starts the history. Throws InputError for a probe whose joints do
      * not exist, and if the folder cannot be written to.
      */
+    void search_step(const Scene      &search,
+                     const State      &state,
+                     const StepReport &report) override;
     void begin(const Equations &equations) override;
 
     /** Rows and files for the solution at t = 0. */
