@@ -18,24 +18,29 @@ namespace auxfem
       return orders;
     }
 
-    /** Errors (J) of the struts of @p coarse in @p motions; none if they cannot
-     * be found. */
+    /** Errors (J) of the struts of @p coarse in @p motions, not finite where
+     * they cannot be found. What is out of balance still counts. */
     std::vector<double> errors_of(HeldStruts                     &coarse,
                                   HeldStruts                     &finer,
                                   const std::vector<StrutMotion> &motions)
     {
       const std::vector<unsigned int> &struts = coarse.struts();
+      std::vector<double>              errors(struts.size(),
+                                 std::numeric_limits<double>::infinity());
       for (unsigned int i = 0; i < struts.size(); ++i)
         coarse.move(struts[i], motions[i]);
       if (!coarse.settle())
-        return {};
+        return errors;
       for (const unsigned int strut : struts)
         finer.move(strut, coarse.motion(strut));
       if (!finer.settle())
-        return {};
-      std::vector<double> errors;
-      for (const unsigned int strut : struts)
-        errors.push_back(finer.difference(strut, coarse));
+        return errors;
+      for (unsigned int i = 0; i < struts.size(); ++i)
+        if (const double error = finer.difference(struts[i], coarse) +
+              coarse.out_of_balance(struts[i]) +
+              finer.out_of_balance(struts[i]);
+            std::isfinite(error))
+          errors[i] = error;
       return errors;
     }
   } // namespace
@@ -66,21 +71,18 @@ namespace auxfem
     for (const unsigned int element : first_elements)
       now.push_back(motion_of_strut(model.numbering, state, element));
     const std::vector<double> errors = errors_of(same, finer, now);
-    std::vector<double>       sums(2, 0.); // of the errors, of the energy
+    double                    sum    = 0;
     for (unsigned int i = 0; i < errors.size(); ++i)
       {
-        sums[0] += errors[i];
+        sum += errors[i];
         if (errors[i] > largest[i])
           {
             largest[i] = errors[i];
             motions[i] = std::move(now[i]);
           }
       }
-    if (!errors.empty())
-      sums[1] = 2 * finer.strain_energy();
-    const std::vector<double> total = model.numbering.layout().sum(sums);
-    error                           = std::max(error, total[0]);
-    energy                          = std::max(energy, total[1]);
+    error  = std::max(error, model.numbering.layout().sum(sum));
+    energy = std::max(energy, 2 * state.energies.strain());
   }
 
   double MeshError::relative() const
@@ -97,10 +99,6 @@ namespace auxfem
     const unsigned int refinements = scene.discretization.refinements;
     HeldStruts         of_order(scene, model, orders, refinements),
       finer(scene, model, finer_orders(model, orders), refinements + 1);
-    const std::vector<double> errors = errors_of(of_order, finer, motions);
-    if (!errors.empty())
-      return errors;
-    return std::vector<double>(motions.size(),
-                               std::numeric_limits<double>::infinity());
+    return errors_of(of_order, finer, motions);
   }
 } // namespace auxfem

@@ -33,6 +33,25 @@ namespace auxfem
      * search. */
     constexpr double aim = 0.5;
 
+    /** Tells a recorder how far a search run has come. */
+    class SearchProgress : public Recorder
+    {
+    public:
+      SearchProgress(const Scene &search, Recorder &told)
+        : search(search)
+        , told(told)
+      {}
+
+      void step(const Solution &solution, const StepReport &report) override
+      {
+        told.search_step(search, solution.state, report);
+      }
+
+    private:
+      const Scene &search;
+      Recorder    &told;
+    };
+
     Scene search_scene(const Scene &scene, const unsigned int order)
     {
       Scene search                = with_orders(scene, {});
@@ -49,25 +68,6 @@ namespace auxfem
       return search;
     }
 
-    /** Tells of the steps of a search run. */
-    class SearchRecorder : public Recorder
-    {
-    public:
-      SearchRecorder(const Scene &search, Recorder &recorder)
-        : search(search)
-        , recorder(recorder)
-      {}
-
-      void step(const Solution &solution, const StepReport &report) override
-      {
-        recorder.search_step(search, solution.state, report);
-      }
-
-    private:
-      const Scene &search;
-      Recorder    &recorder;
-    };
-
     /** Errors (J) of this rank's struts, by order and strut. */
     using ErrorTable = std::map<unsigned int, std::vector<double>>;
 
@@ -82,7 +82,8 @@ namespace auxfem
         {
           if (errors[i] <= allowed)
             return order;
-          if (errors[i] < table.at(best)[i])
+          // Also where no order has an error that can be found.
+          if (errors[i] <= table.at(best)[i])
             best = order;
         }
       return best;
@@ -182,9 +183,10 @@ namespace auxfem
                        ChosenOrders  &chosen)
     {
       LatticeRun run(search, communicator);
+      // What ends the run at its begin may not cost a search.
       refuse_columns_of_nothing(search, run.lattice);
-      SearchRecorder    steps(search, told);
-      MeshErrorRecorder recorder(search, steps);
+      SearchProgress    progress(search, told);
+      MeshErrorRecorder recorder(search, progress);
       try
         {
           run.run(recorder);

@@ -10,6 +10,10 @@ namespace auxfem
 {
   namespace
   {
+    /** Work of a correction, as a part of the strain energy, that needs no
+     * other: the next would square it. */
+    constexpr double negligible = 1e-12;
+
     std::vector<unsigned int> counted_struts(const DofNumbering &numbering)
     {
       std::vector<unsigned int> struts;
@@ -88,6 +92,7 @@ namespace auxfem
     , pattern(numbering.unknowns())
     , first_element(lattice.struts.size(), invalid_index)
     , instants(lattice.struts.size(), {0., 1.})
+    , last_work(lattice.struts.size(), 0.)
   {
     StateLayout layout;
     layout.velocity = layout.acceleration = model.simulated.inertia;
@@ -196,21 +201,24 @@ namespace auxfem
     condensation->reduce(increment, of_ends);
     std::fill(of_ends.begin(), of_ends.end(), 0.);
     condensation->expand(of_ends, increment);
-    double work = 0;
-    for (unsigned int i = 0; i < increment.size(); ++i)
-      work -= residual[i] * increment[i];
-    apply(increment);
-    find_residual();
-    return std::abs(work);
+    double sum = 0;
+    for (const unsigned int strut : counted)
+      sum += last_work[strut] = std::abs(work_on(strut, increment));
+    if (large_rotation)
+      advance(increment);
+    else
+      {
+        apply(increment);
+        find_residual();
+      }
+    return sum;
   }
 
   bool HeldStruts::settle()
   {
     // Between its Gauss points a motion of low order has strains that are none
     // of its own: the first step removes these, others what they caused.
-    constexpr unsigned int most_corrections = 8;
-    // As a square of the energy norm; the next step would square it.
-    constexpr double negligible = 1e-12;
+    constexpr unsigned int most_corrections = 60;
     if (counted.empty())
       return true;
     find_residual();
@@ -223,6 +231,88 @@ namespace auxfem
           break;
       }
     return std::isfinite(strain_energy());
+  }
+
+  void HeldStruts::advance(std::vector<double> &increment)
+  {
+    constexpr unsigned int most_halvings = 5;
+    shorten(increment);
+    std::vector<double> before;
+    for (const unsigned int strut : counted)
+      before.push_back(std::abs(work_on(strut, increment)));
+    apply(increment);
+    find_residual();
+    for (unsigned int n = 1; n <= most_halvings; ++n)
+      {
+        std::vector<double> back(increment.size(), 0.);
+        bool                is_needed = false;
+        for (unsigned int i = 0; i < counted.size(); ++i)
+          if (std::abs(work_on(counted[i], increment)) > before[i])
+            {
+              is_needed = true;
+              for_each_unknown(counted[i],
+                               [&](const int unknown, unsigned int) {
+                                 back[unknown] =
+                                   -std::pow(0.5, n) * increment[unknown];
+                               });
+            }
+        if (!is_needed)
+          return;
+        apply(back);
+        find_residual();
+      }
+  }
+
+  double HeldStruts::out_of_balance(const unsigned int strut) const
+  {
+    return last_work[strut] > negligible * strain_energy() ? last_work[strut]
+                                                           : 0.;
+  }
+
+  template <class Act>
+  void HeldStruts::for_each_unknown(const unsigned int strut,
+                                    const Act         &act) const
+  {
+    // What the second ends of elements and their insides have is all that is
+    // not held, each once.
+    const unsigned int n_components = numbering.n_components();
+    const unsigned int first        = first_element[strut];
+    for (unsigned int e = first; e < first + n_elements; ++e)
+      for (unsigned int i = n_components; i < numbering.n_element_unknowns(e);
+           ++i)
+        act(numbering.element_unknowns(e)[i],
+            numbering.components()[i % n_components]);
+  }
+
+  double HeldStruts::work_on(const unsigned int         strut,
+                             const std::vector<double> &increment) const
+  {
+    double sum = 0;
+    for_each_unknown(strut, [&](const int unknown, unsigned int) {
+      sum -= residual[unknown] * increment[unknown];
+    });
+    return sum;
+  }
+
+  void HeldStruts::shorten(std::vector<double> &increment) const
+  {
+    // From a motion of low order a strut that is bent by a right angle would
+    // be thrown far off at once; so the path to its equilibrium is short.
+    constexpr double most = 0.5; // rad, and of the strut's length
+    for (const unsigned int strut : counted)
+      {
+        const double length  = lattice.length(lattice.struts[strut]);
+        double       largest = 0;
+        for_each_unknown(strut, [&](const int unknown, const unsigned int c) {
+          largest = std::max(largest,
+                             std::abs(increment[unknown]) /
+                               (c < first_rotation ? length : 1.));
+        });
+        if (largest > most)
+          for_each_unknown(strut, [&](const int unknown, unsigned int) {
+            increment[unknown] *= most / largest;
+          });
+      }
   }
 
   void HeldStruts::apply(const std::vector<double> &increment)

@@ -23,6 +23,22 @@ namespace auxfem
   {
     const std::string row_record      = "output: time of the last row",
                       graphics_record = "output: time of the last graphics";
+
+    Progress progress_of(const TimeParameters &time,
+                         const State          &state,
+                         const StepReport     &report)
+    {
+      Progress progress;
+      progress.step              = state.step;
+      progress.n_steps           = time.n_steps();
+      progress.time              = state.time;
+      progress.end_time          = time.end_time;
+      progress.dt                = report.dt;
+      progress.iterations        = report.iterations;
+      progress.retries           = report.retries;
+      progress.relative_residual = report.relative_residual;
+      return progress;
+    }
   } // namespace
 
   class RunOutput::Implementation
@@ -33,7 +49,7 @@ namespace auxfem
                    const StartTimes &start_times,
                    const FileRules  &rules);
 
-    void show_search(const Scene      &search,
+    void search_step(const Scene      &search,
                      const State      &state,
                      const StepReport &report);
     void begin(const Equations &equations);
@@ -56,17 +72,21 @@ namespace auxfem
       return std::chrono::duration<double>(Clock::now() - start).count();
     }
 
-    void     write_row(const Solution &solution);
-    void     write_graphics(const Solution &solution);
-    Progress progress_of(const Scene      &scene,
-                         const State      &state,
-                         const StepReport &report) const;
-    void     show_progress(const State &state, const StepReport &report);
+    void write_row(const Solution &solution);
+    void write_graphics(const Solution &solution);
+    void show_progress(const State &state, const StepReport &report);
 
     const Scene     &scene;
     const MPI_Comm   communicator;
     const StartTimes start_times;
     const FileRules  rules;
+
+    /** On rank 0, of a search run; it has no log. */
+    ///@{
+    std::ostream           nowhere{nullptr};
+    std::optional<Console> search_console;
+    Clock::time_point      first_search_step;
+    ///@}
 
     const Clock::time_point start;
     Clock::time_point       first_step;
@@ -76,10 +96,8 @@ namespace auxfem
     std::vector<std::string> notes;               ///< on rank 0
     /** What was begun is closed, also if a signal asks for the end. */
     std::optional<SignalsWaitForStep> signals;
-    std::ostream                      no_log{nullptr};
-    std::optional<Console>            search_console; ///< on rank 0
-    std::optional<RunFolder>          files;          ///< on rank 0
-    std::optional<Console>            console;        ///< on rank 0
+    std::optional<RunFolder>          files;   ///< on rank 0
+    std::optional<Console>            console; ///< on rank 0
     std::optional<History>            history;
     std::optional<CsvTable>           table; ///< on rank 0
     std::optional<VtuWriter>          graphics;
@@ -107,31 +125,29 @@ namespace auxfem
                      nearness_of_step_ends(scene.time))
   {}
 
-  void RunOutput::Implementation::show_search(const Scene      &search,
+  void RunOutput::Implementation::search_step(const Scene      &search,
                                               const State      &state,
                                               const StepReport &report)
   {
+    const unsigned int n_processes =
+      dealii::Utilities::MPI::n_mpi_processes(communicator);
     if (dealii::Utilities::MPI::this_mpi_process(communicator) != 0)
       return;
-    // A search may be done again, with a higher order.
-    if (!search_console || state.step == 1)
+    if (state.step == 1)
       {
-        search_console.emplace(
-          std::cout,
-          terminal_width(dealii::Utilities::MPI::n_mpi_processes(communicator)),
-          no_log);
-        search_console->print("Search run for the orders of the struts, with "
-                              "order " +
-                              std::to_string(search.discretization.order));
-        first_step = Clock::now();
+        search_console.emplace(std::cout, terminal_width(n_processes), nowhere);
+        search_console->print(
+          "Search for the orders of the struts, with elements of order " +
+          std::to_string(search.discretization.order) + ':');
+        first_search_step = Clock::now();
       }
-    search_console->progress(progress_of(search, state, report));
+    Progress progress = progress_of(search.time, state, report);
+    progress.seconds  = since(first_search_step);
+    search_console->progress(progress);
   }
 
   void RunOutput::Implementation::begin(const Equations &equations)
   {
-    if (search_console)
-      search_console->end_progress();
     search_console.reset();
     // A mistyped probe must not cost the results of an earlier run.
     refuse_columns_of_nothing(scene, equations.model().lattice);
@@ -247,29 +263,13 @@ namespace auxfem
       show_progress(state, report);
   }
 
-  Progress
-  RunOutput::Implementation::progress_of(const Scene      &scene,
-                                         const State      &state,
-                                         const StepReport &report) const
-  {
-    Progress progress;
-    progress.step              = state.step;
-    progress.time              = state.time;
-    progress.end_time          = scene.time.end_time;
-    progress.dt                = report.dt;
-    progress.iterations        = report.iterations;
-    progress.retries           = report.retries;
-    progress.relative_residual = report.relative_residual;
-    progress.seconds           = since(first_step);
-    progress.begin_time        = begin_time;
-    progress.n_steps           = scene.time.n_steps();
-    return progress;
-  }
-
   void RunOutput::Implementation::show_progress(const State      &state,
                                                 const StepReport &report)
   {
-    Progress            progress = progress_of(scene, state, report);
+    Progress progress   = progress_of(scene.time, state, report);
+    progress.seconds    = since(first_step);
+    progress.begin_time = begin_time;
+
     const EnergyRecord &energies = history->energies();
     if (energies.largest_energy > 0)
       progress.relative_balance = energies.relative(energies.balance);
@@ -330,7 +330,7 @@ namespace auxfem
                               const State      &state,
                               const StepReport &report)
   {
-    implementation->show_search(search, state, report);
+    implementation->search_step(search, state, report);
   }
 
   void RunOutput::begin(const Equations &equations)

@@ -129,3 +129,29 @@ TEST(HeldStruts, RigidMotionsNeedNoForces)
     }
   EXPECT_NEAR(fine.struts.difference(0, coarse.struts), 0, 1e-25);
 }
+
+TEST(HeldStruts, SettleWhereAMotionOfLowOrderIsFarFromEquilibrium)
+{
+  // Slender struts, the first one bent to an arc of 150 degrees. A parabola
+  // through three of its points is stretched and sheared by tens of per cent.
+  const double angle = 5 * std::acos(-1.) / 6;
+  StrutMotion  motion;
+  motion.order      = given_order;
+  motion.n_elements = 1;
+  for (const double s : {0., 0.5, 1.})
+    for (const double value : {std::sin(angle * s) / angle - s,
+                               (1 - std::cos(angle * s)) / angle,
+                               angle * s})
+      motion.displacement.push_back(value);
+  for (const unsigned int order : {4u, 5u, 6u})
+    {
+      Held held(corner().section({1e5, 4e4, 1}), order, 1);
+      held.struts.move(0, motion);
+      ASSERT_TRUE(held.struts.settle());
+      EXPECT_EQ(held.struts.out_of_balance(0), 0) << order;
+      EXPECT_NEAR(held.struts.strain_energy(),
+                  angle * angle / 2,
+                  1e-3 * angle * angle)
+        << order;
+    }
+}

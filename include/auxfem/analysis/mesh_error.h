@@ -32,11 +32,11 @@ namespace auxfem
 
     /**
      * Largest error at one instant in the energy norm, relative to that of the
-     * largest motion of the struts so far.
+     * largest motion so far.
      */
     double relative() const;
 
-    /** Twice the largest strain energy of the struts so far (J). */
+    /** Twice the largest strain energy so far (J). */
     double largest_energy() const
     {
       return energy;

@@ -17,8 +17,9 @@ namespace auxfem
    * The lowest orders with which the estimated errors of all struts add up to
    * no more than `Discretization/Tolerance`; the highest possible where this is
    * not enough. The motion that asks for them is that of a search run: the
-   * scene with one order for all struts and fewer steps, of which @p recorder is
-   * told. Throws InputError as refuse_columns_of_nothing(). Collective.
+   * scene with one order for all struts and fewer steps, which @p recorder is
+   * told of. Collective. Throws InputError for a probe whose joints do not
+   * exist.
    */
   ChosenOrders
   choose_orders(const Scene &scene, MPI_Comm communicator, Recorder &recorder);

@@ -51,6 +51,12 @@ namespace auxfem
     bool settle();
 
     /**
+     * How far a strut is from its equilibrium still: the work (J) of the last
+     * correction, 0 if that was negligible.
+     */
+    double out_of_balance(unsigned int strut) const;
+
+    /**
      * By how much the forces that hold the ends of a strut, which both have
      * settled, differ from those of @p other: the strain energy, times two, of a
      * strut that these differences alone load (J). So it is the square of their
@@ -73,9 +79,20 @@ namespace auxfem
     /** A step of Newton's method; the work (J) of what was out of balance, or
      * nothing if there is none. */
     std::optional<double> correct();
-    void                  apply(const std::vector<double> &increment);
-    EndForces             second_end(unsigned int strut) const;
-    const StrutForces    &forces_of(unsigned int element) const;
+    /** Calls @p act(local unknown, component) for all of a strut but those of
+     * its first end. */
+    template <class Act>
+    void   for_each_unknown(unsigned int strut, const Act &act) const;
+    double work_on(unsigned int               strut,
+                   const std::vector<double> &increment) const;
+    /** Goes along an increment, in a strut whose residual does more work on it
+     * there than at its start only a part of the way. */
+    void advance(std::vector<double> &increment);
+    /** Of every strut to what it may be corrected by at once. */
+    void               shorten(std::vector<double> &increment) const;
+    void               apply(const std::vector<double> &increment);
+    EndForces          second_end(unsigned int strut) const;
+    const StrutForces &forces_of(unsigned int element) const;
 
     const unsigned int              n_elements; ///< a strut
     const bool                      large_rotation;
@@ -95,6 +112,7 @@ namespace auxfem
     ///@{
     std::vector<unsigned int>              first_element;
     std::vector<std::pair<double, double>> instants; ///< time, load factor
+    std::vector<double> last_work; ///< of the last correction (J)
     ///@}
   };
 } // namespace auxfem

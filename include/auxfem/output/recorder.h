@@ -13,6 +13,7 @@
 namespace auxfem
 {
   struct CellSample;
+  struct Scene;
 
   /** How a run ended and what it took. */
   struct RunResult
@@ -50,8 +51,10 @@ namespace auxfem
 
     /** @name Lattices. */
     ///@{
-    /** Before begin(): a run that finds out how to compute this one, of the
-     * scene @p search, has done a step. */
+    /**
+     * Before begin(), with Discretization/Order = auto: a step is done of the
+     * scene @p search, whose motion tells the orders.
+     */
     virtual void search_step(const Scene & /*search*/,
                              const State & /*state*/,
                              const StepReport & /*report*/)

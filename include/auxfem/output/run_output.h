@@ -38,14 +38,16 @@ namespace auxfem
               const FileRules  &rules = FileRules());
     ~RunOutput() override;
 
+    /** A progress line on the screen. */
+    void search_step(const Scene      &search,
+                     const State      &state,
+                     const StepReport &report) override;
+
     /**
      * Makes the folder, prints and logs counts and what is simulated and left
      * out, starts the history. Throws InputError for a probe whose joints do
      * not exist, and if the folder cannot be written to.
      */
-    void search_step(const Scene      &search,
-                     const State      &state,
-                     const StepReport &report) override;
     void begin(const Equations &equations) override;
 
     /** Rows and files for the solution at t = 0. */
