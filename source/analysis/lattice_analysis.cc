@@ -1,3 +1,4 @@
+#include <auxfem/analysis/kinematics_choice.h>
 #include <auxfem/analysis/lattice_analysis.h>
 #include <auxfem/analysis/lattice_run.h>
 #include <auxfem/analysis/order_choice.h>
@@ -14,7 +15,7 @@ namespace auxfem
   {
     if (scene.discretization.tolerance)
       return run_with_chosen_orders(scene, communicator, recorder);
-    return LatticeRun(scene, communicator).run(recorder);
+    return run_with_chosen_kinematics(scene, communicator, recorder);
   }
 
   void check_lattice(const Scene &scene, const MPI_Comm communicator)
@@ -22,6 +23,7 @@ namespace auxfem
     LatticeRun run(scene, communicator);
     run.prepare();
     refuse_columns_of_nothing(scene, run.lattice);
+    explain_kinematics(run);
     print_overview(scene, run.equations);
     if (scene.discretization.tolerance &&
         run.model.numbering.layout().rank() == 0)

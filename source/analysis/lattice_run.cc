@@ -118,12 +118,22 @@ namespace auxfem
 
   void LatticeRun::advance_to_end(Recorder &recorder)
   {
-    while (solution.state.time < scene.time.end_time)
+    while (solution.state.time < scene.time.end_time && !recorder.ends_run())
       {
         end_if_interrupted(model.numbering.layout().communicator());
         const StepReport report = advance(recorder);
         recorder.step(solution, report);
       }
+  }
+
+  TangentSolver &LatticeRun::solver()
+  {
+    return stepper.solver();
+  }
+
+  void LatticeRun::add_work_of(const LatticeRun &other)
+  {
+    work_done.add_effort(other.work_done);
   }
 
   const Work &LatticeRun::work() const
@@ -186,6 +196,8 @@ namespace auxfem
           finish(failure.what());
         throw;
       }
+    if (recorder.ends_run())
+      return result("ended before its end time");
     RunResult completed = result("completed");
     recorder.finish(solution, completed);
     return completed;

@@ -1,3 +1,4 @@
+#include <auxfem/analysis/kinematics_choice.h>
 #include <auxfem/analysis/lattice_run.h>
 #include <auxfem/analysis/mesh_error.h>
 #include <auxfem/analysis/mesh_error_recorder.h>
@@ -242,8 +243,8 @@ namespace auxfem
   {
     const ChosenOrders found  = choose_orders(scene, communicator, recorder);
     const Scene        chosen = with_orders(scene, found.orders);
-    LatticeRun         run(chosen, communicator);
     MeshErrorRecorder  watching(chosen, recorder, found.report);
-    return watching.completed(run.run(watching));
+    return watching.completed(
+      run_with_chosen_kinematics(chosen, communicator, watching));
   }
 } // namespace auxfem

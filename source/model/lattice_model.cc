@@ -2,6 +2,8 @@
 #include <auxfem/model/lattice_model.h>
 #include <auxfem/parameters/errors.h>
 
+#include <algorithm>
+
 namespace auxfem
 {
   namespace
@@ -124,6 +126,30 @@ namespace auxfem
         make_supports(scene, lattice, numbering, simulated.large_rotation))
     , bodies(rigid_bodies(lattice, numbering))
   {}
+
+  namespace
+  {
+    template <class Decisions>
+    auto &decision_on(Decisions &decisions, const std::string &effect)
+    {
+      return *std::find_if(decisions.begin(),
+                           decisions.end(),
+                           [&effect](const EffectDecision &decision) {
+                             return decision.name == effect;
+                           });
+    }
+  } // namespace
+
+  const std::string &LatticeModel::reason(const std::string &effect) const
+  {
+    return decision_on(simulated.decisions, effect).reason;
+  }
+
+  void LatticeModel::explain(const std::string &effect,
+                             const std::string &reason)
+  {
+    decision_on(simulated.decisions, effect).reason = reason;
+  }
 
   unsigned int LatticeModel::n_large_rotations() const
   {

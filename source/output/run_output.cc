@@ -153,6 +153,8 @@ namespace auxfem
     refuse_columns_of_nothing(scene, equations.model().lattice);
 
     on_first_rank(communicator, [&]() {
+      if (console) // A run that is done again goes on in the same log.
+        return console->end_progress();
       files.emplace(scene, rules);
       console.emplace(std::cout,
                       terminal_width(
@@ -171,6 +173,8 @@ namespace auxfem
                        '\n');
       }
     this->equations = &equations;
+    last_row.reset();
+    last_graphics.reset();
     history.emplace(scene, equations, communicator);
     on_first_rank(communicator, [&]() {
       table.emplace(folder + "/history.csv", history->columns());
@@ -301,12 +305,13 @@ namespace auxfem
     summary.strain             = history->largest_strain();
     summary.largest_rotation =
       dealii::Utilities::MPI::max(history->largest_rotation(), communicator);
-    summary.time       = result.time;
-    summary.time_error = result.time_error;
-    summary.orders     = result.orders;
-    summary.exit_state = result.exit_state;
-    summary.findings   = result.findings;
-    summary.notes      = notes;
+    summary.time                     = result.time;
+    summary.time_error               = result.time_error;
+    summary.small_displacement_error = result.small_displacement_error;
+    summary.orders                   = result.orders;
+    summary.exit_state               = result.exit_state;
+    summary.findings                 = result.findings;
+    summary.notes                    = notes;
 
     on_first_rank(communicator, [&]() {
       replace_file(folder + "/summary.json", summary_json(scene, summary));

@@ -282,6 +282,9 @@ namespace auxfem
     json["work"]             = json_of(summary.totals);
     if (summary.time_error)
       json["estimated_time_error"] = *summary.time_error;
+    if (summary.small_displacement_error)
+      json["estimated_error_of_small_displacements"] =
+        *summary.small_displacement_error;
     if (summary.orders)
       json["order_choice"] = json_of(*summary.orders);
     json["wall_seconds"]            = wall_seconds(summary.resources);

@@ -18,9 +18,12 @@ namespace auxfem
     }
 
     const std::vector<Effect> effects = {
-      effect("Large rotation",
-             &EffectSwitches::large_rotation,
-             "Geometrically exact struts; off: small displacements."),
+      effect(
+        "Large rotation",
+        &EffectSwitches::large_rotation,
+        "Geometrically exact struts; off: small displacements. auto: small "
+        "displacements as long as their estimated error is within the "
+        "tolerance, else exact from the start."),
       effect("Shear flexibility",
              &EffectSwitches::shear_flexibility,
              "Shear deformation of the struts."),
@@ -39,6 +42,14 @@ namespace auxfem
              &EffectSwitches::hinges,
              "Hinges and rotational springs; off: all joints are rigid.")};
 
+    const Quantity effects_tolerance = {
+      "Tolerance",
+      "1e-3",
+      "1",
+      Range::open(0, 1),
+      "Relative change of the answer that may be given away by leaving an effect "
+      "out where that saves time."};
+
     Switch switch_of(const std::string &word)
     {
       return word == "on" ? Switch::on
@@ -54,6 +65,7 @@ namespace auxfem
     Parameters parameters;
     for (const Effect &effect : effects)
       parameters.push_back(effect.entry);
+    parameters.push_back(effects_tolerance);
     return {"Effects",
             SubsectionSchema::Form::fixed,
             "What is simulated; auto: on if the scene needs it.",
@@ -67,6 +79,7 @@ namespace auxfem
     EffectSwitches switches;
     for (const Effect &effect : effects)
       switches.*effect.target = switch_of(values[effect.entry]);
+    switches.tolerance = values[effects_tolerance];
     return switches;
   }
 } // namespace auxfem

@@ -83,11 +83,22 @@ namespace auxfem
         keep_fields(solution);
       }
 
+      std::optional<double> next_time(const double time) const override
+      {
+        const auto next = wanted.field_times.upper_bound(time);
+        return next == wanted.field_times.end() ? std::nullopt
+                                                : std::optional<double>(*next);
+      }
+
+      void between(const Solution &solution) override
+      {
+        keep_fields(solution);
+      }
+
       void step(const Solution &solution,
                 const StepReport & /*report*/) override
       {
         keep(history->values(solution));
-        keep_fields(solution);
       }
 
       void begin_cell() override
@@ -266,11 +277,23 @@ namespace auxfem
 
 
 
-  MeasuredRun measure_run(const Scene        &scene,
+  namespace
+  {
+    /** A decision that changes from run to run would be an error of its own. */
+    Scene without_decisions_on_the_way(Scene scene)
+    {
+      if (scene.effects.large_rotation == Switch::automatic)
+        scene.effects.large_rotation = Switch::on;
+      return scene;
+    }
+  } // namespace
+
+  MeasuredRun measure_run(const Scene        &planned,
                           const MPI_Comm      communicator,
                           const Selection    &selection,
                           const FractionDone &progress)
   {
+    const Scene       scene = without_decisions_on_the_way(planned);
     MeasuredRun       run;
     SelectionRecorder recorder(scene, communicator, selection, progress, run);
     forget_peak_memory();

@@ -152,29 +152,6 @@ namespace auxfem
 
 
 
-  void
-  refuse_fields_between_steps(const std::vector<QuantityDefinition> &quantities,
-                              const Scene                           &scene)
-  {
-    for (const QuantityDefinition &quantity : quantities)
-      {
-        if (!quantity.is_field() || !quantity.time ||
-            *quantity.time == scene.time.end_time)
-          continue;
-        const double n = *quantity.time / scene.time.step;
-        // As the recorder's.
-        const double round_off = 1e-9 * scene.time.end_time / scene.time.step;
-        if (std::abs(n - std::round(n)) > round_off)
-          throw InputError(
-            quantity.path + ": no step of a simulation of the study ends at " +
-            short_number(*quantity.time) +
-            " s, with Time/Time step = " + short_number(scene.time.step) +
-            " s. Allowed: multiples of all time steps, end");
-      }
-  }
-
-
-
   Comparison comparison_of(const std::vector<MeasuredRun> &runs)
   {
     Comparison comparison;

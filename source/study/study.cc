@@ -29,15 +29,6 @@ namespace auxfem
               compared_quantities(scene, history_columns(scene, communicator))};
     }
 
-    /** Throws InputError for what is wrong, before the first simulation. */
-    std::vector<PlannedRun> plan_of(const StudyTask &task)
-    {
-      std::vector<PlannedRun> plan = kind_of(task.scene).plan(task);
-      for (const PlannedRun &run : plan)
-        refuse_fields_between_steps(task.quantities, run.scene);
-      return plan;
-    }
-
     StudyReport report_of(const StudyTask               &task,
                           const std::vector<PlannedRun> &plan,
                           const MPI_Comm                 communicator,
@@ -184,7 +175,7 @@ namespace auxfem
                             const StudyRuns::Listener &listener)
   {
     const StudyTask task = task_of(scene, communicator);
-    return report_of(task, plan_of(task), communicator, folder, listener);
+    return report_of(task, kind_of(task.scene).plan(task), communicator, folder, listener);
   }
 
 
@@ -195,7 +186,7 @@ namespace auxfem
   {
     // Mistakes in it must not cost the results of an earlier run.
     const StudyTask               task = task_of(scene, communicator);
-    const std::vector<PlannedRun> plan = plan_of(task);
+    const std::vector<PlannedRun> plan = kind_of(task.scene).plan(task);
 
     const std::string        &folder = scene.output.directory;
     const SignalsWaitForStep  signals;
@@ -239,7 +230,7 @@ namespace auxfem
   void check_study(const Scene &scene, const MPI_Comm communicator)
   {
     const StudyTask               task = task_of(scene, communicator);
-    const std::vector<PlannedRun> plan = plan_of(task);
+    const std::vector<PlannedRun> plan = kind_of(task.scene).plan(task);
     on_first_rank(communicator, [&]() {
       std::cout << '\n' << overview(task, plan);
       for (const PlannedRun &run : plan)

@@ -25,11 +25,12 @@ namespace auxfem
     std::optional<Stopwatch> set_up_watch;
 
   public:
-    const Scene       &scene;
-    const Lattice      lattice;
-    const LatticeModel model;
-    Equations          equations;
-    Solution           solution;
+    const Scene  &scene;
+    const Lattice lattice;
+    /** Constant but for what LatticeModel::explain() says. */
+    LatticeModel model;
+    Equations    equations;
+    Solution     solution;
 
     /**
      * Sets up lattice, model, equations and solver.
@@ -70,18 +71,25 @@ namespace auxfem
      */
     void resume(const Checkpoint &checkpoint, Recorder &recorder);
 
-    /** Steps to the end time, of which @p recorder is told. */
+    /** Steps to the end time, of which @p recorder is told, or until it ends
+     * the run. */
     void advance_to_end(Recorder &recorder);
 
     /**
      * Everything from refuse_undetermined() to the end time. Throws InputError
      * and ComputationError; the recorder has then been told of all that was
-     * computed.
+     * computed, as it has at the end if it has not ended the run.
      */
     RunResult run(Recorder &recorder);
 
     /** All that has been done so far. */
     const Work &work() const;
+
+    /** What @p other has done counts here too, but for its steps. */
+    void add_work_of(const LatticeRun &other);
+
+    /** As TimeStepper::solver(), before the run. */
+    TangentSolver &solver();
 
   private:
     void refuse_undetermined();

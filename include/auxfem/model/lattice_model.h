@@ -10,8 +10,9 @@ namespace auxfem
 {
   /**
    * The structure as it is computed: the lattice with sections, unknowns,
-   * supports and rigid bodies, on this rank. Nothing of it changes during a
-   * run. The members are built in their order, each from those before it.
+   * supports and rigid bodies, on this rank. Nothing of it changes but reasons,
+   * before a run. The members are built in their order, each from those before
+   * it.
    */
   struct LatticeModel
   {
@@ -30,7 +31,7 @@ namespace auxfem
     LatticeModel &operator=(const LatticeModel &) = delete;
 
     const Lattice             &lattice;
-    const SimulatedEffects     simulated;
+    SimulatedEffects           simulated;
     const std::vector<Section> sections; ///< by Strut::section
     /** Ties moments to forces in tests (m). */
     const double mean_strut_length;
@@ -46,6 +47,12 @@ namespace auxfem
 
     /** Rotations in space kept as quaternions; none if they stay small. */
     unsigned int n_large_rotations() const;
+
+    /** Why @p effect, by its name among the decisions, is on or left out. */
+    const std::string &reason(const std::string &effect) const;
+
+    /** Sets that: where it takes a computation to know. */
+    void explain(const std::string &effect, const std::string &reason);
   };
 } // namespace auxfem
 

@@ -32,6 +32,10 @@ namespace auxfem
     /** With Discretization/Order = auto. */
     std::optional<OrderReport> orders = {};
 
+    /** Estimated error of small displacements that the run chose, relative to
+     * the largest ones. */
+    std::optional<double> small_displacement_error = {};
+
     bool completed() const
     {
       return exit_state == "completed";
@@ -107,6 +111,13 @@ namespace auxfem
     {}
     ///@}
 
+    /** Whether the run, of which the recorder has seen enough, shall end here,
+     * without finish(). The same on all ranks. */
+    virtual bool ends_run() const
+    {
+      return false;
+    }
+
     /** @name The reduced cell. */
     ///@{
     virtual void begin_cell()
@@ -119,6 +130,63 @@ namespace auxfem
     virtual void finish_cell(const RunResult & /*result*/)
     {}
     ///@}
+  };
+
+  /** Tells another recorder all that it is told of a lattice. */
+  class ForwardingRecorder : public Recorder
+  {
+  public:
+    /** @p recorder must outlive the object. */
+    explicit ForwardingRecorder(Recorder &recorder) : recorder(recorder)
+    {}
+
+    void begin(const Equations &equations) override
+    {
+      recorder.begin(equations);
+    }
+
+    void start(const Solution &solution) override
+    {
+      recorder.start(solution);
+    }
+
+    void resume(const Solution &solution, const Records &records) override
+    {
+      recorder.resume(solution, records);
+    }
+
+    void save(Records &records) const override
+    {
+      recorder.save(records);
+    }
+
+    std::optional<double> next_time(const double time) const override
+    {
+      return recorder.next_time(time);
+    }
+
+    void between(const Solution &solution) override
+    {
+      recorder.between(solution);
+    }
+
+    void step(const Solution &solution, const StepReport &report) override
+    {
+      recorder.step(solution, report);
+    }
+
+    bool ends_run() const override
+    {
+      return recorder.ends_run();
+    }
+
+    void finish(const Solution &last, const RunResult &result) override
+    {
+      recorder.finish(last, result);
+    }
+
+  private:
+    Recorder &recorder;
   };
 } // namespace auxfem
 

@@ -73,7 +73,7 @@ namespace auxfem
     double        largest_rotation = 0; ///< rad
     double        time             = 0; ///< reached (s)
     /** See RunResult. */
-    std::optional<double>      time_error;
+    std::optional<double>      time_error, small_displacement_error;
     std::optional<OrderReport> orders;
     /** What the user should know of the scene (output/notes.h). */
     std::vector<std::string> notes;

@@ -24,6 +24,8 @@ namespace auxfem
     Switch strut_damping       = Switch::automatic;
     Switch gravity             = Switch::automatic;
     Switch hinges              = Switch::automatic;
+    /** Relative change of the answer that may be given away. */
+    double tolerance = 1e-3;
   };
 
   /** `Effects`. */

@@ -26,12 +26,6 @@ namespace auxfem
   Selection selection_for(const std::vector<QuantityDefinition> &quantities,
                           double                                 end_time);
 
-  /** Throws InputError if @p scene, a simulation of a study, has no step that
-   * ends when the field of one of @p quantities is wanted. */
-  void
-  refuse_fields_between_steps(const std::vector<QuantityDefinition> &quantities,
-                              const Scene                           &scene);
-
   /** A number, the values of a history or those of a field, where runs are
    * compared. */
   struct QuantityValues

@@ -41,6 +41,9 @@ namespace auxfem
      * nothing was factorized. */
     std::string linear_solver;
     PhaseTimes  wall;
+
+    /** Adds all that another run has done, but for its steps. */
+    void add_effort(const Work &other);
   };
 } // namespace auxfem
 

@@ -1,0 +1,105 @@
+#ifndef auxfem_analysis_kinematic_correction_h
+#define auxfem_analysis_kinematic_correction_h
+
+#include <auxfem/analysis/watch.h>
+#include <auxfem/equations/node_rotations.h>
+#include <auxfem/scene/scene.h>
+
+#include <optional>
+#include <string>
+
+namespace auxfem
+{
+  /**
+   * By how much small displacements u are wrong. The difference e to exact
+   * kinematics under the same loads and inertia forces is found by Newton's
+   * method from
+   *
+   * @code
+   * R_exact(u + e) = R_small(u)
+   * @endcode
+   *
+   * where with inertia e has that of a motion over the whole run, so that
+   * nothing needs supports. Sizes are root mean squares over free
+   * displacements, and rotations times the mean strut length. What computes is
+   * collective.
+   */
+  class KinematicCorrection
+  {
+  public:
+    /** @param exact solver of the exact equations, which must outlive the
+     * object; what it held is lost. */
+    KinematicCorrection(const Scene &scene, TangentSolver &exact);
+
+    /**
+     * Of the static answer to the loads at some times of the run. Does nothing
+     * where the linear equations cannot be solved.
+     */
+    void look_at_loads();
+
+    /**
+     * Of a state of small displacements.
+     * @param small its equations
+     */
+    void look_at(const State &state, const Equations &small);
+
+    /**
+     * Largest so far, over the largest displacements so far; not finite if
+     * there is no equilibrium near. With inertia vibrations have gone out of
+     * phase: that is the static error times half the angle they have turned by.
+     */
+    double relative() const;
+
+    /**
+     * What asks for exact kinematics, in words: an error, or an angle less its
+     * sine or cosine, above @p allowed, a stiffness that is not positive, strains or struts that a watch would
+     * tell of; empty: nothing.
+     */
+    std::string why_exact(double allowed) const;
+
+  private:
+    /** The exact state of @p motion with `error` added. */
+    State exact_state(const State &motion) const;
+    /**
+     * Newton's method for `error`.
+     * @param motion of small displacements
+     * @param evaluation_of what is asked at an exact state, from one before it
+     * @param left residual of the small displacements
+     */
+    template <class EvaluationOf>
+    void find(const State        &motion,
+              const EvaluationOf &evaluation_of,
+              const Vector       &left);
+    /** What else the exact state at the end of that tells. */
+    void judge(const Evaluation &evaluation, const EvaluationResults &results);
+    /** Of its increments. */
+    Vector right_side(const State &exact, const Vector &left) const;
+    /** Of the exact stiffness; returns whether that succeeds. */
+    bool factorize(const Evaluation        &evaluation,
+                   const EvaluationResults &results);
+    /** Displacements that answer the loads of @p time; nothing if none can be
+     * found. */
+    std::optional<Vector> linear_answer(const TimeLimit &time);
+    /** Where the error last looked at is largest. */
+    std::string location() const;
+    /** First guess of `error` from that of the look before, for a motion of
+     * @p size (m). */
+    void grow_error(double size);
+
+    const Scene        &scene;
+    TangentSolver      &solver;
+    const NodeRotations rotations;
+    const double        inertia; ///< of the error (1/s2)
+    State               rest;
+    Vector              error;
+    double              largest_error = 0, largest_motion = 0; ///< m
+    double              largest_rotation = 0;                  ///< rad
+    double              size_of_motion   = 0; ///< at the last look (m)
+    double              way              = 0; ///< so far (m)
+    double              time             = 0; ///< of the last look (s)
+    std::vector<std::unique_ptr<Watch>> watches;
+    bool                                unstable = false, is_factorized = false;
+  };
+} // namespace auxfem
+
+#endif

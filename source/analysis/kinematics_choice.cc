@@ -1,0 +1,163 @@
+#include <auxfem/analysis/kinematic_correction.h>
+#include <auxfem/analysis/kinematics_choice.h>
+
+#include <algorithm>
+#include <optional>
+#include <sstream>
+
+namespace auxfem
+{
+  namespace
+  {
+    /** Name of the effect in the list of what is simulated. */
+    const std::string large_rotation = "large rotation";
+
+    /**
+     * Static answers may be larger than the motion, that of a short impact say.
+     * Above this many tolerances small displacements are not tried.
+     */
+    constexpr double worth_trying = 10;
+
+    /** Times the error is looked at in a run. */
+    constexpr unsigned int n_error_looks = 20;
+
+    std::string number(const double value)
+    {
+      std::ostringstream text;
+      text.precision(2);
+      text << value;
+      return text.str();
+    }
+
+    std::string within(const double tolerance)
+    {
+      return " (Effects/Tolerance = " + number(tolerance) + ")";
+    }
+
+    /** Whether small displacements of the scene are simpler than what it asks
+     * for, and known how to be judged. */
+    bool has_choice(const Scene &scene, const Equations &exact)
+    {
+      return scene.effects.large_rotation == Switch::automatic &&
+        exact.unknowns().n_free() > 0 && !exact.is_linear() &&
+        exact.reporting().constraints.empty() &&
+        !scene.time.implicit_scheme().balances_means();
+    }
+
+    Scene with_small_displacements(const Scene &scene)
+    {
+      Scene small                  = scene;
+      small.effects.large_rotation = Switch::off;
+      return small;
+    }
+
+    /** Ends a run of small displacements as soon as they are no longer good
+     * enough. */
+    class SmallDisplacementRecorder : public ForwardingRecorder
+    {
+    public:
+      SmallDisplacementRecorder(LatticeRun &exact, Recorder &recorder)
+        : ForwardingRecorder(recorder)
+        , scene(exact.scene)
+        , exact(exact)
+        , error(exact.scene, exact.solver())
+        , distance(
+            std::max<unsigned long>(scene.time.n_steps() / n_error_looks, 1))
+      {}
+
+      /** Why the run has to be done again; empty: it has not. */
+      const std::string &reason() const
+      {
+        return why;
+      }
+
+      void begin(const Equations &equations) override
+      {
+        small = &equations;
+        ForwardingRecorder::begin(equations);
+      }
+
+      void step(const Solution &solution, const StepReport &report) override
+      {
+        if (solution.state.step % distance == 0)
+          look(solution.state);
+        if (why.empty())
+          ForwardingRecorder::step(solution, report);
+      }
+
+      bool ends_run() const override
+      {
+        return !why.empty();
+      }
+
+      void finish(const Solution &last, const RunResult &result) override
+      {
+        RunResult with_estimate = result;
+        with_estimate.work.add_effort(exact.work());
+        with_estimate.small_displacement_error = error.relative();
+        ForwardingRecorder::finish(last, with_estimate);
+      }
+
+    private:
+      void look(const State &state)
+      {
+        error.look_at(state, *small);
+        why = error.why_exact(scene.effects.tolerance);
+        if (!why.empty())
+          why += " (t = " + number(state.time) + " s)";
+      }
+
+      const Scene        &scene;
+      LatticeRun         &exact;
+      KinematicCorrection error;
+      const unsigned long distance;        ///< of looks, steps
+      const Equations    *small = nullptr; ///< from begin() on
+      std::string         why;
+    };
+
+    /** Whether small displacements are worth a trial; says so in the list. */
+    bool are_small(LatticeRun &exact)
+    {
+      KinematicCorrection of_loads(exact.scene, exact.solver());
+      of_loads.look_at_loads();
+      const double      tolerance = exact.scene.effects.tolerance;
+      const std::string why = of_loads.why_exact(worth_trying * tolerance);
+      exact.model.explain(large_rotation,
+                          why.empty() ? number(of_loads.relative()) +
+                              " of the static answer to the loads" +
+                              within(tolerance) + ": small displacements"
+                                      : "static answer to the loads: " + why);
+      return why.empty();
+    }
+  } // namespace
+
+  void explain_kinematics(LatticeRun &exact)
+  {
+    if (has_choice(exact.scene, exact.equations))
+      are_small(exact);
+  }
+
+  RunResult run_with_chosen_kinematics(const Scene   &scene,
+                                       const MPI_Comm communicator,
+                                       Recorder      &recorder)
+  {
+    LatticeRun exact(scene, communicator);
+    if (!has_choice(scene, exact.equations) || !are_small(exact))
+      return exact.run(recorder);
+
+    {
+      const Scene small_scene = with_small_displacements(scene);
+      LatticeRun  small(small_scene, communicator);
+      small.model.explain(large_rotation, exact.model.reason(large_rotation));
+      SmallDisplacementRecorder watching(exact, recorder);
+      const RunResult           result = small.run(watching);
+      if (watching.reason().empty())
+        return result;
+      exact.add_work_of(small);
+      exact.model.explain(large_rotation,
+                          watching.reason() + within(scene.effects.tolerance) +
+                            "; run again from the start");
+    }
+    return exact.run(recorder);
+  }
+} // namespace auxfem

@@ -1,0 +1,231 @@
+#include <auxfem/analysis/kinematics_choice.h>
+#include <auxfem/output/memory_recorder.h>
+
+#include <gtest/gtest.h>
+#include <support/scene_text.h>
+
+#include <cmath>
+
+using namespace auxfem;
+using namespace auxfem::testing_support;
+
+namespace
+{
+  /** A history with what was decided about the run that is in it. */
+  class DecidedHistory : public MemoryRecorder
+  {
+  public:
+    explicit DecidedHistory(const Scene &scene)
+      : MemoryRecorder(scene, MPI_COMM_WORLD)
+    {}
+
+    void begin(const Equations &equations) override
+    {
+      ++n_beginnings;
+      is_exact = equations.model().simulated.large_rotation;
+      reason   = equations.model().reason("large rotation");
+      MemoryRecorder::begin(equations);
+    }
+
+    void finish(const Solution & /*last*/, const RunResult &result) override
+    {
+      estimate = result.small_displacement_error;
+    }
+
+    unsigned int          n_beginnings = 0;
+    bool                  is_exact     = false;
+    std::string           reason;
+    std::optional<double> estimate;
+  };
+
+  struct Decided
+  {
+    Decided(SceneText scene, const std::string &large_rotation)
+      : scene(read_scene_from_text(
+          scene.set("Effects/Large rotation", large_rotation).str(),
+          "test.prm"))
+      , history(this->scene)
+      , result(run_with_chosen_kinematics(this->scene, MPI_COMM_WORLD, history))
+    {}
+
+    const Scene     scene;
+    DecidedHistory  history;
+    const RunResult result;
+  };
+
+  /** Largest distance of the probe `tip` over its largest displacement. */
+  double change(const Decided &one, const Decided &exact)
+  {
+    double largest = 0, distance = 0;
+    for (std::size_t i = 0; i < exact.history.rows().size(); ++i)
+      {
+        double square = 0, of_distance = 0;
+        for (std::size_t c = 0; c < exact.history.columns().size(); ++c)
+          if (exact.history.columns()[c].name.find("tip.u") == 0)
+            {
+              const double now = exact.history.rows()[i][c];
+              square += now * now;
+              of_distance += std::pow(one.history.rows()[i][c] - now, 2);
+            }
+        largest  = std::max(largest, square);
+        distance = std::max(distance, of_distance);
+      }
+    return std::sqrt(distance / largest);
+  }
+
+  /** Under @p forces (N) on its end that rise for 50 ms. */
+  SceneText cantilever(const unsigned int         dimension,
+                       const std::vector<double> &forces)
+  {
+    SceneText scene;
+    scene.dimension(dimension).frame(dimension == 2 ? "0 0; 1 0"
+                                                    : "0 0 0; 1 0 0",
+                                     "0 1");
+    scene.circle("rod", 0.005, {70e9, 2700, 0.3});
+    scene.support("clamp", "0", "clamp").probe("tip", "1");
+    scene.set("Loads/push/Joints", "1");
+    for (unsigned int c = 0; c < dimension; ++c)
+      scene.set(std::string("Loads/push/Force ") + "xyz"[c],
+                text(forces[c]) + " * min(t / 0.05, 1)");
+    return scene.mesh(3, 1).time(0.2, 0.001, "newmark");
+  }
+
+  /** Stocky struts that are loaded along most of them. */
+  SceneText portal(const double force)
+  {
+    SceneText scene;
+    scene.frame("0 0; 0 1; 1 1; 1 0", "0 1; 1 2; 2 3");
+    scene.circle("rod", 0.02, {70e9, 2700, 0.3});
+    scene.support("clamp", "0, 3", "clamp").probe("tip", "1, 2");
+    scene.set("Loads/push/Joints", "1, 2")
+      .set("Loads/push/Force y", text(-force) + " * t / 0.2")
+      .set("Loads/push/Force x", text(force) + " * t / 2");
+    return scene.mesh(3).time(0.2, 0.001, "generalized-alpha");
+  }
+
+  SceneText statics(SceneText scene)
+  {
+    return scene.set("Time/Scheme", "static").set("Time/Time step", 0.01);
+  }
+} // namespace
+
+TEST(KinematicsChoice, SmallLoadsNeedOneIterationAStep)
+{
+  const SceneText scene = cantilever(3, {0, 0.03, 0.02});
+  const Decided   chosen(scene, "auto"), exact(scene, "on");
+  EXPECT_FALSE(chosen.history.is_exact);
+  EXPECT_EQ(chosen.history.n_beginnings, 1u);
+  EXPECT_EQ(chosen.result.work.iterations, 200u);
+  EXPECT_GT(exact.result.work.iterations, 380u);
+  EXPECT_LT(change(chosen, exact), 1e-3);
+  EXPECT_NE(chosen.history.reason.find("small displacements"),
+            std::string::npos);
+}
+
+TEST(KinematicsChoice, ALoadThatGrowsMakesTheRunStartAnew)
+{
+  // The static answer is within ten tolerances.
+  const SceneText scene = cantilever(2, {0, 0.4});
+  const Decided   chosen(scene, "auto"), exact(scene, "on");
+  EXPECT_EQ(chosen.history.n_beginnings, 2u);
+  EXPECT_TRUE(chosen.history.is_exact);
+  EXPECT_EQ(chosen.history.rows(), exact.history.rows());
+  for (const char *words : {"small displacements are wrong by",
+                            "joint 1",
+                            "run again from the start"})
+    EXPECT_NE(chosen.history.reason.find(words), std::string::npos)
+      << chosen.history.reason;
+  EXPECT_GT(chosen.result.work.iterations, exact.result.work.iterations);
+  EXPECT_EQ(chosen.result.work.steps, exact.result.work.steps);
+}
+
+TEST(KinematicsChoice, LargeLoadsAreNotTried)
+{
+  const Decided chosen(cantilever(2, {0, 100}), "auto");
+  EXPECT_EQ(chosen.history.n_beginnings, 1u);
+  EXPECT_TRUE(chosen.history.is_exact);
+  EXPECT_NE(chosen.history.reason.find("rotations reach"), std::string::npos);
+}
+
+TEST(KinematicsChoice, TurnsWhereItMatters)
+{
+  struct Family
+  {
+    std::string                      name;
+    std::function<SceneText(double)> scene;
+  };
+  const std::vector<Family> families = {
+    {"cantilever",
+     [](const double f) {
+       return cantilever(2, {0, f});
+     }},
+    {"cantilever in space",
+     [](const double f) {
+       return cantilever(3, {-10 * f, f, 2 * f});
+     }},
+    {"column with a side load",
+     [](const double f) {
+       return cantilever(2, {-100 * f, f});
+     }},
+    {"portal", [](const double f) { return portal(100 * f); }},
+    {"portal at rest",
+     [](const double f) { return statics(portal(100 * f)); }}};
+  for (const Family &family : families)
+    for (double force = 1e-3; force < 10; force *= 4)
+      {
+        const SceneText scene = family.scene(force);
+        const Decided   chosen(scene, "auto"), exact(scene, "on"),
+          small(scene, "off");
+        const double error = change(small, exact);
+        if (error < 1e-3 / 3)
+          {
+            EXPECT_FALSE(chosen.history.is_exact)
+              << family.name << ' ' << force << ": " << error << ", "
+              << chosen.history.reason;
+          }
+        if (error > 3e-3)
+          {
+            EXPECT_TRUE(chosen.history.is_exact)
+              << family.name << ' ' << force << ": " << error << ", "
+              << chosen.history.estimate.value_or(-1);
+          }
+      }
+}
+
+TEST(KinematicsChoice, ABuckledColumnIsExact)
+{
+  // Straight, so that nothing but its stiffness tells.
+  const double critical =
+    std::pow(M_PI / 2, 2) * 70e9 * M_PI * std::pow(0.005, 4) / 4;
+  for (const double part : {0.9, 1.1})
+    {
+      const Decided chosen(statics(cantilever(2, {-part * critical, 0})),
+                           "auto");
+      EXPECT_EQ(chosen.history.is_exact, part > 1) << chosen.history.reason;
+      EXPECT_EQ(chosen.result.findings.empty(), part < 1);
+    }
+}
+
+TEST(KinematicsChoice, StrainsAreWatched)
+{
+  SceneText scene;
+  scene.frame("0 0; 1 0", "0 1").circle("rod", 0.02, {4e6, 1000, 0.3});
+  scene.support("clamp", "0", "clamp");
+  scene.set("Loads/pull/Joints", "1").set("Loads/pull/Force x", "4000 * t");
+  const Decided chosen(scene.mesh(1).time(1, 0.1, "static"), "auto");
+  EXPECT_TRUE(chosen.history.is_exact) << chosen.history.reason;
+  EXPECT_FALSE(chosen.result.findings.empty());
+}
+
+TEST(KinematicsChoice, NoLoadsLeaveItToTheWatch)
+{
+  SceneText scene = cantilever(2, {0, 0});
+  scene.set("Initial velocities/throw/Joints", "1")
+    .set("Initial velocities/throw/Velocity y", "1e-4");
+  const Decided slow(scene, "auto");
+  EXPECT_FALSE(slow.history.is_exact) << slow.history.reason;
+  scene.set("Initial velocities/throw/Velocity y", "10");
+  const Decided fast(scene, "auto");
+  EXPECT_TRUE(fast.history.is_exact);
+  EXPECT_EQ(fast.history.n_beginnings, 2u);
+}
