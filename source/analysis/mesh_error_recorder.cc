@@ -15,7 +15,7 @@ namespace auxfem
     constexpr unsigned int n_looks = 64;
 
     const std::string mesh_error_record =
-      "mesh error: largest error and energy, next look, steps so far";
+      "mesh error: largest error and energy, next look, parts of steps";
 
     /** A run whose elements are not good enough. */
     Finding missed_tolerance(const OrderReport &report, const double time)
@@ -32,16 +32,15 @@ namespace auxfem
            "refinements, or the tolerance.";
       return {Verdict::doubtful, text.str(), time, ""};
     }
-    /**
-     * Of each strut with mass the angular frequency (rad/s) of the first
-     * bending mode between clamped ends.
-     */
+    /** Angular frequencies (rad/s) of the first bending modes of the struts
+     * between clamped ends. */
     std::vector<double> own_frequencies(const LatticeModel &model)
     {
       constexpr double    first_mode = 4.73004074; // times 1 / length
       std::vector<double> frequencies;
-      for (const Strut &strut : model.lattice.struts)
+      for (unsigned int i = 0; i < model.lattice.struts.size(); ++i)
         {
+          const Strut &strut = model.lattice.struts[i];
           if (strut.is_rigid())
             continue;
           const Section &section     = model.sections[strut.section];
@@ -56,10 +55,12 @@ namespace auxfem
       return frequencies;
     }
 
-    /** In how many parts a step of @p scheme follows a motion. */
-    unsigned int parts_of_step(const ImplicitScheme &scheme)
+    /** Each stage of a step follows a motion by itself. */
+    unsigned int parts_of_step(const Scene &scene)
     {
-      return scheme.stages() == nullptr ? 1 : scheme.stages()->n_stages() - 1;
+      const ButcherTableau *const stages =
+        scene.time.implicit_scheme().stages();
+      return stages == nullptr ? 1 : stages->n_stages() - 1;
     }
 
     Finding own_vibrations(const unsigned int n_struts)
@@ -80,8 +81,8 @@ namespace auxfem
   MeshErrorRecorder::MeshErrorRecorder(const Scene       &scene,
                                        Recorder          &recorder,
                                        const OrderReport &report)
-    : ForwardingRecorder(recorder)
-    , scene(scene)
+    : scene(scene)
+    , recorder(recorder)
     , report(report)
   {}
 
@@ -110,14 +111,10 @@ namespace auxfem
 
   unsigned int MeshErrorRecorder::n_vibrating(const double time) const
   {
-    if (n_steps == 0)
-      return 0;
-    const double followed =
-      time / (n_steps * parts_of_step(scene.time.implicit_scheme()));
     return std::count_if(frequencies.begin(),
                          frequencies.end(),
-                         [followed](const double frequency) {
-                           return frequency * followed < 1;
+                         [&](const double frequency) {
+                           return frequency * time < n_parts;
                          });
   }
 
@@ -138,47 +135,55 @@ namespace auxfem
     if (equations.model().simulated.inertia)
       frequencies = own_frequencies(equations.model());
     seconds += cpu_seconds() - before;
-    ForwardingRecorder::begin(equations);
+    recorder.begin(equations);
   }
 
   void MeshErrorRecorder::start(const Solution &solution)
   {
     look(solution.state);
-    ForwardingRecorder::start(solution);
+    recorder.start(solution);
   }
 
   void MeshErrorRecorder::resume(const Solution &solution,
                                  const Records  &records)
   {
-    std::vector<double> saved = records.values(mesh_error_record, 4);
-    n_steps                   = saved.back();
-    saved.pop_back();
-    next = saved.back();
-    saved.pop_back();
-    estimate->resume(saved);
-    ForwardingRecorder::resume(solution, records);
+    const std::vector<double> saved = records.values(mesh_error_record, 4);
+    estimate->resume({saved[0], saved[1]});
+    next    = saved[2];
+    n_parts = saved[3];
+    recorder.resume(solution, records);
   }
 
   void MeshErrorRecorder::save(Records &records) const
   {
     std::vector<double> saved = estimate->save();
     saved.push_back(next);
-    saved.push_back(n_steps);
+    saved.push_back(n_parts);
     records.keep(mesh_error_record, saved);
-    ForwardingRecorder::save(records);
+    recorder.save(records);
+  }
+
+  std::optional<double> MeshErrorRecorder::next_time(const double time) const
+  {
+    return recorder.next_time(time);
+  }
+
+  void MeshErrorRecorder::between(const Solution &solution)
+  {
+    recorder.between(solution);
   }
 
   void MeshErrorRecorder::step(const Solution   &solution,
                                const StepReport &step_report)
   {
-    n_steps += step_report.substeps;
+    n_parts += step_report.substeps * parts_of_step(scene);
     if (solution.state.time >= next)
       look(solution.state);
-    ForwardingRecorder::step(solution, step_report);
+    recorder.step(solution, step_report);
   }
 
   void MeshErrorRecorder::finish(const Solution &last, const RunResult &result)
   {
-    ForwardingRecorder::finish(last, completed(result));
+    recorder.finish(last, completed(result));
   }
 } // namespace auxfem

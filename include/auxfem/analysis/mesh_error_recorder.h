@@ -11,7 +11,7 @@ namespace auxfem
    * Tells another recorder all that it is told, and estimates the error of the
    * elements at instants in equal distances over the run.
    */
-  class MeshErrorRecorder : public ForwardingRecorder
+  class MeshErrorRecorder : public Recorder
   {
   public:
     /**
@@ -32,30 +32,33 @@ namespace auxfem
     void start(const Solution &solution) override;
     void resume(const Solution &solution, const Records &records) override;
     void save(Records &records) const override;
+    std::optional<double> next_time(double time) const override;
+    void                  between(const Solution &solution) override;
     void step(const Solution &solution, const StepReport &report) override;
     void finish(const Solution &last, const RunResult &result) override;
 
   private:
     void look(const State &state);
+
     /**
-     * Number of struts that vibrate by themselves, as far as the mean step
-     * until
-     * @p time (s) can tell: the first bending mode turns by less than one radian
-     * in it, in a stage of it if there are some. Errors of accelerations inside
-     * struts and of such frequencies add up over the time, of which estimates
-     * at an instant know nothing.
+     * Struts that vibrate by themselves, as far as steps until @p time (s) can
+     * tell: the first bending mode between clamped ends turns by less than one
+     * radian in a step of mean length, or a stage of it. Errors of
+     * accelerations inside struts and of such frequencies add up over the time,
+     * of which estimates at an instant know nothing.
      */
     unsigned int n_vibrating(double time) const;
 
     const Scene               &scene;
+    Recorder                  &recorder;
     OrderReport                report;
     std::unique_ptr<MeshError> estimate;
     /** Since when no look is due (s). */
     double   next = 0, seconds = 0;
     MPI_Comm communicator = MPI_COMM_NULL;
-    /** Of struts by themselves (rad/s), without inertia none. */
+    /** Of struts (rad/s); none without inertia. */
     std::vector<double> frequencies;
-    unsigned long       n_steps = 0; ///< parts of steps counted
+    double              n_parts = 0; ///< of steps so far, stages included
   };
 } // namespace auxfem
 
