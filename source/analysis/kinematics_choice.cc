@@ -44,11 +44,23 @@ namespace auxfem
         !scene.time.implicit_scheme().balances_means();
     }
 
-    Scene with_small_displacements(const Scene &scene)
+    /** Only the kinematics may differ where errors of it are looked for: struts
+     * are damped as in the exact model, also where small displacements alone
+     * could do without. */
+    Scene with_small_displacements(const LatticeRun &exact)
     {
-      Scene small                  = scene;
+      Scene small                  = exact.scene;
       small.effects.large_rotation = Switch::off;
+      small.effects.strut_damping =
+        exact.model.simulated.strut_damping ? Switch::on : Switch::off;
       return small;
+    }
+
+    /** The list of @p small says of each effect what that of @p exact does. */
+    void explain_as(const LatticeRun &exact, LatticeRun &small)
+    {
+      for (const EffectDecision &decision : exact.model.simulated.decisions)
+        small.model.explain(decision.name, decision.reason);
     }
 
     /** Ends a run of small displacements as soon as they are no longer good
@@ -146,9 +158,9 @@ namespace auxfem
       return exact.run(recorder);
 
     {
-      const Scene small_scene = with_small_displacements(scene);
+      const Scene small_scene = with_small_displacements(exact);
       LatticeRun  small(small_scene, communicator);
-      small.model.explain(large_rotation, exact.model.reason(large_rotation));
+      explain_as(exact, small);
       SmallDisplacementRecorder watching(exact, recorder);
       const RunResult           result = small.run(watching);
       if (watching.reason().empty())

@@ -1,6 +1,8 @@
+#include <auxfem/analysis/first_frequency.h>
 #include <auxfem/analysis/inverse_iteration.h>
 #include <auxfem/analysis/lattice_run.h>
 #include <auxfem/model/build_lattice.h>
+#include <auxfem/model/load_course.h>
 #include <auxfem/parameters/errors.h>
 #include <auxfem/parameters/out_of_memory.h>
 #include <auxfem/time/interruption.h>
@@ -74,6 +76,16 @@ namespace auxfem
     refuse_undetermined();
     if (!scene.time.static_start)
       start();
+  }
+
+  std::optional<EffectMeasure> LatticeRun::inertia_measure()
+  {
+    if (!model.simulated.inertia)
+      return std::nullopt;
+    const auto frequency = first_frequency(stepper.solver(), solution.state);
+    if (!frequency)
+      return std::nullopt;
+    return EffectMeasure{uncommanded_motion(scene, *frequency), "the answer"};
   }
 
   void LatticeRun::start()

@@ -81,8 +81,8 @@ namespace auxfem
   MeshErrorRecorder::MeshErrorRecorder(const Scene       &scene,
                                        Recorder          &recorder,
                                        const OrderReport &report)
-    : scene(scene)
-    , recorder(recorder)
+    : ForwardingRecorder(recorder)
+    , scene(scene)
     , report(report)
   {}
 
@@ -135,13 +135,13 @@ namespace auxfem
     if (equations.model().simulated.inertia)
       frequencies = own_frequencies(equations.model());
     seconds += cpu_seconds() - before;
-    recorder.begin(equations);
+    ForwardingRecorder::begin(equations);
   }
 
   void MeshErrorRecorder::start(const Solution &solution)
   {
     look(solution.state);
-    recorder.start(solution);
+    ForwardingRecorder::start(solution);
   }
 
   void MeshErrorRecorder::resume(const Solution &solution,
@@ -151,7 +151,7 @@ namespace auxfem
     estimate->resume({saved[0], saved[1]});
     next    = saved[2];
     n_parts = saved[3];
-    recorder.resume(solution, records);
+    ForwardingRecorder::resume(solution, records);
   }
 
   void MeshErrorRecorder::save(Records &records) const
@@ -160,17 +160,7 @@ namespace auxfem
     saved.push_back(next);
     saved.push_back(n_parts);
     records.keep(mesh_error_record, saved);
-    recorder.save(records);
-  }
-
-  std::optional<double> MeshErrorRecorder::next_time(const double time) const
-  {
-    return recorder.next_time(time);
-  }
-
-  void MeshErrorRecorder::between(const Solution &solution)
-  {
-    recorder.between(solution);
+    ForwardingRecorder::save(records);
   }
 
   void MeshErrorRecorder::step(const Solution   &solution,
@@ -179,11 +169,11 @@ namespace auxfem
     n_parts += step_report.substeps * parts_of_step(scene);
     if (solution.state.time >= next)
       look(solution.state);
-    recorder.step(solution, step_report);
+    ForwardingRecorder::step(solution, step_report);
   }
 
   void MeshErrorRecorder::finish(const Solution &last, const RunResult &result)
   {
-    recorder.finish(last, completed(result));
+    ForwardingRecorder::finish(last, completed(result));
   }
 } // namespace auxfem

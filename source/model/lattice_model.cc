@@ -108,7 +108,7 @@ namespace auxfem
                              const Lattice &lattice,
                              const MPI_Comm communicator)
     : lattice(lattice)
-    , simulated(decide_effects(scene))
+    , simulated(decide_effects(scene, lattice))
     , sections(sections_of(scene, lattice))
     , mean_strut_length(mean_length(lattice))
     , releases(simulated.hinges ? joint_releases(scene, lattice)

@@ -312,6 +312,7 @@ namespace auxfem
     summary.exit_state               = result.exit_state;
     summary.findings                 = result.findings;
     summary.notes                    = notes;
+    summary.decisions                = equations->model().simulated.decisions;
 
     on_first_rank(communicator, [&]() {
       replace_file(folder + "/summary.json", summary_json(scene, summary));

@@ -220,6 +220,25 @@ namespace auxfem
 
   namespace
   {
+    Json json_of(const std::vector<EffectDecision> &decisions,
+                 const double                       tolerance)
+    {
+      Json list = Json::array();
+      for (const EffectDecision &decision : decisions)
+        {
+          Json effect = {{"name", decision.name}, {"on", decision.on}};
+          if (decision.measure)
+            effect.update({{"change", decision.measure->change},
+                           {"change_of", decision.measure->of},
+                           {"tolerance", tolerance}});
+          effect["verdict"] =
+            decision.is_called_for(tolerance) ? "called for" : "not called for";
+          effect["reason"] = decision.reason;
+          list.push_back(effect);
+        }
+      return list;
+    }
+
     Json json_of(const LargestStrain &strain)
     {
       Json json = {{"time", strain.time()}};
@@ -295,6 +314,7 @@ namespace auxfem
                                        {"all_ranks", summary.resources.memory}};
     json["energies_joule"]          = json_of_energies(summary.energies);
     json["largest_rotation_radian"] = summary.largest_rotation;
+    json["effects"] = json_of(summary.decisions, scene.effects.tolerance);
     if (!summary.notes.empty())
       json["notes"] = summary.notes;
     if (summary.strain.along(1))

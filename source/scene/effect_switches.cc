@@ -46,7 +46,7 @@ namespace auxfem
       "Tolerance",
       "1e-3",
       "1",
-      Range::open(0, 1),
+      Range{0, 1, false, true},
       "Relative change of the answer that may be given away by leaving an effect "
       "out where that saves time."};
 

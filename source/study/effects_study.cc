@@ -1,3 +1,4 @@
+#include <auxfem/model/build_lattice.h>
 #include <auxfem/model/effect_decisions.h>
 #include <auxfem/parameters/errors.h>
 #include <auxfem/study/quantities.h>
@@ -13,6 +14,9 @@ namespace auxfem
   namespace
   {
     const std::string nothing = "nothing";
+
+    /** Whether an effect matters is what the study finds out. */
+    const std::string keep_all_effects = "Effects/Tolerance=0";
 
     /** The scene without some of its effects. */
     struct Simplification
@@ -49,7 +53,8 @@ namespace auxfem
     std::vector<std::string> simulated_effects(const Scene &scene)
     {
       std::vector<std::string> names;
-      for (const EffectDecision &decision : decide_effects(scene).decisions)
+      for (const EffectDecision &decision :
+           decide_effects(scene, build_lattice(scene)).decisions)
         for (const Parameter &parameter : effects_schema().parameters)
           if (decision.on && boost::iequals(decision.name, parameter.name))
             names.push_back(parameter.name);
@@ -64,7 +69,8 @@ namespace auxfem
                          ": Study/Kind = effects is for Model = lattice, which "
                          "has effects to leave out");
       std::vector<Simplification> all = {{nothing, {}, ""}};
-      for (const std::string &effect : simulated_effects(scene))
+      for (const std::string &effect :
+           simulated_effects(scene_with(scene, {keep_all_effects})))
         {
           const std::vector<std::string> without = {assignment_without(effect)};
           all.push_back({effect, without, obstacle_to(scene, without)});
@@ -72,12 +78,16 @@ namespace auxfem
       return all;
     }
 
+    /** With the effects that auto would leave out, but for those of
+     * @p simplification. */
     PlannedRun planned_run(const Scene          &scene,
                            const Simplification &simplification)
     {
-      const bool is_whole = simplification.overrides.empty();
+      const bool               is_whole  = simplification.overrides.empty();
+      std::vector<std::string> overrides = simplification.overrides;
+      overrides.push_back(keep_all_effects);
       return {is_whole ? "as it is" : "without " + simplification.name,
-              scene_with(scene, simplification.overrides),
+              scene_with(scene, overrides),
               scene.study.repetitions};
     }
 

@@ -125,6 +125,26 @@ TEST(BeamShape, GaussPointsIntegrateTheInternalForcesExactly)
   });
 }
 
+TEST(BeamShape, PointsFurtherOutMakeBendingAsMuchStifferAsShearIsLeftToGive)
+{
+  // Half the second moment of the points, q: the compliance of a linear moment
+  // goes by 1 / q, of two points by (1 - q)^2 / q (doc/theory.md).
+  for_each_order([](const auto &gauss) {
+    using Shape = std::decay_t<decltype(gauss)>;
+    const Shape further_out(true);
+    double      q = 0;
+    for (int g = 0; g < Shape::n_gauss_points; ++g)
+      q += further_out.weight[g] * std::pow(further_out.point[g], 2) / 2;
+    const double left = 1 - Shape::shear_made_up_for;
+    if (Shape::n_gauss_points == 1)
+      EXPECT_EQ(further_out.point[0], gauss.point[0]);
+    else if (Shape::n_gauss_points == 2)
+      EXPECT_NEAR(std::pow(1 - q, 2) / q, 4. / 3 * left, shape_round_off);
+    else
+      EXPECT_NEAR(1 / q, 3 * left, 10 * shape_round_off);
+  });
+}
+
 TEST(BeamShape, MassOfLinearAndQuadraticElementsIsTheClosedForm)
 {
   const BeamShape<1> linear;

@@ -148,7 +148,7 @@ TEST(MakeLoads, ASceneWithoutLoadsHasNone)
                          of_scene.dofs(),
                          of_scene.model.sections,
                          {},
-                         decide_effects(of_scene.scene))
+                         decide_effects(of_scene.scene, of_scene.lattice))
                 .empty());
 }
 

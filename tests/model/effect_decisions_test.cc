@@ -12,7 +12,8 @@ namespace
   SimulatedEffects decide(const std::string              &text,
                           const std::vector<std::string> &overrides = {})
   {
-    return decide_effects(read_scene_from_text(text, "test.prm", overrides));
+    const Scene scene = read_scene_from_text(text, "test.prm", overrides);
+    return decide_effects(scene, build_lattice(scene));
   }
 
   const SceneText plain = frame_scene("0 0; 1 0", "0 1");

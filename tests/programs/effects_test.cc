@@ -1,5 +1,7 @@
 #include <support/run_program.h>
 
+#include <nlohmann/json.hpp>
+
 namespace
 {
   using namespace auxfem::testing_support;
@@ -70,15 +72,19 @@ namespace
   TEST_F(EffectsProgram, AutoFollowsTheScene)
   {
     const Lists lists = check({});
-    EXPECT_EQ(
-      lists.simulated,
-      (std::map<std::string, std::string>{
-        {"large rotation",
-         "static answer to the loads: no equilibrium of exact kinematics is near"},
-        {"shear flexibility", "the sections have a shear area"},
-        {"inertia", "time scheme newmark"},
-        {"rotary inertia", "inertia is simulated"},
-        {"connector viscosity", "a connector law has a dashpot"}}));
+    EXPECT_EQ(lists.simulated,
+              (std::map<std::string, std::string>{
+                {"large rotation",
+                 "static answer to the loads: no equilibrium of exact "
+                 "kinematics is near"},
+                {"shear flexibility",
+                 "0.35 % of the bending compliance, above 0.1 %"},
+                {"inertia", "time scheme newmark"},
+                {"rotary inertia",
+                 "0.016 % of the highest frequency that steps resolve, below "
+                 "0.1 %, but leaving it out saves nothing"},
+                {"connector viscosity",
+                 "5 % of the connectors' stiffness, above 0.1 %"}}));
     EXPECT_EQ(lists.left_out,
               (std::map<std::string, std::string>{
                 {"strut damping", "no section has damping"},
@@ -99,10 +105,12 @@ namespace
              "Sections/steel/Stiffness-proportional damping=1 us"});
     EXPECT_EQ(lists.simulated.size(), 9u);
     EXPECT_TRUE(lists.left_out.empty());
-    EXPECT_EQ(lists.simulated.at("gravity"), "an acceleration is given");
+    EXPECT_EQ(lists.simulated.at("gravity"),
+              "0.18 % of the loads, above 0.1 %");
     EXPECT_EQ(lists.simulated.at("rigid parts"), "rigid struts or joints");
     EXPECT_EQ(lists.simulated.at("hinges"), "joints with released struts");
-    EXPECT_EQ(lists.simulated.at("strut damping"), "a section has damping");
+    EXPECT_EQ(lists.simulated.at("strut damping"),
+              "0.1 % of the struts' forces, above 0.1 %");
   }
 
 
@@ -137,7 +145,50 @@ namespace
                              "rotary inertia",
                              "connector viscosity",
                              "gravity"})
-      EXPECT_EQ(lists.left_out.at(name), "as set") << name;
+      EXPECT_EQ(lists.left_out.at(name).rfind("as set", 0), 0u) << name;
+  }
+
+
+
+  TEST_F(EffectsProgram, WhatIsBelowTheToleranceIsLeftOutIfThatSaves)
+  {
+    const Words slow   = {"Sections/steel/Stiffness-proportional damping=1 us"};
+    Words       linear = slow;
+    linear.emplace_back("Effects/Large rotation=off");
+    linear.emplace_back("Effects/Tolerance=1 %");
+    EXPECT_EQ(check(linear).left_out.at("strut damping"),
+              "0.1 % of the struts' forces, below 1 %");
+    linear.back() = "Effects/Tolerance=0.01 %";
+    EXPECT_EQ(check(linear).simulated.at("strut damping"),
+              "0.1 % of the struts' forces, above 0.01 %");
+
+    Words bent = slow;
+    bent.emplace_back("Effects/Tolerance=1 %");
+    EXPECT_EQ(check(bent).simulated.at("strut damping"),
+              "0.1 % of the struts' forces, below 1 %, but it matters where "
+              "struts snap");
+  }
+
+
+
+  TEST_F(EffectsProgram, TheSummaryHasNumbersAndVerdicts)
+  {
+    run("all", {"Time/End time=0.2 ms"});
+    std::map<std::string, nlohmann::json> effects;
+    const auto                            summary =
+      nlohmann::json::parse(read_text(path("all/summary.json")));
+    for (const nlohmann::json &effect : summary.at("effects"))
+      effects[effect.at("name")] = effect;
+    EXPECT_EQ(effects.size(), 9u);
+    const nlohmann::json &rotary = effects.at("rotary inertia");
+    EXPECT_TRUE(rotary.at("on").get<bool>());
+    EXPECT_EQ(rotary.at("verdict"), "not called for");
+    EXPECT_EQ(rotary.at("tolerance"), 1e-3);
+    EXPECT_GT(rotary.at("change"), 1e-4);
+    EXPECT_LT(rotary.at("change"), 1e-3);
+    EXPECT_EQ(effects.at("shear flexibility").at("verdict"), "called for");
+    EXPECT_EQ(effects.at("gravity").count("change"), 0u);
+    EXPECT_FALSE(effects.at("gravity").at("on").get<bool>());
   }
 
 

@@ -51,6 +51,13 @@ namespace auxfem
      */
     void prepare();
 
+    /**
+     * How much of the answer inertia is: motion that the loads do not command
+     * (uncommanded_motion()). Nothing without inertia, and where the structure
+     * can move freely. Collective; takes a factorization.
+     */
+    std::optional<EffectMeasure> inertia_measure();
+
     /** Brings the solution at t = 0 into order, as TimeStepper::start(). */
     void start();
 

@@ -8,12 +8,22 @@ namespace auxfem
    * in the order of FE_Q: both ends, then the inner Gauss-Lobatto nodes.
    * Internal forces use p Gauss points (no locking), inertia is integrated
    * exactly.
+   *
+   * Without shear flexibility the points lie a little further out, which makes
+   * an element stiffer in bending by what its shear is left to give
+   * (doc/theory.md, Sections).
    */
   template <int order>
   struct BeamShape
   {
     static constexpr int n_nodes        = order + 1;
     static constexpr int n_gauss_points = order;
+
+    /**
+     * 12 EI / (kGA L^2) of an element of length L that is to bend as if it did
+     * not shear. Linear elements are too stiff in bending by just as much.
+     */
+    static constexpr double shear_made_up_for = order == 1 ? 1. : 5e-4;
 
     double value[order][order + 1];      ///< N_a at the Gauss points
     double derivative[order][order + 1]; ///< dN_a/dxi at the Gauss points
@@ -23,7 +33,9 @@ namespace auxfem
     double integral[order + 1];          ///< integral of N_a over [-1, 1]
     double node[order + 1];              ///< nodes in [-1, 1]
 
-    BeamShape();
+    /** @param makes_up_for_shear whether bending is to be stiffer by
+     * shear_made_up_for. */
+    explicit BeamShape(bool makes_up_for_shear = false);
 
     /** N_a at any @p xi in [-1, 1]. */
     void values_at(double xi, double *values) const;

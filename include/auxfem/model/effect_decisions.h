@@ -1,16 +1,38 @@
 #ifndef auxfem_model_effect_decisions_h
 #define auxfem_model_effect_decisions_h
 
+#include <auxfem/mesh/lattice.h>
 #include <auxfem/scene/scene.h>
+
+#include <optional>
 
 namespace auxfem
 {
+  /** How much of the answer an effect is, found before the run. */
+  struct EffectMeasure
+  {
+    /** Relative change expected if the effect is left out, at most 1. */
+    double change;
+    /** What @p change is a part of, for people: `the bending compliance`. */
+    std::string of;
+  };
+
   /** One line of "what is simulated": an effect, whether it is on, and why. */
   struct EffectDecision
   {
     std::string name;
     bool        on;
     std::string reason;
+    /** None where the scene has nothing of the effect, or there is no measure.
+     */
+    std::optional<EffectMeasure> measure = {};
+
+    /** Whether the effect changes the answer by more than @p tolerance; without
+     * a measure whether it is on. */
+    bool is_called_for(const double tolerance) const
+    {
+      return measure ? measure->change > tolerance : on;
+    }
   };
 
   /** Which physics a run simulates. */
@@ -23,8 +45,13 @@ namespace auxfem
     std::vector<EffectDecision> decisions;
   };
 
-  /** Settles every `auto` from what the scene contains. */
-  SimulatedEffects decide_effects(const Scene &scene);
+  /**
+   * Settles every `auto` from what the scene contains and from how much of the
+   * answer that is: an effect below `Effects/Tolerance` is left out if that
+   * saves time.
+   * @param lattice of the scene
+   */
+  SimulatedEffects decide_effects(const Scene &scene, const Lattice &lattice);
 } // namespace auxfem
 
 #endif

@@ -77,6 +77,8 @@ namespace auxfem
     std::optional<OrderReport> orders;
     /** What the user should know of the scene (output/notes.h). */
     std::vector<std::string> notes;
+    /** What is simulated. */
+    std::vector<EffectDecision> decisions;
     /** `completed` or the reason it was not. */
     std::string exit_state;
     /** What the run found out about its results, the worst first. */

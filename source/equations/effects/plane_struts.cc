@@ -152,19 +152,18 @@ namespace auxfem
                                             block);
       }
 
-      static Stiffness stiffness(const Section &section,
-                                 const double   rigid_in_shear_over)
+      static Stiffness stiffness(const Section &section)
       {
-        Stiffness result = {section.axial_stiffness(),
-                            section.shear_stiffness_2(),
-                            section.bending_stiffness_3(),
-                            section.stiffness_proportional_damping};
-        if (rigid_in_shear_over > 0)
-          result.shear =
-            std::max(result.shear,
-                     rigid_shear_factor * 12 * result.bending /
-                       (rigid_in_shear_over * rigid_in_shear_over));
-        return result;
+        return {section.axial_stiffness(),
+                section.shear_stiffness_2(),
+                section.bending_stiffness_3(),
+                section.stiffness_proportional_damping};
+      }
+
+      /** @param per_bending shear stiffness by bending stiffness (1/m2). */
+      static void hold_shear(Stiffness &stiffness, const double per_bending)
+      {
+        stiffness.shear = per_bending * stiffness.bending;
       }
 
       static double largest_stiffness(const Stiffness &stiffness)

@@ -194,25 +194,22 @@ namespace auxfem
             block);
       }
 
-      static Stiffness stiffness(const Section &section,
-                                 const double   rigid_in_shear_over)
+      static Stiffness stiffness(const Section &section)
       {
-        Beam3D::Stiffness elastic = {section.axial_stiffness(),
-                                     section.shear_stiffness_2(),
-                                     section.shear_stiffness_3(),
-                                     section.torsion_stiffness(),
-                                     section.bending_stiffness_2(),
-                                     section.bending_stiffness_3()};
-        if (rigid_in_shear_over > 0)
-          {
-            const double factor = 12 * rigid_shear_factor /
-              (rigid_in_shear_over * rigid_in_shear_over);
-            elastic.shear_2 =
-              std::max(elastic.shear_2, factor * elastic.bending_3);
-            elastic.shear_3 =
-              std::max(elastic.shear_3, factor * elastic.bending_2);
-          }
-        return {elastic, section.stiffness_proportional_damping};
+        return {{section.axial_stiffness(),
+                 section.shear_stiffness_2(),
+                 section.shear_stiffness_3(),
+                 section.torsion_stiffness(),
+                 section.bending_stiffness_2(),
+                 section.bending_stiffness_3()},
+                section.stiffness_proportional_damping};
+      }
+
+      /** @param per_bending shear stiffness by bending stiffness (1/m2). */
+      static void hold_shear(Stiffness &stiffness, const double per_bending)
+      {
+        stiffness.elastic.shear_2 = per_bending * stiffness.elastic.bending_3;
+        stiffness.elastic.shear_3 = per_bending * stiffness.elastic.bending_2;
       }
 
       static double largest_stiffness(const Stiffness &stiffness)

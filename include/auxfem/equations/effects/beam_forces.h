@@ -43,11 +43,11 @@ namespace auxfem
    * dimension and on the theory is in @p Beam, a class of static functions:
    * `order`, `n_components`, `is_linear`, `is_damped`; types `Frame` (a Gauss
    * point at rest), `Stiffness` and `Motion` (of an element's nodes); functions
-   * `frame`, `stiffness`, `largest_stiffness` for the element at rest,
-   * `motion`, `internal_force`, `tangent` for its forces, and `section_forces`,
-   * `rotation`, `axes` for output, `strain_product` for energies. With
-   * `has_mean_forces` and large rotations it has `mean_force` and
-   * `mean_tangent` over a step.
+   * `frame`, `stiffness`, `hold_shear`, `largest_stiffness` for the element at
+   * rest, `motion`, `internal_force`, `tangent` for its forces, and
+   * `section_forces`, `rotation`, `axes` for output, `strain_product` for
+   * energies. With `has_mean_forces` and large rotations it has `mean_force`
+   * and `mean_tangent` over a step.
    */
   template <class Beam>
   class BeamForces : public StrutForces
@@ -62,6 +62,7 @@ namespace auxfem
       , numbering(numbering)
       , group(group)
       , sections(sections)
+      , shape(!shear_flexibility)
     {
       const unsigned int n_elements = group.end - group.begin;
       frames.resize(std::size_t(n_elements) * order);
@@ -78,8 +79,12 @@ namespace auxfem
           data.length = length;
           data.jacobian =
             length * (element.interval.end - element.interval.begin) / 2;
-          data.stiffness =
-            Beam::stiffness(section, shear_flexibility ? 0. : length);
+          data.stiffness = Beam::stiffness(section);
+          if (!shear_flexibility)
+            Beam::hold_shear(data.stiffness,
+                             12 /
+                               (BeamShape<order>::shear_made_up_for * 4 *
+                                data.jacobian * data.jacobian));
           data.owned             = element.is_owned;
           data.strain_per_energy = strain_per_energy(section);
           of_elements.push_back(data);
@@ -705,13 +710,6 @@ namespace auxfem
     std::vector<typename Beam::Frame> frames;
     unsigned int strain_entry = 0, damping_entry = 0, numerical_entry = 0;
   };
-
-  /**
-   * Without shear flexibility the shear strain is held at zero by a stiffness
-   * this many times 12 EI / L^2: the deflection is right to its inverse, and
-   * the residual loses no more digits than by the axial stiffness.
-   */
-  constexpr double rigid_shear_factor = 1e6;
 
   /** @name Struts of a polynomial order, all variants. */
   ///@{

@@ -1,0 +1,64 @@
+#ifndef auxfem_model_effect_definition_h
+#define auxfem_model_effect_definition_h
+
+#include <auxfem/model/effect_decisions.h>
+
+namespace auxfem
+{
+  /** Whether a scene has anything of an effect, and what tells so. */
+  struct EffectCause
+  {
+    bool        given;
+    std::string reason;
+  };
+
+  /** Of effects without which a run takes as long (measured, doc/effects.md).
+   */
+  std::string saves_nothing(const SimulatedEffects &before);
+
+  /**
+   * An effect that `Effects` switches. A new one is a file in
+   * source/model/effects/ and a line in its register.cc.
+   */
+  struct EffectDefinition
+  {
+    /** As its parameter in `Effects`, in lower case. */
+    std::string name;
+    Switch EffectSwitches::*choice;
+    bool SimulatedEffects::*simulated;
+
+    EffectCause (*cause)(const Scene &scene);
+
+    /**
+     * How much of the answer the effect is, of a scene that gives cause for it
+     * (formulas: doc/theory.md, Effects); nothing if there is no telling.
+     * Without a function the effect is on wherever there is cause.
+     */
+    std::optional<EffectMeasure> (*measure)(const Scene   &scene,
+                                            const Lattice &lattice) = nullptr;
+
+    /**
+     * Why the effect is kept, however little it does, beside the effects
+     * decided before it: `but leaving it out saves nothing`. Empty if it may be
+     * left out.
+     */
+    std::string (*why_kept)(const SimulatedEffects &before) = saves_nothing;
+  };
+
+  /** @name Effects, one per file source/model/effects/<name>.cc. */
+  ///@{
+  EffectDefinition large_rotation_effect();
+  EffectDefinition shear_flexibility_effect();
+  EffectDefinition inertia_effect();
+  EffectDefinition rotary_inertia_effect();
+  EffectDefinition connector_viscosity_effect();
+  EffectDefinition strut_damping_effect();
+  EffectDefinition gravity_effect();
+  EffectDefinition hinges_effect();
+  ///@}
+
+  /** All of them, in the order of the `Effects` subsection. */
+  const std::vector<EffectDefinition> &effect_definitions();
+} // namespace auxfem
+
+#endif

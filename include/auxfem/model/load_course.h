@@ -1,0 +1,46 @@
+#ifndef auxfem_model_load_course_h
+#define auxfem_model_load_course_h
+
+#include <auxfem/scene/scene.h>
+
+namespace auxfem
+{
+  /** How fast the loads and prescribed motions of a scene change. */
+  struct LoadCourse
+  {
+    /**
+     * The largest rate of one of them over its largest value (1/s), as far as
+     * steps resolve it: the inverse of the loading time, the angular frequency
+     * of a load that oscillates.
+     */
+    double rate;
+
+    /** Whether something jumps, so that the structure swings as fast as it
+     * can. */
+    bool is_sudden;
+
+    /**
+     * What becomes of a relative loss @p per_radian of oscillations until the
+     * end of @p scene; of loads that follow one course it is the change itself.
+     * At most 1.
+     */
+    double lost(const Scene &scene, double per_radian) const;
+  };
+
+  /** Weight counts as a load if there is no other. */
+  LoadCourse load_course(const Scene &scene);
+
+  /**
+   * How much of the answer is motion that the loads of @p scene do not command,
+   * of a structure with the lowest angular frequency @p frequency (1/s): the
+   * largest jump of a load, of its slope over the frequency, and second
+   * derivative over its square, over its largest value; at most 1.
+   */
+  double uncommanded_motion(const Scene &scene, double frequency);
+
+  /** Angular frequency (1/s) of an oscillation of which steps of @p scene
+   * make a period of twenty. */
+  double resolved_frequency(const Scene &scene);
+} // namespace auxfem
+
+#endif

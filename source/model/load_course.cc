@@ -1,0 +1,145 @@
+#include <auxfem/model/load_course.h>
+#include <auxfem/parameters/errors.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace auxfem
+{
+  namespace
+  {
+    /** Loads and motions are looked at this many times at most. */
+    constexpr unsigned long most_looks = 4096;
+
+    unsigned long n_looks(const Scene &scene)
+    {
+      return std::min(scene.time.n_steps(), most_looks);
+    }
+
+    /** All courses in time of the scene that are not zero. */
+    std::vector<TimeFunction> courses_of(const Scene &scene)
+    {
+      std::vector<TimeFunction> courses;
+      const auto                add = [&courses](const auto &components) {
+        for (const TimeFunction &component : components)
+          if (!component.is_zero())
+            courses.push_back(component);
+      };
+      for (const JointLoadDefinition &load : scene.joint_loads)
+        add(load.components);
+      for (const LineLoadDefinition &load : scene.line_loads)
+        add(load.components);
+      for (const SupportDefinition &support : scene.supports)
+        add(support.motion);
+      return courses;
+    }
+
+    bool jumps(const TimeFunction &course, const Scene &scene)
+    {
+      if (!scene.time.static_start && course.value(0) != 0)
+        return true;
+      const std::vector<TimeEvent> events =
+        course.events(0, scene.time.end_time);
+      return std::any_of(events.begin(),
+                         events.end(),
+                         [](const TimeEvent &event) {
+                           return event.kind == TimeEvent::Kind::jump;
+                         });
+    }
+
+    double relative_rate(const TimeFunction &course, const Scene &scene)
+    {
+      const unsigned long n        = n_looks(scene);
+      const double        interval = scene.time.end_time / n;
+      double previous = course.value(0), largest = std::abs(previous), rate = 0;
+      for (unsigned long i = 1; i <= n; ++i)
+        {
+          const double value = course.value(i * interval);
+          largest            = std::max(largest, std::abs(value));
+          rate     = std::max(rate, std::abs(value - previous) / interval);
+          previous = value;
+        }
+      return largest > 0 ? rate / largest : 0;
+    }
+    /** See uncommanded_motion(); of one course, which does not jump. */
+    double uncommanded_part(const TimeFunction &course,
+                            const Scene        &scene,
+                            const double        frequency)
+    {
+      const double        end      = scene.time.end_time;
+      const unsigned long n        = n_looks(scene);
+      const auto          at_start = course.jet(0);
+      double largest = std::abs(at_start[0]), worst = std::abs(at_start[1]);
+      for (const TimeEvent &event : course.events(0, end))
+        worst = std::max(worst,
+                         std::abs(course.jet(event.time, TimeSide::after)[1] -
+                                  course.jet(event.time, TimeSide::before)[1]));
+      for (unsigned long i = 1; i <= n; ++i)
+        {
+          const auto now = course.jet(end * i / n, TimeSide::before);
+          largest        = std::max(largest, std::abs(now[0]));
+          worst          = std::max(worst, std::abs(now[2]) / frequency);
+        }
+      return largest > 0 ? worst / frequency / largest : 0;
+    }
+  } // namespace
+
+  double uncommanded_motion(const Scene &scene, const double frequency)
+  {
+    if (load_course(scene).is_sudden)
+      return 1;
+    double largest = 0;
+    try
+      {
+        for (const TimeFunction &course : courses_of(scene))
+          largest =
+            std::max(largest, uncommanded_part(course, scene, frequency));
+      }
+    catch (const ComputationError &)
+      {
+        // A slope may be infinite where the load is a number all the same.
+        return 1;
+      }
+    return std::min(1., largest);
+  }
+
+  double resolved_frequency(const Scene &scene)
+  {
+    constexpr double steps_of_a_period = 20;
+    return 2 * std::acos(-1.) / (steps_of_a_period * scene.time.step);
+  }
+
+  LoadCourse load_course(const Scene &scene)
+  {
+    const std::vector<TimeFunction> courses  = courses_of(scene);
+    const double                    resolved = resolved_frequency(scene);
+    const bool                      falls =
+      courses.empty() && scene.gravity.norm() > 0 && !scene.time.static_start;
+    if (falls || !scene.initial_velocities.empty())
+      return {resolved, true};
+    double rate = 0;
+    try
+      {
+        for (const TimeFunction &course : courses)
+          {
+            if (jumps(course, scene))
+              return {resolved, true};
+            rate = std::max(rate, relative_rate(course, scene));
+          }
+      }
+    catch (const ComputationError &)
+      {
+        // What is no number stops the run when it gets there.
+        return {resolved, true};
+      }
+    return {std::min(rate, resolved), false};
+  }
+
+  double LoadCourse::lost(const Scene &scene, const double per_radian) const
+  {
+    const double radians = is_sudden && scene.time.scheme->is_dynamic()
+      ? std::max(1., rate * scene.time.end_time / 2)
+      : 1.;
+    return std::min(1., per_radian * radians);
+  }
+} // namespace auxfem
