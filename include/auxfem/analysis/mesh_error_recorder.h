@@ -11,7 +11,7 @@ namespace auxfem
    * Tells another recorder all that it is told, and estimates the error of the
    * elements at instants in equal distances over the run.
    */
-  class MeshErrorRecorder : public Recorder
+  class MeshErrorRecorder : public ForwardingRecorder
   {
   public:
     /**
@@ -32,8 +32,6 @@ namespace auxfem
     void start(const Solution &solution) override;
     void resume(const Solution &solution, const Records &records) override;
     void save(Records &records) const override;
-    std::optional<double> next_time(double time) const override;
-    void                  between(const Solution &solution) override;
     void step(const Solution &solution, const StepReport &report) override;
     void finish(const Solution &last, const RunResult &result) override;
 
@@ -50,7 +48,6 @@ namespace auxfem
     unsigned int n_vibrating(double time) const;
 
     const Scene               &scene;
-    Recorder                  &recorder;
     OrderReport                report;
     std::unique_ptr<MeshError> estimate;
     /** Since when no look is due (s). */
