@@ -21,19 +21,6 @@ namespace auxfem
     /** Times the error is looked at in a run. */
     constexpr unsigned int n_error_looks = 20;
 
-    std::string number(const double value)
-    {
-      std::ostringstream text;
-      text.precision(2);
-      text << value;
-      return text.str();
-    }
-
-    std::string within(const double tolerance)
-    {
-      return " (Effects/Tolerance = " + number(tolerance) + ")";
-    }
-
     /** Whether small displacements of the scene are simpler than what it asks
      * for, and known how to be judged. */
     bool has_choice(const Scene &scene, const Equations &exact)
@@ -54,13 +41,6 @@ namespace auxfem
       small.effects.strut_damping =
         exact.model.simulated.strut_damping ? Switch::on : Switch::off;
       return small;
-    }
-
-    /** The list of @p small says of each effect what that of @p exact does. */
-    void explain_as(const LatticeRun &exact, LatticeRun &small)
-    {
-      for (const EffectDecision &decision : exact.model.simulated.decisions)
-        small.model.explain(decision.name, decision.reason);
     }
 
     /** Ends a run of small displacements as soon as they are no longer good
@@ -116,7 +96,11 @@ namespace auxfem
         error.look_at(state, *small);
         why = error.why_exact(scene.effects.tolerance);
         if (!why.empty())
-          why += " (t = " + number(state.time) + " s)";
+          {
+            std::ostringstream time;
+            time << " (t = " << state.time << " s)";
+            why += time.str();
+          }
       }
 
       const Scene        &scene;
@@ -127,26 +111,37 @@ namespace auxfem
       std::string         why;
     };
 
-    /** Whether small displacements are worth a trial; says so in the list. */
-    bool are_small(LatticeRun &exact)
+    /** What users are told if small displacements are tried. */
+    std::string reason_for_trial(const double error, const double tolerance)
+    {
+      return part_text(error) + " of the static answer to the loads, " +
+        (error <= tolerance
+           ? "below " + part_text(tolerance)
+           : "above " + part_text(tolerance) + ", but motions may be smaller") +
+        ": small displacements, watched";
+    }
+
+    /** Decides whether small displacements are worth a trial. */
+    EffectDecision decision_by_loads(LatticeRun &exact)
     {
       KinematicCorrection of_loads(exact.scene, exact.solver());
       of_loads.look_at_loads();
-      const double      tolerance = exact.scene.effects.tolerance;
-      const std::string why = of_loads.why_exact(worth_trying * tolerance);
-      exact.model.explain(large_rotation,
-                          why.empty() ? number(of_loads.relative()) +
-                              " of the static answer to the loads" +
-                              within(tolerance) + ": small displacements"
-                                      : "static answer to the loads: " + why);
-      return why.empty();
+      const double tolerance = exact.scene.effects.tolerance,
+                   error     = of_loads.relative();
+      const std::string why  = of_loads.why_exact(worth_trying * tolerance);
+      return {large_rotation,
+              !why.empty(),
+              why.empty() ? reason_for_trial(error, tolerance)
+                          : "static answer to the loads: " + why,
+              EffectMeasure{std::min(error, 1.),
+                            "the static answer to the loads"}};
     }
   } // namespace
 
   void explain_kinematics(LatticeRun &exact)
   {
     if (has_choice(exact.scene, exact.equations))
-      are_small(exact);
+      exact.model.explain(decision_by_loads(exact));
   }
 
   RunResult run_with_chosen_kinematics(const Scene   &scene,
@@ -154,21 +149,25 @@ namespace auxfem
                                        Recorder      &recorder)
   {
     LatticeRun exact(scene, communicator);
-    if (!has_choice(scene, exact.equations) || !are_small(exact))
+    explain_kinematics(exact);
+    if (exact.model.decision(large_rotation).on ||
+        !has_choice(scene, exact.equations))
       return exact.run(recorder);
 
     {
       const Scene small_scene = with_small_displacements(exact);
       LatticeRun  small(small_scene, communicator);
-      explain_as(exact, small);
+      for (const EffectDecision &decision : exact.model.simulated.decisions)
+        small.model.explain(decision);
       SmallDisplacementRecorder watching(exact, recorder);
       const RunResult           result = small.run(watching);
       if (watching.reason().empty())
         return result;
       exact.add_work_of(small);
-      exact.model.explain(large_rotation,
-                          watching.reason() + within(scene.effects.tolerance) +
-                            "; run again from the start");
+      exact.model.explain({large_rotation,
+                           true,
+                           watching.reason() + "; run again from the start",
+                           exact.model.decision(large_rotation).measure});
     }
     return exact.run(recorder);
   }

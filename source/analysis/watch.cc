@@ -4,20 +4,47 @@
 
 namespace auxfem
 {
+  namespace
+  {
+    bool has_yield_strain(const Scene &scene)
+    {
+      return std::any_of(scene.sections.begin(),
+                         scene.sections.end(),
+                         [](const SectionDefinition &definition) {
+                           return definition.section.yield_strain.has_value();
+                         });
+    }
+  } // namespace
+
   Watches::Watches(const Scene &scene, const Equations &equations, Work &work)
   {
-    const bool has_inertia = equations.model().simulated.inertia;
+    const SimulatedEffects &simulated   = equations.model().simulated;
+    const bool              has_inertia = simulated.inertia;
+    const bool              has_struts  = !equations.reporting().struts.empty();
     watches.push_back(make_energy_watch(has_inertia));
     // What is linear is as stable as at the start, where mechanisms are
     // refused.
     if (!equations.is_linear())
       watches.push_back(make_stability_watch(scene, equations, work));
+    if (!simulated.large_rotation)
+      watches.push_back(make_small_displacement_watch(scene, equations));
     if (has_inertia)
       watches.push_back(make_step_watch(scene, equations));
+    // Time of elastic statics is but a parameter.
+    if (!has_inertia &&
+        (simulated.connector_viscosity || simulated.strut_damping))
+      watches.push_back(make_load_speed_watch(scene, equations));
+    if (!equations.is_linear() && !equations.reporting().connectors.empty())
+      watches.push_back(make_connector_watch(equations));
+    if (has_struts && has_inertia)
+      watches.push_back(make_wave_watch(scene, equations));
+    if (has_struts && has_yield_strain(scene))
+      watches.push_back(make_yield_watch(equations));
     // Nor does what is in proportion to the loads show by its size.
-    if (!equations.reporting().struts.empty() && !equations.is_linear())
+    if (has_struts && !equations.is_linear())
       {
         watches.push_back(make_strain_watch(equations));
+        watches.push_back(make_local_buckling_watch(scene, equations));
         if (!scene.lattice.struts_may_cross)
           watches.push_back(make_crossing_watch(scene, equations));
       }

@@ -140,6 +140,15 @@ namespace auxfem
              Range::non_negative(),
              "Mass per volume; none will do for statics without weight only.",
              {"none"}};
+    const Quantity yield_strain = {
+      "Yield strain",
+      "none",
+      "1",
+      Range::positive(),
+      "Strain of an outer fibre, in tension or compression, up to which the "
+      "material is linear elastic; beyond it the verdict on the run is "
+      "doubtful; of Shape = given the axial strain alone.",
+      {"none"}};
     const Quantity stiffness_damping = {
       "Stiffness-proportional damping",
       "0 s",
@@ -274,6 +283,7 @@ namespace auxfem
              youngs_modulus,
              poissons_ratio,
              density,
+             yield_strain,
              reference,
              stiffness_damping,
              mass_damping},
@@ -315,6 +325,8 @@ namespace auxfem
     else
       read_given(values, definition.section);
     read_material(values, definition.section);
+    if (!values.is_word(yield_strain))
+      definition.section.yield_strain = values[yield_strain];
     if (!values.is_word(reference))
       definition.section.reference = unit_vector_of(values, reference);
     definition.has_density = !values.is_word(density);

@@ -6,17 +6,6 @@ namespace auxfem
 {
   namespace
   {
-    /** `0.52 %`, `1.8e-06`. */
-    std::string part_text(const double part)
-    {
-      char text[40];
-      if (part >= 1e-4)
-        std::snprintf(text, sizeof(text), "%.2g %%", 100 * part);
-      else
-        std::snprintf(text, sizeof(text), "%.1e", part);
-      return text;
-    }
-
     std::string measured_text(const EffectMeasure &measure)
     {
       return part_text(measure.change) + " of " + measure.of;
@@ -71,6 +60,16 @@ namespace auxfem
                         : "no struts or joints are rigid"};
     }
   } // namespace
+
+  std::string part_text(const double part)
+  {
+    char text[40];
+    if (part >= 1e-4)
+      std::snprintf(text, sizeof(text), "%.2g %%", 100 * part);
+    else
+      std::snprintf(text, sizeof(text), "%.1e", part);
+    return text;
+  }
 
   std::string saves_nothing(const SimulatedEffects & /*before*/)
   {

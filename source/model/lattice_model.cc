@@ -140,15 +140,14 @@ namespace auxfem
     }
   } // namespace
 
-  const std::string &LatticeModel::reason(const std::string &effect) const
+  const EffectDecision &LatticeModel::decision(const std::string &effect) const
   {
-    return decision_on(simulated.decisions, effect).reason;
+    return decision_on(simulated.decisions, effect);
   }
 
-  void LatticeModel::explain(const std::string &effect,
-                             const std::string &reason)
+  void LatticeModel::explain(const EffectDecision &decision)
   {
-    decision_on(simulated.decisions, effect).reason = reason;
+    decision_on(simulated.decisions, decision.name) = decision;
   }
 
   unsigned int LatticeModel::n_large_rotations() const

@@ -175,7 +175,11 @@ namespace auxfem
                             const StudyRuns::Listener &listener)
   {
     const StudyTask task = task_of(scene, communicator);
-    return report_of(task, kind_of(task.scene).plan(task), communicator, folder, listener);
+    return report_of(task,
+                     kind_of(task.scene).plan(task),
+                     communicator,
+                     folder,
+                     listener);
   }
 
 

@@ -49,12 +49,18 @@ TEST(CrossingWatch, SaysWhichStrutsCrossAndWhen)
   const auto found = findings_of(bent_through("0.4 * t"));
   ASSERT_EQ(found.size(), 1u) << verdict_text(found);
   EXPECT_EQ(found[0].verdict, Verdict::doubtful);
-  // Looks are two steps from each other.
-  EXPECT_NEAR(found[0].time, 0.5, 0.101);
+  // At a distance of 20 mm. Looks are two steps from each other.
+  EXPECT_NEAR(found[0].time, 0.45, 0.101);
+  EXPECT_NE(found[0].text.find("touch"), std::string::npos) << found[0].text;
+  EXPECT_NE(found[0].text.find("have passed into each other"),
+            std::string::npos);
   EXPECT_EQ(found[0].location, "strut 0");
   EXPECT_NE(found[0].text.find("0 and 1"), std::string::npos) << found[0].text;
 
-  const auto short_of = findings_of(bent_through("0.19 * t"));
+  const auto touching = findings_of(bent_through("0.19 * t"));
+  ASSERT_EQ(touching.size(), 1u);
+  EXPECT_EQ(touching[0].text.find("passed"), std::string::npos);
+  const auto short_of = findings_of(bent_through("0.175 * t"));
   EXPECT_TRUE(short_of.empty()) << verdict_text(short_of);
 }
 

@@ -23,7 +23,7 @@ namespace
     {
       ++n_beginnings;
       is_exact = equations.model().simulated.large_rotation;
-      reason   = equations.model().reason("large rotation");
+      reason   = equations.model().decision("large rotation").reason;
       MemoryRecorder::begin(equations);
     }
 

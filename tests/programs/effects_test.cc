@@ -222,6 +222,7 @@ namespace
   TEST_F(EffectsProgram, ALinearSceneIsFactorizedOnce)
   {
     const Words linear = {"Effects/Large rotation=off",
+                          "Output/Exit code by verdict=false",
                           "Connectors/damper/Geometry=direction",
                           "Connectors/damper/Direction=0 1"};
     const Table once   = run("once", linear);

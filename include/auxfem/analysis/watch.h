@@ -78,9 +78,36 @@ namespace auxfem
   /** Of strains that no linear law stands for; the scene has elastic struts. */
   std::unique_ptr<Watch> make_strain_watch(const Equations &equations);
 
-  /** Of struts that pass through each other; the scene has elastic struts. */
+  /** Of strains beyond those at which sections yield; a section has one. */
+  std::unique_ptr<Watch> make_yield_watch(const Equations &equations);
+
+  /** Of struts that buckle between their joints, which their elements do not
+   * show; the scene has elastic struts. */
+  std::unique_ptr<Watch> make_local_buckling_watch(const Scene     &scene,
+                                                   const Equations &equations);
+
+  /** Of bending waves shorter than elements resolve; the scene has elastic
+   * struts, and inertia. */
+  std::unique_ptr<Watch> make_wave_watch(const Scene     &scene,
+                                         const Equations &equations);
+
+  /** Of connectors that are shortened to nothing; the scene has some. */
+  std::unique_ptr<Watch> make_connector_watch(const Equations &equations);
+
+  /** Of loads that are too fast to leave inertia out, where time has a meaning.
+   */
+  std::unique_ptr<Watch> make_load_speed_watch(const Scene     &scene,
+                                               const Equations &equations);
+
+  /** Of struts that touch or pass through each other; the scene has elastic
+   * struts. */
   std::unique_ptr<Watch> make_crossing_watch(const Scene     &scene,
                                              const Equations &equations);
+
+  /** Of displacements too large for the small-displacement form, in linear
+   * scenes. */
+  std::unique_ptr<Watch>
+  make_small_displacement_watch(const Scene &scene, const Equations &equations);
 
   /** Of equilibria and motions that a disturbance would leave. */
   std::unique_ptr<Watch> make_stability_watch(const Scene     &scene,

@@ -39,6 +39,9 @@ namespace auxfem
      * is given by its stiffnesses: it has no shape.
      */
     std::array<double, 2> fibre_distances = {{0., 0.}};
+    /** Strain of an outer fibre at which the material yields; empty: not given.
+     */
+    std::optional<double> yield_strain;
     /** Radius of the tube drawn in ParaView (m). */
     double radius = 0;
     /** The time beta in stress = E (strain + beta strain rate) (s). */

@@ -35,6 +35,9 @@ namespace auxfem
     }
   };
 
+  /** `0.52 %`, `1.8e-06`. */
+  std::string part_text(double part);
+
   /** Which physics a run simulates. */
   struct SimulatedEffects
   {

@@ -48,11 +48,12 @@ namespace auxfem
     /** Rotations in space kept as quaternions; none if they stay small. */
     unsigned int n_large_rotations() const;
 
-    /** Why @p effect, by its name among the decisions, is on or left out. */
-    const std::string &reason(const std::string &effect) const;
+    /** On the effect of this name. */
+    const EffectDecision &decision(const std::string &effect) const;
 
-    /** Sets that: where it takes a computation to know. */
-    void explain(const std::string &effect, const std::string &reason);
+    /** Replaces that on the same effect in the list for users: where it takes a
+     * computation to know. */
+    void explain(const EffectDecision &decision);
   };
 } // namespace auxfem
 

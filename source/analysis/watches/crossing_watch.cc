@@ -18,7 +18,8 @@ namespace auxfem
 {
   namespace
   {
-    const std::string crossing_record = "watch: crossing struts";
+    const std::string touching_record = "watch: touching struts",
+                      crossing_record = "watch: crossing struts";
 
     using Points = std::vector<dealii::Point<3>>;
     using Pair   = std::pair<unsigned int, unsigned int>;
@@ -43,7 +44,67 @@ namespace auxfem
       return box;
     }
 
-    /** Whether two struts have passed each other, by their axes. */
+    /** Struts that are nearer to each other than they can be. */
+    struct NearPairs
+    {
+      std::set<Pair> touching, crossing;
+
+      template <class Archive>
+      void serialize(Archive &archive, const unsigned int /*version*/)
+      {
+        archive &touching &crossing;
+      }
+    };
+
+    /** What has happened to some pairs first, and to how many at most. */
+    struct FirstPair
+    {
+      /** @param found at @p now (s), beside those of @p at_rest. */
+      void add(const std::set<Pair> &found,
+               const std::set<Pair> &at_rest,
+               const double          now)
+      {
+        unsigned int n = 0;
+        for (const Pair &candidate : found)
+          if (at_rest.count(candidate) == 0)
+            {
+              if (most == 0 && n == 0)
+                {
+                  pair = candidate;
+                  time = now;
+                }
+              ++n;
+            }
+        most = std::max(most, n);
+      }
+
+      std::vector<double> values() const
+      {
+        return {double(most), double(pair.first), double(pair.second), time};
+      }
+
+      void set(const std::vector<double> &values)
+      {
+        most        = values[0];
+        pair.first  = values[1];
+        pair.second = values[2];
+        time        = values[3];
+      }
+
+      /** `at about t = 1 s, later up to 3 pairs`. */
+      void write_time(std::ostream &text) const
+      {
+        text << " at about t = " << time << " s";
+        if (most > 1)
+          text << ", later up to " << most << " pairs";
+      }
+
+      unsigned int most = 0;
+      Pair         pair;
+      double       time = 0; ///< s
+    };
+
+    /** Whether two struts touch, or have passed each other. */
     class CrossingRule
     {
     public:
@@ -55,7 +116,7 @@ namespace auxfem
       /** By how much the box of an axis is to be wider on all sides (m). */
       double margin(const unsigned int strut) const
       {
-        return lattice.dimension == 2 ? 0. : half_thickness(strut);
+        return half_thickness(strut);
       }
 
       /** How far struts may move between two looks (m). */
@@ -69,6 +130,19 @@ namespace auxfem
         return way;
       }
 
+      /** Whether two that are not joined are nearer than half the sum of their
+       * thicknesses. */
+      bool touch(const unsigned int one,
+                 const Points      &of_one,
+                 const unsigned int other,
+                 const Points      &of_other) const
+      {
+        return !meet(one, other) &&
+          are_nearer(of_one,
+                     of_other,
+                     half_thickness(one) + half_thickness(other));
+      }
+
       bool cross(const unsigned int one,
                  const Points      &of_one,
                  const unsigned int other,
@@ -76,15 +150,21 @@ namespace auxfem
       {
         return lattice.dimension == 2
           ? cross_in_plane(of_one, of_other, one == other)
-          : !meet(one, other) && overlap(one, of_one, other, of_other);
+          // By half of how far one can be in the other.
+          : !meet(one, other) &&
+            are_nearer(of_one,
+                       of_other,
+                       (half_thickness(one) + half_thickness(other)) / 2);
       }
 
     private:
+      /** In the plane that in it, in space the smaller one (m). */
       double half_thickness(const unsigned int strut) const
       {
         const auto &fibres =
           sections[lattice.struts[strut].section].fibre_distances;
-        return std::min(fibres[0], fibres[1]);
+        return lattice.dimension == 2 ? fibres[1]
+                                      : std::min(fibres[0], fibres[1]);
       }
 
       /** Whether they are joined to each other, or one. */
@@ -119,17 +199,13 @@ namespace auxfem
         return false;
       }
 
-      /** Whether one is in the other by more than half of how far it can be. */
-      bool overlap(const unsigned int one,
-                   const Points      &of_one,
-                   const unsigned int other,
-                   const Points      &of_other) const
+      static bool
+      are_nearer(const Points &one, const Points &other, const double least)
       {
-        const double least = (half_thickness(one) + half_thickness(other)) / 2;
-        for (std::size_t i = 0; i + 1 < of_one.size(); ++i)
-          for (std::size_t j = 0; j + 1 < of_other.size(); ++j)
-            if (distance({of_one[i], of_one[i + 1]},
-                         {of_other[j], of_other[j + 1]}) < least)
+        for (std::size_t i = 0; i + 1 < one.size(); ++i)
+          for (std::size_t j = 0; j + 1 < other.size(); ++j)
+            if (distance({one[i], one[i + 1]}, {other[j], other[j + 1]}) <
+                least)
               return true;
         return false;
       }
@@ -139,8 +215,8 @@ namespace auxfem
     };
 
     /**
-     * Looks for pairs of struts that have passed each other, through a tree of
-     * their boxes, whenever nodes have moved against each other.
+     * Looks for pairs of struts that touch or have passed each other, through a
+     * tree of their boxes, whenever nodes have moved against each other.
      */
     class CrossingWatch : public Watch
     {
@@ -167,47 +243,53 @@ namespace auxfem
         if (++n_steps < steps_between_looks && !is_last)
           return;
         n_steps = 0;
-        if (moved_since(step.to.displacement) > way_between_looks)
+        if (moved_since(step.to.displacement) > way_between_looks || is_last)
           look(step.to);
       }
 
       std::vector<Finding> findings() const override
       {
-        if (most == 0)
+        if (touched.most == 0 && crossed.most == 0)
           return {};
+        const bool is_told_by_touch = touched.most > 0 &&
+          (crossed.most == 0 || touched.time < crossed.time);
         std::ostringstream text;
         text.precision(4);
-        if (first.first == first.second)
-          text << "Strut " << first.first << " crosses itself";
-        else
-          text << "Struts " << first.first << " and " << first.second
-               << " have passed into each other";
-        text << " at about t = " << time << " s";
-        if (most > 1)
-          text << ", later up to " << most << " pairs";
-        text
-          << ": contact is not modelled. What the lattice does from there on "
-             "holds only if its struts can pass each other.";
+        if (is_told_by_touch)
+          {
+            text << "Struts " << touched.pair.first << " and "
+                 << touched.pair.second << " touch";
+            touched.write_time(text);
+          }
+        if (crossed.most > 0)
+          {
+            text << (is_told_by_touch ? "; s" : "S");
+            if (crossed.pair.first == crossed.pair.second)
+              text << "trut " << crossed.pair.first << " crosses itself";
+            else
+              text << "truts " << crossed.pair.first << " and "
+                   << crossed.pair.second << " have passed into each other";
+            crossed.write_time(text);
+          }
+        text << ": contact is not modelled. What the lattice does from there "
+                "on holds only if its struts can pass each other.";
+        const FirstPair &first = is_told_by_touch ? touched : crossed;
         return {{Verdict::doubtful,
                  text.str(),
-                 time,
-                 "strut " + std::to_string(first.first)}};
+                 first.time,
+                 "strut " + std::to_string(first.pair.first)}};
       }
 
       void save(Records &records) const override
       {
-        records.keep(
-          crossing_record,
-          {double(most), double(first.first), double(first.second), time});
+        records.keep(touching_record, touched.values());
+        records.keep(crossing_record, crossed.values());
       }
 
       void resume(const Records &records) override
       {
-        const std::vector<double> values = records.values(crossing_record, 4);
-        most                             = values[0];
-        first = {static_cast<unsigned int>(values[1]),
-                 static_cast<unsigned int>(values[2])};
-        time  = values[3];
+        touched.set(records.values(touching_record, 4));
+        crossed.set(records.values(crossing_record, 4));
         last_displacement.clear();
       }
 
@@ -252,20 +334,12 @@ namespace auxfem
 
       void look(const State &state)
       {
-        if (!crossed_at_rest)
-          crossed_at_rest =
-            pairs(axes_of(Vector(state.displacement.size(), 0.)));
-        last_displacement = state.displacement;
-        std::set<Pair> found;
-        for (const Pair &pair : pairs(axes_of(state.displacement)))
-          if (crossed_at_rest->count(pair) == 0)
-            found.insert(pair);
-        if (most == 0 && !found.empty())
-          {
-            first = *found.begin();
-            time  = state.time;
-          }
-        most = std::max<unsigned long>(most, found.size());
+        if (!at_rest)
+          at_rest = pairs(axes_of(Vector(state.displacement.size(), 0.)));
+        last_displacement     = state.displacement;
+        const NearPairs found = pairs(axes_of(state.displacement));
+        touched.add(found.touching, at_rest->touching, state.time);
+        crossed.add(found.crossing, at_rest->crossing, state.time);
       }
 
       /** Of the elastic struts of this rank. */
@@ -304,16 +378,16 @@ namespace auxfem
           }
       }
 
-      /** All that cross, of all ranks, each once. Collective. */
-      std::set<Pair> pairs(const Axes &mine) const
+      /** All that touch or cross, of all ranks, each once. Collective. */
+      NearPairs pairs(const Axes &mine) const
       {
         const Axes                          all = of_all_ranks(mine);
         std::vector<dealii::BoundingBox<3>> boxes;
         boxes.reserve(all.struts.size());
         for (std::size_t i = 0; i < all.struts.size(); ++i)
           boxes.push_back(box_of(all.points[i], rule.margin(all.struts[i])));
-        const auto     tree = dealii::pack_rtree_of_indices(boxes);
-        std::set<Pair> of_mine;
+        const auto tree = dealii::pack_rtree_of_indices(boxes);
+        NearPairs  of_mine;
         for (std::size_t i = 0; i < mine.struts.size(); ++i)
           {
             const unsigned int one = mine.struts[i];
@@ -322,9 +396,15 @@ namespace auxfem
                    boost::geometry::index::adaptors::queried(
                      boost::geometry::index::intersects(
                        box_of(mine.points[i], rule.margin(one)))))
-              if (const unsigned int other = all.struts[j]; one <= other &&
-                  rule.cross(one, mine.points[i], other, all.points[j]))
-                of_mine.emplace(one, other);
+              if (const unsigned int other = all.struts[j]; one <= other)
+                {
+                  const Points &points = mine.points[i],
+                               &others = all.points[j];
+                  if (rule.touch(one, points, other, others))
+                    of_mine.touching.emplace(one, other);
+                  if (rule.cross(one, points, other, others))
+                    of_mine.crossing.emplace(one, other);
+                }
           }
         return of_all_ranks(of_mine);
       }
@@ -353,23 +433,22 @@ namespace auxfem
                           part.points.end());
       }
 
-      static void add(const std::set<Pair> &part, std::set<Pair> &all)
+      static void add(const NearPairs &part, NearPairs &all)
       {
-        all.insert(part.begin(), part.end());
+        all.touching.insert(part.touching.begin(), part.touching.end());
+        all.crossing.insert(part.crossing.begin(), part.crossing.end());
       }
 
-      const Equations              &equations;
-      const LatticeModel           &model;
-      const CrossingRule            rule;
-      const double                  way_between_looks; ///< m
-      const double                  end_time;          ///< s
-      const unsigned int            steps_between_looks;
-      unsigned int                  n_steps = 0;
-      Vector                        last_displacement; ///< at the last look
-      std::optional<std::set<Pair>> crossed_at_rest;
-      unsigned long                 most = 0;
-      Pair                          first;
-      double                        time = 0; ///< s
+      const Equations         &equations;
+      const LatticeModel      &model;
+      const CrossingRule       rule;
+      const double             way_between_looks; ///< m
+      const double             end_time;          ///< s
+      const unsigned int       steps_between_looks;
+      unsigned int             n_steps = 0;
+      Vector                   last_displacement; ///< at the last look
+      std::optional<NearPairs> at_rest;
+      FirstPair                touched, crossed;
     };
   } // namespace
 

@@ -1,13 +1,15 @@
+#include <auxfem/analysis/occurrences.h>
 #include <auxfem/analysis/watch.h>
-#include <auxfem/time/largest_in_time.h>
 
+#include <limits>
 #include <sstream>
 
 namespace auxfem
 {
   namespace
   {
-    const std::string strain_record = "watch: strain";
+    const std::string strain_record = "watch: strain",
+                      yield_record  = "watch: yield strain";
 
     /**
      * Of outer fibres. At 50 % what is called strain makes as large a
@@ -15,10 +17,18 @@ namespace auxfem
      */
     constexpr double doubtful_strain = 0.5, ruinous_strain = 1;
 
-    class StrainWatch : public Watch
+    /** Of strains beyond what the section of a strut may have. */
+    class StrainLimit : public Watch
     {
     public:
-      explicit StrainWatch(const Equations &equations) : equations(equations)
+      /** @param allowed by section; infinite where any is. */
+      StrainLimit(const Equations          &equations,
+                  const std::vector<double> allowed,
+                  const std::string        &name)
+        : allowed(allowed)
+        , equations(equations)
+        , communicator(equations.unknowns().layout.communicator())
+        , name(name)
       {}
 
       void step(const Evaluation        &step,
@@ -27,74 +37,135 @@ namespace auxfem
       {
         for (const StrutGroup &group : equations.reporting().struts)
           {
+            const auto       &known = beyond.largest_here();
             const StrutStrain found =
               group.forces->largest_strain(step.to,
                                            *results.of_effects[group.effect],
-                                           std::max(largest.value,
-                                                    doubtful_strain));
-            if (found.strut == invalid_index)
-              continue;
-            largest.add(found.value, step.to.time);
-            strut = found.strut;
+                                           allowed,
+                                           known ? known->size : 1.);
+            if (found.strut != invalid_index)
+              beyond.add({found.ratio, step.to.time, found.strut});
           }
       }
 
       std::vector<Finding> findings() const override
       {
-        const LargestInTime all      = of_all_ranks();
-        const std::string   location = "strut " + std::to_string(strut_of(all));
-        if (all.value <= doubtful_strain)
+        const auto first   = beyond.first_of_all(communicator),
+                   largest = beyond.largest_of_all(communicator);
+        if (!first)
           return {};
+        return {finding(
+          *first,
+          *largest,
+          largest->size *
+            allowed
+              [equations.model().lattice.struts[largest->number].section])};
+      }
+
+      void save(Records &records) const override
+      {
+        beyond.save(records, name, communicator);
+      }
+
+      void resume(const Records &records) override
+      {
+        beyond.resume(records, name);
+      }
+
+    protected:
+      /** @param strain the largest. */
+      virtual Finding finding(const Occurrence &first,
+                              const Occurrence &largest,
+                              double            strain) const = 0;
+
+      const std::vector<double> allowed;
+
+    private:
+      const Equations  &equations;
+      const MPI_Comm    communicator;
+      const std::string name;
+      Occurrences       beyond; ///< strains over what is allowed
+    };
+
+    class StrainWatch : public StrainLimit
+    {
+    public:
+      explicit StrainWatch(const Equations &equations)
+        : StrainLimit(equations,
+                      std::vector<double>(equations.model().sections.size(),
+                                          doubtful_strain),
+                      strain_record)
+      {}
+
+    private:
+      Finding finding(const Occurrence & /*first*/,
+                      const Occurrence &largest,
+                      const double      strain) const override
+      {
+        const std::string  location = "strut " + std::to_string(largest.number);
         std::ostringstream text;
         text.precision(3);
-        text << "The strain reaches " << 100 * all.value << " % in an outer "
+        text << "The strain reaches " << 100 * strain << " % in an outer "
              << "fibre of " << location
              << ". Stress in proportion to strain and sections that keep their "
                 "shape, which beams here are made of, do not hold beyond some "
              << 100 * doubtful_strain
              << " % for any material: check loads, sections and units.";
-        return {{all.value > ruinous_strain ? Verdict::not_to_be_used
-                                            : Verdict::doubtful,
-                 text.str(),
-                 all.time,
-                 location}};
+        return {strain > ruinous_strain ? Verdict::not_to_be_used
+                                        : Verdict::doubtful,
+                text.str(),
+                largest.time,
+                location};
       }
+    };
 
-      void save(Records &records) const override
-      {
-        const LargestInTime all = of_all_ranks();
-        records.keep(strain_record,
-                     {all.value, all.time, double(strut_of(all))});
-      }
+    std::vector<double> yield_strains(const std::vector<Section> &sections)
+    {
+      std::vector<double> strains;
+      for (const Section &section : sections)
+        strains.push_back(section.yield_strain.value_or(
+          std::numeric_limits<double>::infinity()));
+      return strains;
+    }
 
-      void resume(const Records &records) override
-      {
-        const std::vector<double> values = records.values(strain_record, 3);
-        largest                          = {values[0], values[1]};
-        strut                            = values[2];
-      }
+    class YieldWatch : public StrainLimit
+    {
+    public:
+      explicit YieldWatch(const Equations &equations)
+        : StrainLimit(equations,
+                      yield_strains(equations.model().sections),
+                      yield_record)
+      {}
 
     private:
-      LargestInTime of_all_ranks() const
+      Finding finding(const Occurrence &first,
+                      const Occurrence &largest,
+                      const double      strain) const override
       {
-        return largest.of_all_ranks(equations.unknowns().layout);
+        const std::string  location = "strut " + std::to_string(first.number);
+        std::ostringstream text;
+        text.precision(3);
+        text
+          << "The material yields from about t = " << first.time
+          << " s on, first in " << location << "; strut " << largest.number
+          << " reaches a strain of " << 100 * strain
+          << " % in an outer fibre at t = " << largest.time
+          << " s, its Yield strain is " << 100 * strain / largest.size
+          << " %. Struts here stay elastic; real ones are softer from there "
+             "on and keep a part of the deformation. Reduce the load, or use "
+             "the results until then.";
+        return {Verdict::doubtful, text.str(), first.time, location};
       }
-
-      /** The one with the largest strain, @p all, of all ranks. */
-      unsigned int strut_of(const LargestInTime &all) const
-      {
-        return equations.unknowns().layout.largest(
-          all.value == largest.value ? double(strut) : 0.);
-      }
-
-      const Equations &equations;
-      LargestInTime    largest;
-      unsigned int     strut = 0;
     };
   } // namespace
 
   std::unique_ptr<Watch> make_strain_watch(const Equations &equations)
   {
     return std::make_unique<StrainWatch>(equations);
+  }
+
+  std::unique_ptr<Watch> make_yield_watch(const Equations &equations)
+  {
+    return std::make_unique<YieldWatch>(equations);
   }
 } // namespace auxfem

@@ -213,6 +213,29 @@ namespace auxfem
     return rate;
   }
 
+  VanishingConnector ConnectorForces::shortest(const Evaluation    &step,
+                                               const EffectResults &results,
+                                               const double         least) const
+  {
+    VanishingConnector found{least, invalid_index};
+    if (!follows_line)
+      return found;
+    const auto &of_group = static_cast<const ConnectorResults &>(results);
+    for (const unsigned int i : owned)
+      {
+        const Ends &ends = connectors[i];
+        const bool  is_turned_round =
+          (ends.span + difference(ends, step.from.displacement.data())) *
+            (ends.span + difference(ends, step.to.displacement.data())) <
+          0;
+        const double part =
+          is_turned_round ? 0. : of_group.current_length[i] / ends.rest_length;
+        if (part < found.part)
+          found = {part, ends.first_joint};
+      }
+    return found;
+  }
+
   ConnectorMotion ConnectorForces::motion_at(const Ends  &ends,
                                              const State &state,
                                              const double extension) const

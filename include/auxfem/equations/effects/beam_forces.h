@@ -359,9 +359,32 @@ namespace auxfem
       return motion;
     }
 
-    StrutStrain largest_strain(const State         &state,
-                               const EffectResults &results,
-                               const double         least) const override
+    double strain_energy(const EffectResults &results,
+                         const unsigned int   of_numbering) const override
+    {
+      return static_cast<const BeamResults &>(results)
+        .strain_energies[of_numbering - group.begin];
+    }
+
+    double axial_force(const State       &state,
+                       const unsigned int of_numbering) const override
+    {
+      const unsigned int e = of_numbering - group.begin;
+      SectionForces      elastic[order], viscous[order] = {};
+      section_forces(e,
+                     Beam::motion(numbering, unknowns_of(e), state),
+                     elastic,
+                     viscous);
+      double integral = 0;
+      for (int g = 0; g < order; ++g)
+        integral += shape.weight[g] * elastic[g][0];
+      return integral / 2;
+    }
+
+    StrutStrain largest_strain(const State               &state,
+                               const EffectResults       &results,
+                               const std::vector<double> &allowed,
+                               const double               least) const override
     {
       const auto &energies =
         static_cast<const BeamResults &>(results).strain_energies;
@@ -370,17 +393,19 @@ namespace auxfem
       StrutStrain largest{least, invalid_index};
       for (unsigned int e = 0; e < of_elements.size(); ++e)
         {
-          const Element &data = of_elements[e];
-          if (!data.owned ||
-              2 * data.strain_per_energy * energies[e] <=
-                largest.value * largest.value * weight * data.jacobian)
-            continue;
+          const Element     &data = of_elements[e];
           const unsigned int strut =
             numbering.elements()[group.begin + e].interval.strut;
-          const double strain =
-            largest_strain(state, e, sections[lattice.struts[strut].section]);
-          if (strain > largest.value)
-            largest = {strain, strut};
+          const unsigned int section      = lattice.struts[strut].section;
+          const double       least_strain = largest.ratio * allowed[section];
+          if (!data.owned ||
+              2 * data.strain_per_energy * energies[e] <=
+                least_strain * least_strain * weight * data.jacobian)
+            continue;
+          const double ratio =
+            largest_strain(state, e, sections[section]) / allowed[section];
+          if (ratio > largest.ratio)
+            largest = {ratio, strut};
         }
       return largest;
     }

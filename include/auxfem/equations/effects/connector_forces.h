@@ -21,6 +21,13 @@ namespace auxfem
     unsigned int                        cell;
   };
 
+  /** A connector along its line whose direction means little. */
+  struct VanishingConnector
+  {
+    double       part  = 1; ///< of its length at rest that is left, 0 if none
+    unsigned int joint = invalid_index; ///< its first
+  };
+
   /** Motion and forces of a group of connectors in one evaluation. */
   struct ConnectorResults : public EffectResults
   {
@@ -87,6 +94,17 @@ namespace auxfem
                                const EffectResults *results) const override;
 
     const std::string &name() const;
+
+    /**
+     * The connector counted by this rank with the smallest part of its length
+     * left, if that is less than @p least; one whose line has been turned round
+     * in the step has passed through zero. Else of no joint. None of a fixed
+     * direction.
+     * @param results of the evaluation of the end of the step
+     */
+    VanishingConnector shortest(const Evaluation    &step,
+                                const EffectResults &results,
+                                double               least) const;
 
     /** Connectors counted by this rank, in order. */
     unsigned int n_reported() const;

@@ -46,10 +46,11 @@ namespace auxfem
     std::vector<std::array<double, 3>> velocities;
   };
 
-  /** Strain of an outer fibre: axial strain and those of bending. */
+  /** Strain of an outer fibre, axial strain and those of bending, over what is
+   * allowed. */
   struct StrutStrain
   {
-    double       value = 0;
+    double       ratio = 0;
     unsigned int strut = invalid_index;
   };
 
@@ -99,15 +100,26 @@ namespace auxfem
     virtual ScaledMotion scaled_motion(const State &state,
                                        unsigned int e) const = 0;
 
+    /** Strain energy (J) of element @p e of the numbering, from the results of
+     * an evaluation. */
+    virtual double strain_energy(const EffectResults &results,
+                                 unsigned int         e) const = 0;
+
+    /** Axial force (N) in element @p e of the numbering at @p state, the mean
+     * along it, without damping; positive in tension. */
+    virtual double axial_force(const State &state, unsigned int e) const = 0;
+
     /**
-     * The largest strain at a Gauss point of the struts counted by this rank,
-     * if
-     * it is more than @p least; else that, of no strut.
+     * The largest strain at a Gauss point of the struts counted by this rank
+     * over what its section may have, if it is more than @p least; else that, of
+     * no strut.
      * @param results of the evaluation of @p state
+     * @param allowed strain by section; infinite where any is
      */
-    virtual StrutStrain largest_strain(const State         &state,
-                                       const EffectResults &results,
-                                       double               least) const = 0;
+    virtual StrutStrain largest_strain(const State               &state,
+                                       const EffectResults       &results,
+                                       const std::vector<double> &allowed,
+                                       double least) const = 0;
   };
 } // namespace auxfem
 

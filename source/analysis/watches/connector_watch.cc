@@ -1,0 +1,88 @@
+#include <auxfem/analysis/occurrences.h>
+#include <auxfem/analysis/watch.h>
+
+#include <sstream>
+
+namespace auxfem
+{
+  namespace
+  {
+    const std::string connector_record = "watch: short connectors";
+
+    /** Of the length at rest: no spring or damper has so much stroke. */
+    constexpr double doubtful_length = 0.05;
+
+    /** Of connectors along their line, near the point where it has none. */
+    class ConnectorWatch : public Watch
+    {
+    public:
+      explicit ConnectorWatch(const Equations &equations)
+        : equations(equations)
+        , communicator(equations.unknowns().layout.communicator())
+      {}
+
+      void step(const Evaluation        &step,
+                const EvaluationResults &results,
+                TangentSolver & /*solver*/) override
+      {
+        const auto &groups = equations.reporting().connectors;
+        const auto &known  = shortenings.largest_here();
+        for (unsigned int g = 0; g < groups.size(); ++g)
+          {
+            const VanishingConnector found =
+              groups[g].forces->shortest(step,
+                                         *results.of_effects[groups[g].effect],
+                                         known ? 1 - known->size
+                                               : doubtful_length);
+            if (found.joint != invalid_index)
+              shortenings.add({1 - found.part, step.to.time, found.joint, g});
+          }
+      }
+
+      std::vector<Finding> findings() const override
+      {
+        const auto first   = shortenings.first_of_all(communicator),
+                   largest = shortenings.largest_of_all(communicator);
+        if (!first)
+          return {};
+        const std::string location = "connector " +
+          equations.reporting().connectors[first->group].forces->name() +
+          " of joint " + std::to_string(first->number);
+        std::ostringstream text;
+        text.precision(3);
+        text << "The " << location << " has less than " << 100 * doubtful_length
+             << " % of its length at rest from about t = " << first->time
+             << " s on";
+        if (largest->size == 1)
+          text << ", and one is pushed through itself at t = " << largest->time
+               << " s";
+        text << ": no real spring or damper has such a stroke, and the line "
+                "along which its force acts turns at any touch. Reduce the "
+                "load, or set Geometry = direction, where the extension goes "
+                "on through zero.";
+        return {{Verdict::doubtful, text.str(), first->time, location}};
+      }
+
+      void save(Records &records) const override
+      {
+        shortenings.save(records, connector_record, communicator);
+      }
+
+      void resume(const Records &records) override
+      {
+        shortenings.resume(records, connector_record);
+      }
+
+    private:
+      const Equations &equations;
+      const MPI_Comm   communicator;
+      /** Parts of the length at rest that are gone. */
+      Occurrences shortenings;
+    };
+  } // namespace
+
+  std::unique_ptr<Watch> make_connector_watch(const Equations &equations)
+  {
+    return std::make_unique<ConnectorWatch>(equations);
+  }
+} // namespace auxfem

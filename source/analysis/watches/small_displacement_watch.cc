@@ -1,0 +1,106 @@
+#include <auxfem/analysis/small_displacement_error.h>
+#include <auxfem/analysis/watch.h>
+
+#include <sstream>
+
+namespace auxfem
+{
+  namespace
+  {
+    const std::string small_displacement_record = "watch: small displacements";
+
+    constexpr double doubtful_displacement_error = 0.05,
+                     ruinous_displacement_error  = 0.25;
+
+    /** Steps between two looks with inertia, where a look costs about as much
+     * as a tenth of a step, and motions take many steps. */
+    constexpr unsigned int steps_between_displacement_looks = 10;
+
+    /** Of linear scenes. */
+    class SmallDisplacementWatch : public Watch
+    {
+    public:
+      SmallDisplacementWatch(const Scene &scene, const Equations &equations)
+        : estimate(scene, equations)
+        , end_time(scene.time.end_time)
+        , steps_between_looks(equations.model().simulated.inertia
+                                ? steps_between_displacement_looks
+                                : 1)
+      {}
+
+      void step(const Evaluation &step,
+                const EvaluationResults & /*results*/,
+                TangentSolver & /*solver*/) override
+      {
+        if (++n_steps < steps_between_looks && step.to.time < end_time)
+          return;
+        n_steps                            = 0;
+        const SmallDisplacementError found = estimate.at(step.to);
+        if (found.total() <= worst.total())
+          return;
+        worst = found;
+        time  = step.to.time;
+      }
+
+      std::vector<Finding> findings() const override
+      {
+        if (worst.total() <= doubtful_displacement_error)
+          return {};
+        std::ostringstream text;
+        text.precision(2);
+        text << "Displacements are not small, as Large rotation = off "
+                "supposes: at t = "
+             << time << " s forces and displacements are wrong by about "
+             << 100 * worst.total() << " %, by rotations of " << worst.rotation
+             << " rad, axial forces that change the stiffness by "
+             << 100 * worst.second_order << " %, and axial strains of "
+             << 100 * worst.strain << " % (most at " << worst.location
+             << "). Set Effects/Large rotation = on, or reduce the load.";
+        return {{worst.total() > ruinous_displacement_error
+                   ? Verdict::not_to_be_used
+                   : Verdict::doubtful,
+                 text.str(),
+                 time,
+                 worst.location}};
+      }
+
+      void save(Records &records) const override
+      {
+        records.keep(small_displacement_record,
+                     {worst.rotation,
+                      worst.second_order,
+                      worst.strain,
+                      time,
+                      double(n_steps)});
+        records.keep_text(small_displacement_record + ": location",
+                          worst.location);
+      }
+
+      void resume(const Records &records) override
+      {
+        const std::vector<double> values =
+          records.values(small_displacement_record, 5);
+        worst   = {values[0],
+                   values[1],
+                   values[2],
+                   records.text(small_displacement_record + ": location")};
+        time    = values[3];
+        n_steps = values[4];
+      }
+
+    private:
+      const SmallDisplacementEstimate estimate;
+      const double                    end_time; ///< s
+      const unsigned int              steps_between_looks;
+      unsigned int                    n_steps = 0;
+      SmallDisplacementError          worst;
+      double                          time = 0; ///< s, of it
+    };
+  } // namespace
+
+  std::unique_ptr<Watch>
+  make_small_displacement_watch(const Scene &scene, const Equations &equations)
+  {
+    return std::make_unique<SmallDisplacementWatch>(scene, equations);
+  }
+} // namespace auxfem

@@ -1,0 +1,184 @@
+#include <auxfem/analysis/lattice_run.h>
+#include <auxfem/analysis/small_displacement_error.h>
+#include <auxfem/output/memory_recorder.h>
+
+#include <analysis/findings_of.h>
+#include <gtest/gtest.h>
+#include <support/scene_text.h>
+
+#include <cmath>
+
+#include <support/pi.h>
+
+using namespace auxfem;
+using namespace auxfem::testing_support;
+
+namespace
+{
+  struct SmallOutcome
+  {
+    SmallDisplacementError estimate;
+    std::vector<double>    displacement; ///< of joints, x and y in turn (m)
+  };
+
+  /** What small displacements, or exact kinematics, make of a scene. */
+  SmallOutcome small_outcome_of(const std::string &text,
+                                const bool         is_exact,
+                                const MPI_Comm     communicator = MPI_COMM_SELF)
+  {
+    const Scene scene =
+      read_scene_from_text(text,
+                           "test.prm",
+                           {std::string("Effects/Large rotation=") +
+                            (is_exact ? "on" : "off")});
+    LatticeRun     run(scene, communicator);
+    MemoryRecorder recorder(scene, communicator);
+    run.run(recorder);
+    SmallOutcome outcome{
+      SmallDisplacementEstimate(scene, run.equations).at(run.solution.state),
+      {}};
+    for (unsigned int joint = 0; joint < run.lattice.joints.size(); ++joint)
+      for (unsigned int c = 0; c < 2; ++c)
+        if (const int unknown = run.model.numbering.joint_unknown(joint, c);
+            unknown >= 0)
+          outcome.displacement.push_back(
+            run.solution.state.displacement[unknown]);
+    return outcome;
+  }
+
+  /** Of the displacements of all joints. */
+  double relative_difference(const SmallOutcome &one, const SmallOutcome &other)
+  {
+    double difference = 0, size = 0;
+    for (std::size_t i = 0; i < one.displacement.size(); ++i)
+      {
+        difference += std::pow(one.displacement[i] - other.displacement[i], 2);
+        size += std::pow(one.displacement[i], 2);
+      }
+    return std::sqrt(difference / size);
+  }
+
+  /** A clamped column of four struts, EI = 1 N m2, 1 m. */
+  SceneText chain(const std::string &along, const std::string &across)
+  {
+    return SceneText()
+      .frame("0 0; 0.25 0; 0.5 0; 0.75 0; 1 0", "0 1; 1 2; 2 3; 3 4")
+      .section({1e5, 1e5, 1})
+      .support("foot", "0", "clamp")
+      .load("end", "4", {along, across, "0"})
+      .mesh(3)
+      .time(1, 0.125, "static");
+  }
+} // namespace
+
+TEST(SmallDisplacementEstimate, KnowsTheSlopeOfACantilever)
+{
+  // F = 0.2 N: slope F L^2 / 2 EI at the end.
+  const SmallDisplacementError error =
+    small_outcome_of(chain("0", "0.2 * t"), /*is_exact=*/false).estimate;
+  EXPECT_NEAR(error.rotation, 0.1, 1e-6);
+  EXPECT_NEAR(error.second_order, 0, 1e-8);
+  EXPECT_NEAR(error.strain, 0, 1e-8);
+  EXPECT_EQ(error.location, "strut 3");
+}
+
+TEST(SmallDisplacementEstimate, KnowsHowAxialForcesChangeTheStiffness)
+{
+  // All struts together buckle at pi^2 EI / 4 L^2, one of them at 64 times
+  // that. Pressed by a fifth of it, and pulled.
+  const double load = 0.2 * pi * pi / 4;
+  for (const double sign : {-1., 1.})
+    {
+      const SceneText pressed  = chain(text(sign * load) + " * t", "1e-3 * t");
+      const SmallOutcome small = small_outcome_of(pressed, false),
+                         exact = small_outcome_of(pressed, true);
+      EXPECT_NEAR(small.estimate.second_order, 0.2, 0.01);
+      // The true one is 1 / (1 -+ 0.2) - 1.
+      EXPECT_NEAR(relative_difference(small, exact),
+                  1 / (1 / 0.2 + sign),
+                  0.01);
+    }
+}
+
+TEST(SmallDisplacementEstimate, BoundsTheErrorOfABendingLattice)
+{
+  const auto star = [](const double load) {
+    return SceneText()
+      .cells("star", 2, 2)
+      .add("Lattice", "Strut length = 10 mm | Opening angle = 60 deg")
+      .rectangle("s", "0.4 mm", "0.4 mm", {"70 GPa"})
+      .support("foundation", "bottom", "clamp")
+      .load("pressure", "top", {"0", text(load) + " * t", "0"})
+      .mesh(3)
+      .time(1, 0.25, "static");
+  };
+  // To first order while it is small.
+  const auto ratio = [&star](const double load) {
+    const SmallOutcome small = small_outcome_of(star(load), false),
+                       exact = small_outcome_of(star(load), true);
+    return small.estimate.total() / relative_difference(exact, small);
+  };
+  for (const double load : {-0.1, 0.1})
+    {
+      EXPECT_GT(ratio(load), 1);
+      EXPECT_LT(ratio(load), 2);
+    }
+  // At about a tenth.
+  for (const double load : {-1., 1.})
+    {
+      EXPECT_GT(ratio(load), 0.4);
+      EXPECT_LT(ratio(load), 2);
+    }
+}
+
+TEST(SmallDisplacementEstimate, SeesRigidPartsAndConnectors)
+{
+  // A lever of 0.1 m turns by 0.05 rad, a spring by 5 mm over its length.
+  const auto with_spring = [](const std::string &length) {
+    return small_outcome_of(
+             SceneText()
+               .frame("0 0; 0.1 0", "0 1")
+               .rigid_part("lever", "all", 1)
+               .support("held", "0", "pin")
+               .connector("spring",
+                          "spring",
+                          "Between = ground: 1 | Spring stiffness = 1 | "
+                          "Ground offset = " +
+                            length + ", 0, 0")
+               .prescribe("lift", "1", {"free", "0.005 * t^4", "free"})
+               .time(1, 0.01, "newmark"),
+             false)
+      .estimate;
+  };
+  const SmallDisplacementError of_lever  = with_spring("0.2"),
+                               of_spring = with_spring("0.05");
+  EXPECT_NEAR(of_lever.rotation, 0.05, 1e-12);
+  EXPECT_EQ(of_lever.location, "rigid part 0");
+  EXPECT_NEAR(of_spring.rotation, 0.1, 1e-12);
+  EXPECT_EQ(of_spring.location, "connector spring of joint 1");
+}
+TEST(SmallDisplacementWatch, TellsDisplacementsThatAreNotSmall)
+{
+  const auto with = [](const double load) {
+    return findings_of(
+      chain("0", text(load) + " * t").set("Effects/Large rotation", "off"));
+  };
+  EXPECT_TRUE(with(0.15).empty());
+  const auto doubtful = with(0.25);
+  ASSERT_EQ(doubtful.size(), 1u) << verdict_text(doubtful);
+  EXPECT_EQ(doubtful[0].verdict, Verdict::doubtful);
+  EXPECT_EQ(doubtful[0].time, 1);
+  EXPECT_EQ(doubtful[0].location, "strut 3");
+  EXPECT_EQ(verdict_of(with(1.5)), Verdict::not_to_be_used);
+}
+
+TEST(SmallDisplacementWatch, FindsTheSameOnAllRanks)
+{
+  const SceneText text =
+    chain("-0.6 * t", "0.1 * t").set("Effects/Large rotation", "off");
+  const auto alone    = findings_of(text),
+             together = findings_of(text, {}, MPI_COMM_WORLD);
+  ASSERT_EQ(alone.size(), 1u);
+  ASSERT_EQ(together.size(), 1u);
+  EXPECT_EQ(together[0].text, alone[0].text);
+}
