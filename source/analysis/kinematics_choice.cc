@@ -36,8 +36,9 @@ namespace auxfem
      * could do without. */
     Scene with_small_displacements(const LatticeRun &exact)
     {
-      Scene small                  = exact.scene;
-      small.effects.large_rotation = Switch::off;
+      Scene small                                  = exact.scene;
+      small.effects.large_rotation                 = Switch::off;
+      small.effects.small_displacements_are_judged = true;
       small.effects.strut_damping =
         exact.model.simulated.strut_damping ? Switch::on : Switch::off;
       return small;

@@ -11,7 +11,10 @@ namespace auxfem
   namespace
   {
     const std::string step_error_record =
-      "step error: left of it, of all steps, largest displacements";
+      "step error: of displacements, rotations: left of it, of all steps, "
+      "largest motions, whether there is an error rate, that";
+
+    constexpr unsigned int n_values_of_motions = 5;
 
     /** Displacements of lattices are larger than this part of a strut, or no
      * error is of interest that is a part of it. */
@@ -20,6 +23,17 @@ namespace auxfem
     /** In an oscillation displacement and velocity err in turn. What is
      * estimated is the first; its mean is so much less than the amplitude. */
     constexpr double of_oscillation = dealii::numbers::PI / 2;
+
+    /** What is left of the tolerance is never taken for less than this part of
+     * all, so that steps do not become short for nothing. */
+    constexpr double least_left = 0.1;
+
+    /** Of what a step cannot follow the error is up to two amplitudes; what is
+     * estimated, (omega dt)^2 / 6 of one, is a sixth of that or more. */
+    constexpr double amplitudes = 3;
+
+    /** Of the tolerance, for what steps err more than is wanted of them. */
+    constexpr double part_of_tolerance = 0.8;
 
     double absolute_tolerance_of(const TimeParameters &parameters,
                                  const LatticeModel   &model)
@@ -37,91 +51,206 @@ namespace auxfem
     , tolerance(*parameters.relative_tolerance)
     , end_time(parameters.end_time)
     , constant(*scheme.error_constant())
-    , absolute_tolerance(absolute_tolerance_of(parameters, equations.model()))
+    , all{Motions{"displacements",
+                  "Time/Absolute tolerance",
+                  "m",
+                  equations.model().rows.free_translations,
+                  absolute_tolerance_of(parameters, equations.model())},
+          Motions{"rotations",
+                  "Time/Absolute tolerance of rotations",
+                  "rad",
+                  equations.model().rows.free_rotations,
+                  parameters.absolute_tolerance_of_rotations}}
   {}
 
-  double StepError::mean(const Vector &motion) const
+  double StepError::mean(const Motions &motions, const Vector &values) const
   {
-    const LatticeModel &model = equations.model();
-    double              sum   = 0;
-    for (const unsigned int i : model.rows.free_translations)
-      sum += motion[i] * motion[i];
-    const std::vector<double> all = model.numbering.layout().sum(
-      {sum, double(model.rows.free_translations.size())});
-    return std::sqrt(all[0] / all[1]);
+    double sum = 0;
+    for (const unsigned int i : motions.rows)
+      sum += values[i] * values[i];
+    const std::vector<double> total = equations.model().numbering.layout().sum(
+      {sum, double(motions.rows.size())});
+    return total[1] > 0 ? std::sqrt(total[0] / total[1]) : 0;
+  }
+
+  double StepError::allowed(const Motions &motions,
+                            const double   largest,
+                            const double   of_displacements) const
+  {
+    return std::max(tolerance * largest,
+                    motions.absolute_tolerance.value_or(
+                      of_displacements / equations.model().mean_strut_length));
+  }
+
+  void StepError::estimate(Motions          &motions,
+                           const Evaluation &step,
+                           const double      difference,
+                           const double      damping)
+  {
+    Motions::Estimate &latest = motions.latest;
+    latest.damping            = damping;
+    latest.error = of_oscillation * std::abs(constant) * difference;
+    latest.largest =
+      std::max(motions.largest, mean(motions, step.to.displacement));
+    latest.allowed =
+      allowed(motions, latest.largest, all.front().latest.allowed);
+    const double wanted = part_of_tolerance * latest.allowed,
+                 left =
+                   std::max(wanted - motions.left_error, least_left * wanted),
+                 part = std::min(1., step.dt / (end_time - step.from.time));
+    latest.relative   = latest.error / std::max(part * left, damping * wanted);
   }
 
   double StepError::relative(const Evaluation &step)
   {
-    Vector change = *step.to.acceleration;
+    change = *step.to.acceleration;
     add_multiple(-1., *step.from.acceleration, change);
-    return relative(step, step.dt * step.dt * mean(change), /*damping=*/0);
+    dt                                 = step.dt;
+    const std::optional<Vector> smooth = accelerations.with(change, dt);
+    Vector                      fast   = change;
+    if (smooth)
+      add_multiple(-1., *smooth, fast);
+    for (Motions &motions : all)
+      {
+        motions.latest.is_smooth = smooth.has_value();
+        estimate(motions,
+                 step,
+                 dt * dt * mean(motions, smooth ? *smooth : change),
+                 /*damping=*/0);
+        limit_fast(motions, mean(motions, fast));
+      }
+    return worst();
+  }
+
+  void StepError::limit_fast(Motions &motions, const double fast) const
+  {
+    Motions::Estimate &latest = motions.latest;
+    if (!latest.is_smooth)
+      {
+        if (!motions.error_rate)
+          return;
+        const double before = *motions.error_rate * dt * dt * dt;
+        if (latest.error > before)
+          {
+            latest.relative *= before / latest.error;
+            latest.error = before;
+          }
+      }
+    latest.relative = std::max(latest.relative,
+                               amplitudes * std::abs(constant) * dt * dt *
+                                 fast / latest.allowed);
   }
 
   double StepError::relative(const Evaluation         &step,
                              const Stages::Difference &difference)
   {
-    const double of_displacement = mean(difference.displacement),
-                 of_velocity     = step.dt * mean(difference.velocity);
-    const double angle =
-      of_displacement > 0 ? of_velocity / of_displacement : 0;
-    return relative(step,
-                    std::min(of_displacement, of_velocity),
-                    1 - std::min(1., scheme.amplification(angle)));
+    for (Motions &motions : all)
+      {
+        const double of_motion   = mean(motions, difference.displacement),
+                     of_velocity = step.dt * mean(motions, difference.velocity);
+        const double angle       = of_motion > 0 ? of_velocity / of_motion : 0;
+        estimate(motions,
+                 step,
+                 std::min(of_motion, of_velocity),
+                 1 - std::min(1., scheme.amplification(angle)));
+      }
+    return worst();
   }
 
-  double StepError::relative(const Evaluation &step,
-                             const double      difference,
-                             const double      damping)
+  double StepError::worst() const
   {
-    latest.error   = of_oscillation * std::abs(constant) * difference;
-    latest.damping = damping;
-    latest.motion = std::max(largest_motion_so_far, mean(step.to.displacement));
-    const double allowed =
-      std::max(tolerance * latest.motion, absolute_tolerance);
-    latest.relative =
-      latest.error / (allowed * std::max(step.dt / end_time, damping));
-    return latest.relative;
-  }
-
-  double StepError::total() const
-  {
-    return largest_motion_so_far > 0 ? total_error / largest_motion_so_far : 0;
+    return std::max(all[0].latest.relative, all[1].latest.relative);
   }
 
   double StepError::accept()
   {
-    left_error            = (1 - latest.damping) * left_error + latest.error;
-    total_error           = std::max(total_error, left_error);
-    largest_motion_so_far = latest.motion;
-    return latest.relative;
+    for (Motions &motions : all)
+      {
+        const Motions::Estimate &latest = motions.latest;
+        motions.left_error =
+          (1 - latest.damping) * motions.left_error + latest.error;
+        motions.total_error = std::max(motions.total_error, motions.left_error);
+        motions.largest     = latest.largest;
+        if (latest.is_smooth)
+          motions.error_rate = latest.error / (dt * dt * dt);
+      }
+    if (scheme.stages() == nullptr)
+      accelerations.add(change, dt);
+    return worst();
+  }
+
+  double StepError::largest_of_all(const Motions &motions) const
+  {
+    return motions.absolute_tolerance
+      ? motions.largest
+      : std::max(motions.largest,
+                 all.front().largest / equations.model().mean_strut_length);
+  }
+
+  double StepError::total() const
+  {
+    double total = 0;
+    for (const Motions &motions : all)
+      if (const double largest = largest_of_all(motions); largest > 0)
+        total = std::max(total, motions.total_error / largest);
+    return total;
+  }
+
+  void StepError::forget()
+  {
+    accelerations.forget();
+    for (Motions &motions : all)
+      motions.error_rate.reset();
   }
 
   std::vector<Finding> StepError::findings() const
   {
-    const double allowed = tolerance * largest_motion_so_far;
-    if (total_error <= allowed)
-      return {};
-    std::ostringstream text;
-    text << "The error of the time integration is estimated at up to "
-         << total_error << " m, " << 100 * total()
-         << " % of the displacements, more than Time/Relative tolerance "
-            "allows. Set Time/Absolute tolerance to "
-         << allowed << " m, or reduce Time/Smallest time step.";
-    return {{Verdict::doubtful, text.str(), 0, ""}};
+    std::vector<Finding> findings;
+    for (const Motions &motions : all)
+      {
+        const double largest = largest_of_all(motions);
+        if (motions.total_error <= tolerance * largest)
+          continue;
+        std::ostringstream text;
+        text << "The error of the time integration is estimated at up to "
+             << motions.total_error << ' ' << motions.unit << ", "
+             << 100 * motions.total_error / largest << " % of the "
+             << motions.name
+             << ", more than Time/Relative tolerance allows. Set "
+             << motions.parameter << " to " << tolerance * largest << ' '
+             << motions.unit << ", or reduce Time/Smallest time step.";
+        findings.push_back({Verdict::doubtful, text.str(), 0, ""});
+      }
+    return findings;
   }
 
-  void StepError::save(Records &records) const
+  void StepError::save(Records &records)
   {
-    records.keep(step_error_record,
-                 {left_error, total_error, largest_motion_so_far});
+    std::vector<double> values;
+    for (const Motions &motions : all)
+      values.insert(values.end(),
+                    {motions.left_error,
+                     motions.total_error,
+                     motions.largest,
+                     double(motions.error_rate.has_value()),
+                     motions.error_rate.value_or(0)});
+    records.keep(step_error_record, values);
+    accelerations.forget();
   }
 
   void StepError::resume(const Records &records)
   {
-    const std::vector<double> values = records.values(step_error_record, 3);
-    left_error                       = values[0];
-    total_error                      = values[1];
-    largest_motion_so_far            = values[2];
+    const std::vector<double> values =
+      records.values(step_error_record, all.size() * n_values_of_motions);
+    auto value = values.begin();
+    for (Motions &motions : all)
+      {
+        motions.left_error    = *value++;
+        motions.total_error   = *value++;
+        motions.largest       = *value++;
+        const bool   has_rate = *value++ != 0;
+        const double rate     = *value++;
+        motions.error_rate    = has_rate ? std::optional(rate) : std::nullopt;
+      }
   }
 } // namespace auxfem

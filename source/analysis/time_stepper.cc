@@ -18,6 +18,18 @@ namespace auxfem
                                      now.energies.total(),
                                      now.energies.dissipated()});
     }
+
+    std::unique_ptr<StepControl> make_control(const TimeParameters &parameters)
+    {
+      const double smallest = parameters.smallest_step > 0
+        ? parameters.smallest_step
+        : parameters.step / 1024;
+      return parameters.relative_tolerance
+        ? make_error_controlled_steps(parameters.step,
+                                      smallest,
+                                      parameters.implicit_scheme().order())
+        : make_halved_steps(parameters.step, smallest);
+    }
   } // namespace
 
   TimeStepper::RateSolver::RateSolver(const Equations        &equations,
@@ -48,13 +60,7 @@ namespace auxfem
     , work(work)
     , trial(equations.initial_solution())
     , rotations(equations.model().numbering)
-    , control(make_halved_steps(parameters.step,
-                                parameters.smallest_step > 0
-                                  ? parameters.smallest_step
-                                  : parameters.step / 1024,
-                                parameters.relative_tolerance
-                                  ? std::optional(scheme.order())
-                                  : std::nullopt))
+    , control(make_control(parameters))
     , dense_output(equations, scheme)
     , ends(step_ends(scene))
     , watches(scene, equations, work)
@@ -331,6 +337,8 @@ namespace auxfem
     if (jump == Jump::none ||
         (scheme.balances_means() && jump != Jump::velocities))
       return;
+    if (error)
+      error->forget();
     ConsistentRates rates(solvers->tangent);
     const State     before = rates.renew(state, event, parameters.step);
     account_for_rates(solution, before, &rates, event);
@@ -434,7 +442,7 @@ namespace auxfem
       return reject(
         "the step would create energy (more than Time/Largest energy error)");
     const double error_of_step = error ? relative_error(step) : 0;
-    if (error_of_step <= 1 || !control->may_be_shorter())
+    if (control->may_be_accepted(error_of_step))
       return true;
     rejected_error = error_of_step;
     return reject("the error is larger than Time/Relative tolerance allows");

@@ -26,7 +26,8 @@ namespace auxfem
     // refused.
     if (!equations.is_linear())
       watches.push_back(make_stability_watch(scene, equations, work));
-    if (!simulated.large_rotation)
+    if (!simulated.large_rotation &&
+        !scene.effects.small_displacements_are_judged)
       watches.push_back(make_small_displacement_watch(scene, equations));
     if (has_inertia)
       watches.push_back(make_step_watch(scene, equations));

@@ -52,10 +52,10 @@ namespace auxfem
       "none",
       "1",
       Range::open(0, 1),
-      "Error that the time integration may make in the displacements until the "
-      "end time, relative to the largest ones, as root mean squares: a time step is divided "
-      "into halves, these in halves again, where its estimated error asks for "
-      "it. So results still come at every time step, which may be long. none: "
+      "Error that the time integration may make in displacements and rotations "
+      "until the end time, relative to the largest ones, as root mean squares: a "
+      "time step is divided into parts where its estimated error asks for it. So "
+      "results still come at every time step, which may be long. none: "
       "steps are divided only where they fail.",
       {"none"}};
     const Quantity absolute_tolerance = {
@@ -67,6 +67,15 @@ namespace auxfem
       "are small yet. auto: the relative tolerance times a fiftieth of a mean "
       "strut's length; a run with smaller displacements ends with a warning that "
       "has the value to be set.",
+      {"auto"}};
+    const Quantity absolute_tolerance_of_rotations = {
+      "Absolute tolerance of rotations",
+      "auto",
+      "rad",
+      Range::positive(),
+      "With a relative tolerance, which rotations obey as well as displacements: "
+      "the error that is allowed while rotations are small. auto: that of "
+      "displacements over a mean strut's length.",
       {"auto"}};
     const Quantity energy_error = {
       "Largest energy error",
@@ -90,13 +99,15 @@ namespace auxfem
         parameters.insert(parameters.end(),
                           entry.parameters.begin(),
                           entry.parameters.end());
-      for (const Parameter &parameter : Parameters{end_time,
-                                                   step,
-                                                   smallest_step,
-                                                   relative_tolerance,
-                                                   absolute_tolerance,
-                                                   energy_error,
-                                                   start})
+      for (const Parameter &parameter :
+           Parameters{end_time,
+                      step,
+                      smallest_step,
+                      relative_tolerance,
+                      absolute_tolerance,
+                      absolute_tolerance_of_rotations,
+                      energy_error,
+                      start})
         parameters.push_back(parameter);
       return parameters;
     }
@@ -158,6 +169,9 @@ namespace auxfem
       time.relative_tolerance = values[relative_tolerance];
     if (!values.is_word(absolute_tolerance))
       time.absolute_tolerance = values[absolute_tolerance];
+    if (!values.is_word(absolute_tolerance_of_rotations))
+      time.absolute_tolerance_of_rotations =
+        values[absolute_tolerance_of_rotations];
     time.static_start = (values[start] == "static equilibrium");
 
     time.scheme = time_scheme_entry(values[scheme_choice()]).make(values);

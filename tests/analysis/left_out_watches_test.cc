@@ -65,13 +65,13 @@ namespace
       .load("push", "0", {"min(1, t / " + text(rise) + ")", "0", "0"});
   }
 
-  /** Two struts in line between clamps, EI = rho A = 1, their joint moved
-   * across at a frequency (rad/s) for some periods. */
+  /** Two struts in line between clamps, one longer than the other, EI = rho A =
+   * 1, their joint moved across at a frequency (rad/s) for some periods. */
   SceneText shaken_struts(const double omega, const unsigned int refinements)
   {
     const double period = 2 * pi / omega;
     return SceneText()
-      .frame("0 0; 1 0; 2 0", "0 1; 1 2")
+      .frame("0 0; 1 0; 2.1 0", "0 1; 1 2")
       .section({1e4, 1e6, 1})
       .set("Sections/section 0/Density", 1e-4)
       .support("feet", "0, 2", "clamp")

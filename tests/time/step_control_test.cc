@@ -12,8 +12,7 @@ namespace
   struct Walk
   {
     Walk(const double step, const double smallest, const double begin = 0)
-      : control(
-          make_halved_steps(step, smallest, /*order_of_error=*/std::nullopt))
+      : control(make_halved_steps(step, smallest))
       , time(begin)
     {}
 
@@ -37,26 +36,6 @@ namespace
     double                       time;
   };
 } // namespace
-
-TEST(StepControl, HalvesAsOftenAsTheErrorAsksFor)
-{
-  const auto length_after = [](const std::optional<unsigned int> order,
-                               const double                      error,
-                               const double                      smallest) {
-    const auto control = make_halved_steps(1, smallest, order);
-    control->plan(0, 1);
-    EXPECT_TRUE(control->rejected(error));
-    return control->plan(0, 1).dt;
-  };
-  // 60 / 4^3 < 1, 60 / 16^2 < 1.
-  EXPECT_EQ(length_after(2, 60, 1e-3), 1. / 8);
-  EXPECT_EQ(length_after(4, 60, 1e-3), 1. / 4);
-  EXPECT_EQ(length_after(2, 3.9, 1e-3), 1. / 2);
-  // Never shorter than allowed; once for a step that was not solved.
-  EXPECT_EQ(length_after(2, 1e6, 0.2), 1. / 4);
-  EXPECT_EQ(length_after(2, 0, 1e-3), 1. / 2);
-  EXPECT_EQ(length_after(std::nullopt, 60, 1e-3), 1. / 2);
-}
 
 TEST(StepControl, ConstantStepsReachTheirTargetsWithExactlyEqualLengths)
 {

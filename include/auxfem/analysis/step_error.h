@@ -1,17 +1,21 @@
 #ifndef auxfem_analysis_step_error_h
 #define auxfem_analysis_step_error_h
 
+#include <auxfem/analysis/smoothed_change.h>
 #include <auxfem/analysis/stages.h>
 #include <auxfem/output/verdict.h>
 #include <auxfem/time/time_parameters.h>
 
+#include <array>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace auxfem
 {
   /**
-   * The error of the displacement that a step adds. Of a scheme of the alpha
-   * family it follows from how much the acceleration changes in the step (O. C.
+   * The error of the motion that a step adds. Of a scheme of the alpha family
+   * it follows from how much the acceleration changes in the step (O. C.
    * Zienkiewicz & Y. M. Xie, Earthquake Eng. Struct. Dyn. 20 (1991) 871-887,
    * eq. 22 for Newmark; here for the whole family), of a Runge-Kutta scheme
    * from how much its embedded scheme differs in displacement and velocity,
@@ -22,18 +26,20 @@ namespace auxfem
    * @endcode
    *
    * with ImplicitScheme::error_constant(); pi / 2 stands for the error of the
-   * velocity, which an oscillation turns into one of the displacement. The
-   * minimum is the second where oscillations are too fast for the step to
-   * follow. Errors and displacements are taken as root mean squares of all free
-   * ones, not of rotations.
+   * velocity, which an oscillation turns into one of the displacement.
+   * Displacements and rotations are measured apart, by root mean squares of all
+   * free ones; the worse of the two counts.
    *
-   * In free oscillation the errors of all steps add up, so each may take of the
-   * tolerance the part that its length is of the whole time; where damping
-   * takes them away again, less is left in the end. What the scheme itself
-   * damps is known: the ratio of the two differences above is the angle by
-   * which what errs most turns in the step, of which
-   * ImplicitScheme::amplification() is left. So errors of oscillations that no
-   * step can follow, which do not last, make none shorter.
+   * In free oscillation the errors of all steps add up, so each may take, of
+   * what the steps before it have left of the tolerance, the part that its
+   * length is of the time that remains.
+   *
+   * Oscillations that are too fast to be followed are wrong by no more than
+   * their amplitude, in however many steps. Of the alpha family they are told
+   * by accelerations that change sign from step to step (SmoothedChange). What
+   * a Runge-Kutta scheme damps of them is known: the ratio of the two
+   * differences above is the angle by which what errs most turns in the step,
+   * of which ImplicitScheme::amplification() is left.
    */
   class StepError
   {
@@ -42,9 +48,7 @@ namespace auxfem
     StepError(const Equations &equations, const TimeParameters &parameters);
 
     /**
-     * Error of @p step over the one that is allowed: the tolerance times the
-     * largest displacements so far, or the absolute tolerance, times its part
-     * of the whole time. Collective.
+     * Error of @p step over the one that is wanted. Collective.
      */
     double relative(const Evaluation &step);
 
@@ -56,45 +60,87 @@ namespace auxfem
      * what that has said. */
     double accept();
 
+    /** Accelerations have jumped: the steps before do not tell any more what
+     * the next can follow. */
+    void forget();
+
     /** Of all steps together, as far as the scheme has not damped it, relative
-     * to the largest displacements; the largest so far. */
+     * to the largest motions; the largest so far. */
     double total() const;
 
     /** Something to tell if all steps together have a larger error than is
-     * allowed by the displacements that there were. */
+     * allowed by the motions that there were. */
     std::vector<Finding> findings() const;
 
-    void save(Records &records) const;
+    /** Begins the memory of steps before anew, as resume() does. */
+    void save(Records &records);
     void resume(const Records &records);
 
   private:
-    /** Root mean square of free displacements or their rates. Collective. */
-    double mean(const Vector &motion) const;
+    /** Displacements (m) or rotations (rad). */
+    struct Motions
+    {
+      std::string             name, parameter, unit;
+      const std::vector<int> &rows; ///< free ones
+      /** Allowed error while motions are small; none: as much of rotations as
+       * is allowed of displacements, over the length of a strut. */
+      std::optional<double> absolute_tolerance = {};
+      double                largest            = 0; ///< so far
+      /** Of all steps, what is left of it and the largest so far. */
+      double left_error = 0, total_error = 0;
+      /** Last error of a step that it could follow, over its length cubed. */
+      std::optional<double> error_rate = {};
+
+      /** Of the step that relative() was last asked of. */
+      struct Estimate
+      {
+        double error     = 0;
+        double largest   = 0;     ///< motion so far
+        double allowed   = 0;     ///< error of all steps
+        double damping   = 0;     ///< part of errors so far that it takes away
+        double relative  = 0;     ///< error over the one that is wanted
+        bool   is_smooth = false; ///< free of what a step cannot follow
+      };
+      Estimate latest = {};
+    };
+
+    /** Root mean square of those in @p values, or their rates. Collective. */
+    double mean(const Motions &motions, const Vector &values) const;
     /**
-     * @param difference from which the error follows (m)
+     * Error that all steps together may make.
+     * @param largest of the motions so far (m, rad)
+     * @param of_displacements allowed error (m)
+     */
+    double allowed(const Motions &motions,
+                   double         largest,
+                   double         of_displacements) const;
+    /**
+     * Of displacements first, as that of rotations may depend on them.
+     * Collective.
+     * @param difference from which the error follows (m, rad)
      * @param damping part of errors that the step takes away
      */
-    double relative(const Evaluation &step, double difference, double damping);
+    void estimate(Motions          &motions,
+                  const Evaluation &step,
+                  double            difference,
+                  double            damping);
+    /** Where there is nothing smooth yet, the last error that was is taken.
+     * @param fast mean of changes of acceleration that alternate */
+    void limit_fast(Motions &motions, double fast) const;
+    /** Largest motions (m, rad) that all errors are a part of. */
+    double largest_of_all(const Motions &motions) const;
+    /** The larger of both. */
+    double worst() const;
 
     const Equations      &equations;
     const ImplicitScheme &scheme;
     const double          tolerance, end_time, constant;
-    /** m */
-    const double absolute_tolerance;
-
-    /** Of one step (m). */
-    struct Estimate
-    {
-      double error    = 0;
-      double motion   = 0; ///< largest so far
-      double damping  = 0; ///< part of errors so far that it takes away
-      double relative = 0; ///< error over the allowed one
-    };
-
-    Estimate latest;
-    /** Of all steps, what is left of it and the largest so far (m). */
-    double left_error = 0, total_error = 0;
-    double largest_motion_so_far = 0; ///< m
+    /** Displacements, rotations. */
+    std::array<Motions, 2> all;
+    SmoothedChange         accelerations;
+    /** Of acceleration, in the step asked of; its length (s). */
+    Vector change;
+    double dt = 0;
   };
 } // namespace auxfem
 

@@ -4,7 +4,6 @@
 #include <auxfem/time/records.h>
 
 #include <memory>
-#include <optional>
 
 namespace auxfem
 {
@@ -35,8 +34,12 @@ namespace auxfem
      */
     virtual void accepted(double relative_error) = 0;
 
-    /** Whether the step last planned may be done in halves. */
-    virtual bool may_be_shorter() const = 0;
+    /**
+     * Whether the step last planned may be accepted with this error, or none
+     * that is shorter is allowed.
+     * @param relative_error as accepted()
+     */
+    virtual bool may_be_accepted(double relative_error) const = 0;
 
     /**
      * The step last planned was not solved, or not well enough. Returns false
@@ -57,15 +60,19 @@ namespace auxfem
 
   /**
    * Steps of the length @p step (s); where one fails it is done in halves, these
-   * in halves again, down to @p smallest (s). So lengths are few, and
-   * factorizations serve long. With @p order_of_error halves are put together
-   * again only where the error of a step is small, which over a given time goes
-   * with this power of the length of steps.
+   * in halves again, down to @p smallest (s), and put together again as soon as
+   * they were solved. So lengths are few, and factorizations serve long.
+   */
+  std::unique_ptr<StepControl> make_halved_steps(double step, double smallest);
+
+  /**
+   * Steps whose errors are, in the mean, what is wanted or less, no longer than
+   * @p step and no shorter than @p smallest (s): each interval is divided into
+   * 2^k or 3 2^k of equal length. The error of a step over its length goes with
+   * the power @p order of that.
    */
   std::unique_ptr<StepControl>
-  make_halved_steps(double                      step,
-                    double                      smallest,
-                    std::optional<unsigned int> order_of_error);
+  make_error_controlled_steps(double step, double smallest, unsigned int order);
 } // namespace auxfem
 
 #endif

@@ -24,6 +24,8 @@ namespace auxfem
      * StepError.
      */
     std::optional<double> absolute_tolerance;
+    /** In rad, where rotations are small; nothing: see StepError. */
+    std::optional<double> absolute_tolerance_of_rotations;
     /** Energy a step may create, of the largest so far. */
     double energy_error = 0.5;
     /** Start from the static equilibrium under the loads of t = 0. */

@@ -1,0 +1,91 @@
+#include <auxfem/time/divided_interval.h>
+
+#include <cmath>
+
+namespace auxfem
+{
+  void DividedInterval::start(const double       time,
+                              const double       next_target,
+                              const double       step,
+                              const unsigned int pieces)
+  {
+    target           = next_target;
+    begin            = time;
+    whole            = length_between(time, next_target, step);
+    number_of_pieces = pieces;
+    number           = 0;
+  }
+
+  double DividedInterval::length_between(const double time,
+                                         const double target,
+                                         const double step)
+  {
+    return std::abs(target - time - step) < 1e-6 * step ? step : target - time;
+  }
+
+  bool DividedInterval::leads_to(const double other) const
+  {
+    return target == other;
+  }
+
+  bool DividedInterval::is_open() const
+  {
+    return target.has_value();
+  }
+
+  PlannedStep DividedInterval::next() const
+  {
+    const double piece = whole / number_of_pieces;
+    return {number + 1 == number_of_pieces ? *target
+                                           : begin + piece * (number + 1),
+            piece};
+  }
+
+  void DividedInterval::pass()
+  {
+    ++number;
+    if (number == number_of_pieces)
+      target.reset();
+  }
+
+  bool DividedInterval::divide(const unsigned int pieces)
+  {
+    const unsigned long ahead = static_cast<unsigned long>(number) * pieces;
+    if (ahead % number_of_pieces != 0)
+      return false;
+    number           = ahead / number_of_pieces;
+    number_of_pieces = pieces;
+    return true;
+  }
+
+  unsigned int DividedInterval::pieces() const
+  {
+    return number_of_pieces;
+  }
+
+  double DividedInterval::length() const
+  {
+    return whole;
+  }
+
+  std::vector<double> DividedInterval::values() const
+  {
+    return {double(target.has_value()),
+            target.value_or(0),
+            begin,
+            whole,
+            double(number_of_pieces),
+            double(number)};
+  }
+
+  void DividedInterval::restore(const std::vector<double> &values)
+  {
+    target.reset();
+    if (values[0] != 0)
+      target = values[1];
+    begin            = values[2];
+    whole            = values[3];
+    number_of_pieces = values[4];
+    number           = values[5];
+  }
+} // namespace auxfem
