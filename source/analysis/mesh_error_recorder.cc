@@ -55,6 +55,14 @@ namespace auxfem
       return frequencies;
     }
 
+    /** Each stage of a step follows a motion by itself. */
+    unsigned int parts_of_step(const Scene &scene)
+    {
+      const ButcherTableau *const stages =
+        scene.time.implicit_scheme().stages();
+      return stages == nullptr ? 1 : stages->n_stages() - 1;
+    }
+
     Finding own_vibrations(const unsigned int n_struts)
     {
       return {Verdict::doubtful,
@@ -158,7 +166,7 @@ namespace auxfem
   void MeshErrorRecorder::step(const Solution   &solution,
                                const StepReport &step_report)
   {
-    n_parts += step_report.substeps;
+    n_parts += step_report.substeps * parts_of_step(scene);
     if (solution.state.time >= next)
       look(solution.state);
     ForwardingRecorder::step(solution, step_report);

@@ -297,6 +297,8 @@ TEST(OrderChoice, StrutsThatVibrateAreAFinding)
   EXPECT_FALSE(finds(long_steps));
   EXPECT_TRUE(
     finds(SceneText(long_steps).set("Time/Relative tolerance", "1e-6")));
+  // Nor are stages.
+  EXPECT_TRUE(finds(SceneText(long_steps).set("Time/Scheme", "esdirk")));
 }
 
 TEST(OrderChoice, IsTheSameOnAnyNumberOfRanks)

@@ -41,9 +41,9 @@ namespace auxfem
     /**
      * Struts that vibrate by themselves, as far as steps until @p time (s) can
      * tell: the first bending mode between clamped ends turns by less than one
-     * radian in a step of mean length. Errors of accelerations inside struts
-     * and of such frequencies add up over the time, of which estimates at an
-     * instant know nothing.
+     * radian in a step of mean length, or a stage of it. Errors of
+     * accelerations inside struts and of such frequencies add up over the time,
+     * of which estimates at an instant know nothing.
      */
     unsigned int n_vibrating(double time) const;
 
@@ -55,7 +55,7 @@ namespace auxfem
     MPI_Comm communicator = MPI_COMM_NULL;
     /** Of struts (rad/s); none without inertia. */
     std::vector<double> frequencies;
-    double              n_parts = 0; ///< of steps so far
+    double              n_parts = 0; ///< of steps so far, stages included
   };
 } // namespace auxfem
 
