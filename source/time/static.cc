@@ -29,7 +29,7 @@ namespace auxfem
   {
     if (!from.before)
       return;
-    const double dt_before = from.time - from.before->time;
+    const double dt_before = from.before->dt;
     const double part      = dt / (dt + dt_before);
     now += part / dt;
     before = part / dt_before;
@@ -47,7 +47,8 @@ namespace auxfem
         add_multiple(-weight, from.displacement, *to.velocity);
         add_multiple(weight, from.before->displacement, *to.velocity);
       }
-    to.before = {from.time, from.load_factor, from.displacement, from.residual};
+    to.before = {
+      from.time, dt, from.load_factor, from.displacement, from.residual};
   }
 
   TangentFactors QuasiStatic::factors(const State &from, const double dt) const

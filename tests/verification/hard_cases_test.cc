@@ -350,3 +350,15 @@ TEST(HardCases, LinearSceneFactorizesOnce)
   // steps.
   EXPECT_NEAR(linear.balance / linear.work, 0, 1e-12);
 }
+
+TEST(HardCases, LinearStaticsWithDashpotsFactorizesAtKinksOnly)
+{
+  SceneRun run(star_scene(),
+               small_star(1) +
+                 Overrides{"Effects/Large rotation=off", "Time/Scheme=static"});
+  run.run([] {});
+  // The first step, also that after the kink of the load, has no rates to look
+  // back on; all others have the same.
+  EXPECT_EQ(run.work().factorizations, 4u);
+  EXPECT_EQ(run.work().iterations, run.scene.time.n_steps());
+}

@@ -28,7 +28,7 @@ namespace auxfem
           !step.from.before)
         return;
       before       = &*step.from.before;
-      length_ratio = (step.from.time - before->time) / step.dt;
+      length_ratio = before->dt / step.dt;
     }
 
     /** The state that the step before began with; nullptr: there is no more

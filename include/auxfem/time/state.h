@@ -65,6 +65,9 @@ namespace auxfem
     struct Before
     {
       double time; ///< s
+      /** Length of the step from there (s): differences of times would be
+       * rounded, and what should be the same in all steps is not. */
+      double dt;
       double load_factor;
       Vector displacement, residual;
     };
