@@ -124,7 +124,8 @@ namespace auxfem
                                       const EvaluationResults &results)
   {
     solver.assemble(evaluation, results, {1., 0., inertia});
-    is_factorized = solver.factorize();
+    // The symmetric part serves as well, for less, and has an inertia.
+    is_factorized = solver.factorize(Exactness::approximate);
     return is_factorized;
   }
 

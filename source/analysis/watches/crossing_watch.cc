@@ -1,9 +1,11 @@
+#include <auxfem/analysis/relative_motion.h>
 #include <auxfem/analysis/watch.h>
 #include <auxfem/mesh/segment.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/numerics/rtree.h>
 
+#include <boost/iterator/function_output_iterator.hpp>
 #include <boost/serialization/set.hpp>
 #include <boost/serialization/utility.hpp>
 
@@ -119,15 +121,15 @@ namespace auxfem
         return half_thickness(strut);
       }
 
-      /** How far struts may move between two looks (m). */
-      double way_between_looks(const double mean_strut_length) const
+      /** How far struts may move against each other between two looks (m). */
+      double motion_between_looks(const double mean_strut_length) const
       {
-        double way = mean_strut_length / 20;
+        double motion = mean_strut_length / 5;
         if (lattice.dimension == 3)
           for (unsigned int s = 0; s < lattice.struts.size(); ++s)
             if (!lattice.struts[s].is_rigid() && half_thickness(s) > 0)
-              way = std::min(way, half_thickness(s) / 2);
-        return way;
+              motion = std::min(motion, half_thickness(s));
+        return motion;
       }
 
       /** Whether two that are not joined are nearer than half the sum of their
@@ -225,14 +227,16 @@ namespace auxfem
         : equations(equations)
         , model(equations.model())
         , rule(model.lattice, model.sections)
-        , way_between_looks(rule.way_between_looks(model.mean_strut_length))
+        , motion_between_looks(
+            rule.motion_between_looks(model.mean_strut_length))
         , end_time(scene.time.end_time)
         , steps_between_looks(model.simulated.inertia ? 20 : 1)
+        , motion(model)
       {}
 
       void start(const State &state) override
       {
-        last_displacement = state.displacement;
+        motion.start(state.displacement);
       }
 
       void step(const Evaluation &step,
@@ -243,7 +247,8 @@ namespace auxfem
         if (++n_steps < steps_between_looks && !is_last)
           return;
         n_steps = 0;
-        if (moved_since(step.to.displacement) > way_between_looks || is_last)
+        if (motion.largest(step.to.displacement) > motion_between_looks ||
+            is_last)
           look(step.to);
       }
 
@@ -290,53 +295,15 @@ namespace auxfem
       {
         touched.set(records.values(touching_record, 4));
         crossed.set(records.values(crossing_record, 4));
-        last_displacement.clear();
+        motion.forget();
       }
 
     private:
-      /** Largest way of a node since the last look beyond the mean of all (m).
-       */
-      double moved_since(const Vector &displacement) const
-      {
-        const DofNumbering &numbering = model.numbering;
-        // Ranks may differ: one may have no unknowns, or have got ghosts.
-        const bool is_new = last_displacement.size() != displacement.size();
-        if (numbering.layout().largest(is_new ? 1. : 0.) > 0)
-          return std::numeric_limits<double>::infinity();
-        const unsigned int n_components = numbering.n_components(),
-                           dimension    = model.lattice.dimension;
-        std::vector<double> sum(4, 0.);
-        const auto          for_ways = [&](const auto &act) {
-          for (unsigned int e = 0; e < numbering.elements().size(); ++e)
-            if (numbering.elements()[e].is_owned)
-              for (unsigned int a = 0; a <= numbering.elements()[e].order; ++a)
-                {
-                  const int *unknowns =
-                    numbering.element_unknowns(e) + n_components * a;
-                  for (unsigned int d = 0; d < dimension; ++d)
-                    act(d,
-                        displacement[unknowns[d]] -
-                          last_displacement[unknowns[d]]);
-                }
-        };
-        for_ways([&sum, dimension](const unsigned int d, const double way) {
-          sum[d] += way;
-          sum[3] += 1. / dimension;
-        });
-        const UnknownLayout      &layout  = numbering.layout();
-        const std::vector<double> total   = layout.sum(sum);
-        double                    largest = 0;
-        for_ways([&](const unsigned int d, const double way) {
-          largest = std::max(largest, std::abs(way - total[d] / total[3]));
-        });
-        return layout.largest(largest);
-      }
-
       void look(const State &state)
       {
         if (!at_rest)
           at_rest = pairs(axes_of(Vector(state.displacement.size(), 0.)));
-        last_displacement     = state.displacement;
+        motion.start(state.displacement);
         const NearPairs found = pairs(axes_of(state.displacement));
         touched.add(found.touching, at_rest->touching, state.time);
         crossed.add(found.crossing, at_rest->crossing, state.time);
@@ -390,21 +357,20 @@ namespace auxfem
         NearPairs  of_mine;
         for (std::size_t i = 0; i < mine.struts.size(); ++i)
           {
-            const unsigned int one = mine.struts[i];
-            for (const std::size_t j :
-                 tree |
-                   boost::geometry::index::adaptors::queried(
-                     boost::geometry::index::intersects(
-                       box_of(mine.points[i], rule.margin(one)))))
-              if (const unsigned int other = all.struts[j]; one <= other)
-                {
-                  const Points &points = mine.points[i],
-                               &others = all.points[j];
-                  if (rule.touch(one, points, other, others))
-                    of_mine.touching.emplace(one, other);
-                  if (rule.cross(one, points, other, others))
-                    of_mine.crossing.emplace(one, other);
-                }
+            const unsigned int one     = mine.struts[i];
+            const auto         look_at = [&](const std::size_t j) {
+              const unsigned int other = all.struts[j];
+              if (one > other)
+                return;
+              const Points &points = mine.points[i], &others = all.points[j];
+              if (rule.touch(one, points, other, others))
+                of_mine.touching.emplace(one, other);
+              if (rule.cross(one, points, other, others))
+                of_mine.crossing.emplace(one, other);
+            };
+            tree.query(boost::geometry::index::intersects(
+                         box_of(mine.points[i], rule.margin(one))),
+                       boost::make_function_output_iterator(look_at));
           }
         return of_all_ranks(of_mine);
       }
@@ -442,11 +408,11 @@ namespace auxfem
       const Equations         &equations;
       const LatticeModel      &model;
       const CrossingRule       rule;
-      const double             way_between_looks; ///< m
-      const double             end_time;          ///< s
+      const double             motion_between_looks; ///< m
+      const double             end_time;             ///< s
       const unsigned int       steps_between_looks;
       unsigned int             n_steps = 0;
-      Vector                   last_displacement; ///< at the last look
+      RelativeMotion           motion; ///< since the last look
       std::optional<NearPairs> at_rest;
       FirstPair                touched, crossed;
     };

@@ -1,13 +1,18 @@
 #include <auxfem/analysis/watch.h>
+#include <auxfem/elements/strut_order.h>
 #include <auxfem/model/line_rule.h>
 #include <auxfem/time/largest_in_time.h>
 
 #include <deal.II/base/numbers.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iomanip>
+#include <limits>
+#include <map>
 #include <sstream>
+#include <tuple>
 
 namespace auxfem
 {
@@ -39,7 +44,7 @@ namespace auxfem
 
     /** Poles of a high-pass filter that falls about as that part does, with
      * the power p of the frequency: k^2 of bending waves. */
-    unsigned int poles_of(const unsigned int p)
+    constexpr unsigned int poles_of(const unsigned int p)
     {
       return (p + 1) / 2;
     }
@@ -50,83 +55,155 @@ namespace auxfem
       return std::sqrt(std::pow(ruinous_part, -1. / n_poles) - 1);
     }
 
-    bool is_counted_with_mass(const LatticeModel &model, const unsigned int e)
+    /** Frequency (rad/s) of waves too short for an element of @p length (m). */
+    double ruinous_frequency(const LatticeModel &model,
+                             const Section      &section,
+                             const unsigned int  order,
+                             const double        length)
     {
-      const DofNumbering::Element &element = model.numbering.elements()[e];
-      const Strut &strut = model.lattice.struts[element.interval.strut];
-      return element.is_owned &&
-        model.sections[strut.section].mass_per_length() > 0;
+      const double bending     = model.lattice.dimension == 2
+            ? section.bending_stiffness_3()
+            : std::min(section.bending_stiffness_2(),
+                   section.bending_stiffness_3());
+      const double wave_number = ruinous_phase(order) / length;
+      return wave_number * wave_number *
+        std::sqrt(bending / section.mass_per_length());
     }
 
-    /** Of an element, of which the velocities of nodes are filtered. */
-    struct FilteredElement
+    /** A translation of a node, with what elements have there. */
+    struct FilteredTranslation
     {
-      FilteredElement(const LatticeModel &model,
-                      const LineRule     &rule,
-                      const unsigned int  e)
-        : strut(model.numbering.elements()[e].interval.strut)
-        , n_poles(poles_of(model.numbering.elements()[e].order))
+      /** @param mass_there of an element (kg)
+       * @param filter frequency of its filter (rad/s) */
+      void add(const double       mass_there,
+               const double       filter,
+               const unsigned int n_poles_there,
+               const unsigned int of_strut)
       {
-        const DofNumbering::Element &element    = model.numbering.elements()[e];
-        const Strut                 &of_lattice = model.lattice.struts[strut];
-        const Section     &section   = model.sections[of_lattice.section];
-        const unsigned int dimension = model.lattice.dimension;
-        const double       length    = model.lattice.length(of_lattice) *
-          (element.interval.end - element.interval.begin);
-        const double bending     = dimension == 2
-              ? section.bending_stiffness_3()
-              : std::min(section.bending_stiffness_2(),
-                     section.bending_stiffness_3());
-        const double wave_number = ruinous_phase(element.order) / length;
-        const double mass        = section.mass_per_length();
-        frequency = wave_number * wave_number * std::sqrt(bending / mass);
-        of_filter = frequency * filter_over_passed(n_poles);
+        n_poles = std::min(n_poles, n_poles_there);
+        mass += mass_there;
+        mass_times_filter += mass_there * filter;
+        strut = of_strut;
+      }
 
-        const int *of_element = model.numbering.element_unknowns(e);
-        for (unsigned int a = 0; a <= element.order; ++a)
-          for (unsigned int d = 0; d < dimension; ++d)
+      unsigned int n_poles = std::numeric_limits<unsigned int>::max();
+      unsigned int strut   = 0; ///< one that has it
+      double       mass = 0, mass_times_filter = 0;
+    };
+
+    using Translations = std::map<int, FilteredTranslation>;
+
+    void add_element(const LatticeModel &model,
+                     const unsigned int  e,
+                     const LineRule     &rule,
+                     const double        time_step,
+                     Translations       &translations)
+    {
+      const DofNumbering::Element &element = model.numbering.elements()[e];
+      const Strut   &strut   = model.lattice.struts[element.interval.strut];
+      const Section &section = model.sections[strut.section];
+      if (!element.is_owned || section.mass_per_length() == 0)
+        return;
+      const double length = model.lattice.length(strut) *
+        (element.interval.end - element.interval.begin);
+      const double frequency =
+        ruinous_frequency(model, section, element.order, length);
+      // Steps longer than half a period hold no such waves.
+      if (frequency * time_step >= dealii::numbers::PI)
+        return;
+      const unsigned int n_poles  = poles_of(element.order);
+      const int         *unknowns = model.numbering.element_unknowns(e);
+      for (const double integral : rule.integrals)
+        {
+          for (unsigned int d = 0; d < model.lattice.dimension; ++d)
+            translations[unknowns[d]].add(section.mass_per_length() * integral *
+                                            length / 2,
+                                          frequency *
+                                            filter_over_passed(n_poles),
+                                          n_poles,
+                                          element.interval.strut);
+          unknowns += model.numbering.n_components();
+        }
+    }
+
+    /** By unknown, of the elements that this rank counts. */
+    Translations filtered_translations(const LatticeModel &model,
+                                       const double        time_step)
+    {
+      Translations translations;
+      for (const DofNumbering::Group &group : model.numbering.groups())
+        {
+          const LineRule rule(group.order);
+          for (unsigned int e = group.begin; e < group.end; ++e)
+            add_element(model, e, rule, time_step, translations);
+        }
+      return translations;
+    }
+
+    /** Velocities behind filters with the same number of poles. */
+    template <unsigned int n_poles>
+    class FilteredVelocities
+    {
+    public:
+      explicit FilteredVelocities(const Translations &translations)
+      {
+        for (const auto &[unknown, translation] : translations)
+          if (translation.n_poles == n_poles)
             {
-              unknowns.push_back(
-                of_element[a * model.numbering.n_components() + d]);
-              masses.push_back(mass * rule.integrals[a] * length / 2);
+              unknowns.push_back(unknown);
+              struts.push_back(translation.strut);
+              masses.push_back(translation.mass);
+              filters.push_back(translation.mass_times_filter /
+                                translation.mass);
             }
         forget();
       }
 
       void forget()
       {
-        filtered.assign(unknowns.size() * n_poles, 0.);
+        filtered.assign(unknowns.size(), {});
+        unresolved.assign(unknowns.size(), 0.);
       }
 
-      /** Kinetic energy (J) of what passes the filter after a step. */
+      /** Kinetic energy (J) of what passes the filters after a step. */
       double filter(const Evaluation &step)
       {
-        const double *before  = step.from.velocity->data(),
-                     *now     = step.to.velocity->data();
-        const double decay    = 1 / (1 + of_filter * step.dt);
-        double      *of_value = filtered.data();
-        double       twice    = 0;
+        const double *before = step.from.velocity->data(),
+                     *now    = step.to.velocity->data();
+        double sum           = 0;
         for (std::size_t i = 0; i < unknowns.size(); ++i)
           {
-            double change = now[unknowns[i]] - before[unknowns[i]];
-            for (unsigned int pole = 0; pole < n_poles; ++pole, ++of_value)
+            const double decay  = 1 / (1 + filters[i] * step.dt);
+            double       change = now[unknowns[i]] - before[unknowns[i]];
+            for (double &value : filtered[i])
               {
-                const double passed = decay * (*of_value + change);
-                change              = passed - *of_value;
-                *of_value           = passed;
+                const double passed = decay * (value + change);
+                change              = passed - value;
+                value               = passed;
               }
-            twice += masses[i] * of_value[-1] * of_value[-1];
+            const double energy =
+              masses[i] / 2 * filtered[i].back() * filtered[i].back();
+            unresolved[i] += energy * step.dt;
+            sum += energy;
           }
-        return twice / 2;
+        return sum;
       }
 
-      unsigned int        strut, n_poles;
-      double              frequency; ///< of waves that are too short (rad/s)
-      double              of_filter; ///< rad/s
-      std::vector<int>    unknowns;  ///< translations, node by node
-      std::vector<double> masses;    ///< kg, that of the element shared out
-      std::vector<double> filtered;  ///< m/s, of each unknown after each pole
-      double              unresolved = 0; ///< J s, summed up
+      /** Adds what has been summed up over time (J s) to the struts. */
+      void add_unresolved(std::map<unsigned int, double> &by_strut) const
+      {
+        for (std::size_t i = 0; i < unknowns.size(); ++i)
+          by_strut[struts[i]] += unresolved[i];
+      }
+
+    private:
+      std::vector<int>          unknowns;
+      std::vector<unsigned int> struts;
+      std::vector<double>       masses;  ///< kg
+      std::vector<double>       filters; ///< rad/s
+      /** M/s, after each pole. */
+      std::vector<std::array<double, n_poles>> filtered;
+      std::vector<double>                      unresolved; ///< J s
     };
 
     /**
@@ -138,34 +215,16 @@ namespace auxfem
     {
     public:
       WaveWatch(const double time_step, const Equations &equations)
-        : layout(equations.unknowns().layout)
-      {
-        const LatticeModel &model = equations.model();
-        for (const DofNumbering::Group &group : model.numbering.groups())
-          {
-            const LineRule rule(group.order);
-            for (unsigned int e = group.begin; e < group.end; ++e)
-              if (is_counted_with_mass(model, e))
-                {
-                  FilteredElement element(model, rule, e);
-                  // Steps longer than half a period hold no such waves.
-                  if (element.frequency * time_step < dealii::numbers::PI)
-                    elements.push_back(std::move(element));
-                }
-          }
-      }
+        : WaveWatch(equations.unknowns().layout,
+                    filtered_translations(equations.model(), time_step))
+      {}
 
       void step(const Evaluation &step,
                 const EvaluationResults & /*results*/,
                 TangentSolver & /*solver*/) override
       {
         double in_step = 0;
-        for (FilteredElement &element : elements)
-          {
-            const double energy = element.filter(step);
-            element.unresolved += energy * step.dt;
-            in_step += energy;
-          }
+        for_all([&](auto &of_poles) { in_step += of_poles.filter(step); });
         unresolved += in_step * step.dt;
         kinetic += step.to.energies.kinetic() * step.dt;
         largest.add(in_step, step.to.time);
@@ -214,15 +273,26 @@ namespace auxfem
         largest    = {values[2], values[3]};
         worst_before =
           WorstStrut{values[4], static_cast<unsigned int>(values[5])};
-        for (FilteredElement &element : elements)
-          {
-            element.forget();
-            element.unresolved = 0;
-          }
+        for_all([](auto &of_poles) { of_poles.forget(); });
       }
 
     private:
-      /** With the most of that energy in one element. */
+      static_assert(poles_of(largest_plane_order) <= 3);
+
+      WaveWatch(const UnknownLayout &layout, const Translations &translations)
+        : layout(layout)
+        , velocities(translations, translations, translations)
+      {}
+
+      template <class Act>
+      void for_all(const Act &act)
+      {
+        act(std::get<0>(velocities));
+        act(std::get<1>(velocities));
+        act(std::get<2>(velocities));
+      }
+
+      /** With the most of that energy. */
       struct WorstStrut
       {
         double       unresolved = 0; ///< J s
@@ -232,22 +302,30 @@ namespace auxfem
       /** Of all ranks and, in a run that was resumed, of before. */
       WorstStrut worst() const
       {
-        WorstStrut mine = worst_before;
-        for (const FilteredElement &element : elements)
-          if (element.unresolved > mine.unresolved)
-            mine = {element.unresolved, element.strut};
+        WorstStrut                     mine = worst_before;
+        std::map<unsigned int, double> by_strut;
+        std::get<0>(velocities).add_unresolved(by_strut);
+        std::get<1>(velocities).add_unresolved(by_strut);
+        std::get<2>(velocities).add_unresolved(by_strut);
+        for (const auto &[strut, value] : by_strut)
+          if (value > mine.unresolved)
+            mine = {value, strut};
         const double all = layout.largest(mine.unresolved);
         return {all,
                 static_cast<unsigned int>(layout.largest(
                   mine.unresolved == all ? double(mine.strut) : 0.))};
       }
 
-      const UnknownLayout         &layout;
-      std::vector<FilteredElement> elements;
-      double                       unresolved = 0; ///< J s, on this rank
-      double                       kinetic    = 0; ///< J s, of all ranks
-      LargestInTime                largest;        ///< J, on this rank
-      WorstStrut                   worst_before;
+      const UnknownLayout &layout;
+      /** By the number of poles. */
+      std::tuple<FilteredVelocities<1>,
+                 FilteredVelocities<2>,
+                 FilteredVelocities<3>>
+                    velocities;
+      double        unresolved = 0; ///< J s, on this rank
+      double        kinetic    = 0; ///< J s, of all ranks
+      LargestInTime largest;        ///< J, on this rank
+      WorstStrut    worst_before;
     };
   } // namespace
 
