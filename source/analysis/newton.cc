@@ -76,10 +76,9 @@ namespace auxfem
             return result;
           }
         result.relative_residual = force > 0 ? size / force : 0.;
-        // One iteration solves what is linear: what is left is round-off.
-        const auto stagnates = [&] {
+        const auto stagnates     = [&] {
           return reduction < parameters.kept_reduction ||
-            result.iterations == 0 || is_linear;
+            result.iterations == 0;
         };
         if (is_in_place && meets_constraints(results, evaluation.to) &&
             is_small(evaluation, results, size, force, stagnates()))

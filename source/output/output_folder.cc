@@ -41,11 +41,10 @@ namespace auxfem
       return found;
     }
 
-    /** Whether @p file has the name of one of the series @p name. */
-    bool belongs_to(const std::string &name, const fs::path &file)
+    /** Names that files of the series @p name have. */
+    std::regex file_names(const std::string &name)
     {
-      return std::regex_match(file.filename().string(),
-                              std::regex(name + "_\\d+(\\.\\d+)?\\.p?vtu"));
+      return std::regex(name + "_\\d+(\\.\\d+)?\\.p?vtu");
     }
   } // namespace
 
@@ -159,8 +158,9 @@ namespace auxfem
       {
         if (exists(file(series + ".pvd")))
           names.push_back(series + ".pvd");
+        const std::regex of_series = file_names(series);
         for (const fs::path &entry : entries(file(series)))
-          if (belongs_to(series, entry))
+          if (std::regex_match(entry.filename().string(), of_series))
             names.push_back(series + "/" + entry.filename().string());
       }
     return names;

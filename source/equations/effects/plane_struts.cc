@@ -182,38 +182,51 @@ namespace auxfem
                 slope[1] * tangent[0] - slope[0] * tangent[1]};
       }
 
-      static void section_forces(const BeamShape<order> &shape,
+      static void elastic_forces(const BeamShape<order> &shape,
                                  const Frame            *frames,
                                  const double            jacobian,
                                  const Stiffness        &stiffness,
                                  const Motion           &motion,
-                                 SectionForces          *elastic,
-                                 SectionForces          *viscous)
+                                 SectionForces (&of_points)[order])
       {
         for (int g = 0; g < order; ++g)
           {
-            const Beam2D::Kinematics k = Beam2D::kinematics<large_rotation>(
-              frames[g],
-              Beam2D::interpolate(shape, g, 1 / jacobian, motion.u));
-            elastic[g] = {{stiffness.axial * k.epsilon,
-                           stiffness.shear * k.gamma,
-                           0,
-                           0,
-                           0,
-                           stiffness.bending * k.kappa}};
-            if constexpr (damped)
+            const Beam2D::Kinematics k =
+              kinematics(shape, g, frames, jacobian, motion);
+            of_points[g] = {{stiffness.axial * k.epsilon,
+                             stiffness.shear * k.gamma,
+                             0,
+                             0,
+                             0,
+                             stiffness.bending * k.kappa}};
+          }
+      }
+
+      template <std::size_t n_motions>
+      static void viscous_forces(const BeamShape<order> &shape,
+                                 const Frame            *frames,
+                                 const double            jacobian,
+                                 const Stiffness        &stiffness,
+                                 const Motion (&motions)[n_motions],
+                                 SectionForces (&of_points)[n_motions][order])
+      {
+        const double beta = stiffness.damping_time;
+        for (int g = 0; g < order; ++g)
+          {
+            const Beam2D::Kinematics k =
+              kinematics(shape, g, frames, jacobian, motions[0]);
+            for (std::size_t m = 0; m < n_motions; ++m)
               {
                 const Beam2D::Gradient rate =
-                  Beam2D::interpolate(shape, g, 1 / jacobian, motion.v);
+                  Beam2D::interpolate(shape, g, 1 / jacobian, motions[m].v);
                 double epsilon_rate, gamma_rate;
                 Beam2D::strain_rates(k, rate, epsilon_rate, gamma_rate);
-                const double beta = stiffness.damping_time;
-                viscous[g]        = {{beta * stiffness.axial * epsilon_rate,
-                                      beta * stiffness.shear * gamma_rate,
-                                      0,
-                                      0,
-                                      0,
-                                      beta * stiffness.bending * rate.kappa}};
+                of_points[m][g] = {{beta * stiffness.axial * epsilon_rate,
+                                    beta * stiffness.shear * gamma_rate,
+                                    0,
+                                    0,
+                                    0,
+                                    beta * stiffness.bending * rate.kappa}};
               }
           }
       }
@@ -253,6 +266,18 @@ namespace auxfem
         return forces[0] * others[0] / stiffness.axial +
           forces[1] * others[1] / stiffness.shear +
           forces[5] * others[5] / stiffness.bending;
+      }
+
+    private:
+      static Beam2D::Kinematics kinematics(const BeamShape<order> &shape,
+                                           const int               g,
+                                           const Frame            *frames,
+                                           const double            jacobian,
+                                           const Motion           &motion)
+      {
+        return Beam2D::kinematics<large_rotation>(
+          frames[g],
+          Beam2D::interpolate(shape, g, 1 / jacobian, motion.u));
       }
     };
   } // namespace

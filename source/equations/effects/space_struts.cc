@@ -226,13 +226,12 @@ namespace auxfem
         return {section_frame(tangent, reference), slope};
       }
 
-      static void section_forces(const BeamShape<order> &shape,
+      static void elastic_forces(const BeamShape<order> &shape,
                                  const Frame            *frames,
                                  const double            jacobian,
                                  const Stiffness        &stiffness,
                                  const Motion           &motion,
-                                 SectionForces          *elastic,
-                                 SectionForces          *viscous)
+                                 SectionForces (&of_points)[order])
       {
         if constexpr (large_rotation)
           {
@@ -241,47 +240,64 @@ namespace auxfem
                                                            jacobian,
                                                            motion.nodes);
             for (int g = 0; g < order; ++g)
-              {
-                const Beam3D::Kinematics &point = element.points[g];
-                elastic[g] = forces(stiffness, point.strains);
-                if constexpr (damped)
-                  {
-                    const Beam3D::Rates rates =
-                      Beam3D::rates(shape,
-                                    g,
-                                    1 / jacobian,
-                                    point,
-                                    motion.velocities);
-                    viscous[g] =
-                      forces(stiffness,
-                             {stiffness.damping_time * rates.gamma * point.axes,
-                              stiffness.damping_time * rates.kappa *
-                                point.axes});
-                  }
-              }
+              of_points[g] = forces(stiffness, element.points[g].strains);
           }
         else
           for (int g = 0; g < order; ++g)
-            {
-              elastic[g] = forces(stiffness,
+            of_points[g] = forces(stiffness,
                                   Beam3D::small_displacement_strains(shape,
                                                                      g,
                                                                      frames,
                                                                      jacobian,
                                                                      motion.u));
-              if constexpr (damped)
+      }
+
+      template <std::size_t n_motions>
+      static void viscous_forces(const BeamShape<order> &shape,
+                                 const Frame            *frames,
+                                 const double            jacobian,
+                                 const Stiffness        &stiffness,
+                                 const Motion (&motions)[n_motions],
+                                 SectionForces (&of_points)[n_motions][order])
+      {
+        const auto viscous = [&stiffness](const SpaceVector &gamma_rate,
+                                          const SpaceVector &kappa_rate) {
+          return forces(stiffness,
+                        {stiffness.damping_time * gamma_rate,
+                         stiffness.damping_time * kappa_rate});
+        };
+        if constexpr (large_rotation)
+          {
+            const Beam3D::ElementKinematics<order> element(shape,
+                                                           frames,
+                                                           jacobian,
+                                                           motions[0].nodes);
+            for (std::size_t m = 0; m < n_motions; ++m)
+              for (int g = 0; g < order; ++g)
                 {
-                  Beam3D::Strains rates =
-                    Beam3D::small_displacement_strains(shape,
-                                                       g,
-                                                       frames,
-                                                       jacobian,
-                                                       motion.v);
-                  rates.gamma *= stiffness.damping_time;
-                  rates.kappa *= stiffness.damping_time;
-                  viscous[g] = forces(stiffness, rates);
+                  const Beam3D::Kinematics &point = element.points[g];
+                  const Beam3D::Rates       rates =
+                    Beam3D::rates(shape,
+                                  g,
+                                  1 / jacobian,
+                                  point,
+                                  motions[m].velocities);
+                  of_points[m][g] =
+                    viscous(rates.gamma * point.axes, rates.kappa * point.axes);
                 }
-            }
+          }
+        else
+          for (std::size_t m = 0; m < n_motions; ++m)
+            for (int g = 0; g < order; ++g)
+              {
+                const Beam3D::Strains rates =
+                  Beam3D::small_displacement_strains(shape,
+                                                     g,
+                                                     frames,
+                                                     jacobian,
+                                                     motions[m].v);
+                of_points[m][g] = viscous(rates.gamma, rates.kappa);
+              }
       }
 
       static SpaceVector rotation(const double *shape_values,

@@ -44,10 +44,11 @@ namespace auxfem
    * `order`, `n_components`, `is_linear`, `is_damped`; types `Frame` (a Gauss
    * point at rest), `Stiffness` and `Motion` (of an element's nodes); functions
    * `frame`, `stiffness`, `hold_shear`, `largest_stiffness` for the element at
-   * rest, `motion`, `internal_force`, `tangent` for its forces, and
-   * `section_forces`, `rotation`, `axes` for output, `strain_product` for
-   * energies. With `has_mean_forces` and large rotations it has `mean_force`
-   * and `mean_tangent` over a step.
+   * rest, `motion`, `internal_force`, `tangent` for its forces,
+   * `elastic_forces`, `viscous_forces` (of several motions of the same
+   * positions) at its Gauss points, and `rotation`, `axes` for output,
+   * `strain_product` for energies. With `has_mean_forces` and large rotations
+   * it has `mean_force` and `mean_tangent` over a step.
    */
   template <class Beam>
   class BeamForces : public StrutForces
@@ -193,16 +194,21 @@ namespace auxfem
                       const EffectResults *results,
                       EnergyAccount       &account) const override
     {
-      if (!Beam::is_damped || !account.takes_time())
-        return;
-      if (step.kind == Evaluation::Kind::between)
+      if constexpr (Beam::is_damped)
         {
-          account.add_in_step(damping_entry, energy_of(results).dissipation);
-          return;
+          if (!account.takes_time())
+            return;
+          if (step.kind == Evaluation::Kind::between)
+            {
+              account.add_in_step(damping_entry,
+                                  energy_of(results).dissipation);
+              return;
+            }
+          const DampingWork damping = damping_work(step, account.motion());
+          account.add_in_step(damping_entry, damping.lost);
+          account.add_in_step(numerical_entry,
+                              damping.of_forces - damping.lost);
         }
-      const DampingWork damping = damping_work(step, account.motion());
-      account.add_in_step(damping_entry, damping.lost);
-      account.add_in_step(numerical_entry, damping.of_forces - damping.lost);
     }
 
     void account_stage(const Evaluation & /*stage*/,
@@ -253,8 +259,10 @@ namespace auxfem
       const Element &data     = of_elements[e];
       const typename Beam::Motion motion =
         Beam::motion(numbering, unknowns, state);
-      SectionForces elastic[order], viscous[order] = {};
-      section_forces(e, motion, elastic, viscous);
+      SectionForces elastic[order], viscous[1][order] = {};
+      elastic_forces(e, motion, elastic);
+      if constexpr (Beam::is_damped)
+        viscous_forces(e, {motion}, viscous);
 
       std::vector<StrutPoint> points(n_points);
       for (unsigned int i = 0; i < n_points; ++i)
@@ -278,7 +286,7 @@ namespace auxfem
             for (unsigned int k = 0; k < 6; ++k)
               {
                 E[k] += H[g] * elastic[g][k];
-                V[k] += H[g] * viscous[g][k];
+                V[k] += H[g] * viscous[0][g][k];
               }
           for (unsigned int k = 0; k < 3; ++k)
             {
@@ -330,11 +338,8 @@ namespace auxfem
     {
       const unsigned int e        = of_numbering - group.begin;
       const int         *unknowns = unknowns_of(e);
-      SectionForces      elastic[order], viscous[order] = {};
-      section_forces(e,
-                     Beam::motion(numbering, unknowns, state),
-                     elastic,
-                     viscous);
+      SectionForces      elastic[order];
+      elastic_forces(e, Beam::motion(numbering, unknowns, state), elastic);
       ScaledMotion motion;
       for (const SectionForces &forces : elastic)
         motion.strains.push_back(
@@ -370,11 +375,10 @@ namespace auxfem
                        const unsigned int of_numbering) const override
     {
       const unsigned int e = of_numbering - group.begin;
-      SectionForces      elastic[order], viscous[order] = {};
-      section_forces(e,
+      SectionForces      elastic[order];
+      elastic_forces(e,
                      Beam::motion(numbering, unknowns_of(e), state),
-                     elastic,
-                     viscous);
+                     elastic);
       double integral = 0;
       for (int g = 0; g < order; ++g)
         integral += shape.weight[g] * elastic[g][0];
@@ -454,18 +458,31 @@ namespace auxfem
     }
 
     /** At the Gauss points of element @p e. */
-    void section_forces(const unsigned int           e,
+    void elastic_forces(const unsigned int           e,
                         const typename Beam::Motion &motion,
-                        SectionForces (&elastic)[order],
-                        SectionForces (&viscous)[order]) const
+                        SectionForces (&of_points)[order]) const
     {
-      Beam::section_forces(shape,
+      Beam::elastic_forces(shape,
                            &frames[std::size_t(e) * order],
                            of_elements[e].jacobian,
                            of_elements[e].stiffness,
                            motion,
-                           elastic,
-                           viscous);
+                           of_points);
+    }
+
+    /** Of damping, at the Gauss points of element @p e, by each of several
+     * motions that differ in their velocities alone. */
+    template <std::size_t n_motions>
+    void viscous_forces(const unsigned int e,
+                        const typename Beam::Motion (&motions)[n_motions],
+                        SectionForces (&of_points)[n_motions][order]) const
+    {
+      Beam::viscous_forces(shape,
+                           &frames[std::size_t(e) * order],
+                           of_elements[e].jacobian,
+                           of_elements[e].stiffness,
+                           motions,
+                           of_points);
     }
 
     /** As in ScaledMotion. */
@@ -484,25 +501,37 @@ namespace auxfem
       return strains;
     }
 
-    /** Section forces of damping at the Gauss points of an element. */
+    /** Section forces of damping at the Gauss points of an element at an end of
+     * a step. */
     struct ViscousForces
     {
+      /** @param mean_velocity of the step. */
       ViscousForces(const BeamForces  &beams,
                     const unsigned int e,
                     const State       &state,
-                    const Vector      &velocity)
+                    const Vector      &mean_velocity)
       {
-        SectionForces elastic[order];
-        beams.section_forces(e,
-                             Beam::motion(beams.numbering,
-                                          beams.unknowns_of(e),
-                                          state,
-                                          velocity.data()),
-                             elastic,
-                             at_point);
+        const auto motion = [&](const Vector &velocity) {
+          return Beam::motion(beams.numbering,
+                              beams.unknowns_of(e),
+                              state,
+                              velocity.data());
+        };
+        beams.viscous_forces(e,
+                             {motion(*state.velocity), motion(mean_velocity)},
+                             of_motions);
       }
 
-      SectionForces at_point[order];
+      /** At a Gauss point: by the velocities there, and by those that the
+       * step's own motion has there. */
+      std::pair<const SectionForces &, const SectionForces &>
+      at(const int g) const
+      {
+        return {of_motions[0][g], of_motions[1][g]};
+      }
+
+    private:
+      SectionForces of_motions[2][order];
     };
 
     /** What damping does in a step (J). */
@@ -524,11 +553,8 @@ namespace auxfem
           const double beta = of_elements[e].stiffness.damping_time;
           if (!of_elements[e].owned || beta == 0)
             continue;
-          const ViscousForces start(*this, e, step.from, *step.from.velocity),
-            end(*this, e, step.to, *step.to.velocity),
-            // For the strain rates that the step's own motion has there.
-            along_start(*this, e, step.from, motion.rate),
-            along_end(*this, e, step.to, motion.rate);
+          const ViscousForces start(*this, e, step.from, motion.rate),
+            end(*this, e, step.to, motion.rate);
           const auto product = [&](const SectionForces &one,
                                    const SectionForces &other) {
             return Beam::strain_product(of_elements[e].stiffness, one, other);
@@ -537,14 +563,15 @@ namespace auxfem
             {
               const double factor =
                 shape.weight[g] * of_elements[e].jacobian * step.dt / beta;
-              SectionForces mean = end.at_point[g];
+              const auto [at_start, along_start] = start.at(g);
+              const auto [at_end, along_end]     = end.at(g);
+              SectionForces mean                 = at_end;
               if (!ends_alike)
                 for (unsigned int k = 0; k < mean.size(); ++k)
-                  mean[k] = (mean[k] + start.at_point[g][k]) / 2;
+                  mean[k] = (mean[k] + at_start[k]) / 2;
               work.lost += factor * product(mean, mean);
               work.of_forces += factor / 2 *
-                (product(start.at_point[g], along_start.at_point[g]) +
-                 product(end.at_point[g], along_end.at_point[g]));
+                (product(at_start, along_start) + product(at_end, along_end));
             }
         }
       return work;
@@ -567,11 +594,10 @@ namespace auxfem
                           const unsigned int e,
                           const Section     &section) const
     {
-      SectionForces elastic[order], viscous[order] = {};
-      section_forces(e,
+      SectionForces elastic[order];
+      elastic_forces(e,
                      Beam::motion(numbering, unknowns_of(e), state),
-                     elastic,
-                     viscous);
+                     elastic);
       const auto &fibres  = section.fibre_distances;
       double      largest = 0;
       for (const SectionForces &forces : elastic)
