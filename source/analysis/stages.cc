@@ -117,6 +117,7 @@ namespace auxfem
                                         base_displacement,
                                         rotation_vectors))
     , slopes(tableau.n_stages())
+    , taken_from_kinetic(tableau.n_stages())
   {}
 
   Stages::~Stages() = default;
@@ -162,6 +163,8 @@ namespace auxfem
                                         tableau.weights[stage] * dt);
     if (part == 1)
       next.event_at_to = step.event_at_to;
+    if (stage + 1 == n())
+      next.taken_from_kinetic = &taken_from_kinetic;
     return next;
   }
 
@@ -242,11 +245,28 @@ namespace auxfem
   {
     find_slopes(solved);
     if (stage + 1 == n())
-      return;
+      {
+        find_taken_from_kinetic();
+        return;
+      }
     if (solved.weight != 0)
       equations.account_stage(solved, results);
     base.history     = solved.to.history;
     base.energy_sums = solved.to.energy_sums;
+  }
+
+  void Stages::find_taken_from_kinetic()
+  {
+    for (unsigned int i = 0; i < n(); ++i)
+      {
+        auto &[first, second] = taken_from_kinetic[i];
+        first                 = slopes[i].velocity;
+        second.assign(first.size(), 0.);
+        for (unsigned int j = 0; j < n(); ++j)
+          add_multiple(dt * dt / 2 * tableau.missed_growth(i, j),
+                       slopes[j].velocity,
+                       second);
+      }
   }
 
   void Stages::accept()

@@ -12,9 +12,9 @@ namespace auxfem
   {
     const std::string step_error_record =
       "step error: of displacements, rotations: left of it, of all steps, "
-      "largest motions, whether there is an error rate, that";
+      "largest motions";
 
-    constexpr unsigned int n_values_of_motions = 5;
+    constexpr unsigned int n_values_of_motions = 3;
 
     /** Displacements of lattices are larger than this part of a strut, or no
      * error is of interest that is a part of it. */
@@ -27,10 +27,6 @@ namespace auxfem
     /** What is left of the tolerance is never taken for less than this part of
      * all, so that steps do not become short for nothing. */
     constexpr double least_left = 0.1;
-
-    /** Of what a step cannot follow the error is up to two amplitudes; what is
-     * estimated, (omega dt)^2 / 6 of one, is a sixth of that or more. */
-    constexpr double amplitudes = 3;
 
     /** Of the tolerance, for what steps err more than is wanted of them. */
     constexpr double part_of_tolerance = 0.8;
@@ -103,42 +99,20 @@ namespace auxfem
 
   double StepError::relative(const Evaluation &step)
   {
-    change = *step.to.acceleration;
+    if (!displacements.has_begun())
+      displacements.add(step.from.time, step.from.displacement);
+    Vector change = *step.to.acceleration;
     add_multiple(-1., *step.from.acceleration, change);
-    dt                                 = step.dt;
-    const std::optional<Vector> smooth = accelerations.with(change, dt);
-    Vector                      fast   = change;
-    if (smooth)
-      add_multiple(-1., *smooth, fast);
+    const std::optional<Vector> third =
+      displacements.with(step.to.time, step.to.displacement, step.dt);
     for (Motions &motions : all)
       {
-        motions.latest.is_smooth = smooth.has_value();
-        estimate(motions,
-                 step,
-                 dt * dt * mean(motions, smooth ? *smooth : change),
-                 /*damping=*/0);
-        limit_fast(motions, mean(motions, fast));
+        double difference = step.dt * step.dt * mean(motions, change);
+        if (third)
+          difference = std::min(difference, mean(motions, *third));
+        estimate(motions, step, difference, /*damping=*/0);
       }
     return worst();
-  }
-
-  void StepError::limit_fast(Motions &motions, const double fast) const
-  {
-    Motions::Estimate &latest = motions.latest;
-    if (!latest.is_smooth)
-      {
-        if (!motions.error_rate)
-          return;
-        const double before = *motions.error_rate * dt * dt * dt;
-        if (latest.error > before)
-          {
-            latest.relative *= before / latest.error;
-            latest.error = before;
-          }
-      }
-    latest.relative = std::max(latest.relative,
-                               amplitudes * std::abs(constant) * dt * dt *
-                                 fast / latest.allowed);
   }
 
   double StepError::relative(const Evaluation         &step,
@@ -162,7 +136,7 @@ namespace auxfem
     return std::max(all[0].latest.relative, all[1].latest.relative);
   }
 
-  double StepError::accept()
+  double StepError::accept(const Evaluation &step)
   {
     for (Motions &motions : all)
       {
@@ -171,11 +145,9 @@ namespace auxfem
           (1 - latest.damping) * motions.left_error + latest.error;
         motions.total_error = std::max(motions.total_error, motions.left_error);
         motions.largest     = latest.largest;
-        if (latest.is_smooth)
-          motions.error_rate = latest.error / (dt * dt * dt);
       }
     if (scheme.stages() == nullptr)
-      accelerations.add(change, dt);
+      displacements.add(step.to.time, step.to.displacement);
     return worst();
   }
 
@@ -198,9 +170,7 @@ namespace auxfem
 
   void StepError::forget()
   {
-    accelerations.forget();
-    for (Motions &motions : all)
-      motions.error_rate.reset();
+    displacements.forget();
   }
 
   std::vector<Finding> StepError::findings() const
@@ -229,13 +199,9 @@ namespace auxfem
     std::vector<double> values;
     for (const Motions &motions : all)
       values.insert(values.end(),
-                    {motions.left_error,
-                     motions.total_error,
-                     motions.largest,
-                     double(motions.error_rate.has_value()),
-                     motions.error_rate.value_or(0)});
+                    {motions.left_error, motions.total_error, motions.largest});
     records.keep(step_error_record, values);
-    accelerations.forget();
+    forget();
   }
 
   void StepError::resume(const Records &records)
@@ -245,12 +211,9 @@ namespace auxfem
     auto value = values.begin();
     for (Motions &motions : all)
       {
-        motions.left_error    = *value++;
-        motions.total_error   = *value++;
-        motions.largest       = *value++;
-        const bool   has_rate = *value++ != 0;
-        const double rate     = *value++;
-        motions.error_rate    = has_rate ? std::optional(rate) : std::nullopt;
+        motions.left_error  = *value++;
+        motions.total_error = *value++;
+        motions.largest     = *value++;
       }
   }
 } // namespace auxfem

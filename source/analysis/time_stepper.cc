@@ -209,6 +209,8 @@ namespace auxfem
             trial.state.take_ghosts(equations.unknowns().layout);
             if (stages)
               stages->forget();
+            if (error)
+              error->forget();
           }
         const bool is_jump = pass_events(solution, report, recorder);
         take_step(solution, next_target(state.time, end), report, recorder);
@@ -337,8 +339,6 @@ namespace auxfem
     if (jump == Jump::none ||
         (scheme.balances_means() && jump != Jump::velocities))
       return;
-    if (error)
-      error->forget();
     ConsistentRates rates(solvers->tangent);
     const State     before = rates.renew(state, event, parameters.step);
     account_for_rates(solution, before, &rates, event);
@@ -369,7 +369,7 @@ namespace auxfem
                            const Evaluation &step,
                            Recorder         &recorder)
   {
-    control->accepted(error ? error->accept() : 0);
+    control->accepted(error ? error->accept(step) : 0);
     if (stages)
       stages->accept();
     raise_largest_energy(solution.state, trial.state);

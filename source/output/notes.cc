@@ -80,7 +80,7 @@ namespace auxfem
   std::vector<std::string> notes_on(const Scene        &scene,
                                     const LatticeModel &model)
   {
-    std::vector<std::string> notes;
+    std::vector<std::string> notes = scene.time.values_without_effect;
     if (const std::optional<std::string> on_scheme =
           scene.time.scheme->note_on_rigid_parts();
         on_scheme && model.numbering.constraints().n_multipliers() > 0)

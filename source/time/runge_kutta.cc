@@ -22,6 +22,14 @@ namespace auxfem
     }
   } // namespace
 
+  double ButcherTableau::missed_growth(const unsigned int i,
+                                       const unsigned int j) const
+  {
+    const double below = j <= i ? weights[i] * factors[i][j] : 0,
+                 above = i <= j ? weights[j] * factors[j][i] : 0;
+    return below + above - weights[i] * weights[j];
+  }
+
   RungeKutta::RungeKutta(const std::string &name, const ButcherTableau &tableau)
     : ImplicitScheme(name)
     , tableau(tableau)

@@ -112,6 +112,22 @@ namespace auxfem
       return parameters;
     }
 
+    std::vector<std::string>
+    values_of_other_schemes(const ParameterValues &values)
+    {
+      const std::string        chosen = values[scheme_choice()];
+      std::vector<std::string> sentences;
+      for (const TimeSchemeEntry &entry : time_scheme_registry())
+        if (entry.name != chosen)
+          for (const Parameter &parameter : entry.parameters)
+            if (!values.is_default(parameter))
+              sentences.push_back(
+                "Time/" + parameter.name + " = " + values.text(parameter) +
+                " has no effect: it belongs to Scheme = " + entry.name +
+                ", and Time/Scheme is " + chosen + ".");
+      return sentences;
+    }
+
     // Newton
 
     const Quantity tolerance = {
@@ -175,6 +191,7 @@ namespace auxfem
     time.static_start = (values[start] == "static equilibrium");
 
     time.scheme = time_scheme_entry(values[scheme_choice()]).make(values);
+    time.values_without_effect = values_of_other_schemes(values);
     return time;
   }
 

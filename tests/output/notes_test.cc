@@ -37,3 +37,24 @@ TEST(Notes, AskAboutSectionsThickForTheirStruts)
   ASSERT_EQ(stout.size(), 1u);
   expect_parts(stout[0], {"0.006 m thick"});
 }
+
+TEST(Notes, TellOfParametersOfAnotherScheme)
+{
+  const auto notes_with = [](const std::string &scheme) {
+    const EquationsOnRanks of_scene(SceneText()
+                                      .frame("0 0; 1 0", "0 1")
+                                      .rectangle("strip", 0.01, 0.01, {1e9, 1})
+                                      .add("Time", "Scheme = " + scheme)
+                                      .set("Time/Order of esdirk", 5),
+                                    {},
+                                    MPI_COMM_SELF);
+    return notes_on(of_scene.scene, of_scene.model);
+  };
+  const std::vector<std::string> notes = notes_with("newmark");
+  ASSERT_EQ(notes.size(), 1u);
+  expect_parts(notes[0],
+               {"Time/Order of esdirk = 5 has no effect",
+                "Scheme = esdirk",
+                "Time/Scheme is newmark"});
+  EXPECT_TRUE(notes_with("esdirk").empty());
+}

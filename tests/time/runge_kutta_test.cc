@@ -148,6 +148,26 @@ TEST_P(Esdirk, PredictsItsErrorInAnOscillation)
               0.05);
 }
 
+TEST_P(Esdirk, KnowsByHowMuchItMissesTheGrowthOfASquare)
+{
+  // y' = -z y over a step of length one, y_0 = 1, which no step can follow.
+  const double z = 30;
+  Values       y(tableau.n_stages(), 1.);
+  double       growth = 0, missed = 0;
+  for (unsigned int i = 0; i < y.size(); ++i)
+    {
+      for (unsigned int j = 0; j < i; ++j)
+        y[i] -= tableau.factors[i][j] * z * y[j];
+      y[i] /= 1 + tableau.factors[i][i] * z;
+      growth -= tableau.weights[i] * z * y[i] * y[i];
+    }
+  for (unsigned int i = 0; i < y.size(); ++i)
+    for (unsigned int j = 0; j < y.size(); ++j)
+      missed += tableau.missed_growth(i, j) * z * z * y[i] * y[j] / 2;
+  EXPECT_GT(std::abs(missed), 0.1);
+  EXPECT_NEAR(growth - missed, (y.back() * y.back() - 1) / 2, 1e-12);
+}
+
 TEST_P(Esdirk, ItsStageIsEulersBackwardRule)
 {
   const RungeKutta scheme("esdirk", tableau);

@@ -70,6 +70,7 @@ namespace auxfem
     };
 
     void find_slopes(const Evaluation &stage);
+    void find_taken_from_kinetic();
     void set_base(const Evaluation &step);
     void guess_acceleration();
 
@@ -88,6 +89,8 @@ namespace auxfem
     double              dt = 0, end = 0; ///< of the step (s)
     unsigned int        stage = 0;       ///< asked for last
     std::vector<Slopes> slopes;
+    /** See Evaluation. */
+    std::vector<Evaluation::Pair> taken_from_kinetic;
 
     /** Accelerations at the stages of the step before; empty: there is none. */
     std::vector<Vector> before;

@@ -1,8 +1,8 @@
 #ifndef auxfem_analysis_step_error_h
 #define auxfem_analysis_step_error_h
 
-#include <auxfem/analysis/smoothed_change.h>
 #include <auxfem/analysis/stages.h>
+#include <auxfem/analysis/third_difference.h>
 #include <auxfem/output/verdict.h>
 #include <auxfem/time/time_parameters.h>
 
@@ -17,11 +17,12 @@ namespace auxfem
    * The error of the motion that a step adds. Of a scheme of the alpha family
    * it follows from how much the acceleration changes in the step (O. C.
    * Zienkiewicz & Y. M. Xie, Earthquake Eng. Struct. Dyn. 20 (1991) 871-887,
-   * eq. 22 for Newmark; here for the whole family), of a Runge-Kutta scheme
-   * from how much its embedded scheme differs in displacement and velocity,
+   * eq. 22 for Newmark; here for the whole family) and from the third
+   * difference of the last displacements, of a Runge-Kutta scheme from how much
+   * its embedded scheme differs in displacement and velocity,
    *
    * @code
-   * e = pi / 2 c dt^2 |v'_{n+1} - v'_n|
+   * e = pi / 2 c min(dt^2 |v'_{n+1} - v'_n|, |dt^3 u_ttt|)
    * e = pi / 2 c min(dt |v - v_embedded|, |u - u_embedded|)
    * @endcode
    *
@@ -34,12 +35,13 @@ namespace auxfem
    * what the steps before it have left of the tolerance, the part that its
    * length is of the time that remains.
    *
-   * Oscillations that are too fast to be followed are wrong by no more than
-   * their amplitude, in however many steps. Of the alpha family they are told
-   * by accelerations that change sign from step to step (SmoothedChange). What
-   * a Runge-Kutta scheme damps of them is known: the ratio of the two
-   * differences above is the angle by which what errs most turns in the step,
-   * of which ImplicitScheme::amplification() is left.
+   * Oscillations that are too fast to be followed have small displacements, but
+   * the largest accelerations; in the third difference (ThirdDifference) they
+   * count by their displacements. After a jump of accelerations it is the
+   * change of these that is right, and the smaller. What a Runge-Kutta scheme
+   * damps of such oscillations is known: the ratio of the two differences above
+   * is the angle by which what errs most turns in the step, of which
+   * ImplicitScheme::amplification() is left.
    */
   class StepError
   {
@@ -56,12 +58,11 @@ namespace auxfem
     double relative(const Evaluation         &step,
                     const Stages::Difference &difference);
 
-    /** The step that relative() was last asked of becomes the solution; returns
-     * what that has said. */
-    double accept();
+    /** The @p step that relative() was last asked of becomes the solution;
+     * returns what that has said. */
+    double accept(const Evaluation &step);
 
-    /** Accelerations have jumped: the steps before do not tell any more what
-     * the next can follow. */
+    /** Steps before do not count in the third difference any more. */
     void forget();
 
     /** Of all steps together, as far as the scheme has not damped it, relative
@@ -88,18 +89,15 @@ namespace auxfem
       double                largest            = 0; ///< so far
       /** Of all steps, what is left of it and the largest so far. */
       double left_error = 0, total_error = 0;
-      /** Last error of a step that it could follow, over its length cubed. */
-      std::optional<double> error_rate = {};
 
       /** Of the step that relative() was last asked of. */
       struct Estimate
       {
-        double error     = 0;
-        double largest   = 0;     ///< motion so far
-        double allowed   = 0;     ///< error of all steps
-        double damping   = 0;     ///< part of errors so far that it takes away
-        double relative  = 0;     ///< error over the one that is wanted
-        bool   is_smooth = false; ///< free of what a step cannot follow
+        double error    = 0;
+        double largest  = 0; ///< motion so far
+        double allowed  = 0; ///< error of all steps
+        double damping  = 0; ///< part of errors so far that it takes away
+        double relative = 0; ///< error over the one that is wanted
       };
       Estimate latest = {};
     };
@@ -124,9 +122,6 @@ namespace auxfem
                   const Evaluation &step,
                   double            difference,
                   double            damping);
-    /** Where there is nothing smooth yet, the last error that was is taken.
-     * @param fast mean of changes of acceleration that alternate */
-    void limit_fast(Motions &motions, double fast) const;
     /** Largest motions (m, rad) that all errors are a part of. */
     double largest_of_all(const Motions &motions) const;
     /** The larger of both. */
@@ -137,10 +132,7 @@ namespace auxfem
     const double          tolerance, end_time, constant;
     /** Displacements, rotations. */
     std::array<Motions, 2> all;
-    SmoothedChange         accelerations;
-    /** Of acceleration, in the step asked of; its length (s). */
-    Vector change;
-    double dt = 0;
+    ThirdDifference        displacements;
   };
 } // namespace auxfem
 

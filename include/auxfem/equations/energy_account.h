@@ -93,6 +93,9 @@ namespace auxfem
       add(kinetic_entry, product(*step.to.velocity, *step.to.velocity) / 2);
       if (takes_time() && has_excess())
         add_in_step(numerical_entry, motion().taken_from_kinetic(product));
+      if (step.taken_from_kinetic != nullptr)
+        for (const Evaluation::Pair &pair : *step.taken_from_kinetic)
+          add_in_step(numerical_entry, product(pair.first, pair.second));
     }
 
     /** Writes the sums to the state, and returns this rank's energies. */

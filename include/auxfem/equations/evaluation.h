@@ -5,6 +5,7 @@
 #include <auxfem/time/state.h>
 
 #include <memory>
+#include <vector>
 
 namespace auxfem
 {
@@ -68,6 +69,18 @@ namespace auxfem
     const Vector *impulses = nullptr;
     /** Of a stage: the time for which its power counts in the step (s). */
     double weight = 0;
+
+    /** Two vectors that are multiplied by way of a matrix between them. */
+    struct Pair
+    {
+      Vector first, second;
+    };
+    /**
+     * Of the last stage of a step: the sum of all first.M second is what the
+     * scheme takes from the kinetic energy of a constant mass matrix M, see
+     * ButcherTableau::missed_growth().
+     */
+    const std::vector<Pair> *taken_from_kinetic = nullptr;
 
     /** A step with inertia of the length @p dt (s). */
     static Evaluation step(const State &from, State &to, const double dt)

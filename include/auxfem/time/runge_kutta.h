@@ -32,6 +32,18 @@ namespace auxfem
     {
       return times.size();
     }
+
+    /**
+     * b_i a_ij + b_j a_ji - b_i b_j (K. Burrage & J. C. Butcher, SIAM J. Numer.
+     * Anal. 16 (1979) 46-57), by which the scheme misses the growth of a
+     * quadratic form: with the power y'.M y at the stages,
+     *
+     * @code
+     * dt sum_i b_i y_i.M y'_i = (y_{n+1}.M y_{n+1} - y_n.M y_n) / 2
+     *                           + dt^2 / 2 sum_ij m_ij y'_i.M y'_j
+     * @endcode
+     */
+    double missed_growth(unsigned int i, unsigned int j) const;
   };
 
   /**

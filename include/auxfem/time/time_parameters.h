@@ -6,6 +6,8 @@
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace auxfem
 {
@@ -30,6 +32,9 @@ namespace auxfem
     double energy_error = 0.5;
     /** Start from the static equilibrium under the loads of t = 0. */
     bool static_start = false;
+    /** One sentence per parameter of another scheme that is not at its default,
+     * for the user. */
+    std::vector<std::string> values_without_effect;
 
     /** Number of steps to the end time; the last may be shorter. */
     unsigned long n_steps() const
