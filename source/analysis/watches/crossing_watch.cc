@@ -124,7 +124,7 @@ namespace auxfem
       /** How far struts may move against each other between two looks (m). */
       double motion_between_looks(const double mean_strut_length) const
       {
-        double motion = mean_strut_length / 5;
+        double motion = mean_strut_length / 10;
         if (lattice.dimension == 3)
           for (unsigned int s = 0; s < lattice.struts.size(); ++s)
             if (!lattice.struts[s].is_rigid() && half_thickness(s) > 0)
