@@ -171,7 +171,8 @@ namespace auxfem
     std::optional<Inertia> sum = current->inertia();
     // KLU, which is quickest where there are few unknowns and multipliers, does
     // not tell signs.
-    if (!sum && current == methods[LinearSolverType::klu].method.get())
+    const auto klu = methods.find(LinearSolverType::klu);
+    if (!sum && klu != methods.end() && current == klu->second.method.get())
       sum = inertia_by_mumps();
     if (!sum)
       return std::nullopt;

@@ -295,6 +295,27 @@ namespace auxfem
       throw ComputationError("Analysis = modes: " + why + '.');
     }
 
+    /**
+     * Whether there are as many eigenvalues between the shift and the widest
+     * gap among the last pairs as were found.
+     * @param n at least so many lie before the gap
+     * @param n_below_shift of all eigenvalues
+     */
+    bool are_all_found(Vibration                    &vibration,
+                       const std::vector<Eigenpair> &pairs,
+                       const unsigned int            n,
+                       const double                  shift,
+                       const unsigned long           n_below_shift)
+    {
+      const unsigned int counted = before_widest_gap(pairs, n, shift);
+      const double       limit =
+        (pairs[counted - 1].value + pairs[counted].value) / 2;
+      if (!vibration.factorize(limit))
+        return false;
+      const auto n_all = vibration.n_below();
+      return n_all && *n_all - n_below_shift == counted - n_below(pairs, shift);
+    }
+
     /** The smallest shift with which a factorization succeeds, that is done. */
     double factorized_shift(Vibration &vibration, const TangentSolver &solver)
     {
@@ -336,29 +357,19 @@ namespace auxfem
         const Eigenpairs near = vibration.nearest(found.shift, n_asked);
         if (near.pairs.empty() || !near.why.empty())
           fail(near.why.empty() ? "no motion has a mass" : near.why);
-        const unsigned int counted =
-          before_widest_gap(near.pairs,
-                            std::min<unsigned int>(wanted, near.pairs.size()),
-                            found.shift);
-        // All there are need no count.
-        bool is_complete = true;
-        found.is_counted = n_asked == n_with_mass;
-        if (n_below_shift && counted < near.pairs.size())
-          {
-            const double limit =
-              (near.pairs[counted - 1].value + near.pairs[counted].value) / 2;
-            const auto n_all =
-              vibration.factorize(limit) ? vibration.n_below() : std::nullopt;
-            is_complete = n_all &&
-              *n_all - *n_below_shift ==
-                counted - n_below(near.pairs, found.shift);
-            found.is_counted = is_complete;
-          }
-        if (!is_complete)
+        const unsigned int n_modes =
+          std::min<std::size_t>(wanted, near.pairs.size());
+        const bool can_count = n_below_shift && n_modes < near.pairs.size();
+        if (can_count &&
+            !are_all_found(vibration,
+                           near.pairs,
+                           n_modes,
+                           found.shift,
+                           *n_below_shift))
           continue;
-        for (unsigned int i = 0;
-             i < std::min<std::size_t>(wanted, near.pairs.size());
-             ++i)
+        // All there are need no count.
+        found.is_counted = can_count || n_asked == n_with_mass;
+        for (unsigned int i = 0; i < n_modes; ++i)
           found.modes.push_back(vibration.mode(near.pairs[i], found.shift));
         if (n_below_shift)
           found.n_further_negative =

@@ -58,6 +58,17 @@ namespace
     // Without a difference of nearly equal numbers.
     return 2 * c0 / (c1 + std::sqrt(c1 * c1 - 4 * c2 * c0));
   }
+
+  SceneText star_lattice()
+  {
+    SceneText star;
+    star.cells("star", 3, 3)
+      .rectangle("s", "0.4 mm", "0.4 mm", {"70 GPa", "2700 kg/m3", 0.33})
+      .mesh(2)
+      .support("foot", "bottom", "clamp")
+      .time(1, 0.1, "newmark");
+    return star;
+  }
 } // namespace
 
 TEST(NaturalModes, OfAPinnedTimoshenkoBeam)
@@ -191,12 +202,7 @@ TEST(NaturalModes, OfARigidRodOnASpring)
 
 TEST(NaturalModes, AreTheSameOnAllRanks)
 {
-  SceneText star;
-  star.cells("star", 3, 3)
-    .rectangle("s", "0.4 mm", "0.4 mm", {"70 GPa", "2700 kg/m3", 0.33})
-    .mesh(2)
-    .support("foot", "bottom", "clamp")
-    .time(1, 0.1, "newmark");
+  const SceneText    star     = star_lattice();
   const NaturalModes alone    = modes_of(star, 6),
                      together = modes_of(star, 6, MPI_COMM_WORLD);
   ASSERT_EQ(alone.modes.size(), 6u);
@@ -213,6 +219,19 @@ TEST(NaturalModes, AreTheSameOnAllRanks)
                     std::abs(alone.modes[i].participation[d]),
                     1e-6);
     }
+}
+
+TEST(NaturalModes, OfIterativeSolutionsAreNotCounted)
+{
+  const NaturalModes direct = modes_of(star_lattice(), 4),
+                     iterative =
+                       modes_of(star_lattice().set("Solver/Type", "gmres"), 4);
+  EXPECT_TRUE(direct.is_counted);
+  EXPECT_FALSE(iterative.is_counted);
+  for (unsigned int i = 0; i < 4; ++i)
+    EXPECT_NEAR(iterative.modes[i].eigenvalue / direct.modes[i].eigenvalue,
+                1,
+                1e-7);
 }
 
 TEST(NaturalModes, LoadsThatFollowTheirJointAreRefused)
