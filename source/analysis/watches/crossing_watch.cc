@@ -301,10 +301,12 @@ namespace auxfem
     private:
       void look(const State &state)
       {
-        if (!at_rest)
-          at_rest = pairs(axes_of(Vector(state.displacement.size(), 0.)));
         motion.start(state.displacement);
         const NearPairs found = pairs(axes_of(state.displacement));
+        if (found.touching.empty() && found.crossing.empty())
+          return;
+        if (!at_rest)
+          at_rest = pairs(axes_of(Vector(state.displacement.size(), 0.)));
         touched.add(found.touching, at_rest->touching, state.time);
         crossed.add(found.crossing, at_rest->crossing, state.time);
       }
@@ -413,6 +415,7 @@ namespace auxfem
       const unsigned int       steps_between_looks;
       unsigned int             n_steps = 0;
       RelativeMotion           motion; ///< since the last look
+      /** Looked for when there is something to compare with it. */
       std::optional<NearPairs> at_rest;
       FirstPair                touched, crossed;
     };

@@ -91,7 +91,8 @@ namespace auxfem
       double       mass = 0, mass_times_filter = 0;
     };
 
-    using Translations = std::map<int, FilteredTranslation>;
+    /** By local unknown; no mass: there is no filter. */
+    using Translations = std::vector<FilteredTranslation>;
 
     void add_element(const LatticeModel &model,
                      const unsigned int  e,
@@ -126,11 +127,11 @@ namespace auxfem
         }
     }
 
-    /** By unknown, of the elements that this rank counts. */
+    /** Of the elements that this rank counts. */
     Translations filtered_translations(const LatticeModel &model,
                                        const double        time_step)
     {
-      Translations translations;
+      Translations translations(model.numbering.layout().n_local());
       for (const DofNumbering::Group &group : model.numbering.groups())
         {
           const LineRule rule(group.order);
@@ -147,10 +148,11 @@ namespace auxfem
     public:
       explicit FilteredVelocities(const Translations &translations)
       {
-        for (const auto &[unknown, translation] : translations)
-          if (translation.n_poles == n_poles)
+        for (std::size_t i = 0; i < translations.size(); ++i)
+          if (const FilteredTranslation &translation = translations[i];
+              translation.mass > 0 && translation.n_poles == n_poles)
             {
-              unknowns.push_back(unknown);
+              unknowns.push_back(i);
               struts.push_back(translation.strut);
               masses.push_back(translation.mass);
               filters.push_back(translation.mass_times_filter /
