@@ -1,4 +1,5 @@
 #include <auxfem/analysis/analysis.h>
+#include <auxfem/analysis/modes.h>
 #include <auxfem/output/first_rank.h>
 #include <auxfem/output/run_output.h>
 #include <auxfem/reduced_cell/cell_output.h>
@@ -15,14 +16,18 @@ namespace auxfem
   {
     if (scene.analysis == Analysis::study)
       return run_study(scene, communicator, rules);
-    FileRules with_studies              = rules;
-    with_studies.results_of_other_kinds = study_files();
+    FileRules with_others              = rules;
+    with_others.results_of_other_kinds = study_files();
+    if (scene.analysis == Analysis::modes)
+      return run_modes(scene, communicator, with_others);
+    for (const std::string &file : modes_files())
+      with_others.results_of_other_kinds.push_back(file);
     if (scene.context.model == Model::reduced_cell)
       {
-        CellOutput folder(scene, start, with_studies);
+        CellOutput folder(scene, start, with_others);
         return run(scene, communicator, folder);
       }
-    RunOutput folder(scene, communicator, start, with_studies);
+    RunOutput folder(scene, communicator, start, with_others);
     return run(scene, communicator, folder);
   }
 
@@ -34,6 +39,8 @@ namespace auxfem
 
   void check(const Scene &scene, const MPI_Comm communicator)
   {
+    if (scene.analysis == Analysis::modes)
+      return check_modes(scene, communicator);
     analysis_of(scene).check(scene, communicator);
     if (scene.analysis == Analysis::study)
       check_study(scene, communicator);

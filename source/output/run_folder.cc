@@ -21,8 +21,8 @@ namespace auxfem
                         ignored);
     }
 
-    FolderContents contents_of(const Scene                    &scene,
-                               const std::vector<std::string> &further)
+    FolderContents contents_of(const Scene          &scene,
+                               const FolderContents &further)
     {
       FolderContents contents{{"log.txt",
                                "parameters.prm",
@@ -34,8 +34,11 @@ namespace auxfem
       if (is_copied(scene))
         contents.files.emplace_back("original.prm");
       contents.files.insert(contents.files.end(),
-                            further.begin(),
-                            further.end());
+                            further.files.begin(),
+                            further.files.end());
+      contents.series.insert(contents.series.end(),
+                             further.series.begin(),
+                             further.series.end());
       return contents;
     }
   } // namespace
@@ -48,11 +51,11 @@ namespace auxfem
     return rules;
   }
 
-  RunFolder::RunFolder(const Scene                    &scene,
-                       const FileRules                &rules,
-                       const std::vector<std::string> &further_files)
+  RunFolder::RunFolder(const Scene          &scene,
+                       const FileRules      &rules,
+                       const FolderContents &further)
     : folder(scene.output.directory,
-             contents_of(scene, further_files),
+             contents_of(scene, further),
              with_inputs_of(scene, rules))
   {
     const std::string &path = scene.output.directory;

@@ -72,7 +72,8 @@ namespace auxfem
   VtuWriter::VtuWriter(const Scene       &scene,
                        const Equations   &equations,
                        const std::string &folder,
-                       const MPI_Comm     communicator)
+                       const MPI_Comm     communicator,
+                       const std::string &prefix)
     : equations(equations)
     , n_segments(scene.output.segments)
   {
@@ -90,11 +91,11 @@ namespace auxfem
       }
 
     if (!equations.reporting().struts.empty())
-      strut_series.emplace(folder, "solution", communicator);
+      strut_series.emplace(folder, prefix + "solution", communicator);
     if (equations.reporting().rigid_parts)
-      rigid_part_series.emplace(folder, "rigid_parts", communicator);
+      rigid_part_series.emplace(folder, prefix + "rigid_parts", communicator);
     if (!equations.reporting().connectors.empty())
-      connector_series.emplace(folder, "connectors", communicator);
+      connector_series.emplace(folder, prefix + "connectors", communicator);
   }
 
   std::vector<std::string> VtuWriter::series() const

@@ -230,6 +230,26 @@ namespace auxfem
                              "one, e.g. 3"));
     }
 
+    void check_modes(const Scene &scene, Mistakes &mistakes)
+    {
+      if (scene.analysis != Analysis::modes)
+        return;
+      if (scene.context.model != Model::lattice)
+        mistakes.add(message(scene,
+                             "Analysis = modes: only lattices have them. Set "
+                             "Model = lattice, or Analysis = simulation"));
+      else if (!scene.time.scheme->is_dynamic() ||
+               scene.effects.inertia == Switch::off)
+        mistakes.add(message(scene,
+                             "Analysis = modes needs inertia. Set Time/Scheme "
+                             "= newmark and leave Effects/Inertia = auto"));
+      if (scene.discretization.tolerance)
+        mistakes.add(message(scene,
+                             "Discretization/Order = auto: with Analysis = "
+                             "modes the order is a number. Set Order to one, "
+                             "e.g. 3"));
+    }
+
     void check_rows(const Scene &scene, Mistakes &mistakes)
     {
       const OutputParameters &output = scene.output;
@@ -325,6 +345,7 @@ namespace auxfem
     check_rows(scene, mistakes);
     check_order(scene, mistakes);
     check_chosen_order(scene, mistakes);
+    check_modes(scene, mistakes);
     check_tolerance(scene, mistakes);
     check_inertia(scene, mistakes);
     check_motions(scene, mistakes);

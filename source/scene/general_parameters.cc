@@ -31,15 +31,18 @@ namespace auxfem
       {models[0].first, models[1].first},
       "What is simulated: a lattice of beams and connectors by finite elements, "
       "or one star cell of rigid parts with two unknowns."};
-    const std::vector<std::pair<std::string, Analysis>> analyses =
-      {{"simulation", Analysis::simulation}, {"study", Analysis::study}};
+    const std::vector<std::pair<std::string, Analysis>> analyses = {
+      {"simulation", Analysis::simulation},
+      {"modes", Analysis::modes},
+      {"study", Analysis::study}};
 
     const Choice analysis = {
       "Analysis",
       "simulation",
-      {analyses[0].first, analyses[1].first},
-      "What is computed. simulation: the scene, by Time/Scheme; study: the scene "
-      "again and again with other parameters, see Study."};
+      {analyses[0].first, analyses[1].first, analyses[2].first},
+      "What is computed. simulation: the scene, by Time/Scheme; modes: natural "
+      "frequencies and modes of a lattice, see Modes; study: the scene again and "
+      "again with other parameters, see Study."};
     const Text constants = {
       "Constants",
       "",

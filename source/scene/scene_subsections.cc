@@ -77,6 +77,7 @@ namespace auxfem
       {solver_schema(), set<&Scene::solver, read_solver>},
       {output_schema(), set<&Scene::output, read_output>},
       {probes_schema(), add_probe},
+      {modes_schema(), set<&Scene::modes, read_modes>},
       {study_schema(), set<&Scene::study, read_study>},
       {quantities_schema(), add_quantity}};
     return all;

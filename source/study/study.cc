@@ -197,7 +197,7 @@ namespace auxfem
     std::optional<RunFolder>  files;
     std::optional<StudyLines> lines;
     on_first_rank(communicator, [&]() {
-      files.emplace(scene, rules, study_files());
+      files.emplace(scene, rules, FolderContents{study_files(), {}});
       lines.emplace(dealii::Utilities::MPI::n_mpi_processes(communicator),
                     files->log());
       lines->print(overview(task, plan));

@@ -23,11 +23,11 @@ namespace auxfem
      * Makes the folder that @p scene names, whose files are spared, and removes
      * the results of an earlier run in it. Throws InputError that says why the
      * folder cannot be used, see OutputFolder.
-     * @param further_files that the run writes, besides those of a simulation.
+     * @param further that the run writes, besides those of a simulation.
      */
-    RunFolder(const Scene                    &scene,
-              const FileRules                &rules,
-              const std::vector<std::string> &further_files = {});
+    RunFolder(const Scene          &scene,
+              const FileRules      &rules,
+              const FolderContents &further = {});
 
     /** Notes that the run writes the series @p name. */
     void claim_series(const std::string &name);

@@ -36,11 +36,13 @@ namespace auxfem
     /**
      * Makes the subfolders of @p folder. Throws InputError if that fails. Collective, as is write().
      * @param scene, equations must outlive the writer.
+     * @param prefix of the names of all series.
      */
     VtuWriter(const Scene       &scene,
               const Equations   &equations,
               const std::string &folder,
-              MPI_Comm           communicator);
+              MPI_Comm           communicator,
+              const std::string &prefix = "");
 
     /** Names of the series that are written. */
     std::vector<std::string> series() const;

@@ -14,6 +14,7 @@ namespace auxfem
   enum class Analysis
   {
     simulation, ///< the scene, as its time scheme does
+    modes,      ///< natural frequencies and modes
     study       ///< many simulations with other parameters
   };
 

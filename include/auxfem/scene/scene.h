@@ -13,6 +13,7 @@
 #include <auxfem/mesh/set_definition.h>
 #include <auxfem/scene/effect_switches.h>
 #include <auxfem/scene/general_parameters.h>
+#include <auxfem/scene/modes_definition.h>
 #include <auxfem/scene/output_parameters.h>
 #include <auxfem/scene/reduced_cell_definition.h>
 #include <auxfem/scene/study_definition.h>
@@ -55,6 +56,7 @@ namespace auxfem
     NewtonParameters                       newton;
     SolverParameters                       solver;
     OutputParameters                       output;
+    ModesDefinition                        modes;
     StudyDefinition                        study;
     /** All parameters with the values used, in .prm syntax, for parameters.prm.
      */

@@ -17,7 +17,7 @@ namespace auxfem
 {
   namespace
   {
-    using Map    = TpetraMatrix::map_type;
+    using Map    = TpetraMap;
     using Global = Map::global_ordinal_type;
     using LinearProblem =
       Belos::LinearProblem<double, TpetraVectors, TpetraOperator>;
@@ -36,19 +36,6 @@ namespace auxfem
     /** Times iteration goes on from where its own residual was too optimistic.
      */
     constexpr unsigned int n_refinements = 5;
-
-    /** The first @p n local numbers of @p layout. */
-    RCP<const Map> make_map(const UnknownLayout &layout, const unsigned int n)
-    {
-      std::vector<Global> globals(n);
-      for (unsigned int i = 0; i < n; ++i)
-        globals[i] = layout.global(i);
-      return rcp(
-        new Map(Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid(),
-                Teuchos::ArrayView<const Global>(globals),
-                0,
-                rcp(new Teuchos::MpiComm<int>(layout.communicator()))));
-    }
 
     template <typename T, typename U>
     Teuchos::ArrayRCP<T> copied(const std::vector<U> &values)
@@ -230,6 +217,20 @@ namespace auxfem
       unsigned long       n_done = 0;
     };
   } // namespace
+
+
+
+  Teuchos::RCP<const TpetraMap> make_map(const UnknownLayout &layout,
+                                         const unsigned int   n)
+  {
+    std::vector<Global> globals(n);
+    for (unsigned int i = 0; i < n; ++i)
+      globals[i] = layout.global(i);
+    return rcp(new Map(Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid(),
+                       Teuchos::ArrayView<const Global>(globals),
+                       0,
+                       rcp(new Teuchos::MpiComm<int>(layout.communicator()))));
+  }
 } // namespace auxfem
 
 auxfem::KrylovSolver *

@@ -13,6 +13,11 @@ namespace auxfem
   using TpetraMatrix   = Tpetra::CrsMatrix<double>;
   using TpetraVectors  = Tpetra::MultiVector<double>;
   using TpetraOperator = Tpetra::Operator<double>;
+  using TpetraMap      = TpetraMatrix::map_type;
+
+  /** The first @p n local numbers of @p layout. */
+  Teuchos::RCP<const TpetraMap> make_map(const UnknownLayout &layout,
+                                         unsigned int         n);
 
   /**
    * Smoothed aggregation (MueLu) with the rigid-body motions of @p rows as near

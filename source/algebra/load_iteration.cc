@@ -1,3 +1,4 @@
+#include <auxfem/algebra/krylov_eigenpairs.h>
 #include <auxfem/algebra/krylov_solver.h>
 #include <auxfem/parameters/errors.h>
 
@@ -15,9 +16,10 @@ namespace auxfem
       void *symbol  = library ? dlsym(library, name) : nullptr;
       if (!symbol)
         throw ComputationError(
-          "the iterative solver cannot be loaded: " + std::string(dlerror()) +
+          "the library of iterative methods cannot be loaded: " +
+          std::string(dlerror()) +
           "\n  It is built and installed together with auxfem: build again, "
-          "or choose another Solver/Type.");
+          "or, for Solver/Type = gmres, choose another type.");
       return symbol;
     }
   } // namespace
@@ -30,5 +32,16 @@ namespace auxfem
     static const auto make = reinterpret_cast<Make>(
       symbol_of_library(AUXFEM_ITERATION_LIBRARY, "auxfem_make_krylov_solver"));
     return std::unique_ptr<KrylovSolver>(make(parameters));
+  }
+
+  Eigenpairs krylov_eigenpairs(const ShiftedEigenproblem &problem,
+                               const unsigned int         n)
+  {
+    using Find             = decltype(&auxfem_find_eigenpairs);
+    static const auto find = reinterpret_cast<Find>(
+      symbol_of_library(AUXFEM_ITERATION_LIBRARY, "auxfem_find_eigenpairs"));
+    Eigenpairs found;
+    find(problem, n, found);
+    return found;
   }
 } // namespace auxfem

@@ -1,0 +1,31 @@
+#ifndef auxfem_algebra_krylov_eigenpairs_h
+#define auxfem_algebra_krylov_eigenpairs_h
+
+#include <auxfem/algebra/eigen_solver.h>
+
+namespace auxfem
+{
+  /** Directions that are kept for @p n eigenpairs. */
+  constexpr unsigned int n_krylov_directions(const unsigned int n)
+  {
+    return 2 * n + 20;
+  }
+
+  /**
+   * As nearest_eigenpairs(), by the Krylov-Schur method (Stewart 2001, SIAM J.
+   * Matrix Anal. Appl. 23, 601; Trilinos Anasazi on Tpetra) for
+   * (K - sigma M)^-1 M in the inner product by M (Ericsson & Ruhe 1980, Math.
+   * Comp. 35, 1251). Loads the library auxfem_iteration; throws
+   * ComputationError if it is not there. Does not scale vectors. Collective.
+   */
+  Eigenpairs krylov_eigenpairs(const ShiftedEigenproblem &problem,
+                               unsigned int               n);
+} // namespace auxfem
+
+/** What krylov_eigenpairs() calls, in auxfem_iteration. */
+extern "C" void
+auxfem_find_eigenpairs(const auxfem::ShiftedEigenproblem &problem,
+                       unsigned int                       n,
+                       auxfem::Eigenpairs                &found);
+
+#endif

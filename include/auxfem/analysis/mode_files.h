@@ -1,0 +1,33 @@
+#ifndef auxfem_analysis_mode_files_h
+#define auxfem_analysis_mode_files_h
+
+#include <auxfem/analysis/lattice_run.h>
+#include <auxfem/analysis/natural_modes.h>
+#include <auxfem/output/output_folder.h>
+
+namespace auxfem
+{
+  /** What a run of modes writes beside log.txt and summary.json. */
+  FolderContents mode_contents();
+
+  /** modes.csv with its reference. On the first rank. */
+  void write_mode_table(const NaturalModes &found, const std::string &folder);
+
+  /** The modes as lines for the screen, without the last line break. */
+  std::string mode_table_text(const NaturalModes &found,
+                              unsigned int        dimension);
+
+  /** What summary.json says of modes. */
+  Json json_of(const NaturalModes &found);
+
+  /**
+   * Writes pictures of one period of mode @p number (from 1 on) about the
+   * solution of @p run; their times are parts of the period. Returns the names
+   * of the series. Collective.
+   */
+  std::vector<std::string> write_mode_pictures(const LatticeRun  &run,
+                                               const NaturalMode &mode,
+                                               unsigned int       number);
+} // namespace auxfem
+
+#endif

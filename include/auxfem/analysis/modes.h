@@ -1,0 +1,27 @@
+#ifndef auxfem_analysis_modes_h
+#define auxfem_analysis_modes_h
+
+#include <auxfem/output/output_folder.h>
+#include <auxfem/output/recorder.h>
+#include <auxfem/scene/scene.h>
+
+#include <mpi.h>
+
+namespace auxfem
+{
+  /**
+   * `Analysis = modes`: natural frequencies and modes into Output/Directory
+   * (modes.csv, summary.json, `mode_1_solution.pvd`, ...) and onto the screen.
+   * Throws InputError, ComputationError. Collective.
+   */
+  RunResult
+  run_modes(const Scene &scene, MPI_Comm communicator, const FileRules &rules);
+
+  /** The dry run: builds everything, prints counts and effects. Collective. */
+  void check_modes(const Scene &scene, MPI_Comm communicator);
+
+  /** Names of files that tell of modes, of any number of them. */
+  std::vector<std::string> modes_files();
+} // namespace auxfem
+
+#endif

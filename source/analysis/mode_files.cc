@@ -1,0 +1,213 @@
+#include <auxfem/analysis/mode_files.h>
+#include <auxfem/equations/node_rotations.h>
+#include <auxfem/output/csv_table.h>
+#include <auxfem/output/vtu_writer.h>
+
+#include <deal.II/base/numbers.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
+#include <nlohmann/json.hpp>
+
+namespace auxfem
+{
+  namespace
+  {
+    using dealii::numbers::PI;
+
+    constexpr unsigned int most_modes = 1000;
+
+    std::string prefix(const unsigned int number)
+    {
+      return "mode_" + std::to_string(number) + "_";
+    }
+
+    std::vector<Column> columns()
+    {
+      std::vector<Column> all = {
+        {"mode", "", "number, by rising frequency"},
+        {"frequency", "Hz", "natural frequency; 0 of an unstable mode"},
+        {"angular_frequency", "rad/s", "the same times 2 pi"},
+        {"period", "s", "1 / frequency; inf of motions without stiffness"},
+        {"eigenvalue",
+         "1/s2",
+         "square of the angular frequency; negative of an unstable mode"},
+        {"growth_rate", "1/s", "of an unstable mode, which grows as exp(s t)"},
+        {"residual", "1", "what is left of the equations of motion"}};
+      for (const char *axis : {"x", "y", "z"})
+        {
+          all.push_back({std::string("participation_") + axis,
+                         "kg^1/2",
+                         "product of the mode, with modal mass 1 kg, and the "
+                         "inertia of a unit translation of everything"});
+          all.push_back({std::string("effective_mass_") + axis,
+                         "kg",
+                         "square of the participation"});
+        }
+      return all;
+    }
+
+    std::vector<double> row(const NaturalMode &mode, const unsigned int number)
+    {
+      const double        frequency = mode.angular_frequency() / (2 * PI);
+      std::vector<double> values    = {double(number),
+                                       frequency,
+                                       mode.angular_frequency(),
+                                       1 / frequency,
+                                       mode.eigenvalue,
+                                       mode.growth_rate(),
+                                       mode.residual};
+      for (const double participation : mode.participation)
+        {
+          values.push_back(participation);
+          values.push_back(participation * participation);
+        }
+      return values;
+    }
+
+    /** Largest extension of the lattice along an axis (m). */
+    double extension(const Lattice &lattice)
+    {
+      dealii::Point<3> lower = lattice.joints.front(), upper = lower;
+      for (const dealii::Point<3> &joint : lattice.joints)
+        for (unsigned int d = 0; d < 3; ++d)
+          {
+            lower[d] = std::min(lower[d], joint[d]);
+            upper[d] = std::max(upper[d], joint[d]);
+          }
+      double largest = 0;
+      for (unsigned int d = 0; d < 3; ++d)
+        largest = std::max(largest, upper[d] - lower[d]);
+      return largest;
+    }
+
+    /** By how much a shape is multiplied to be seen (m per shape). */
+    double factor_of(const LatticeRun &run, const Vector &shape)
+    {
+      double largest = 0;
+      for (const int i : run.model.rows.free_translations)
+        largest = std::max(largest, std::abs(shape[i]));
+      largest = run.model.numbering.layout().largest(largest);
+      return largest > 0
+        ? run.scene.modes.amplitude * extension(run.lattice) / largest
+        : 1.;
+    }
+
+    /** The state with a multiple of the shape added. */
+    State
+    displaced(const LatticeRun &run, const Vector &shape, const double factor)
+    {
+      const NodeRotations rotations(run.model.numbering);
+      State               state = run.solution.state;
+      Vector              added = shape;
+      for (double &value : added)
+        value *= factor;
+      for (unsigned int i = 0; i < state.rotations.size(); ++i)
+        state.rotations[i] = normalized(
+          exponential(rotations.values(added, i)) * state.rotations[i]);
+      rotations.make_material(state, added);
+      for (std::size_t i = 0; i < added.size(); ++i)
+        state.displacement[i] += added[i];
+      return state;
+    }
+
+    void set_velocity(const Vector &shape, const double factor, State &state)
+    {
+      if (!state.velocity)
+        return;
+      *state.velocity = shape;
+      for (double &value : *state.velocity)
+        value *= factor;
+    }
+  } // namespace
+
+  FolderContents mode_contents()
+  {
+    FolderContents contents{{"modes.csv", "modes.units.csv"}, {}};
+    for (unsigned int number = 1; number <= most_modes; ++number)
+      for (const char *series : {"solution", "rigid_parts", "connectors"})
+        contents.series.push_back(prefix(number) + series);
+    return contents;
+  }
+
+  void write_mode_table(const NaturalModes &found, const std::string &folder)
+  {
+    CsvTable table(folder + "/modes.csv", columns());
+    for (unsigned int i = 0; i < found.modes.size(); ++i)
+      table.append(row(found.modes[i], i + 1));
+    write_column_reference(folder + "/modes.units.csv", columns());
+  }
+
+  std::string mode_table_text(const NaturalModes &found,
+                              const unsigned int  dimension)
+  {
+    std::ostringstream text;
+    text << "  mode   frequency      period    residual   effective mass along "
+         << (dimension == 2 ? "x, y" : "x, y, z") << '\n'
+         << "                Hz           s                kg";
+    for (unsigned int i = 0; i < found.modes.size(); ++i)
+      {
+        const NaturalMode &mode      = found.modes[i];
+        const double       frequency = mode.angular_frequency() / (2 * PI);
+        text << '\n' << std::setw(6) << i + 1;
+        if (mode.eigenvalue < 0)
+          text << "  grows as exp(" << std::setprecision(4)
+               << mode.growth_rate() << " t)";
+        else
+          text << std::setprecision(6) << std::setw(12) << frequency
+               << std::setprecision(4) << std::setw(12) << 1 / frequency;
+        text << std::setprecision(1) << std::scientific << std::setw(12)
+             << mode.residual << "   ";
+        for (unsigned int d = 0; d < dimension; ++d)
+          text << ' ' << std::setprecision(2) << std::setw(10)
+               << std::pow(mode.participation[d], 2);
+        text << std::defaultfloat;
+      }
+    return text.str();
+  }
+
+  Json json_of(const NaturalModes &found)
+  {
+    Json modes = Json::array();
+    for (const NaturalMode &mode : found.modes)
+      modes.push_back({{"eigenvalue", mode.eigenvalue},
+                       {"frequency_hertz", mode.angular_frequency() / (2 * PI)},
+                       {"growth_rate", mode.growth_rate()},
+                       {"residual", mode.residual},
+                       {"participation", mode.participation}});
+    return modes;
+  }
+
+  std::vector<std::string> write_mode_pictures(const LatticeRun  &run,
+                                               const NaturalMode &mode,
+                                               const unsigned int number)
+  {
+    const Equations &equations = run.equations;
+    VtuWriter        writer(run.scene,
+                     equations,
+                     run.scene.output.directory,
+                     equations.unknowns().layout.communicator(),
+                     prefix(number));
+    const double     factor = factor_of(run, mode.shape);
+    for (unsigned int i = 0; i < run.scene.modes.pictures; ++i)
+      {
+        const double part  = double(i) / run.scene.modes.pictures,
+                     phase = 2 * PI * part;
+        State before = displaced(run, mode.shape, factor * std::cos(phase));
+        set_velocity(mode.shape,
+                     -factor * mode.angular_frequency() * std::sin(phase),
+                     before);
+        Solution solution{before, equations.make_results()};
+        equations.residual(Evaluation::equilibrium(before, solution.state),
+                           solution.results);
+        solution.state.time = part;
+        writer.write_struts(solution.state);
+        writer.write_rigid_parts(solution.state);
+        writer.write_connectors(solution);
+      }
+    return writer.series();
+  }
+} // namespace auxfem

@@ -1,0 +1,94 @@
+#include <support/graphics_series.h>
+
+namespace
+{
+  using namespace auxfem::testing_support;
+
+  /** Runs with Analysis = modes. */
+  class ModesProgram : public ProgramTest
+  {
+  protected:
+    ProgramRun run_modes(const Words &overrides = {}) const
+    {
+      Words arguments = {std::string(AUXFEM_PRM_DIRECTORY) + "/modes.prm",
+                         "--output",
+                         "out"};
+      for (const std::string &text : overrides)
+        {
+          arguments.push_back("--set");
+          arguments.push_back(text);
+        }
+      return run_auxfem(arguments);
+    }
+  };
+
+  TEST_F(ModesProgram, LeavesATableAndPictures)
+  {
+    const ProgramRun run = run_modes({"Modes/Number=3", "Modes/Pictures=4"});
+    ASSERT_EQ(run.exit_code, 0) << run.errors;
+    EXPECT_NE(run.output.find("None is missing"), std::string::npos);
+    const Table table(path("out/modes.csv"));
+    ASSERT_EQ(table.n_rows, 3u);
+    for (unsigned int i = 0; i < 3; ++i)
+      {
+        EXPECT_NEAR(table["frequency"][i] * table["period"][i], 1, 1e-12);
+        EXPECT_LT(table["residual"][i], 1e-6);
+      }
+    for (unsigned int i = 1; i < 3; ++i)
+      {
+        EXPECT_GE(table["frequency"][i], table["frequency"][i - 1]);
+      }
+    // The first goes along x, the foot stays, half a period later all is on the
+    // other side.
+    const GraphicsSeries series(path("out/mode_1_solution.pvd"), path("vtk"));
+    ASSERT_EQ(series.datasets.n_rows, 4u);
+    EXPECT_NEAR(series.datasets["time"][2], 0.5, 1e-12);
+    double largest = 0;
+    for (unsigned int i = 0; i < series.points[0].n_rows; ++i)
+      {
+        const double there = series.points[0]["displacement.0"][i],
+                     back  = series.points[2]["displacement.0"][i];
+        EXPECT_NEAR(there - series.points[1]["displacement.0"][i],
+                    series.points[1]["displacement.0"][i] - back,
+                    1e-6 * 0.1);
+        largest = std::max(largest, std::abs(there - back) / 2);
+      }
+    // 5 % of the longer side.
+    EXPECT_NEAR(largest, 0.05 * 0.1366, 0.01 * 0.1366);
+    EXPECT_TRUE(std::filesystem::exists(path("out/mode_3_connectors.pvd")));
+    EXPECT_FALSE(std::filesystem::exists(path("out/mode_4_solution.pvd")));
+  }
+
+  TEST_F(ModesProgram, LoadsChangeThem)
+  {
+    double before = 0;
+    for (const std::string load : {"-1", "-0.5", "0"})
+      {
+        const ProgramRun run = run_modes(
+          {"Loads/pressure/Force y=" + load, "Output/Graphics=false"});
+        ASSERT_EQ(run.exit_code, 0) << run.errors;
+        const double lowest = Table(path("out/modes.csv"))["frequency"][0];
+        EXPECT_GT(lowest, 1.1 * before);
+        before = lowest;
+      }
+  }
+
+  TEST_F(ModesProgram, StaticsHaveNone)
+  {
+    const ProgramRun run = run_modes({"Time/Scheme=static"});
+    EXPECT_EQ(run.exit_code, 1);
+    EXPECT_NE(run.errors.find("needs inertia"), std::string::npos)
+      << run.errors;
+  }
+
+  TEST_F(ModesProgram, ACheckComputesNothing)
+  {
+    const ProgramRun run =
+      run_auxfem({"--check",
+                  std::string(AUXFEM_PRM_DIRECTORY) + "/modes.prm",
+                  "--output",
+                  "out"});
+    EXPECT_EQ(run.exit_code, 0) << run.errors;
+    EXPECT_FALSE(std::filesystem::exists(path("out")));
+  }
+} // namespace
