@@ -1,0 +1,50 @@
+#ifndef auxfem_output_checkpoint_format_h
+#define auxfem_output_checkpoint_format_h
+
+#include <auxfem/output/checkpoint_files.h>
+
+#include <cstdint>
+#include <stdexcept>
+
+namespace auxfem
+{
+  /** A checkpoint among those of its run. */
+  struct NumberedCheckpoint
+  {
+    std::uint64_t     number; ///< the larger, the newer
+    CheckpointContent content;
+  };
+
+  /** Says what part of a checkpoint file is damaged, e.g. `its head`. */
+  class DamagedCheckpoint : public std::runtime_error
+  {
+  public:
+    explicit DamagedCheckpoint(const std::string &part)
+      : std::runtime_error(part)
+    {}
+  };
+
+  /** A checkpoint file is whole, but in a later version of the format. */
+  class LaterCheckpointFormat : public std::runtime_error
+  {
+  public:
+    /** @param version of the format. */
+    explicit LaterCheckpointFormat(const std::uint64_t version)
+      : std::runtime_error(std::to_string(version))
+    {}
+  };
+
+  /** The version of the format that is written, the only one that is read. */
+  inline constexpr std::uint64_t checkpoint_format_version = 1;
+
+  /** The bytes of a file as CheckpointFiles describes it. */
+  std::string checkpoint_bytes(const NumberedCheckpoint &checkpoint);
+
+  /**
+   * What checkpoint_bytes() was given. Throws DamagedCheckpoint and
+   * LaterCheckpointFormat.
+   */
+  NumberedCheckpoint read_checkpoint(const std::string &bytes);
+} // namespace auxfem
+
+#endif
