@@ -38,9 +38,12 @@ namespace auxfem
       void                   solve(double *x) override;
       std::optional<Inertia> inertia() const override;
       std::size_t            memory() const override;
+      std::vector<double>    pivot_entries() const override;
+      void take_pivots_of(const std::vector<double> &entries) override;
 
     private:
       FactorizationOutcome outcome_of_failure() const;
+      bool                 choose_pivots(int *columns, double *entries);
       bool                 refactorize(int *columns, double *entries);
       bool                 is_singular(const SparseMatrix &matrix);
 
@@ -52,6 +55,8 @@ namespace auxfem
       std::vector<int>       offsets;
       /** Of freshly chosen pivots, as klu_rgrowth() defines it. */
       double fresh_growth = 0;
+      /** By which they were chosen; empty if there are none. */
+      std::vector<double> entries_of_pivots;
     };
 
     Klu::Klu(const EliminationOrder order) : elimination(order)
@@ -90,6 +95,7 @@ namespace auxfem
     {
       klu_free_numeric(&numeric, &common);
       klu_free_symbolic(&symbolic, &common);
+      entries_of_pivots.clear();
       n = matrix.layout->n_owned();
       if (!fits_narrow_offsets(matrix))
         return FactorizationOutcome::too_large;
@@ -113,28 +119,38 @@ namespace auxfem
       if (n == 0)
         return FactorizationOutcome::done;
       // KLU reads only.
-      int *const    columns = const_cast<int *>(matrix.columns.data());
-      double *const entries = const_cast<double *>(matrix.entries.data());
-      if (numeric == nullptr || !refactorize(columns, entries))
+      int *const    columns    = const_cast<int *>(matrix.columns.data());
+      double *const entries    = const_cast<double *>(matrix.entries.data());
+      const bool    has_pivots = numeric != nullptr ||
+        (entries_of_pivots.size() == matrix.entries.size() &&
+         choose_pivots(columns, entries_of_pivots.data()));
+      if (!has_pivots || !refactorize(columns, entries))
         {
-          klu_free_numeric(&numeric, &common);
-          numeric =
-            klu_factor(offsets.data(), columns, entries, symbolic, &common);
-          if (numeric == nullptr)
+          if (!choose_pivots(columns, entries))
             return outcome_of_failure();
-          if (!klu_rgrowth(offsets.data(),
-                           columns,
-                           entries,
-                           symbolic,
-                           numeric,
-                           &common))
-            return outcome_of_failure();
-          fresh_growth = common.rgrowth;
+          entries_of_pivots = matrix.entries;
         }
       if (!is_singular(matrix))
         return FactorizationOutcome::done;
       klu_free_numeric(&numeric, &common);
+      entries_of_pivots.clear();
       return FactorizationOutcome::singular;
+    }
+
+    bool Klu::choose_pivots(int *const columns, double *const entries)
+    {
+      klu_free_numeric(&numeric, &common);
+      numeric = klu_factor(offsets.data(), columns, entries, symbolic, &common);
+      if (numeric == nullptr ||
+          !klu_rgrowth(offsets.data(),
+                       columns,
+                       entries,
+                       symbolic,
+                       numeric,
+                       &common))
+        return false;
+      fresh_growth = common.rgrowth;
+      return true;
     }
 
     /** With the pivots of before; false if these do not serve. */
@@ -204,7 +220,19 @@ namespace auxfem
         return 0;
       return (static_cast<std::size_t>(numeric->lnz) + numeric->unz) *
         (sizeof(double) + sizeof(int)) +
-        numeric->worksize + 10 * n * sizeof(int);
+        numeric->worksize + 10 * n * sizeof(int) +
+        entries_of_pivots.size() * sizeof(double);
+    }
+
+    std::vector<double> Klu::pivot_entries() const
+    {
+      return entries_of_pivots;
+    }
+
+    void Klu::take_pivots_of(const std::vector<double> &entries)
+    {
+      klu_free_numeric(&numeric, &common);
+      entries_of_pivots = entries;
     }
   } // namespace
 

@@ -263,4 +263,14 @@ namespace auxfem
   {
     return n_ranks == 1 || gathered ? solver->memory() : 0;
   }
+
+  std::vector<double> FirstRankSolver::pivot_entries() const
+  {
+    return solver->pivot_entries();
+  }
+
+  void FirstRankSolver::take_pivots_of(const std::vector<double> &entries)
+  {
+    solver->take_pivots_of(entries);
+  }
 } // namespace auxfem

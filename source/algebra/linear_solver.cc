@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <limits>
 #include <new>
+#include <utility>
 
 namespace auxfem
 {
@@ -130,6 +131,8 @@ namespace auxfem
         if (outcome != FactorizationOutcome::done)
           return outcome;
         analysed.version = condensation.version();
+        if (choice.type == LinearSolverType::klu)
+          current->take_pivots_of(std::exchange(given_pivots, {}));
       }
     return current->factorize(condensation.matrix());
   }
@@ -247,6 +250,18 @@ namespace auxfem
     for (const auto &[type, analysed] : methods)
       n += analysed.method->n_iterations();
     return n;
+  }
+
+  std::vector<double> LinearSolver::pivot_entries() const
+  {
+    const auto klu = methods.find(LinearSolverType::klu);
+    return klu == methods.end() ? given_pivots
+                                : klu->second.method->pivot_entries();
+  }
+
+  void LinearSolver::take_pivots_of(const std::vector<double> &entries)
+  {
+    given_pivots = entries;
   }
 
   std::size_t LinearSolver::memory() const

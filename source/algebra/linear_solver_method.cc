@@ -47,6 +47,16 @@ namespace auxfem
         return solver->memory();
       }
 
+      std::vector<double> pivot_entries() const override
+      {
+        return solver->pivot_entries();
+      }
+
+      void take_pivots_of(const std::vector<double> &entries) override
+      {
+        solver->take_pivots_of(entries);
+      }
+
     private:
       const std::unique_ptr<DirectSolver> solver;
     };

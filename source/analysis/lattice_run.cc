@@ -1,6 +1,7 @@
 #include <auxfem/analysis/first_frequency.h>
 #include <auxfem/analysis/inverse_iteration.h>
 #include <auxfem/analysis/lattice_run.h>
+#include <auxfem/analysis/saved_state.h>
 #include <auxfem/model/build_lattice.h>
 #include <auxfem/model/load_course.h>
 #include <auxfem/parameters/errors.h>
@@ -98,44 +99,75 @@ namespace auxfem
     return stepper.advance(solution, recorder);
   }
 
-  Checkpoint LatticeRun::checkpoint(const Recorder &recorder)
+  Records LatticeRun::checkpoint(const Recorder &recorder) const
   {
-    Checkpoint taken{solution.state, {}};
-    stepper.save(taken.records);
-    recorder.save(taken.records);
-    taken.records.keep(work_record,
-                       {double(work_done.steps),
-                        double(work_done.iterations),
-                        double(work_done.factorizations),
-                        double(work_done.retries),
-                        double(work_done.linear_solutions),
-                        double(work_done.linear_iterations)});
+    Records taken;
+    save_state(solution.state, equations, taken);
+    stepper.save(taken);
+    recorder.save(taken);
+    taken.keep(work_record,
+               {double(work_done.steps),
+                double(work_done.iterations),
+                double(work_done.factorizations),
+                double(work_done.retries),
+                double(work_done.linear_solutions),
+                double(work_done.linear_iterations)});
     return taken;
   }
 
-  void LatticeRun::resume(const Checkpoint &checkpoint, Recorder &recorder)
+  void LatticeRun::resume(const Records &checkpoint, Recorder &recorder)
   {
-    const std::vector<double> before =
-      checkpoint.records.values(work_record, 6);
+    const std::vector<double> before = checkpoint.values(work_record, 6);
     work_done.steps += before[0];
     work_done.iterations += before[1];
     work_done.factorizations += before[2];
     work_done.retries += before[3];
     work_done.linear_solutions += before[4];
     work_done.linear_iterations += before[5];
-    solution.state = checkpoint.state;
-    stepper.resume(solution, checkpoint.records);
-    recorder.resume(solution, checkpoint.records);
+    solution.state = saved_state(equations, checkpoint);
+    // Of a run that has ended between two steps of the scene, and goes on.
+    while (solution.state.step > 0 &&
+           scene.time.time_at(solution.state.step) > solution.state.time)
+      --solution.state.step;
+    stepper.resume(solution, checkpoint);
+    recorder.resume(solution, checkpoint);
   }
 
   void LatticeRun::advance_to_end(Recorder &recorder)
   {
+    const MPI_Comm communicator = model.numbering.layout().communicator();
     while (solution.state.time < scene.time.end_time && !recorder.ends_run())
       {
-        end_if_interrupted(model.numbering.layout().communicator());
+        const int signal = noted_signal(communicator);
+        if (signal != 0 ? recorder.keeps_checkpoints()
+                        : recorder.wants_checkpoint())
+          recorder.take(checkpoint(recorder));
+        if (signal != 0)
+          throw Interrupted(signal);
         const StepReport report = advance(recorder);
         recorder.step(solution, report);
       }
+    if (recorder.keeps_checkpoints() && !recorder.ends_run())
+      recorder.take(checkpoint(recorder));
+  }
+
+  void LatticeRun::begin(Recorder &recorder, bool &has_begun)
+  {
+    if (const Records *const checkpoint = recorder.goes_on_from())
+      {
+        recorder.begin(equations);
+        has_begun = true;
+        resume(*checkpoint, recorder);
+        return;
+      }
+    // Mistakes it finds must not cost the results of an earlier run; a search
+    // for equilibrium that fails is no mistake.
+    prepare();
+    recorder.begin(equations);
+    has_begun = true;
+    if (scene.time.static_start)
+      start();
+    recorder.start(solution);
   }
 
   TangentSolver &LatticeRun::solver()
@@ -165,26 +197,16 @@ namespace auxfem
   RunResult LatticeRun::run(Recorder &recorder)
   {
     bool       has_begun = false;
-    const auto begin     = [&]() {
-      recorder.begin(equations);
-      has_begun = true;
-    };
-    const auto finish = [&](const std::string &exit_state) {
+    const auto finish    = [&](const std::string &exit_state) {
       if (!has_begun)
-        begin();
+        recorder.begin(equations);
       recorder.finish(solution, result(exit_state));
     };
     // Else ranks may know nothing of an exception of another, and would wait.
     const bool is_alone = model.numbering.layout().n_ranks() == 1;
     try
       {
-        // Mistakes it finds must not cost the results of an earlier run; a
-        // search for equilibrium that fails is no mistake.
-        prepare();
-        begin();
-        if (scene.time.static_start)
-          start();
-        recorder.start(solution);
+        begin(recorder, has_begun);
         advance_to_end(recorder);
       }
     catch (const InputError &)

@@ -23,6 +23,9 @@ namespace auxfem
      */
     constexpr double largest_increment_between = 1;
 
+    const std::string newton_record  = "Newton's method",
+                      tangent_record = newton_record + ", tangent";
+
     /** Largest rotation increment of the step (rad) over all ranks. */
     double largest_increment(const LatticeModel &model, const Evaluation &step)
     {
@@ -128,6 +131,36 @@ namespace auxfem
   void Newton::drop_factorization()
   {
     kept.reset();
+  }
+
+  void Newton::save(Records &records) const
+  {
+    std::vector<double> values = {has_failed ? 1. : 0.};
+    if (kept)
+      values.insert(values.end(),
+                    {double(kept->kind),
+                     kept->dt,
+                     kept->factors.stiffness,
+                     kept->factors.damping,
+                     kept->factors.mass,
+                     kept->is_exact ? 1. : 0.,
+                     kept->is_fresh ? 1. : 0.});
+    records.keep(newton_record, values);
+    solver.save(tangent_record, kept.has_value(), records);
+  }
+
+  void Newton::resume(const Records &records)
+  {
+    const std::vector<double> values =
+      records.values(newton_record, records.values_per_item(newton_record));
+    has_failed = values[0] != 0;
+    if (solver.resume(tangent_record, records))
+      kept = Kept{static_cast<Evaluation::Kind>(int(values[1])),
+                  values[2],
+                  {values[3], values[4], values[5]},
+                  solver.matrix().version(),
+                  values[6] != 0,
+                  values[7] != 0};
   }
 
   bool Newton::prepare(const ImplicitScheme    &scheme,

@@ -1,4 +1,5 @@
 #include <auxfem/analysis/relative_motion.h>
+#include <auxfem/model/unknown_records.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -83,9 +84,16 @@ namespace auxfem
       }
   }
 
-  void RelativeMotion::forget()
+  void RelativeMotion::save(const std::string &name, Records &records) const
   {
-    start_displacement.clear();
+    UnknownRecords(model.numbering)
+      .keep(name + ": displacements", start_displacement, records);
+  }
+
+  void RelativeMotion::resume(const std::string &name, const Records &records)
+  {
+    start(UnknownRecords(model.numbering)
+            .values(name + ": displacements", records));
   }
 
   double RelativeMotion::largest(const Vector &displacement) const

@@ -10,6 +10,8 @@ namespace auxfem
 {
   namespace
   {
+    const std::string displacement_record = "step error: displacements";
+
     const std::string step_error_record =
       "step error: of displacements, rotations: left of it, of all steps, "
       "largest motions";
@@ -194,14 +196,16 @@ namespace auxfem
     return findings;
   }
 
-  void StepError::save(Records &records)
+  void StepError::save(Records &records) const
   {
     std::vector<double> values;
     for (const Motions &motions : all)
       values.insert(values.end(),
                     {motions.left_error, motions.total_error, motions.largest});
     records.keep(step_error_record, values);
-    forget();
+    displacements.save(displacement_record,
+                       UnknownRecords(equations.model().numbering),
+                       records);
   }
 
   void StepError::resume(const Records &records)
@@ -215,5 +219,8 @@ namespace auxfem
         motions.total_error = *value++;
         motions.largest     = *value++;
       }
+    displacements.resume(displacement_record,
+                         UnknownRecords(equations.model().numbering),
+                         records);
   }
 } // namespace auxfem

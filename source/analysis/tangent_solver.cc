@@ -1,10 +1,17 @@
 #include <auxfem/algebra/conjugate_gradients.h>
+#include <auxfem/analysis/saved_matrix.h>
 #include <auxfem/analysis/tangent_solver.h>
 #include <auxfem/parameters/errors.h>
 #include <auxfem/time/stopwatch.h>
 
 namespace auxfem
 {
+  namespace
+  {
+    const std::string pivot_record         = ": entries of pivots",
+                      factorization_record = ": factorization";
+  } // namespace
+
   TangentSolver::TangentSolver(const Equations        &equations,
                                const SolverParameters &parameters,
                                Work                   &work)
@@ -92,5 +99,48 @@ namespace auxfem
   TangentMatrix &TangentSolver::matrix()
   {
     return tangent;
+  }
+
+  void TangentSolver::save(const std::string &name,
+                           const bool         with_factorization,
+                           Records           &records) const
+  {
+    const UnknownLayout &layout = equation_system.unknowns().layout;
+    std::vector<double>  pivots = solver.pivot_entries();
+    // Other numbers of ranks put the matrix together in another order.
+    pivots.push_back(layout.n_ranks());
+    records.keep(name + pivot_record, {layout.rank()}, pivots.size(), pivots);
+    if (!with_factorization)
+      return;
+    save_matrix(name, tangent, model().numbering, records);
+    records.keep(name + factorization_record,
+                 {solver.is_exact() ? 1. : 0., has_new_inertia ? 1. : 0.});
+  }
+
+  bool TangentSolver::resume(const std::string &name, const Records &records)
+  {
+    const UnknownLayout &layout = equation_system.unknowns().layout;
+    if (const std::string of_pivots = name + pivot_record;
+        records.has(of_pivots))
+      {
+        std::vector<double> pivots =
+          records.values(of_pivots,
+                         records.items(of_pivots),
+                         records.values_per_item(of_pivots));
+        const bool serve = pivots.back() == layout.n_ranks();
+        pivots.pop_back();
+        if (serve)
+          solver.take_pivots_of(pivots);
+      }
+    if (!records.has(name + factorization_record))
+      return false;
+    resume_matrix(name, model().numbering, records, tangent);
+    const std::vector<double> flags =
+      records.values(name + factorization_record, 2);
+    const bool done =
+      factorize(flags[0] != 0 ? Exactness::exact : Exactness::approximate);
+    --work.factorizations;
+    has_new_inertia = flags[1] != 0;
+    return done;
   }
 } // namespace auxfem

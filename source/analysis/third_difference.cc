@@ -48,6 +48,30 @@ namespace auxfem
     return !before.empty();
   }
 
+  void ThirdDifference::save(const std::string    &name,
+                             const UnknownRecords &unknowns,
+                             Records              &records) const
+  {
+    for (unsigned int i = 0; i < before.size(); ++i)
+      {
+        const std::string of_sample = name + " " + std::to_string(i);
+        records.keep(of_sample + ": time", {before[i].time});
+        unknowns.keep(of_sample, before[i].value, records);
+      }
+  }
+
+  void ThirdDifference::resume(const std::string    &name,
+                               const UnknownRecords &unknowns,
+                               const Records        &records)
+  {
+    forget();
+    for (unsigned int i = 0; i < n_before; ++i)
+      if (const std::string of_sample = name + " " + std::to_string(i);
+          records.has(of_sample))
+        before.push_back({records.values(of_sample + ": time", 1)[0],
+                          unknowns.values(of_sample, records)});
+  }
+
   void ThirdDifference::forget()
   {
     before.clear();

@@ -11,6 +11,8 @@ namespace auxfem
 {
   namespace
   {
+    const std::string rates_record = "mass matrix";
+
     /** Of @p now, which follows on @p before or is the same. */
     void raise_largest_energy(const State &before, State &now)
     {
@@ -54,12 +56,17 @@ namespace auxfem
   TimeStepper::TimeStepper(Equations &equations, const Scene &scene, Work &work)
     : equations(equations)
     , parameters(scene.time)
-    , solver_parameters(scene.solver)
-    , newton_parameters(scene.newton)
     , scheme(parameters.implicit_scheme())
     , work(work)
     , trial(equations.initial_solution())
     , rotations(equations.model().numbering)
+    , solvers(
+        std::make_unique<Solvers>(equations,
+                                  scene.solver,
+                                  scene.newton,
+                                  !equations.reporting().constraints.empty() &&
+                                    scheme.carries_on_alternating_errors(),
+                                  work))
     , control(make_control(parameters))
     , dense_output(equations, scheme)
     , ends(step_ends(scene))
@@ -69,20 +76,6 @@ namespace auxfem
       error.emplace(equations, parameters);
     if (scheme.stages() != nullptr)
       stages.emplace(equations, scheme);
-    make_solvers();
-  }
-
-  void TimeStepper::make_solvers()
-  {
-    // There is not always room in memory for two.
-    solvers.reset();
-    solvers =
-      std::make_unique<Solvers>(equations,
-                                solver_parameters,
-                                newton_parameters,
-                                !equations.reporting().constraints.empty() &&
-                                  scheme.carries_on_alternating_errors(),
-                                work);
   }
 
   std::vector<Finding> TimeStepper::findings() const
@@ -104,15 +97,19 @@ namespace auxfem
     return solvers->tangent;
   }
 
-  void TimeStepper::save(Records &records)
+  void TimeStepper::save(Records &records) const
   {
     control->save(records);
     if (error)
       error->save(records);
     watches.save(records);
     if (stages)
-      stages->forget();
-    make_solvers();
+      stages->save(records);
+    solvers->newton.save(records);
+    if (solvers->rates)
+      solvers->rates->solver.save(rates_record,
+                                  /*with_factorization=*/false,
+                                  records);
   }
 
   void TimeStepper::resume(Solution &solution, const Records &records)
@@ -121,6 +118,12 @@ namespace auxfem
     if (error)
       error->resume(records);
     watches.resume(records);
+    if (stages)
+      stages->resume(records);
+    solvers->newton.resume(records);
+    if (solvers->rates)
+      solvers->rates->solver.resume(rates_record, records);
+    trial.state     = solution.state;
     State evaluated = solution.state;
     solvers->tangent.residual(Evaluation::rates(solution.state, evaluated),
                               solution.results);

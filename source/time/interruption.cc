@@ -45,11 +45,16 @@ namespace auxfem
       sigaction(signals[i], &former[i], nullptr);
   }
 
-  void end_if_interrupted(const MPI_Comm communicator)
+  int noted_signal(const MPI_Comm communicator)
   {
     int signal = noted;
     MPI_Allreduce(MPI_IN_PLACE, &signal, 1, MPI_INT, MPI_MAX, communicator);
-    if (signal != 0)
+    return signal;
+  }
+
+  void end_if_interrupted(const MPI_Comm communicator)
+  {
+    if (const int signal = noted_signal(communicator); signal != 0)
       throw Interrupted(signal);
   }
 } // namespace auxfem

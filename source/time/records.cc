@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 namespace auxfem
 {
@@ -69,6 +70,59 @@ namespace auxfem
     if (record == list.end())
       refuse('"' + name + '"');
     return *record;
+  }
+
+  void Records::add(const Records &others)
+  {
+    Records all;
+    for (const Record &record : others.layout.list())
+      if (!has(record.name))
+        layout.keep(record.name, {}, record.values_per_item);
+    for (const Record &record : layout.list())
+      {
+        std::vector<unsigned int> items = record.items;
+        std::vector<double>       values_of_all =
+          values(record.name, items, record.values_per_item);
+        if (others.has(record.name) &&
+            others.values_per_item(record.name) == record.values_per_item)
+          {
+            const std::set<unsigned int> known(items.begin(), items.end());
+            std::vector<unsigned int>    more;
+            for (const unsigned int item : others.items(record.name))
+              if (known.count(item) == 0)
+                more.push_back(item);
+            const std::vector<double> of_more =
+              others.values(record.name, more, record.values_per_item);
+            items.insert(items.end(), more.begin(), more.end());
+            values_of_all.insert(values_of_all.end(),
+                                 of_more.begin(),
+                                 of_more.end());
+          }
+        all.keep(record.name, items, record.values_per_item, values_of_all);
+      }
+    *this = std::move(all);
+  }
+
+  bool Records::has(const std::string &name) const
+  {
+    const std::vector<Record> &list = layout.list();
+    return std::any_of(list.begin(), list.end(), [&](const Record &candidate) {
+      return candidate.name == name;
+    });
+  }
+
+  std::vector<std::string> Records::names(const std::string &begin) const
+  {
+    std::vector<std::string> found;
+    for (const Record &record : layout.list())
+      if (record.name.compare(0, begin.size(), begin) == 0)
+        found.push_back(record.name);
+    return found;
+  }
+
+  unsigned int Records::values_per_item(const std::string &name) const
+  {
+    return find(name).values_per_item;
   }
 
   const std::vector<unsigned int> &Records::items(const std::string &name) const

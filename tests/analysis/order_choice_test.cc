@@ -334,8 +334,8 @@ TEST(OrderChoice, RunThatIsResumedGoesOnAlike)
           const StepReport report = run.advance(first);
           first.step(run.solution, report);
         }
-      const Checkpoint checkpoint = run.checkpoint(first);
-      const auto       whole      = end_of(first, first_memory, run);
+      const Records checkpoint = run.checkpoint(first);
+      const auto    whole      = end_of(first, first_memory, run);
 
       MemoryRecorder    second_memory(scene, MPI_COMM_WORLD);
       MeshErrorRecorder second(scene, second_memory, found.report);

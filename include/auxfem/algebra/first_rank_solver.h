@@ -21,6 +21,8 @@ namespace auxfem
     void                   solve(double *x) override;
     std::optional<Inertia> inertia() const override;
     std::size_t            memory() const override;
+    std::vector<double>    pivot_entries() const override;
+    void take_pivots_of(const std::vector<double> &entries) override;
 
   private:
     FactorizationOutcome collect_pattern(const SparseMatrix &matrix);

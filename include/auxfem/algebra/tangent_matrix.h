@@ -3,6 +3,8 @@
 
 #include <auxfem/algebra/tangent_pattern.h>
 
+#include <algorithm>
+
 namespace auxfem
 {
   /** How the equations of a matrix A are to be solved. */
@@ -52,6 +54,14 @@ namespace auxfem
     const double *values(const std::size_t block) const
     {
       return entries.data() + first[block];
+    }
+
+    /** Replaces the values of a block. */
+    void set(const std::size_t block, const double *values)
+    {
+      std::copy(values,
+                values + (first[block + 1] - first[block]),
+                entries.begin() + first[block]);
     }
 
     /**

@@ -7,13 +7,6 @@
 
 namespace auxfem
 {
-  /** All that a run needs to go on from there, with the same scene. */
-  struct Checkpoint
-  {
-    State   state;
-    Records records; ///< of the run and of its recorder
-  };
-
   /**
    * A scene with a lattice, set up and taken through time on all ranks: what
    * computes is collective.
@@ -65,26 +58,29 @@ namespace auxfem
     StepReport advance(Recorder &recorder);
 
     /**
-     * The solution now, with what the run and @p recorder, which has been told
-     * of it, remember of the way there. From here on the run goes on as one
-     * that is resumed, to the last digit: see TimeStepper::save().
+     * All that a run of the same scene needs to go on from here: the solution
+     * now, and what the run and @p recorder, which has been told of it,
+     * remember of the way there. Changes nothing.
      */
-    Checkpoint checkpoint(const Recorder &recorder);
+    Records checkpoint(const Recorder &recorder) const;
 
     /**
-     * In place of start(): goes on from @p checkpoint, taken of the same scene
-     * on as many ranks. @p recorder, which has begun, gets back its part. Throws
-     * InputError if a record is missing.
+     * In place of start(): goes on from @p checkpoint. @p recorder, which has
+     * begun, gets back its part. Throws InputError if a record is missing.
      */
-    void resume(const Checkpoint &checkpoint, Recorder &recorder);
+    void resume(const Records &checkpoint, Recorder &recorder);
 
-    /** Steps to the end time, of which @p recorder is told, or until it ends
-     * the run. */
+    /**
+     * Steps to the end time, of which @p recorder is told, or until it ends
+     * the run. Throws Interrupted after a signal. The recorder gets a
+     * checkpoint when it wants one, and at the end of either kind.
+     */
     void advance_to_end(Recorder &recorder);
 
     /**
-     * Everything from refuse_undetermined() to the end time. Throws InputError
-     * and ComputationError; the recorder has then been told of all that was
+     * Everything from refuse_undetermined() or the checkpoint that @p recorder
+     * has to go on from, to the end time. Throws InputError and
+     * ComputationError; the recorder has then been told of all that was
      * computed, as it has at the end if it has not ended the run.
      */
     RunResult run(Recorder &recorder);
@@ -102,6 +98,9 @@ namespace auxfem
     void refuse_undetermined();
 
     RunResult result(const std::string &exit_state) const;
+
+    /** prepare() and start(), or resume(), with @p recorder told of it. */
+    void begin(Recorder &recorder, bool &has_begun);
 
     TimeStepper stepper;
   };

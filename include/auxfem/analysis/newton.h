@@ -48,6 +48,10 @@ namespace auxfem
     /** Forgets the factorization (the state jumped). */
     void drop_factorization();
 
+    /** Keeps the factorization with its solver, and what it belongs to. */
+    void save(Records &records) const;
+    void resume(const Records &records);
+
   private:
     /** What a kept factorization belongs to. */
     struct Kept

@@ -28,8 +28,11 @@ namespace auxfem
     /** Motions count from @p displacement (of all local unknowns) on. */
     void start(const Vector &displacement);
 
-    /** The next largest() does not know from where on motions count. */
-    void forget();
+    /** @param name begins the names of the records */
+    ///@{
+    void save(const std::string &name, Records &records) const;
+    void resume(const std::string &name, const Records &records);
+    ///@}
 
     /**
      * Largest distance (m) between the displacements of two nodes since

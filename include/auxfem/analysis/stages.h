@@ -51,6 +51,10 @@ namespace auxfem
     /** What follows is not predicted by what has been. */
     void forget();
 
+    /** Keeps what the next step is predicted by. */
+    void save(Records &records) const;
+    void resume(const Records &records);
+
     /** By how much the step differs from that of the embedded scheme. */
     struct Difference
     {

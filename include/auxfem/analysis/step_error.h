@@ -73,8 +73,7 @@ namespace auxfem
      * allowed by the motions that there were. */
     std::vector<Finding> findings() const;
 
-    /** Begins the memory of steps before anew, as resume() does. */
-    void save(Records &records);
+    void save(Records &records) const;
     void resume(const Records &records);
 
   private:

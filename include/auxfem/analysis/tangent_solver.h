@@ -70,6 +70,21 @@ namespace auxfem
 
     TangentMatrix &matrix();
 
+    /**
+     * Keeps what later factorizations depend on beside their matrix, and the
+     * matrix if it is to be factorized again.
+     * @param name of this solver among those of the run
+     */
+    void save(const std::string &name,
+              bool               with_factorization,
+              Records           &records) const;
+
+    /**
+     * Takes back what save() has kept, and factorizes the matrix that is among
+     * it; returns whether there was one. That does not count as work.
+     */
+    bool resume(const std::string &name, const Records &records);
+
   private:
     const Equations &equation_system;
     TangentMatrix    tangent;

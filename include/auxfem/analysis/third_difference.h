@@ -1,7 +1,7 @@
 #ifndef auxfem_analysis_third_difference_h
 #define auxfem_analysis_third_difference_h
 
-#include <auxfem/algebra/vector.h>
+#include <auxfem/model/unknown_records.h>
 
 #include <deque>
 #include <optional>
@@ -34,6 +34,17 @@ namespace auxfem
 
     /** Begins anew. */
     void forget();
+
+    /** @name Of values at unknowns.
+     * @param name begins the names of the records */
+    ///@{
+    void save(const std::string    &name,
+              const UnknownRecords &unknowns,
+              Records              &records) const;
+    void resume(const std::string    &name,
+                const UnknownRecords &unknowns,
+                const Records        &records);
+    ///@}
 
   private:
     struct Sample

@@ -41,20 +41,17 @@ namespace auxfem
      */
     StepReport advance(Solution &solution, Recorder &recorder);
 
-    /**
-     * Keeps what resume() needs beside the state. The solvers begin anew, with
-     * nothing kept of earlier factorizations: so the run goes on as one that is
-     * resumed, to the last digit.
-     */
-    void save(Records &records);
+    /** Keeps what resume() needs beside the state. */
+    void save(Records &records) const;
 
     /**
      * In place of start(): goes on from solution.state, at which @p records were
-     * saved, and finds the results for it.
+     * saved, and finds the results for it. On as many ranks all that follows is
+     * that of the run that has saved them, to the last digit.
      */
     void resume(Solution &solution, const Records &records);
 
-    /** For what has to be solved before the start; gone after save(). */
+    /** For what has to be solved before the start. */
     TangentSolver &solver();
 
     /** Estimated error of all steps so far, relative, where steps follow it. */
@@ -158,18 +155,14 @@ namespace auxfem
               Work                   &work);
     };
 
-    void make_solvers();
-
-    Equations                   &equations;
-    const TimeParameters         parameters;
-    const SolverParameters       solver_parameters;
-    const NewtonParameters       newton_parameters;
-    const ImplicitScheme        &scheme;
-    Work                        &work;
-    Solution                     trial;
-    const NodeRotations          rotations;
-    std::unique_ptr<Solvers>     solvers;
-    std::unique_ptr<StepControl> control;
+    Equations                     &equations;
+    const TimeParameters           parameters;
+    const ImplicitScheme          &scheme;
+    Work                          &work;
+    Solution                       trial;
+    const NodeRotations            rotations;
+    const std::unique_ptr<Solvers> solvers;
+    std::unique_ptr<StepControl>   control;
     /** Only of a scheme that has some. */
     std::optional<Stages> stages;
     const DenseOutput     dense_output;

@@ -72,6 +72,31 @@ namespace auxfem
     virtual void start(const Solution & /*solution*/)
     {}
 
+    /** @name Checkpoints: what a run needs to go on from the middle. */
+    ///@{
+    /** The one that the run is to go on from, in place of its start; nullptr:
+     * it starts. */
+    virtual const Records *goes_on_from() const
+    {
+      return nullptr;
+    }
+
+    /** Whether it has a use for checkpoints at all. */
+    virtual bool keeps_checkpoints() const
+    {
+      return false;
+    }
+
+    /** Whether one is due. The same on all ranks; collective. */
+    virtual bool wants_checkpoint()
+    {
+      return false;
+    }
+
+    /** One that was due, or is there because the run ends. Collective. */
+    virtual void take(const Records & /*checkpoint*/)
+    {}
+
     /**
      * In place of start(): the run goes on from @p solution, at which @p records
      * were saved by a recorder of the same kind.
@@ -86,6 +111,7 @@ namespace auxfem
      */
     virtual void save(Records & /*records*/) const
     {}
+    ///@}
 
     /**
      * The first time after @p time (s) for which the recorder wants a solution
@@ -148,6 +174,26 @@ namespace auxfem
     void start(const Solution &solution) override
     {
       recorder.start(solution);
+    }
+
+    const Records *goes_on_from() const override
+    {
+      return recorder.goes_on_from();
+    }
+
+    bool keeps_checkpoints() const override
+    {
+      return recorder.keeps_checkpoints();
+    }
+
+    bool wants_checkpoint() override
+    {
+      return recorder.wants_checkpoint();
+    }
+
+    void take(const Records &checkpoint) override
+    {
+      recorder.take(checkpoint);
     }
 
     void resume(const Solution &solution, const Records &records) override

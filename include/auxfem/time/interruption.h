@@ -29,8 +29,8 @@ namespace auxfem
   };
 
   /**
-   * While an object lives, SIGTERM and SIGINT are noted for
-   * end_if_interrupted() and do not end the process; but the second one of a
+   * While an object lives, SIGTERM and SIGINT are noted for noted_signal() and
+   * do not end the process; but the second one of a
    * kind does, at once. A signal that the process ignores stays ignored. One
    * object at a time.
    */
@@ -49,10 +49,10 @@ namespace auxfem
     std::array<struct sigaction, signals.size()> former;
   };
 
-  /**
-   * Throws Interrupted on all ranks if one of them has noted a signal.
-   * Collective.
-   */
+  /** A signal that one of the ranks has noted; 0: none. Collective. */
+  int noted_signal(MPI_Comm communicator);
+
+  /** Throws Interrupted on all ranks if there is one. Collective. */
   void end_if_interrupted(MPI_Comm communicator);
 } // namespace auxfem
 

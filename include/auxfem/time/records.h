@@ -1,6 +1,9 @@
 #ifndef auxfem_time_records_h
 #define auxfem_time_records_h
 
+#include <boost/serialization/string.hpp>
+#include <boost/serialization/vector.hpp>
+
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -21,6 +24,12 @@ namespace auxfem
     unsigned int              values_per_item = 1;
     /** Index of the first value among those of all records. */
     std::size_t first = 0;
+
+    template <class Archive>
+    void serialize(Archive &archive, const unsigned int /*version*/)
+    {
+      archive &name &items &values_per_item &first;
+    }
   };
 
   /** Which records there are and where their values lie. */
@@ -36,6 +45,12 @@ namespace auxfem
 
     /** Values of all records. */
     std::size_t n_values() const;
+
+    template <class Archive>
+    void serialize(Archive &archive, const unsigned int /*version*/)
+    {
+      archive &records;
+    }
 
   private:
     std::vector<Record> records;
@@ -61,6 +76,11 @@ namespace auxfem
     /** Adds a record of the run as a whole, a text, the same on all ranks. */
     void keep_text(const std::string &name, const std::string &text);
 
+    bool has(const std::string &name) const;
+
+    /** Adds what @p others have beside it: records, and items of records. */
+    void add(const Records &others);
+
     /** Items of a record. Throws InputError if there is no such record. */
     const std::vector<unsigned int> &items(const std::string &name) const;
 
@@ -81,6 +101,20 @@ namespace auxfem
     /** What keep_text() has kept. Throws InputError if there is no such record.
      */
     std::string text(const std::string &name) const;
+
+    /** Names of all records that begin with @p begin, in the order of keep().
+     */
+    std::vector<std::string> names(const std::string &begin = "") const;
+
+    /** Values of each item of a record. Throws InputError if there is no such
+     * record. */
+    unsigned int values_per_item(const std::string &name) const;
+
+    template <class Archive>
+    void serialize(Archive &archive, const unsigned int /*version*/)
+    {
+      archive &layout &all_values;
+    }
 
   private:
     const Record &find(const std::string &name) const;

@@ -21,7 +21,8 @@ namespace auxfem
   namespace
   {
     const std::string touching_record = "watch: touching struts",
-                      crossing_record = "watch: crossing struts";
+                      crossing_record = "watch: crossing struts",
+                      look_record     = "watch: last look for crossing struts";
 
     using Points = std::vector<dealii::Point<3>>;
     using Pair   = std::pair<unsigned int, unsigned int>;
@@ -289,13 +290,16 @@ namespace auxfem
       {
         records.keep(touching_record, touched.values());
         records.keep(crossing_record, crossed.values());
+        records.keep(look_record, {double(n_steps)});
+        motion.save(look_record, records);
       }
 
       void resume(const Records &records) override
       {
         touched.set(records.values(touching_record, 4));
         crossed.set(records.values(crossing_record, 4));
-        motion.forget();
+        n_steps = records.values(look_record, 1)[0];
+        motion.resume(look_record, records);
       }
 
     private:
@@ -407,14 +411,14 @@ namespace auxfem
         all.crossing.insert(part.crossing.begin(), part.crossing.end());
       }
 
-      const Equations         &equations;
-      const LatticeModel      &model;
-      const CrossingRule       rule;
-      const double             motion_between_looks; ///< m
-      const double             end_time;             ///< s
-      const unsigned int       steps_between_looks;
-      unsigned int             n_steps = 0;
-      RelativeMotion           motion; ///< since the last look
+      const Equations    &equations;
+      const LatticeModel &model;
+      const CrossingRule  rule;
+      const double        motion_between_looks; ///< m
+      const double        end_time;             ///< s
+      const unsigned int  steps_between_looks;
+      unsigned int        n_steps = 0;
+      RelativeMotion      motion; ///< since the last look
       /** Looked for when there is something to compare with it. */
       std::optional<NearPairs> at_rest;
       FirstPair                touched, crossed;

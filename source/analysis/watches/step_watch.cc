@@ -1,4 +1,5 @@
 #include <auxfem/analysis/watch.h>
+#include <auxfem/model/unknown_records.h>
 #include <auxfem/time/largest_in_time.h>
 
 #include <algorithm>
@@ -9,7 +10,9 @@ namespace auxfem
 {
   namespace
   {
-    const std::string step_record = "watch: error of steps";
+    const std::string step_record         = "watch: error of steps",
+                      rate_record         = step_record + ", rates",
+                      acceleration_record = step_record + ", accelerations";
 
     /**
      * Error of the displacements in a step over their increments: by the
@@ -84,21 +87,55 @@ namespace auxfem
         const std::vector<double> sums   = layout.sum({error, way});
         const LargestInTime increment = largest_increment.of_all_ranks(layout);
         records.keep(step_record,
-                     {sums[0], sums[1], time, increment.value, increment.time});
+                     {sums[0],
+                      sums[1],
+                      time,
+                      increment.value,
+                      increment.time,
+                      double(n_before),
+                      dt_before});
+        save_translations(rate_record, rates, records);
+        save_translations(acceleration_record, accelerations, records);
       }
 
       void resume(const Records &records) override
       {
-        const std::vector<double> values = records.values(step_record, 5);
+        const std::vector<double> values = records.values(step_record, 7);
         // Sums go on on one rank.
         const bool is_first = equations.unknowns().layout.rank() == 0;
         error               = is_first ? values[0] : 0;
         way                 = is_first ? values[1] : 0;
         time                = values[2];
         largest_increment   = {values[3], values[4]};
+        sort_unknowns(equations.unknowns().layout.n_owned());
+        n_before      = values[5];
+        dt_before     = values[6];
+        rates         = saved_translations(rate_record, records);
+        accelerations = saved_translations(acceleration_record, records);
       }
 
     private:
+      void save_translations(const std::string         &name,
+                             const std::vector<double> &of_translations,
+                             Records                   &records) const
+      {
+        Vector values(equations.model().numbering.layout().n_local(), 0.);
+        for (std::size_t k = 0; k < of_translations.size(); ++k)
+          values[translations[k]] = of_translations[k];
+        UnknownRecords(equations.model().numbering).keep(name, values, records);
+      }
+
+      std::vector<double> saved_translations(const std::string &name,
+                                             const Records     &records) const
+      {
+        const Vector values =
+          UnknownRecords(equations.model().numbering).values(name, records);
+        std::vector<double> of_translations;
+        for (const int i : translations)
+          of_translations.push_back(values[i]);
+        return of_translations;
+      }
+
       void sort_unknowns(const unsigned int n)
       {
         const auto &kinds = equations.unknowns().kinds;

@@ -1,6 +1,7 @@
 #include <auxfem/analysis/watch.h>
 #include <auxfem/elements/strut_order.h>
 #include <auxfem/model/line_rule.h>
+#include <auxfem/model/unknown_records.h>
 #include <auxfem/time/largest_in_time.h>
 
 #include <deal.II/base/numbers.h>
@@ -18,7 +19,10 @@ namespace auxfem
 {
   namespace
   {
-    const std::string wave_record = "watch: waves in struts";
+    const std::string wave_record       = "watch: waves in struts",
+                      unresolved_record = wave_record + ", by unknown";
+
+    constexpr unsigned int most_poles = 3;
 
     /** Part of the kinetic energy in waves that elements do not follow. */
     constexpr double doubtful_part = 0.02, ruinous_part = 0.2;
@@ -141,6 +145,38 @@ namespace auxfem
       return translations;
     }
 
+    /** What filters remember, by local unknown. */
+    struct FilterMemory
+    {
+      explicit FilterMemory(const unsigned int n_local)
+        : unresolved(n_local, 0.)
+      {
+        filtered.fill(Vector(n_local, 0.));
+      }
+
+      FilterMemory(const UnknownRecords &unknowns, const Records &records)
+        : unresolved(unknowns.values(unresolved_record, records))
+      {
+        for (unsigned int k = 0; k < filtered.size(); ++k)
+          filtered[k] = unknowns.values(filter_record(k), records);
+      }
+
+      void save(const UnknownRecords &unknowns, Records &records) const
+      {
+        unknowns.keep(unresolved_record, unresolved, records);
+        for (unsigned int k = 0; k < filtered.size(); ++k)
+          unknowns.keep(filter_record(k), filtered[k], records);
+      }
+
+      static std::string filter_record(const unsigned int k)
+      {
+        return wave_record + ", velocity after pole " + std::to_string(k);
+      }
+
+      std::array<Vector, most_poles> filtered;   ///< m/s
+      Vector                         unresolved; ///< J s
+    };
+
     /** Velocities behind filters with the same number of poles. */
     template <unsigned int n_poles>
     class FilteredVelocities
@@ -158,13 +194,28 @@ namespace auxfem
               filters.push_back(translation.mass_times_filter /
                                 translation.mass);
             }
-        forget();
-      }
-
-      void forget()
-      {
         filtered.assign(unknowns.size(), {});
         unresolved.assign(unknowns.size(), 0.);
+      }
+
+      void tell(FilterMemory &memory) const
+      {
+        for (std::size_t i = 0; i < unknowns.size(); ++i)
+          {
+            for (unsigned int k = 0; k < n_poles; ++k)
+              memory.filtered[k][unknowns[i]] = filtered[i][k];
+            memory.unresolved[unknowns[i]] = unresolved[i];
+          }
+      }
+
+      void take(const FilterMemory &memory)
+      {
+        for (std::size_t i = 0; i < unknowns.size(); ++i)
+          {
+            for (unsigned int k = 0; k < n_poles; ++k)
+              filtered[i][k] = memory.filtered[k][unknowns[i]];
+            unresolved[i] = memory.unresolved[unknowns[i]];
+          }
       }
 
       /** Kinetic energy (J) of what passes the filters after a step. */
@@ -218,6 +269,7 @@ namespace auxfem
     public:
       WaveWatch(const double time_step, const Equations &equations)
         : WaveWatch(equations.unknowns().layout,
+                    equations.model().numbering,
                     filtered_translations(equations.model(), time_step))
       {}
 
@@ -226,7 +278,8 @@ namespace auxfem
                 TangentSolver & /*solver*/) override
       {
         double in_step = 0;
-        for_all([&](auto &of_poles) { in_step += of_poles.filter(step); });
+        for_all(*this,
+                [&](auto &of_poles) { in_step += of_poles.filter(step); });
         unresolved += in_step * step.dt;
         kinetic += step.to.energies.kinetic() * step.dt;
         largest.add(in_step, step.to.time);
@@ -256,42 +309,42 @@ namespace auxfem
       void save(Records &records) const override
       {
         const LargestInTime of_steps = largest.of_all_ranks(layout);
-        const WorstStrut    strut    = worst();
-        records.keep(wave_record,
-                     {layout.sum(unresolved),
-                      kinetic,
-                      of_steps.value,
-                      of_steps.time,
-                      strut.unresolved,
-                      double(strut.strut)});
+        records.keep(
+          wave_record,
+          {layout.sum(unresolved), kinetic, of_steps.value, of_steps.time});
+        FilterMemory memory(numbering.layout().n_local());
+        for_all(*this, [&](auto &of_poles) { of_poles.tell(memory); });
+        memory.save(UnknownRecords(numbering), records);
       }
 
       void resume(const Records &records) override
       {
-        const std::vector<double> values = records.values(wave_record, 6);
+        const std::vector<double> values = records.values(wave_record, 4);
         // Sums go on on one rank.
         unresolved = layout.rank() == 0 ? values[0] : 0.;
         kinetic    = values[1];
         largest    = {values[2], values[3]};
-        worst_before =
-          WorstStrut{values[4], static_cast<unsigned int>(values[5])};
-        for_all([](auto &of_poles) { of_poles.forget(); });
+        const FilterMemory memory(UnknownRecords(numbering), records);
+        for_all(*this, [&](auto &of_poles) { of_poles.take(memory); });
       }
 
     private:
-      static_assert(poles_of(largest_plane_order) <= 3);
+      static_assert(poles_of(largest_plane_order) <= most_poles);
 
-      WaveWatch(const UnknownLayout &layout, const Translations &translations)
+      WaveWatch(const UnknownLayout &layout,
+                const DofNumbering  &numbering,
+                const Translations  &translations)
         : layout(layout)
+        , numbering(numbering)
         , velocities(translations, translations, translations)
       {}
 
-      template <class Act>
-      void for_all(const Act &act)
+      template <class WatchType, class Act>
+      static void for_all(WatchType &watch, const Act &act)
       {
-        act(std::get<0>(velocities));
-        act(std::get<1>(velocities));
-        act(std::get<2>(velocities));
+        act(std::get<0>(watch.velocities));
+        act(std::get<1>(watch.velocities));
+        act(std::get<2>(watch.velocities));
       }
 
       /** With the most of that energy. */
@@ -301,14 +354,13 @@ namespace auxfem
         unsigned int strut      = 0;
       };
 
-      /** Of all ranks and, in a run that was resumed, of before. */
+      /** Of all ranks. */
       WorstStrut worst() const
       {
-        WorstStrut                     mine = worst_before;
+        WorstStrut                     mine;
         std::map<unsigned int, double> by_strut;
-        std::get<0>(velocities).add_unresolved(by_strut);
-        std::get<1>(velocities).add_unresolved(by_strut);
-        std::get<2>(velocities).add_unresolved(by_strut);
+        for_all(*this,
+                [&](auto &of_poles) { of_poles.add_unresolved(by_strut); });
         for (const auto &[strut, value] : by_strut)
           if (value > mine.unresolved)
             mine = {value, strut};
@@ -319,6 +371,7 @@ namespace auxfem
       }
 
       const UnknownLayout &layout;
+      const DofNumbering  &numbering;
       /** By the number of poles. */
       std::tuple<FilteredVelocities<1>,
                  FilteredVelocities<2>,
@@ -327,7 +380,6 @@ namespace auxfem
       double        unresolved = 0; ///< J s, on this rank
       double        kinetic    = 0; ///< J s, of all ranks
       LargestInTime largest;        ///< J, on this rank
-      WorstStrut    worst_before;
     };
   } // namespace
 

@@ -1,0 +1,20 @@
+#ifndef auxfem_analysis_saved_state_h
+#define auxfem_analysis_saved_state_h
+
+#include <auxfem/equations/equations.h>
+#include <auxfem/time/records.h>
+
+namespace auxfem
+{
+  /** Keeps all of @p state, an accepted one, in @p records. Collective. */
+  void
+  save_state(const State &state, const Equations &equations, Records &records);
+
+  /**
+   * The state that save_state() has kept, to the last digit on as many ranks.
+   * Throws InputError if a record is missing. Collective.
+   */
+  State saved_state(const Equations &equations, const Records &records);
+} // namespace auxfem
+
+#endif

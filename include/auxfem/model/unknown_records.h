@@ -1,0 +1,42 @@
+#ifndef auxfem_model_unknown_records_h
+#define auxfem_model_unknown_records_h
+
+#include <auxfem/algebra/vector.h>
+#include <auxfem/model/numbering.h>
+#include <auxfem/time/records.h>
+
+namespace auxfem
+{
+  /**
+   * Records of values at unknowns, under serial numbers, which follow the order
+   * of the lattice's parts, whatever rank owns an unknown. So what some ranks
+   * have kept others find, also if they are more or fewer.
+   */
+  class UnknownRecords
+  {
+  public:
+    /** @param numbering must outlive the object. */
+    explicit UnknownRecords(const DofNumbering &numbering);
+
+    /** Serial number of a local unknown. */
+    unsigned int serial_number(unsigned int local) const;
+
+    /** Keeps the owned ones of @p values at local unknowns. */
+    void
+    keep(const std::string &name, const Vector &values, Records &records) const;
+
+    /**
+     * The values at all local unknowns. Throws InputError if @p records do not
+     * have them. Collective.
+     */
+    Vector values(const std::string &name, const Records &records) const;
+
+  private:
+    std::vector<unsigned int> owned() const;
+
+    const UnknownLayout            &layout;
+    const std::vector<unsigned int> serial; ///< numbers, of local unknowns
+  };
+} // namespace auxfem
+
+#endif
