@@ -34,6 +34,10 @@ namespace auxfem
       double        mine   = 0;
       for (const int i : *step.to.plane_rotations)
         mine = std::max(mine, std::abs(now[i] - before[i]));
+      for (const std::array<int, 3> &at : *step.to.space_rotations)
+        mine = std::max(
+          mine,
+          (vector_at(now, at.data()) - vector_at(before, at.data())).norm());
       return model.numbering.layout().largest(mine);
     }
   } // namespace

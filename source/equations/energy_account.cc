@@ -38,6 +38,13 @@ namespace auxfem
   {
     for (const int i : *step.to.plane_rotations)
       rate[i] = cayley_rotation(dt * rate[i]) / dt;
+    for (const std::array<int, 3> &at : *step.to.space_rotations)
+      {
+        const SpaceVector turn =
+          cayley_rotation(dt * vector_at(rate.data(), at.data()));
+        for (unsigned int c = 0; c < 3; ++c)
+          rate[at[c]] = turn[c] / dt;
+      }
     if (!step.to.velocity)
       return;
     velocity    = mean(*step.from.velocity, *step.to.velocity);

@@ -141,6 +141,7 @@ namespace auxfem
   {
     // Turns in a step are measured by a nonlinear function.
     return state_layout.plane_rotations.empty() &&
+      state_layout.space_rotations.empty() &&
       std::all_of(effects.begin(), effects.end(), [](const auto &effect) {
              return effect->is_linear();
            });

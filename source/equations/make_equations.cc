@@ -24,10 +24,16 @@ namespace auxfem
         scene.time.implicit_scheme().uses_algorithmic_acceleration();
       layout.n_rotations = model.n_large_rotations();
       if (scene.time.implicit_scheme().balances_means() &&
-          model.simulated.large_rotation && model.lattice.dimension == 2)
-        for (unsigned int i = 0; i < model.numbering.layout().n_local(); ++i)
-          if (model.numbering.unknowns().is_rotation[i])
-            layout.plane_rotations.push_back(i);
+          model.simulated.large_rotation)
+        {
+          for (unsigned int i = 0; i < layout.n_rotations; ++i)
+            layout.space_rotations.push_back(model.numbering.rotations()[i]);
+          for (unsigned int i = 0; i < model.numbering.layout().n_local() &&
+               model.lattice.dimension == 2;
+               ++i)
+            if (model.numbering.unknowns().is_rotation[i])
+              layout.plane_rotations.push_back(i);
+        }
       return layout;
     }
   } // namespace
@@ -47,7 +53,6 @@ namespace auxfem
       make_inertia(scene);
     n_balanced = effects.size();
     make_loads(scene);
-    refuse_without_mean_forces(scene);
     refuse_unknown_errors(scene);
     enter_energies();
     for (const auto &effect : effects)
@@ -56,24 +61,6 @@ namespace auxfem
     if (model.simulated.inertia)
       initial_velocities =
         auxfem::initial_velocities(scene, model.lattice, model.numbering);
-  }
-
-  void Equations::refuse_without_mean_forces(const Scene &scene) const
-  {
-    const ImplicitScheme &scheme = scene.time.implicit_scheme();
-    if (!scheme.balances_means())
-      return;
-    std::string found;
-    for (const auto &effect : effects)
-      if (const std::string what = effect->without_mean_forces(); !what.empty())
-        found += (found.empty() ? "" : ", ") + what;
-    if (!found.empty())
-      throw InputError("Time/Scheme = " + scheme.name() +
-                       " balances mean forces over a step, which there are "
-                       "not for " +
-                       found +
-                       ". Use Scheme = newmark or generalized-alpha, or a "
-                       "scene in the plane.");
   }
 
   void Equations::refuse_unknown_errors(const Scene &scene) const

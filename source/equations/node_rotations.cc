@@ -1,3 +1,4 @@
+#include <auxfem/elements/cayley_rotation.h>
 #include <auxfem/equations/node_rotations.h>
 
 namespace auxfem
@@ -83,6 +84,10 @@ namespace auxfem
   SpaceTensor NodeRotations::increment_by_spin(const Evaluation  &evaluation,
                                                const unsigned int i) const
   {
+    if (evaluation.kind == Evaluation::Kind::between)
+      return transpose(rotated(evaluation.to.rotations[i],
+                               transpose(cayley_change_by_spin(cayley_rotation(
+                                 material_increment(evaluation, i))))));
     // T^-1 P^T is the transpose of P T^-T.
     return transpose(rotated(evaluation.to.rotations[i],
                              transpose(inverse_tangent_operator(

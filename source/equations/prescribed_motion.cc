@@ -275,15 +275,6 @@ namespace auxfem
         return true;
       }
 
-      std::string without_mean_forces() const override
-      {
-        const bool increments =
-          std::any_of(model.supports.begin(),
-                      model.supports.end(),
-                      [](const Support &s) { return !s.rotations.empty(); });
-        return increments ? "supports that turn in space" : "";
-      }
-
       void register_in(StateLayout &layout) override
       {
         for (unsigned int s = 0; s < entries.size(); ++s)

@@ -14,6 +14,8 @@ namespace auxfem
      *   (v_n + v_{n+1}) / 2 = (u_{n+1} - u_n) / dt,
      *   (omega_n + omega_{n+1}) / 2 = 2 tan((phi_{n+1} - phi_n) / 2) / dt,
      *
+     * in space of material angular velocities and the vector of this length,
+     *
      * and the mean acceleration (v_{n+1} - v_n) / dt balances the mean forces.
      */
     class EnergyMomentum : public ImplicitScheme
@@ -78,6 +80,19 @@ namespace auxfem
           v[i] += 2 * f.damping * more;
           a[i] += f.mass * more;
         }
+      for (const std::array<int, 3> &at : *trial.space_rotations)
+        {
+          const SpaceVector before = vector_at(u, at.data()) -
+            vector_at(u0, at.data()),
+                            moved = vector_at(du, at.data());
+          const SpaceVector more =
+            cayley_rotation(before + moved) - cayley_rotation(before) - moved;
+          for (unsigned int c = 0; c < 3; ++c)
+            {
+              v[at[c]] += 2 * f.damping * more[c];
+              a[at[c]] += f.mass * more[c];
+            }
+        }
       for (int i = 0; i < n; ++i)
         {
           u[i] += du[i];
@@ -96,8 +111,7 @@ namespace auxfem
   TimeSchemeEntry energy_momentum_entry()
   {
     return {{energy_momentum_name,
-             "keeps energy and momenta at large rotations in the plane, of "
-             "second order",
+             "keeps energy and momenta at large rotations, of second order",
              {},
              make_energy_momentum},
             {Model::lattice}};

@@ -8,6 +8,8 @@ namespace auxfem
     , rotations(layout.n_rotations)
     , plane_rotations(
         std::make_shared<const std::vector<int>>(layout.plane_rotations))
+    , space_rotations(std::make_shared<const std::vector<std::array<int, 3>>>(
+        layout.space_rotations))
     , history(layout.history.n_values(), 0.)
     , energies(std::make_shared<const EnergyLedger>(layout.energies))
     , energy_sums(energies.amounts())

@@ -34,11 +34,6 @@ namespace
       return true;
     }
 
-    std::string without_mean_forces() const override
-    {
-      return "";
-    }
-
     bool update_couplings(const State      &accepted,
                           std::vector<int> &wanted) override
     {

@@ -185,19 +185,3 @@ TEST(MakeEquations, RungeKuttaStepsWithRigidPartsFollowNoError)
             "known where parts are rigid or hinges revolute. Remove it, or "
             "choose newmark, hht or generalized-alpha.");
 }
-
-TEST(MakeEquations, WithoutMeanForcesASchemeThatBalancesThemIsRefusedByName)
-{
-  const std::string              frame    = space_frame("0 0 0; 1 0 0", "0 1");
-  const std::vector<std::string> balanced = {"Time/Scheme=energy-momentum"};
-  const std::string              message =
-    input_error_of([&] { EquationsOnRanks(frame, balanced, MPI_COMM_SELF); });
-  EXPECT_TRUE(contains(message, "Time/Scheme = energy-momentum")) << message;
-  EXPECT_TRUE(contains(message, "struts that turn in space")) << message;
-  EXPECT_TRUE(contains(message, "generalized-alpha")) << message;
-  // Small rotations have them.
-  EXPECT_NO_THROW(EquationsOnRanks(frame,
-                                   {balanced[0], "Effects/Large rotation=off"},
-                                   MPI_COMM_SELF));
-  EXPECT_NO_THROW(EquationsOnRanks(two_struts_with(), balanced, MPI_COMM_SELF));
-}

@@ -1,18 +1,22 @@
 #ifndef auxfem_elements_cayley_rotation_h
 #define auxfem_elements_cayley_rotation_h
 
+#include <auxfem/elements/rotation_operators.h>
+
 #include <cmath>
 
 /**
  * @file
- * Rotation increments in the plane as Cayley's transform measures them. A
+ * Rotation increments as Cayley's transform measures them. In the plane a
  * rotation by the angle a takes a vector r_0 to r_1 such that
  * @code
  * r_1 - r_0 = 2 tan(a/2) J (r_0 + r_1) / 2
  * @endcode
  * with J the rotation by a right angle. So the vector product with the mean
  * position, which is what a virtual rotation makes, gives finite increments
- * exactly if the rotation is measured by 2 tan(a/2), and by nothing else.
+ * exactly if the rotation is measured by 2 tan(a/2), and by nothing else. In
+ * space the measure is a vector c of this length along the axis,
+ * r_1 - r_0 = c x (r_0 + r_1) / 2.
  */
 namespace auxfem
 {
@@ -65,6 +69,28 @@ namespace auxfem
   inline double angle_per_cayley_rotation(const double angle)
   {
     return angle == 0 ? 1. : angle / cayley_rotation(angle);
+  }
+
+  /** c of a rotation by less than half a turn. */
+  inline SpaceVector cayley_rotation(const Quaternion &rotation)
+  {
+    return 2 / rotation.scalar * rotation.vector;
+  }
+
+  /** c of a rotation vector shorter than pi. */
+  inline SpaceVector cayley_rotation(const SpaceVector &rotation_vector)
+  {
+    return cayley_rotation(exponential(rotation_vector));
+  }
+
+  /**
+   * The derivative of @p c by a spin theta that follows it in axes that turn
+   * along, C <- C exp(theta): I + [c]x / 2 + c c^T / 4. In fixed axes, of
+   * exp(theta) C, it is that of -c.
+   */
+  inline SpaceTensor cayley_change_by_spin(const SpaceVector &c)
+  {
+    return plus_identity(0.5 * cross_product_tensor(c) + 0.25 * dyad(c, c), 1.);
   }
 } // namespace auxfem
 

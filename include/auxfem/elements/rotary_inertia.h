@@ -1,6 +1,7 @@
 #ifndef auxfem_elements_rotary_inertia_h
 #define auxfem_elements_rotary_inertia_h
 
+#include <auxfem/elements/cayley_rotation.h>
 #include <auxfem/elements/rotation_rates.h>
 
 namespace auxfem
@@ -35,6 +36,43 @@ namespace auxfem
                      inertia * motion.acceleration +
                        dealii::cross_product_3d(motion.velocity,
                                                 inertia * motion.velocity));
+    }
+
+    /** Moment of momentum of a node at one end of a step. */
+    struct TurningMomentum
+    {
+      Quaternion  rotation; ///< P
+      SpaceVector momentum; ///< J W, material
+    };
+
+    /**
+     * Mean torque over a step between two states: the change of P J W over
+     * @p dt, and with mass-proportional damping @p alpha (1/s) alpha times its
+     * mean. On Cayley's measure c of the rotation, dt times the mean of W, it
+     * does the work of the kinetic energy, as P_0 c = P_1 c.
+     * @param rate (J W_1 - J W_0) / dt
+     */
+    inline SpaceVector mean_torque(const TurningMomentum &start,
+                                   const TurningMomentum &end,
+                                   const SpaceVector     &rate,
+                                   const double           dt,
+                                   const double           alpha)
+    {
+      const auto mean = [&](const SpaceVector &material) {
+        return (rotated(start.rotation, material) +
+                rotated(end.rotation, material)) /
+          2;
+      };
+      // P_1 - P_0 is [c]x times their mean; differences of P J W would lose
+      // digits.
+      const SpaceVector turn =
+        cayley_rotation(end.rotation * conjugate(start.rotation));
+      return mean(rate) +
+        dealii::cross_product_3d(turn / dt,
+                                 mean((start.momentum + end.momentum) / 2)) +
+        alpha / 2 *
+        (rotated(start.rotation, start.momentum) +
+         rotated(end.rotation, end.momentum));
     }
 
     /** Derivatives of the torque. */

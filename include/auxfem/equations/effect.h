@@ -34,12 +34,6 @@ namespace auxfem
     virtual bool is_linear() const = 0;
 
     /**
-     * What of the effect has no mean forces over a step between two states
-     * (Evaluation::Kind::between), in the user's words; empty: nothing.
-     */
-    virtual std::string without_mean_forces() const = 0;
-
-    /**
      * Asks for what the effect needs of the state and enters its energies.
      * Called once, when the equations are made.
      */

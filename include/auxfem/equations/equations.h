@@ -165,9 +165,6 @@ namespace auxfem
     void make_constraints(const Scene &scene);
     void make_inertia(const Scene &scene);
     void make_loads(const Scene &scene);
-    /** Throws InputError if the scheme asks for what an effect does not have.
-     */
-    void refuse_without_mean_forces(const Scene &scene) const;
     /** Throws InputError if steps are to follow an error that is not known. */
     void refuse_unknown_errors(const Scene &scene) const;
     void enter_energies();

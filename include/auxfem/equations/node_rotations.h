@@ -63,7 +63,8 @@ namespace auxfem
                                 unsigned int       i,
                                 const SpaceVector &rotate) const;
 
-    /** dTheta / dtheta = T^-1(Theta) P^T: how a spin changes rates. */
+    /** dTheta / dtheta = T^-1(Theta) P^T: how a spin changes rates; between two
+     * states that of Cayley's measure of Theta. */
     SpaceTensor increment_by_spin(const Evaluation &evaluation,
                                   unsigned int      i) const;
 

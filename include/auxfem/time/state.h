@@ -6,6 +6,7 @@
 #include <auxfem/time/energies.h>
 #include <auxfem/time/records.h>
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -31,8 +32,10 @@ namespace auxfem
     /** Local unknowns that are large rotations in the plane; for schemes that
      * balance means. */
     std::vector<int> plane_rotations;
-    EnergyLedger     energies;
-    RecordLayout     history; ///< internal variables
+    /** Those of every large rotation in space; for such schemes too. */
+    std::vector<std::array<int, 3>> space_rotations;
+    EnergyLedger                    energies;
+    RecordLayout                    history; ///< internal variables
     /** Those of them that obey differential equations: begin, end. */
     std::vector<std::pair<std::size_t, std::size_t>> integrated;
   };
@@ -108,6 +111,9 @@ namespace auxfem
 
     /** StateLayout::plane_rotations. */
     std::shared_ptr<const std::vector<int>> plane_rotations;
+
+    /** StateLayout::space_rotations. */
+    std::shared_ptr<const std::vector<std::array<int, 3>>> space_rotations;
 
     /** Internal variables, in the order of StateLayout::history. */
     std::vector<double> history;

@@ -31,11 +31,6 @@ namespace auxfem
     return loads.empty();
   }
 
-  std::string AppliedLoads::without_mean_forces() const
-  {
-    return "";
-  }
-
   bool AppliedLoads::is_linear() const
   {
     return true;

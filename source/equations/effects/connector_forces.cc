@@ -78,11 +78,6 @@ namespace auxfem
     return ends;
   }
 
-  std::string ConnectorForces::without_mean_forces() const
-  {
-    return "";
-  }
-
   bool ConnectorForces::is_linear() const
   {
     return !follows_line && law->is_linear();

@@ -40,11 +40,6 @@ namespace auxfem
     return false;
   }
 
-  std::string FollowerLoads::without_mean_forces() const
-  {
-    return is_planar ? "" : "loads that follow a joint in space";
-  }
-
   void FollowerLoads::register_blocks(TangentPattern &pattern)
   {
     bool is_first = true;
@@ -143,9 +138,15 @@ namespace auxfem
         for (const Joint &joint : load.joints)
           {
             const Values mean = mean_values(ends, joint, step);
+            // In space the moment turns with the joint; the rotation of the
+            // step is the same seen from its start and its end.
+            const SpaceVector moment =
+              (rotated(rotation(joint, step.from), mean.moment) +
+               rotated(rotation(joint, step.to), mean.moment)) /
+              2;
             for (unsigned int c = 0; c < n_motion_components; ++c)
               if (const int i = joint[c]; i >= 0)
-                residual[i] -= (c < 3 ? mean.force : mean.moment)[c % 3] *
+                residual[i] -= (c < 3 ? mean.force : moment)[c % 3] *
                   travel.increment_per_travel(i);
           }
       }

@@ -12,12 +12,11 @@ namespace auxfem
     template <int p, bool large_rotation, bool damped>
     struct PlaneBeam
     {
-      static constexpr int  order           = p;
-      static constexpr int  n_components    = 3;
-      static constexpr int  n               = n_components * (order + 1);
-      static constexpr bool is_linear       = !large_rotation;
-      static constexpr bool is_damped       = damped;
-      static constexpr bool has_mean_forces = true;
+      static constexpr int  order        = p;
+      static constexpr int  n_components = 3;
+      static constexpr int  n            = n_components * (order + 1);
+      static constexpr bool is_linear    = !large_rotation;
+      static constexpr bool is_damped    = damped;
 
       using Frame     = Beam2D::Frame;
       using Stiffness = Beam2D::Stiffness;
@@ -113,9 +112,10 @@ namespace auxfem
                                    const Frame            *frames,
                                    const double            jacobian,
                                    const Stiffness        &stiffness,
-                                   const int              *unknowns,
-                                   const Evaluation       &step,
-                                   double                 *force)
+                                   const DofNumbering & /*numbering*/,
+                                   const int        *unknowns,
+                                   const Evaluation &step,
+                                   double           *force)
       {
         const Displacements      u(unknowns, step);
         const Beam2D::EnergyRate energy =
@@ -134,10 +134,11 @@ namespace auxfem
                                const Frame            *frames,
                                const double            jacobian,
                                const Stiffness        &stiffness,
-                               const int              *unknowns,
-                               const Evaluation       &step,
-                               const TangentFactors   &factors,
-                               double                 *block)
+                               const DofNumbering & /*numbering*/,
+                               const int            *unknowns,
+                               const Evaluation     &step,
+                               const TangentFactors &factors,
+                               double               *block)
       {
         const Displacements u(unknowns, step);
         Beam2D::mean_tangent<order, damped>(shape,

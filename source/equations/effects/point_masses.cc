@@ -15,11 +15,6 @@ namespace auxfem
     return masses.empty();
   }
 
-  std::string PointMasses::without_mean_forces() const
-  {
-    return "";
-  }
-
   bool PointMasses::is_linear() const
   {
     return true;

@@ -46,11 +46,6 @@ namespace auxfem
     hinges.push_back(hinge);
   }
 
-  std::string RevoluteHinges::without_mean_forces() const
-  {
-    return large_rotation ? "revolute hinges in space" : "";
-  }
-
   bool RevoluteHinges::is_linear() const
   {
     return !large_rotation;
@@ -83,6 +78,20 @@ namespace auxfem
     const Quaternion base = rotation(hinge, 0, state);
     return {rotated(rotation(hinge, 1, state), hinge.axis),
             {rotated(base, hinge.across[0]), rotated(base, hinge.across[1])}};
+  }
+
+  RevoluteHinges::Axes
+  RevoluteHinges::acting_axes(const Hinge      &hinge,
+                              const Evaluation &evaluation) const
+  {
+    Axes result = axes(hinge, evaluation.to);
+    if (evaluation.kind != Evaluation::Kind::between || !large_rotation)
+      return result;
+    const Axes start = axes(hinge, evaluation.from);
+    result.axis      = (start.axis + result.axis) / 2;
+    for (unsigned int i = 0; i < 2; ++i)
+      result.across[i] = (start.across[i] + result.across[i]) / 2;
+    return result;
   }
 
   SpaceVector RevoluteHinges::spatial(const Hinge       &hinge,
@@ -124,11 +133,12 @@ namespace auxfem
     const Vector &u     = state.displacement;
     for (const Hinge &hinge : hinges)
       {
-        const Axes now = axes(hinge, state);
+        const Axes now    = axes(hinge, state),
+                   acting = acting_axes(hinge, evaluation);
         for (unsigned int i = 0; i < 2; ++i)
           {
             const int         row    = hinge.unknowns[6 + i];
-            const SpaceVector moment = unit * u[row] * now.arm(i);
+            const SpaceVector moment = unit * u[row] * acting.arm(i);
             for (unsigned int c = 0; c < 3; ++c)
               {
                 if (hinge.unknowns[c] >= 0)
@@ -155,27 +165,32 @@ namespace auxfem
     for (unsigned int h = 0; h < hinges.size(); ++h)
       {
         const Hinge &hinge = hinges[h];
-        const Axes   now   = axes(hinge, evaluation.to);
+        const Axes   now   = axes(hinge, evaluation.to),
+                   acting  = acting_axes(hinge, evaluation);
         // Moments (on base, end) by spins (of base, end).
         SpaceTensor stiffness[2];
         double      block[64] = {};
         for (unsigned int i = 0; i < 2; ++i)
           {
-            const SpaceVector arm = unit * now.arm(i);
+            const SpaceVector arm    = unit * now.arm(i),
+                              moment = unit * acting.arm(i);
             for (unsigned int c = 0; c < 3; ++c)
               {
-                block[8 * c + 6 + i] = block[8 * (6 + i) + c] = arm[c];
-                block[8 * (3 + c) + 6 + i] = block[8 * (6 + i) + 3 + c] =
-                  -arm[c];
+                block[8 * c + 6 + i]       = moment[c];
+                block[8 * (3 + c) + 6 + i] = -moment[c];
+                block[8 * (6 + i) + c]     = arm[c];
+                block[8 * (6 + i) + 3 + c] = -arm[c];
               }
             if (!large_rotation)
               continue;
             const double force = factors.stiffness * unit *
               evaluation.to.displacement[hinge.unknowns[6 + i]];
-            const SpaceTensor A = cross_product_tensor(now.axis),
-                              B = cross_product_tensor(now.across[i]);
-            stiffness[0] += force * (A * B);
-            stiffness[1] -= force * (B * A);
+            stiffness[0] += force *
+              (cross_product_tensor(acting.axis) *
+               cross_product_tensor(now.across[i]));
+            stiffness[1] -= force *
+              (cross_product_tensor(acting.across[i]) *
+               cross_product_tensor(now.axis));
           }
         for (unsigned int r = 0; r < 6; ++r)
           for (unsigned int c = 0; c < 6; ++c)

@@ -33,16 +33,6 @@ namespace auxfem
               });
   }
 
-  std::string RigidPartConstraints::without_mean_forces() const
-  {
-    // All ranks must answer alike, with or without such a part.
-    const bool turns =
-      std::any_of(lattice.rigid_parts.begin(),
-                  lattice.rigid_parts.end(),
-                  [](const RigidPart &part) { return part.has_rotation; });
-    return large_rotation && turns ? "rigid parts that turn in space" : "";
-  }
-
   bool RigidPartConstraints::is_linear() const
   {
     return !large_rotation;

@@ -6,11 +6,6 @@ namespace auxfem
     : bodies(std::move(bodies))
   {}
 
-  std::string RigidPartInertia::without_mean_forces() const
-  {
-    return "";
-  }
-
   bool RigidPartInertia::is_linear() const
   {
     return true;

@@ -20,11 +20,6 @@ namespace auxfem
     return masses.empty();
   }
 
-  std::string RotaryMasses::without_mean_forces() const
-  {
-    return large_rotation ? "rotary inertia of masses in space" : "";
-  }
-
   bool RotaryMasses::is_linear() const
   {
     return !large_rotation;
@@ -55,6 +50,19 @@ namespace auxfem
             rotations.values(*state.acceleration, mass.rotation)};
   }
 
+  SpaceVector RotaryMasses::mean_torque(const Mass       &mass,
+                                        const Evaluation &step) const
+  {
+    const RotaryInertia::Motion start = motion(mass, step.from),
+                                end   = motion(mass, step.to);
+    return RotaryInertia::mean_torque(
+      {step.from.rotations[mass.rotation], mass.inertia * start.velocity},
+      {step.to.rotations[mass.rotation], mass.inertia * end.velocity},
+      mass.inertia * end.acceleration,
+      step.dt,
+      0.);
+  }
+
   void RotaryMasses::add_residual(const Evaluation &evaluation,
                                   double           *residual,
                                   EffectResults * /*results*/) const
@@ -63,15 +71,29 @@ namespace auxfem
       {
         const RotaryInertia::Motion now      = motion(mass, evaluation.to);
         const SpaceVector           inertial = mass.inertia * now.acceleration;
-        const SpaceVector           torque   = large_rotation
-                      ? RotaryInertia::torque(mass.inertia,
+        const SpaceVector           torque   = !large_rotation ? inertial
+                      : evaluation.kind == Evaluation::Kind::between
+                      ? mean_torque(mass, evaluation)
+                      : RotaryInertia::torque(mass.inertia,
                                   evaluation.to.rotations[mass.rotation],
-                                  now)
-                      : inertial;
+                                  now);
         const std::array<int, 3> &spins = numbering.rotations()[mass.rotation];
         for (unsigned int c = 0; c < 3; ++c)
           residual[spins[c]] += torque[c];
       }
+  }
+
+  SpaceTensor RotaryMasses::mean_tangent(const Mass           &mass,
+                                         const Evaluation     &step,
+                                         const TangentFactors &factors) const
+  {
+    const Quaternion &rotation = step.to.rotations[mass.rotation];
+    return factors.mass *
+      rotated(rotation,
+              mass.inertia * rotations.increment_by_spin(step, mass.rotation)) -
+      2 * factors.stiffness / step.dt *
+      cross_product_tensor(
+        rotated(rotation, mass.inertia * motion(mass, step.to).velocity));
   }
 
   void RotaryMasses::add_tangent(const Evaluation &evaluation,
@@ -84,15 +106,20 @@ namespace auxfem
         SpaceTensor block = factors.mass * masses[i].inertia;
         if (large_rotation)
           {
-            const unsigned int           rotation = masses[i].rotation;
-            const RotaryInertia::Tangent tangent =
-              RotaryInertia::tangent(masses[i].inertia,
-                                     evaluation.to.rotations[rotation],
-                                     motion(masses[i], evaluation.to));
-            block = factors.stiffness * tangent.by_spin +
-              (factors.damping * tangent.by_velocity +
-               factors.mass * tangent.by_acceleration) *
-                rotations.increment_by_spin(evaluation, rotation);
+            const unsigned int rotation = masses[i].rotation;
+            if (evaluation.kind == Evaluation::Kind::between)
+              block = mean_tangent(masses[i], evaluation, factors);
+            else
+              {
+                const RotaryInertia::Tangent tangent =
+                  RotaryInertia::tangent(masses[i].inertia,
+                                         evaluation.to.rotations[rotation],
+                                         motion(masses[i], evaluation.to));
+                block = factors.stiffness * tangent.by_spin +
+                  (factors.damping * tangent.by_velocity +
+                   factors.mass * tangent.by_acceleration) *
+                    rotations.increment_by_spin(evaluation, rotation);
+              }
           }
         double values[9];
         for (unsigned int r = 0; r < 3; ++r)

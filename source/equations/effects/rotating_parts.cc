@@ -58,11 +58,6 @@ namespace auxfem
         return !large_rotation;
       }
 
-      std::string without_mean_forces() const override
-      {
-        return large_rotation ? "rigid parts that turn in space" : "";
-      }
-
       void register_blocks(TangentPattern &pattern) override
       {
         for (unsigned int i = 0; i < joints.size(); ++i)
@@ -84,8 +79,8 @@ namespace auxfem
             const SpaceVector lambda = values(u, joint, 9),
                               moment =
                                 dealii::cross_product_3d(lambda,
-                                                         arm(joint,
-                                                             evaluation.to)),
+                                                         lever(joint,
+                                                               evaluation)),
                               row = evaluation.wants_constraint_accelerations()
               ? second_derivative(joint, evaluation.to)
               : constraint(joint, evaluation.to);
@@ -108,15 +103,19 @@ namespace auxfem
           {
             const Joint      &joint = joints[i];
             const SpaceTensor X =
-              cross_product_tensor(arm(joint, evaluation.to));
+                                cross_product_tensor(arm(joint, evaluation.to)),
+                              L =
+                                cross_product_tensor(lever(joint, evaluation));
             double block[144] = {};
             for (unsigned int r = 0; r < 3; ++r)
               {
                 block[12 * r + 9 + r] = block[12 * (9 + r) + r] = 1;
                 block[12 * (3 + r) + 9 + r] = block[12 * (9 + r) + 3 + r] = -1;
                 for (unsigned int c = 0; c < 3; ++c)
-                  block[12 * (9 + r) + 6 + c] = block[12 * (6 + c) + 9 + r] =
-                    X[r][c];
+                  {
+                    block[12 * (9 + r) + 6 + c] = X[r][c];
+                    block[12 * (6 + c) + 9 + r] = L[r][c];
+                  }
               }
             if (large_rotation)
               {
@@ -247,6 +246,19 @@ namespace auxfem
       SpaceVector arm(const Joint &joint, const State &state) const
       {
         return rotated(quaternion(bodies[joint.body], state), joint.arm);
+      }
+
+      /**
+       * At which the joint's force acts on the part. Between two states the
+       * mean of P X: its vector product with Cayley's measure of the rotation
+       * is the change of P X, so that the force does no work.
+       */
+      SpaceVector lever(const Joint &joint, const Evaluation &evaluation) const
+      {
+        const SpaceVector end = arm(joint, evaluation.to);
+        return evaluation.kind == Evaluation::Kind::between
+          ? (arm(joint, evaluation.from) + end) / 2
+          : end;
       }
 
       /** (P - I) X. */

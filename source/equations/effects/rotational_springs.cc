@@ -22,11 +22,6 @@ namespace auxfem
     return u[spring.unknowns[1]] - (base >= 0 ? u[base] : 0.);
   }
 
-  std::string RotationalSprings::without_mean_forces() const
-  {
-    return "";
-  }
-
   bool RotationalSprings::is_linear() const
   {
     return true;

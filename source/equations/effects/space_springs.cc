@@ -1,3 +1,4 @@
+#include <auxfem/elements/cayley_rotation.h>
 #include <auxfem/equations/effects/space_springs.h>
 
 namespace auxfem
@@ -24,11 +25,6 @@ namespace auxfem
         spring.unknowns[3 + c] = numbering.rotations()[second][c];
       }
     springs.push_back(spring);
-  }
-
-  std::string SpaceSprings::without_mean_forces() const
-  {
-    return "rotational springs in space";
   }
 
   bool SpaceSprings::is_linear() const
@@ -84,6 +80,31 @@ namespace auxfem
                    material_angle(i, evaluation));
   }
 
+  SpaceVector SpaceSprings::mean_moment(const unsigned int i,
+                                        const SpaceVector &turned,
+                                        const Evaluation  &step) const
+  {
+    const Spring     &spring = springs[i];
+    const double     *values = &step.from.history[first_history + 3 * i];
+    const SpaceVector before({values[0], values[1], values[2]});
+    const Quaternion  base_0 = base_rotation(spring, step.from),
+                     base_1  = base_rotation(spring, step.to);
+    const SpaceVector mean =
+                        (rotated(base_0, before) + rotated(base_1, turned)) / 2,
+                      turn = cayley_rotation(
+                               step.to.rotations[spring.second] *
+                               conjugate(step.from.rotations[spring.second])) -
+      cayley_rotation(base_1 * conjugate(base_0));
+    // Along the turn, so that the work is the change of energy.
+    const double missing =
+      (turned + before) * (turned - before) / 2 - mean * turn;
+    constexpr double round_off = 4e-15;
+    return spring.stiffness *
+      (std::abs(missing) <= round_off * mean.norm()
+         ? mean
+         : mean + missing / turn.norm_square() * turn);
+  }
+
   void SpaceSprings::add_residual(const Evaluation &evaluation,
                                   double           *residual,
                                   EffectResults * /*results*/) const
@@ -92,15 +113,16 @@ namespace auxfem
       {
         const Spring     &spring = springs[i];
         const SpaceVector turned = material_angle(i, evaluation),
-                          psi    = rotated(base_rotation(spring, evaluation.to),
-                                        turned);
+                          moment = evaluation.kind == Evaluation::Kind::between
+          ? mean_moment(i, turned, evaluation)
+          : spring.stiffness *
+            rotated(base_rotation(spring, evaluation.to), turned);
         for (unsigned int c = 0; c < 3; ++c)
           {
             evaluation.to.history[first_history + 3 * i + c] = turned[c];
-            const double moment = spring.stiffness * psi[c];
             if (spring.first >= 0)
-              residual[spring.unknowns[c]] -= moment;
-            residual[spring.unknowns[3 + c]] += moment;
+              residual[spring.unknowns[c]] -= moment[c];
+            residual[spring.unknowns[3 + c]] += moment[c];
           }
       }
   }

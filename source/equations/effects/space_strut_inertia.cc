@@ -60,11 +60,6 @@ namespace auxfem
         return !large_rotation || !rotary;
       }
 
-      std::string without_mean_forces() const override
-      {
-        return large_rotation ? "the inertia of struts that turn in space" : "";
-      }
-
       void add_residual(const Evaluation &evaluation,
                         double           *residual,
                         EffectResults * /*results*/) const override
@@ -89,6 +84,12 @@ namespace auxfem
               }
             if (!rotary)
               continue;
+            if constexpr (large_rotation)
+              if (evaluation.kind == Evaluation::Kind::between)
+                {
+                  add_mean_torques(e, evaluation, alpha, residual);
+                  continue;
+                }
             const Rotating rotating(*this,
                                     e,
                                     evaluation.to,
@@ -249,6 +250,26 @@ namespace auxfem
         return L;
       }
 
+      /** Those that change the moments of momentum P_a L_a in the step. */
+      void add_mean_torques(const unsigned int e,
+                            const Evaluation  &step,
+                            const double       alpha,
+                            double            *residual) const
+      {
+        const int     *unknowns = numbering.element_unknowns(group.begin + e);
+        const Rotating start(*this, e, step.from, step.from.velocity->data()),
+          end(*this, e, step.to, step.to.velocity->data());
+        for (int i = 0; i <= order; ++i)
+          scatter(RotaryInertia::mean_torque({start.rotation[i],
+                                              start.momentum[i]},
+                                             {end.rotation[i], end.momentum[i]},
+                                             end.rate[i],
+                                             step.dt,
+                                             alpha),
+                  unknowns + n_components * i + 3,
+                  residual);
+      }
+
       /** @param mass factor of the mass matrix, damping included. */
       void add_rotary_tangent(const unsigned int    e,
                               const Evaluation     &evaluation,
@@ -281,6 +302,27 @@ namespace auxfem
             node_rotations.increment_by_spin(evaluation,
                                              numbering.rotations().with(
                                                unknowns[n_components * i + 3]));
+        if (evaluation.kind == Evaluation::Kind::between)
+          {
+            // Those of the end, see RotaryInertia::mean_torque().
+            const double turning = factors.stiffness *
+              (2 / evaluation.dt + (damped ? elements[e].damping : 0.));
+            for (int i = 0; i <= order; ++i)
+              {
+                for (int j = 0; j <= order; ++j)
+                  add(i,
+                      j,
+                      mass *
+                        rotated(rotating.rotation[i],
+                                pair_inertia(e, i, j) * by_spin[j]));
+                add(i,
+                    i,
+                    -turning *
+                      cross_product_tensor(
+                        rotated(rotating.rotation[i], rotating.momentum[i])));
+              }
+            return;
+          }
         for (int i = 0; i <= order; ++i)
           {
             const SpaceTensor rotational =

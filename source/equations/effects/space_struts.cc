@@ -1,4 +1,4 @@
-#include <auxfem/elements/beam_3d_damping.h>
+#include <auxfem/elements/beam_3d_between.h>
 #include <auxfem/elements/beam_dispatch.h>
 #include <auxfem/equations/effects/beam_forces.h>
 #include <auxfem/equations/node_rotations.h>
@@ -31,12 +31,11 @@ namespace auxfem
     template <int p, bool large_rotation, bool damped>
     struct SpaceBeam
     {
-      static constexpr int  order           = p;
-      static constexpr int  n_components    = Beam3D::n_components;
-      static constexpr int  n               = n_components * (order + 1);
-      static constexpr bool is_linear       = !large_rotation;
-      static constexpr bool is_damped       = damped;
-      static constexpr bool has_mean_forces = !large_rotation;
+      static constexpr int  order        = p;
+      static constexpr int  n_components = Beam3D::n_components;
+      static constexpr int  n            = n_components * (order + 1);
+      static constexpr bool is_linear    = !large_rotation;
+      static constexpr bool is_damped    = damped;
 
       using Frame = Beam3D::Frame;
       struct Stiffness
@@ -192,6 +191,52 @@ namespace auxfem
             factors.stiffness +
               (damped ? stiffness.damping_time * factors.damping : 0.),
             block);
+      }
+
+      static BeamEnergy mean_force(const BeamShape<order> &shape,
+                                   const Frame            *frames,
+                                   const double            jacobian,
+                                   const Stiffness        &stiffness,
+                                   const DofNumbering     &numbering,
+                                   const int              *unknowns,
+                                   const Evaluation       &step,
+                                   double                 *force)
+      {
+        const Beam3D::StepEnergy energy =
+          Beam3D::mean_force(shape,
+                             frames,
+                             jacobian,
+                             stiffness.elastic,
+                             motion(numbering, unknowns, step.from).nodes,
+                             motion(numbering, unknowns, step.to).nodes,
+                             damped ? stiffness.damping_time / step.dt : 0.,
+                             force);
+        return {energy.strain, energy.lost};
+      }
+
+      static void mean_tangent(const BeamShape<order> &shape,
+                               const Frame            *frames,
+                               const double            jacobian,
+                               const Stiffness        &stiffness,
+                               const DofNumbering     &numbering,
+                               const int              *unknowns,
+                               const Evaluation       &step,
+                               const TangentFactors   &factors,
+                               double                 *block)
+      {
+        Beam3D::mean_tangent(shape,
+                             frames,
+                             jacobian,
+                             stiffness.elastic,
+                             motion(numbering, unknowns, step.from).nodes,
+                             motion(numbering, unknowns, step.to).nodes,
+                             damped ? stiffness.damping_time / step.dt : 0.,
+                             factors.stiffness,
+                             factors.stiffness +
+                               (damped
+                                  ? stiffness.damping_time * factors.damping
+                                  : 0.),
+                             block);
       }
 
       static Stiffness stiffness(const Section &section)

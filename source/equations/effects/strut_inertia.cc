@@ -44,11 +44,6 @@ namespace auxfem
         return true;
       }
 
-      std::string without_mean_forces() const override
-      {
-        return "";
-      }
-
       void add_residual(const Evaluation &evaluation,
                         double           *residual,
                         EffectResults * /*results*/) const override

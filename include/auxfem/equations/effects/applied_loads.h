@@ -35,20 +35,19 @@ namespace auxfem
     /** Whether no load was added. */
     bool empty() const;
 
-    bool        is_linear() const override;
-    std::string without_mean_forces() const override;
-    void        register_in(StateLayout &layout) override;
-    void        add_residual(const Evaluation &evaluation,
-                             double           *residual,
-                             EffectResults    *results) const override;
-    void        add_load_derivative(const Evaluation &evaluation,
-                                    double           *derivative) const override;
-    void        account_step(const Evaluation    &step,
-                             const EffectResults *results,
-                             EnergyAccount       &account) const override;
-    void        account_stage(const Evaluation    &stage,
-                              const EffectResults *results,
-                              EnergyAccount       &account) const override;
+    bool is_linear() const override;
+    void register_in(StateLayout &layout) override;
+    void add_residual(const Evaluation &evaluation,
+                      double           *residual,
+                      EffectResults    *results) const override;
+    void add_load_derivative(const Evaluation &evaluation,
+                             double           *derivative) const override;
+    void account_step(const Evaluation    &step,
+                      const EffectResults *results,
+                      EnergyAccount       &account) const override;
+    void account_stage(const Evaluation    &stage,
+                       const EffectResults *results,
+                       EnergyAccount       &account) const override;
 
   private:
     struct Weight

@@ -133,13 +133,12 @@ namespace auxfem
       auto &of_struts = static_cast<BeamResults &>(*results);
       if (evaluation.kind == Evaluation::Kind::between)
         {
-          if constexpr (Beam::has_mean_forces)
-            sum_forces(
-              [&](const unsigned int e, double *force) {
-                return mean_force(evaluation, e, force);
-              },
-              residual,
-              of_struts);
+          sum_forces(
+            [&](const unsigned int e, double *force) {
+              return mean_force(evaluation, e, force);
+            },
+            residual,
+            of_struts);
         }
       else
         sum_forces(
@@ -161,7 +160,7 @@ namespace auxfem
     {
       if (factors.stiffness == 0 && factors.damping == 0)
         return;
-      if constexpr (Beam::has_mean_forces && !Beam::is_linear)
+      if constexpr (!Beam::is_linear)
         if (evaluation.kind == Evaluation::Kind::between)
           {
             add_mean_tangent(evaluation, factors, matrix);
@@ -217,11 +216,6 @@ namespace auxfem
     {
       if (Beam::is_damped)
         account.add_power(damping_entry, energy_of(results).dissipation);
-    }
-
-    std::string without_mean_forces() const override
-    {
-      return Beam::has_mean_forces ? "" : "struts that turn in space";
     }
 
     void raise_forces(const Evaluation & /*evaluation*/,
@@ -704,6 +698,7 @@ namespace auxfem
                                 &frames[std::size_t(e) * order],
                                 of_elements[e].jacobian,
                                 of_elements[e].stiffness,
+                                numbering,
                                 unknowns,
                                 step,
                                 force);
@@ -720,6 +715,7 @@ namespace auxfem
                              &frames[std::size_t(e) * order],
                              of_elements[e].jacobian,
                              of_elements[e].stiffness,
+                             numbering,
                              unknowns_of(e),
                              step,
                              factors,

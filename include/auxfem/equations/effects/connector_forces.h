@@ -57,10 +57,9 @@ namespace auxfem
                     const DofNumbering           &numbering,
                     bool                          large_rotation);
 
-    bool        is_linear() const override;
-    std::string without_mean_forces() const override;
-    void        register_in(StateLayout &layout) override;
-    void        register_blocks(TangentPattern &pattern) override;
+    bool is_linear() const override;
+    void register_in(StateLayout &layout) override;
+    void register_blocks(TangentPattern &pattern) override;
     std::unique_ptr<EffectResults> make_results() const override;
 
     void        add_residual(const Evaluation &evaluation,

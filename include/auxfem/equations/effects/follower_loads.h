@@ -33,25 +33,24 @@ namespace auxfem
     /** Whether no load was added. */
     bool empty() const;
 
-    bool        is_linear() const override;
-    std::string without_mean_forces() const override;
-    void        register_blocks(TangentPattern &pattern) override;
-    void        register_in(StateLayout &layout) override;
-    void        add_residual(const Evaluation &evaluation,
-                             double           *residual,
-                             EffectResults    *results) const override;
-    void        add_tangent(const Evaluation     &evaluation,
-                            const EffectResults  *results,
-                            const TangentFactors &factors,
-                            TangentMatrix        &matrix) const override;
-    void        add_load_derivative(const Evaluation &evaluation,
-                                    double           *derivative) const override;
-    void        account_step(const Evaluation    &step,
-                             const EffectResults *results,
-                             EnergyAccount       &account) const override;
-    void        account_stage(const Evaluation    &stage,
-                              const EffectResults *results,
-                              EnergyAccount       &account) const override;
+    bool is_linear() const override;
+    void register_blocks(TangentPattern &pattern) override;
+    void register_in(StateLayout &layout) override;
+    void add_residual(const Evaluation &evaluation,
+                      double           *residual,
+                      EffectResults    *results) const override;
+    void add_tangent(const Evaluation     &evaluation,
+                     const EffectResults  *results,
+                     const TangentFactors &factors,
+                     TangentMatrix        &matrix) const override;
+    void add_load_derivative(const Evaluation &evaluation,
+                             double           *derivative) const override;
+    void account_step(const Evaluation    &step,
+                      const EffectResults *results,
+                      EnergyAccount       &account) const override;
+    void account_stage(const Evaluation    &stage,
+                       const EffectResults *results,
+                       EnergyAccount       &account) const override;
 
   private:
     /** Force and moment in the axes that turn with the joint (N, N m). */

@@ -60,11 +60,6 @@ namespace auxfem
       return !large_rotation;
     }
 
-    std::string without_mean_forces() const override
-    {
-      return "";
-    }
-
     void register_blocks(TangentPattern &pattern) override
     {
       // Numbered consecutively: bases, then joints, then clamps.

@@ -35,20 +35,19 @@ namespace auxfem
              const std::array<int, 2> &multipliers,
              const SpaceVector        &axis);
 
-    bool        is_linear() const override;
-    std::string without_mean_forces() const override;
-    void        register_blocks(TangentPattern &pattern) override;
-    void        add_residual(const Evaluation &evaluation,
-                             double           *residual,
-                             EffectResults    *results) const override;
-    void        add_tangent(const Evaluation     &evaluation,
-                            const EffectResults  *results,
-                            const TangentFactors &factors,
-                            TangentMatrix        &matrix) const override;
-    void        raise_forces(const Evaluation    &evaluation,
-                             const EffectResults *results,
-                             double              *forces) const override;
-    void        find_rates(const State &state, double *rates) const override;
+    bool is_linear() const override;
+    void register_blocks(TangentPattern &pattern) override;
+    void add_residual(const Evaluation &evaluation,
+                      double           *residual,
+                      EffectResults    *results) const override;
+    void add_tangent(const Evaluation     &evaluation,
+                     const EffectResults  *results,
+                     const TangentFactors &factors,
+                     TangentMatrix        &matrix) const override;
+    void raise_forces(const Evaluation    &evaluation,
+                      const EffectResults *results,
+                      double              *forces) const override;
+    void find_rates(const State &state, double *rates) const override;
 
   private:
     struct Hinge
@@ -71,6 +70,13 @@ namespace auxfem
 
     /** The axes @p hinge has in @p state. */
     Axes axes(const Hinge &hinge, const State &state) const;
+
+    /**
+     * Those along which moments act. Between two states the means over the
+     * step: with them across . axis changes by its gradient times Cayley's
+     * measures of the rotations, so that the moments do no work.
+     */
+    Axes acting_axes(const Hinge &hinge, const Evaluation &evaluation) const;
     /** Rotation of the base (0) or the end (1); none of the ground or if
      * rotations are small. */
     Quaternion

@@ -16,21 +16,20 @@ namespace auxfem
                          bool                        large_rotation,
                          const dealii::Tensor<1, 3> &gravity);
 
-    bool        is_linear() const override;
-    std::string without_mean_forces() const override;
-    void        register_blocks(TangentPattern &pattern) override;
-    void        add_residual(const Evaluation &evaluation,
-                             double           *residual,
-                             EffectResults    *results) const override;
-    void        add_tangent(const Evaluation     &evaluation,
-                            const EffectResults  *results,
-                            const TangentFactors &factors,
-                            TangentMatrix        &matrix) const override;
-    void        raise_forces(const Evaluation    &evaluation,
-                             const EffectResults *results,
-                             double              *forces) const override;
-    void        find_rates(const State &state, double *rates) const override;
-    double      length() const override;
+    bool   is_linear() const override;
+    void   register_blocks(TangentPattern &pattern) override;
+    void   add_residual(const Evaluation &evaluation,
+                        double           *residual,
+                        EffectResults    *results) const override;
+    void   add_tangent(const Evaluation     &evaluation,
+                       const EffectResults  *results,
+                       const TangentFactors &factors,
+                       TangentMatrix        &matrix) const override;
+    void   raise_forces(const Evaluation    &evaluation,
+                        const EffectResults *results,
+                        double              *forces) const override;
+    void   find_rates(const State &state, double *rates) const override;
+    double length() const override;
 
     unsigned int    n_reported() const override;
     unsigned int    part(unsigned int i) const override;

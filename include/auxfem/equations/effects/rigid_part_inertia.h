@@ -16,20 +16,19 @@ namespace auxfem
     /** @param bodies of which those with a rotation of their own are left out. */
     explicit RigidPartInertia(RigidBodies bodies);
 
-    bool        is_linear() const override;
-    std::string without_mean_forces() const override;
-    void        register_blocks(TangentPattern &pattern) override;
-    void        add_residual(const Evaluation &evaluation,
-                             double           *residual,
-                             EffectResults    *results) const override;
-    void        add_tangent(const Evaluation     &evaluation,
-                            const EffectResults  *results,
-                            const TangentFactors &factors,
-                            TangentMatrix        &matrix) const override;
-    void        register_in(StateLayout &layout) override;
-    void        account(const Evaluation    &step,
-                        const EffectResults *results,
-                        EnergyAccount       &account) const override;
+    bool is_linear() const override;
+    void register_blocks(TangentPattern &pattern) override;
+    void add_residual(const Evaluation &evaluation,
+                      double           *residual,
+                      EffectResults    *results) const override;
+    void add_tangent(const Evaluation     &evaluation,
+                     const EffectResults  *results,
+                     const TangentFactors &factors,
+                     TangentMatrix        &matrix) const override;
+    void register_in(StateLayout &layout) override;
+    void account(const Evaluation    &step,
+                 const EffectResults *results,
+                 EnergyAccount       &account) const override;
 
   private:
     /** Calls @p action for all bodies in natural coordinates, in order. */

@@ -21,23 +21,22 @@ namespace auxfem
     /** Whether no mass was added. */
     bool empty() const;
 
-    bool        is_linear() const override;
-    std::string without_mean_forces() const override;
-    void        register_blocks(TangentPattern &pattern) override;
-    void        add_residual(const Evaluation &evaluation,
-                             double           *residual,
-                             EffectResults    *results) const override;
-    void        add_tangent(const Evaluation     &evaluation,
-                            const EffectResults  *results,
-                            const TangentFactors &factors,
-                            TangentMatrix        &matrix) const override;
-    void        register_in(StateLayout &layout) override;
-    void        account(const Evaluation    &step,
-                        const EffectResults *results,
-                        EnergyAccount       &account) const override;
-    void        raise_forces(const Evaluation    &evaluation,
-                             const EffectResults *results,
-                             double              *forces) const override;
+    bool is_linear() const override;
+    void register_blocks(TangentPattern &pattern) override;
+    void add_residual(const Evaluation &evaluation,
+                      double           *residual,
+                      EffectResults    *results) const override;
+    void add_tangent(const Evaluation     &evaluation,
+                     const EffectResults  *results,
+                     const TangentFactors &factors,
+                     TangentMatrix        &matrix) const override;
+    void register_in(StateLayout &layout) override;
+    void account(const Evaluation    &step,
+                 const EffectResults *results,
+                 EnergyAccount       &account) const override;
+    void raise_forces(const Evaluation    &evaluation,
+                      const EffectResults *results,
+                      double              *forces) const override;
 
   private:
     struct Mass
@@ -46,6 +45,14 @@ namespace auxfem
       SpaceTensor  inertia;
     };
     RotaryInertia::Motion motion(const Mass &mass, const State &state) const;
+
+    /** Between two states (N m). */
+    SpaceVector mean_torque(const Mass &mass, const Evaluation &step) const;
+
+    /** Its derivative by spins at the end. */
+    SpaceTensor mean_tangent(const Mass           &mass,
+                             const Evaluation     &step,
+                             const TangentFactors &factors) const;
 
     const DofNumbering &numbering;
     const NodeRotations rotations;

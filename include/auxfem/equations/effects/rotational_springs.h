@@ -19,28 +19,27 @@ namespace auxfem
      */
     void add(int first, int second, double stiffness);
 
-    bool        is_linear() const override;
-    std::string without_mean_forces() const override;
-    void        register_blocks(TangentPattern &pattern) override;
-    void        add_residual(const Evaluation &evaluation,
-                             double           *residual,
-                             EffectResults    *results) const override;
-    void        add_tangent(const Evaluation     &evaluation,
-                            const EffectResults  *results,
-                            const TangentFactors &factors,
-                            TangentMatrix        &matrix) const override;
-    void        register_in(StateLayout &layout) override;
-    void        account(const Evaluation    &step,
-                        const EffectResults *results,
-                        EnergyAccount       &account) const override;
-    void        raise_forces(const Evaluation    &evaluation,
-                             const EffectResults *results,
-                             double              *forces) const override;
-    void        raise_uncertain_forces(const Evaluation    &evaluation,
-                                       const EffectResults *results,
-                                       double               largest_displacement,
-                                       double               largest_rotation,
-                                       double              *forces) const override;
+    bool is_linear() const override;
+    void register_blocks(TangentPattern &pattern) override;
+    void add_residual(const Evaluation &evaluation,
+                      double           *residual,
+                      EffectResults    *results) const override;
+    void add_tangent(const Evaluation     &evaluation,
+                     const EffectResults  *results,
+                     const TangentFactors &factors,
+                     TangentMatrix        &matrix) const override;
+    void register_in(StateLayout &layout) override;
+    void account(const Evaluation    &step,
+                 const EffectResults *results,
+                 EnergyAccount       &account) const override;
+    void raise_forces(const Evaluation    &evaluation,
+                      const EffectResults *results,
+                      double              *forces) const override;
+    void raise_uncertain_forces(const Evaluation    &evaluation,
+                                const EffectResults *results,
+                                double               largest_displacement,
+                                double               largest_rotation,
+                                double              *forces) const override;
 
   private:
     struct Spring
