@@ -24,6 +24,7 @@ namespace auxfem
       {
         return "\nUsage: auxfem [OPTIONS] FILE.prm\n"
                "       mpirun -n N auxfem [OPTIONS] FILE.prm\n"
+               "       auxfem --resume DIR [--set ...]\n"
                "       auxfem --compare [OPTIONS] FILE.prm [FILE.prm ...]\n";
       }
 
@@ -91,6 +92,7 @@ namespace auxfem
           }
         if (!app.remaining().empty())
           refuse("Unknown option '" + app.remaining().front() + "'.");
+        take_resumed_folder();
         check_files();
         take_folder();
         return line;
@@ -110,6 +112,12 @@ namespace auxfem
       void add_actions()
       {
         line.action = Action::run;
+        resume      = app
+                   .add_option("--resume",
+                               resumed_folder,
+                               "go on with the run in DIR from its last "
+                               "checkpoint")
+                   ->type_name("DIR");
         add_action("--check",
                    Action::check,
                    "read and check FILE.prm, build the mesh, print counts; "
@@ -149,6 +157,24 @@ namespace auxfem
           line.action == Action::compare;
       }
 
+      void take_resumed_folder()
+      {
+        if (resume->count() == 0)
+          return;
+        if (line.action != Action::run)
+          refuse("--resume goes on with a run; it does not go with other "
+                 "actions.");
+        if (!line.files.empty())
+          throw InputError("--resume takes the scene from the folder of the "
+                           "run; leave out '" +
+                           line.files[0] + "'.");
+        if (output->count() > 0)
+          throw InputError("--resume goes on in the folder of the run; leave "
+                           "out --output.");
+        line.action = Action::resume;
+        line.folder = resumed_folder;
+      }
+
       void check_files() const
       {
         if (needs_file() && line.files.empty())
@@ -167,7 +193,7 @@ namespace auxfem
       {
         if (line.action == Action::compare && line.folder.empty())
           line.folder = "output/comparison";
-        else if (line.action != Action::compare && !line.folder.empty())
+        else if (line.action != Action::compare && output->count() > 0)
           line.overrides.push_back("Output/Directory=" + line.folder);
       }
 
@@ -181,7 +207,8 @@ namespace auxfem
                        "connectors as described in FILE.prm\nand leaves the "
                        "results in a folder: history.csv, *.pvd for ParaView, "
                        "log.txt, summary.json."};
-      CLI::Option *output = nullptr;
+      CLI::Option *output = nullptr, *resume = nullptr;
+      std::string  resumed_folder;
     };
   } // namespace
 

@@ -4,6 +4,7 @@
 #include <auxfem/parameters/out_of_memory.h>
 #include <auxfem/parameters/short_lines.h>
 #include <auxfem/program.h>
+#include <auxfem/resumption.h>
 #include <auxfem/scene/scene_subsections.h>
 #include <auxfem/simulation.h>
 #include <auxfem/time/interruption.h>
@@ -33,6 +34,7 @@ namespace auxfem
             return describe_parameters_markdown(scene_schemas());
           case CommandLine::Action::print_parameters_json:
             return describe_parameters_json(scene_schemas());
+          case CommandLine::Action::resume:
           case CommandLine::Action::check:
           case CommandLine::Action::compare:
           case CommandLine::Action::run:
@@ -46,10 +48,33 @@ namespace auxfem
       std::cerr << "\nauxfem: " << with_short_lines(message) << std::endl;
     }
 
+    /** Exit code of a run that has ended. */
+    int exit_code(const Scene &scene, const RunResult &result)
+    {
+      constexpr int unreliable = 3;
+      return scene.output.verdict_fails &&
+          verdict_of(result.findings) == Verdict::not_to_be_used
+        ? unreliable
+        : 0;
+    }
+
+    int go_on(const CommandLine &line,
+              const FileRules   &rules,
+              const bool         speaks,
+              const StartTimes  &start)
+    {
+      RunToResume run = find_run_to_resume(line.folder, MPI_COMM_WORLD);
+      if (speaks && !run.warning.empty())
+        report("warning: " + run.warning);
+      const Scene scene = scene_to_resume(run, line.overrides);
+      return exit_code(
+        scene,
+        resume(scene, std::move(run), MPI_COMM_WORLD, start, rules));
+    }
+
     int
     execute(const CommandLine &line, const bool speaks, const StartTimes &start)
     {
-      constexpr int unreliable = 3;
       if (const auto text = answer(line.action))
         {
           if (speaks)
@@ -61,17 +86,15 @@ namespace auxfem
       for (const std::string &file : line.files)
         scenes.push_back(read_scene(file, line.overrides));
       rules.replaces_files_of_others = line.replaces_files_of_others;
+      if (line.action == CommandLine::Action::resume)
+        return go_on(line, rules, speaks, start);
       if (line.action == CommandLine::Action::compare)
         compare(scenes, line.folder, rules, MPI_COMM_WORLD);
       else if (line.action == CommandLine::Action::check)
         check(scenes[0], MPI_COMM_WORLD);
       else
-        {
-          const RunResult result = run(scenes[0], MPI_COMM_WORLD, start, rules);
-          if (scenes[0].output.verdict_fails &&
-              verdict_of(result.findings) == Verdict::not_to_be_used)
-            return unreliable;
-        }
+        return exit_code(scenes[0],
+                         run(scenes[0], MPI_COMM_WORLD, start, rules));
       return 0;
     }
   } // namespace

@@ -31,6 +31,20 @@ namespace auxfem
     return run(scene, communicator, folder);
   }
 
+  RunResult resume(const Scene      &scene,
+                   RunToResume       former,
+                   const MPI_Comm    communicator,
+                   const StartTimes &start,
+                   const FileRules  &rules)
+  {
+    RunOutput folder(scene,
+                     communicator,
+                     start,
+                     rules,
+                     std::move(former.records));
+    return run(scene, communicator, folder);
+  }
+
   RunResult
   run(const Scene &scene, const MPI_Comm communicator, Recorder &recorder)
   {

@@ -12,6 +12,7 @@ namespace auxfem
     enum class Action
     {
       run,
+      resume,
       check,
       compare,
       print_parameters,
@@ -23,7 +24,8 @@ namespace auxfem
     Action action = Action::help;
     /** Parameter files: one, with Action::compare one or more. */
     std::vector<std::string> files;
-    /** For the table of Action::compare. */
+    /** For the table of Action::compare; of the run that Action::resume goes on
+     * with. */
     std::string folder;
     /** --force: files of others in that folder or a run's are replaced. */
     bool replaces_files_of_others = false;

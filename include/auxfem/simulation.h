@@ -3,6 +3,7 @@
 
 #include <auxfem/output/output_folder.h>
 #include <auxfem/output/recorder.h>
+#include <auxfem/output/run_checkpoints.h>
 #include <auxfem/output/start_times.h>
 #include <auxfem/scene/scene.h>
 
@@ -22,7 +23,17 @@ namespace auxfem
                 const StartTimes &start,
                 const FileRules  &rules);
 
-  /** The same, of which @p recorder is told in place of the folder. */
+  /**
+   * Goes on with a run in its folder.
+   * @param scene scene_to_resume() of @p former
+   */
+  RunResult resume(const Scene      &scene,
+                   RunToResume       former,
+                   MPI_Comm          communicator,
+                   const StartTimes &start,
+                   const FileRules  &rules);
+
+  /** As run(), of which @p recorder is told in place of the folder. */
   RunResult run(const Scene &scene, MPI_Comm communicator, Recorder &recorder);
 
   /**

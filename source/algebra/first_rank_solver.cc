@@ -1,5 +1,6 @@
 #include <auxfem/algebra/factor_checks.h>
 #include <auxfem/algebra/first_rank_solver.h>
+#include <auxfem/algebra/long_messages.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -13,39 +14,6 @@ namespace auxfem
 
   namespace
   {
-    /** More do not fit into the int of one message. */
-    constexpr std::size_t bytes_of_message = 1 << 30;
-
-    template <typename T>
-    void send(const T *values, const std::size_t n, const MPI_Comm communicator)
-    {
-      const char *const bytes = reinterpret_cast<const char *>(values);
-      for (std::size_t at = 0; at < n * sizeof(T); at += bytes_of_message)
-        MPI_Send(bytes + at,
-                 std::min(bytes_of_message, n * sizeof(T) - at),
-                 MPI_BYTE,
-                 0,
-                 0,
-                 communicator);
-    }
-
-    template <typename T>
-    void receive(T                 *values,
-                 const std::size_t  n,
-                 const unsigned int from,
-                 const MPI_Comm     communicator)
-    {
-      char *const bytes = reinterpret_cast<char *>(values);
-      for (std::size_t at = 0; at < n * sizeof(T); at += bytes_of_message)
-        MPI_Recv(bytes + at,
-                 std::min(bytes_of_message, n * sizeof(T) - at),
-                 MPI_BYTE,
-                 from,
-                 0,
-                 communicator,
-                 MPI_STATUS_IGNORE);
-    }
-
     /**
      * Brings what the ranks have to @p all of the first rank, that of rank r to
      * @p first [r]. Collective.
@@ -59,7 +27,7 @@ namespace auxfem
       const unsigned int rank = MPI::this_mpi_process(communicator);
       if (rank > 0)
         {
-          send(mine, first[rank + 1] - first[rank], communicator);
+          send_to_first(mine, first[rank + 1] - first[rank], communicator);
           return;
         }
       std::copy(mine, mine + first[1], all);

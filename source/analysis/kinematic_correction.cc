@@ -1,6 +1,7 @@
 #include <auxfem/analysis/kinematic_correction.h>
 #include <auxfem/equations/prescribed_motion.h>
 #include <auxfem/model/unknown_names.h>
+#include <auxfem/model/unknown_records.h>
 #include <auxfem/parameters/errors.h>
 #include <auxfem/scene/step_ends.h>
 
@@ -59,6 +60,10 @@ namespace auxfem
       evaluation.event_at_to = time;
       return evaluation;
     }
+
+    const std::string correction_record = "error of small displacements",
+                      error_record      = correction_record + ", by unknown",
+                      stiffness_record  = correction_record + ", stiffness";
 
     /** Times at which loads are looked at. */
     std::vector<TimeLimit> times_of_loads(const Scene &scene)
@@ -307,6 +312,42 @@ namespace auxfem
         for (const Finding &finding : watch->findings())
           return finding.text;
     return why.str();
+  }
+
+  void KinematicCorrection::save(Records &records) const
+  {
+    records.keep(correction_record,
+                 {largest_error,
+                  largest_motion,
+                  largest_rotation,
+                  size_of_motion,
+                  way,
+                  time,
+                  unstable ? 1. : 0.});
+    UnknownRecords(solver.model().numbering).keep(error_record, error, records);
+    solver.save(stiffness_record, is_factorized, records);
+    Records of_watches;
+    for (const auto &watch : watches)
+      watch->save(of_watches);
+    records.keep_all(correction_record, of_watches);
+  }
+
+  void KinematicCorrection::resume(const Records &records)
+  {
+    const std::vector<double> values = records.values(correction_record, 7);
+    largest_error                    = values[0];
+    largest_motion                   = values[1];
+    largest_rotation                 = values[2];
+    size_of_motion                   = values[3];
+    way                              = values[4];
+    time                             = values[5];
+    unstable                         = values[6] != 0;
+    error =
+      UnknownRecords(solver.model().numbering).values(error_record, records);
+    is_factorized            = solver.resume(stiffness_record, records);
+    const Records of_watches = records.all_of(correction_record);
+    for (const auto &watch : watches)
+      watch->resume(of_watches);
   }
 
   std::string KinematicCorrection::location() const

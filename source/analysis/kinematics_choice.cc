@@ -44,13 +44,61 @@ namespace auxfem
       return small;
     }
 
+    const std::string decision_record = "decision on large rotation",
+                      reason_record   = decision_record + ", reason",
+                      measure_record  = decision_record + ", measure of",
+                      look_work_record =
+                        "work of looks at the error of small displacements";
+
+    void save_decision(const EffectDecision &decision, Records &records)
+    {
+      const auto &measure = decision.measure;
+      records.keep(decision_record,
+                   {decision.on ? 1. : 0.,
+                    measure ? 1. : 0.,
+                    measure ? measure->change : 0.});
+      records.keep_text(reason_record, decision.reason);
+      records.keep_text(measure_record, measure ? measure->of : "");
+    }
+
+    EffectDecision saved_decision(const Records &records)
+    {
+      const std::vector<double> values = records.values(decision_record, 3);
+      EffectDecision            decision{large_rotation,
+                              values[0] != 0,
+                              records.text(reason_record)};
+      if (values[1] != 0)
+        decision.measure =
+          EffectMeasure{values[2], records.text(measure_record)};
+      return decision;
+    }
+
+    /** Keeps what was decided on the kinematics with every checkpoint. */
+    class DecisionRecorder : public ForwardingRecorder
+    {
+    public:
+      DecisionRecorder(const LatticeRun &exact, Recorder &recorder)
+        : ForwardingRecorder(recorder)
+        , exact(exact)
+      {}
+
+      void save(Records &records) const override
+      {
+        save_decision(exact.model.decision(large_rotation), records);
+        ForwardingRecorder::save(records);
+      }
+
+    private:
+      const LatticeRun &exact;
+    };
+
     /** Ends a run of small displacements as soon as they are no longer good
      * enough. */
-    class SmallDisplacementRecorder : public ForwardingRecorder
+    class SmallDisplacementRecorder : public DecisionRecorder
     {
     public:
       SmallDisplacementRecorder(LatticeRun &exact, Recorder &recorder)
-        : ForwardingRecorder(recorder)
+        : DecisionRecorder(exact, recorder)
         , scene(exact.scene)
         , exact(exact)
         , error(exact.scene, exact.solver())
@@ -78,9 +126,34 @@ namespace auxfem
           ForwardingRecorder::step(solution, report);
       }
 
+      void save(Records &records) const override
+      {
+        error.save(records);
+        const Work &work = exact.work();
+        records.keep(look_work_record,
+                     {double(work.iterations),
+                      double(work.factorizations),
+                      double(work.linear_solutions),
+                      double(work.linear_iterations)});
+        DecisionRecorder::save(records);
+      }
+
+      void resume(const Solution &solution, const Records &records) override
+      {
+        error.resume(records);
+        const std::vector<double> values = records.values(look_work_record, 4);
+        Work                      before;
+        before.iterations        = values[0];
+        before.factorizations    = values[1];
+        before.linear_solutions  = values[2];
+        before.linear_iterations = values[3];
+        exact.add_effort(before);
+        DecisionRecorder::resume(solution, records);
+      }
+
       bool ends_run() const override
       {
-        return !why.empty();
+        return !why.empty() || ForwardingRecorder::ends_run();
       }
 
       void finish(const Solution &last, const RunResult &result) override
@@ -150,26 +223,30 @@ namespace auxfem
                                        Recorder      &recorder)
   {
     LatticeRun exact(scene, communicator);
-    explain_kinematics(exact);
-    if (exact.model.decision(large_rotation).on ||
-        !has_choice(scene, exact.equations))
+    if (!has_choice(scene, exact.equations))
       return exact.run(recorder);
+    if (const Records *const checkpoint = recorder.goes_on_from())
+      exact.model.explain(saved_decision(*checkpoint));
+    else
+      explain_kinematics(exact);
 
-    {
-      const Scene small_scene = with_small_displacements(exact);
-      LatticeRun  small(small_scene, communicator);
-      for (const EffectDecision &decision : exact.model.simulated.decisions)
-        small.model.explain(decision);
-      SmallDisplacementRecorder watching(exact, recorder);
-      const RunResult           result = small.run(watching);
-      if (watching.reason().empty())
-        return result;
-      exact.add_work_of(small);
-      exact.model.explain({large_rotation,
-                           true,
-                           watching.reason() + "; run again from the start",
-                           exact.model.decision(large_rotation).measure});
-    }
-    return exact.run(recorder);
+    DecisionRecorder deciding(exact, recorder);
+    if (!exact.model.decision(large_rotation).on)
+      {
+        const Scene small_scene = with_small_displacements(exact);
+        LatticeRun  small(small_scene, communicator);
+        for (const EffectDecision &decision : exact.model.simulated.decisions)
+          small.model.explain(decision);
+        SmallDisplacementRecorder watching(exact, recorder);
+        const RunResult           result = small.run(watching);
+        if (watching.reason().empty())
+          return result;
+        exact.add_effort(small.work());
+        exact.model.explain({large_rotation,
+                             true,
+                             watching.reason() + "; run again from the start",
+                             exact.model.decision(large_rotation).measure});
+      }
+    return exact.run(deciding);
   }
 } // namespace auxfem

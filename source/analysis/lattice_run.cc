@@ -175,9 +175,9 @@ namespace auxfem
     return stepper.solver();
   }
 
-  void LatticeRun::add_work_of(const LatticeRun &other)
+  void LatticeRun::add_effort(const Work &elsewhere)
   {
-    work_done.add_effort(other.work_done);
+    work_done.add_effort(elsewhere);
   }
 
   const Work &LatticeRun::work() const

@@ -208,6 +208,55 @@ namespace auxfem
       report.reached = run.solution.state.time;
       return error == nullptr || error->relative() <= largest_search_error;
     }
+    const std::string order_record  = "orders of the struts",
+                      report_record = "search of the orders of the struts";
+
+    /** Keeps what was chosen with every checkpoint. */
+    class OrderRecorder : public ForwardingRecorder
+    {
+    public:
+      OrderRecorder(const ChosenOrders &chosen, Recorder &recorder)
+        : ForwardingRecorder(recorder)
+        , chosen(chosen)
+      {}
+
+      void save(Records &records) const override
+      {
+        const OrderReport &report = chosen.report;
+        records.keep(order_record,
+                     {chosen.orders.begin(), chosen.orders.end()});
+        records.keep(report_record,
+                     {report.tolerance,
+                      report.predicted_error,
+                      double(report.unknowns),
+                      double(report.steps),
+                      double(report.iterations),
+                      report.cpu_seconds,
+                      report.reached});
+        ForwardingRecorder::save(records);
+      }
+
+    private:
+      const ChosenOrders &chosen;
+    };
+
+    ChosenOrders saved_orders(const Records &records)
+    {
+      const std::vector<double> orders =
+        records.values(order_record, records.values_per_item(order_record));
+      const std::vector<double> values = records.values(report_record, 7);
+      ChosenOrders              chosen;
+      chosen.orders.assign(orders.begin(), orders.end());
+      OrderReport &report    = chosen.report;
+      report.tolerance       = values[0];
+      report.predicted_error = values[1];
+      report.unknowns        = values[2];
+      report.steps           = values[3];
+      report.iterations      = values[4];
+      report.cpu_seconds     = values[5];
+      report.reached         = values[6];
+      return chosen;
+    }
   } // namespace
 
   Scene with_orders(const Scene &scene, const std::vector<unsigned int> &orders)
@@ -241,9 +290,13 @@ namespace auxfem
                                    const MPI_Comm communicator,
                                    Recorder      &recorder)
   {
-    const ChosenOrders found  = choose_orders(scene, communicator, recorder);
-    const Scene        chosen = with_orders(scene, found.orders);
-    MeshErrorRecorder  watching(chosen, recorder, found.report);
+    const Records *const checkpoint = recorder.goes_on_from();
+    const ChosenOrders   found      = checkpoint
+             ? saved_orders(*checkpoint)
+             : choose_orders(scene, communicator, recorder);
+    const Scene          chosen     = with_orders(scene, found.orders);
+    OrderRecorder        keeping(found, recorder);
+    MeshErrorRecorder    watching(chosen, keeping, found.report);
     return watching.completed(
       run_with_chosen_kinematics(chosen, communicator, watching));
   }

@@ -200,4 +200,9 @@ namespace auxfem
     resume_energies(numbering.layout(), records, state);
     return state;
   }
+
+  double time_of_saved_state(const Records &records)
+  {
+    return records.values(record, 5)[0];
+  }
 } // namespace auxfem

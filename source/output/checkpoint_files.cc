@@ -112,16 +112,23 @@ namespace auxfem
   CheckpointFiles::CheckpointFiles(const std::string &folder) : folder(folder)
   {}
 
-  void CheckpointFiles::write(const CheckpointContent &content) const
+  void CheckpointFiles::write(const CheckpointContent        &content,
+                              const std::vector<std::string> &files)
   {
-    const std::array<CheckpointSlot, 2> slots = read_slots(folder);
-    const std::uint64_t                 number =
-      slots[0].checkpoint ? slots[0].checkpoint->number + 1 : 1;
-    const std::string file = slots[1].file, temporary = file + ".part";
+    if (!next)
+      {
+        const std::array<CheckpointSlot, 2> slots = read_slots(folder);
+        next = Next{slots[0].checkpoint ? slots[0].checkpoint->number + 1 : 1,
+                    slots[1].file,
+                    slots[0].file};
+      }
+    for (const std::string &file : files)
+      wait_for_disk(file, O_WRONLY);
+    const std::string file = next->file, temporary = file + ".part";
 
     errno = 0;
     std::ofstream stream(temporary, std::ios::binary);
-    stream << checkpoint_bytes({number, content});
+    stream << checkpoint_bytes({next->number, content});
     stream.close();
     if (!stream)
       cannot_write(temporary);
@@ -130,6 +137,8 @@ namespace auxfem
       cannot_write(file);
     // Without it a power cut may undo the renaming.
     wait_for_disk(folder, O_RDONLY | O_DIRECTORY);
+    ++next->number;
+    std::swap(next->file, next->other_file);
   }
 
   CheckpointFiles::Found CheckpointFiles::newest() const

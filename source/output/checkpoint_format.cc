@@ -1,6 +1,6 @@
 #include <auxfem/output/checkpoint_format.h>
 
-#include <boost/crc.hpp>
+#include <zlib.h>
 
 namespace auxfem
 {
@@ -12,9 +12,9 @@ namespace auxfem
                          const std::size_t  begin,
                          const std::size_t  end)
     {
-      boost::crc_32_type crc;
-      crc.process_bytes(bytes.data() + begin, end - begin);
-      return crc.checksum();
+      return crc32_z(0,
+                     reinterpret_cast<const Bytef *>(bytes.data()) + begin,
+                     end - begin);
     }
 
     void append_number(std::string &bytes, const std::uint64_t number)

@@ -32,14 +32,28 @@ namespace auxfem
       return std::generic_category().message(errno);
     }
 
+    [[noreturn]] void refuse(const std::string &file)
+    {
+      throw InputError("Cannot write " + file + ": " + reason() +
+                       ".\nRemove what stands in the way, or choose another "
+                       "folder with Output/Directory or --output DIR.");
+    }
+
     std::ofstream open(const std::string &file)
     {
       std::ofstream stream(file);
       if (!stream)
-        throw InputError("Cannot write " + file + ": " + reason() +
-                         ".\nRemove what stands in the way, or choose another "
-                         "folder with Output/Directory or --output DIR.");
+        refuse(file);
       return stream;
+    }
+
+    /** Ends in a comma. */
+    std::string header(const std::vector<Column> &columns)
+    {
+      std::string line;
+      for (const Column &column : columns)
+        line += csv_field(column.name) + ',';
+      return line;
     }
   } // namespace
 
@@ -49,9 +63,37 @@ namespace auxfem
     , stream(open(file))
     , n_columns(columns.size())
   {
-    for (const Column &column : columns)
-      line += csv_field(column.name) + ',';
+    line = header(columns);
     write_line();
+  }
+
+  CsvTable::CsvTable(const std::string         &file,
+                     const std::vector<Column> &columns,
+                     const std::size_t          length)
+    : file(file)
+    , n_columns(columns.size())
+  {
+    std::string expected = header(columns), found(expected.size(), ' ');
+    expected.back()      = '\n';
+    std::ifstream(file, std::ios::binary).read(found.data(), found.size());
+    std::error_code error;
+    if (found != expected || std::filesystem::file_size(file, error) < length ||
+        error)
+      throw InputError(
+        file +
+        " is not what the run has left there: it was changed, or "
+        "the output parameters ask for other columns. Put it "
+        "back, or start from t = 0.");
+    std::filesystem::resize_file(file, length, error);
+    if (!error)
+      stream.open(file, std::ios::in | std::ios::out | std::ios::ate);
+    if (error || !stream)
+      refuse(file);
+  }
+
+  std::size_t CsvTable::length()
+  {
+    return stream.tellp();
   }
 
   void CsvTable::append(const std::vector<double> &row)

@@ -7,6 +7,7 @@
 #include <cctype>
 #include <cerrno>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iomanip>
@@ -186,12 +187,42 @@ namespace auxfem
 
   void GraphicsSeries::save(Records &records) const
   {
-    records.keep(record_name(), {double(n_written)});
+    records.keep(record_name(), {double(n_written), double(end_of_entries)});
   }
 
   void GraphicsSeries::resume(const Records &records)
   {
-    n_written = records.values(record_name(), 1)[0];
+    const std::vector<double> values = records.values(record_name(), 2);
+    n_written                        = values[0];
+    end_of_entries                   = values[1];
+    on_first_rank(communicator, [&]() {
+      const std::string record = folder + "/" + name + ".pvd";
+      std::error_code   error;
+      if (end_of_entries > 0 &&
+          (std::filesystem::file_size(record, error) <
+             static_cast<std::uintmax_t>(end_of_entries) ||
+           error))
+        throw InputError(record +
+                         " is not what the run has left there: it was changed. "
+                         "Put it back, or start from t = 0.");
+      restore_record(record);
+      remove_later_files();
+    });
+  }
+
+  void GraphicsSeries::remove_later_files() const
+  {
+    // NAME_NUMBER.vtu, .pvtu or .RANK.vtu
+    const std::string begin = name + "_";
+    std::error_code   ignored;
+    for (const auto &entry :
+         std::filesystem::directory_iterator(folder + "/" + name, ignored))
+      {
+        const std::string file = entry.path().filename();
+        if (file.compare(0, begin.size(), begin) == 0 &&
+            std::strtoul(file.c_str() + begin.size(), nullptr, 10) >= n_written)
+          std::filesystem::remove(entry.path(), ignored);
+      }
   }
 
   std::string GraphicsSeries::write_pieces(LineGraphics &graphics) const

@@ -50,7 +50,8 @@ namespace auxfem
 
   OutputFolder::OutputFolder(const std::string    &path,
                              const FolderContents &contents,
-                             const FileRules      &rules)
+                             const FileRules      &rules,
+                             const FormerResults   former_results)
     : path(path)
   {
     make_folder();
@@ -60,6 +61,8 @@ namespace auxfem
         lock();
         read_list();
       }
+    if (former_results == FormerResults::continued)
+      return;
     const std::vector<std::string> names = former(contents);
     refuse_input(names, rules.input_files);
     if (!rules.replaces_files_of_others)

@@ -29,7 +29,11 @@ namespace auxfem
                                "history.csv",
                                "history.units.csv",
                                "summary.json",
-                               "summary.json.part"},
+                               "summary.json.part",
+                               "checkpoint_a",
+                               "checkpoint_a.part",
+                               "checkpoint_b",
+                               "checkpoint_b.part"},
                               {"solution", "rigid_parts", "connectors"}};
       if (is_copied(scene))
         contents.files.emplace_back("original.prm");
@@ -53,19 +57,23 @@ namespace auxfem
 
   RunFolder::RunFolder(const Scene          &scene,
                        const FileRules      &rules,
-                       const FolderContents &further)
+                       const FolderContents &further,
+                       const FormerResults   former_results)
     : folder(scene.output.directory,
              contents_of(scene, further),
-             with_inputs_of(scene, rules))
+             with_inputs_of(scene, rules),
+             former_results)
   {
+    const bool is_continued = former_results == FormerResults::continued;
     const std::string &path = scene.output.directory;
     errno                   = 0;
-    log_file.open(path + "/log.txt");
+    log_file.open(path + "/log.txt",
+                  is_continued ? std::ios::app : std::ios::out);
     if (!log_file)
       folder.refuse("log.txt cannot be written", errno);
 
     std::error_code error;
-    if (is_copied(scene))
+    if (is_copied(scene) && !is_continued)
       fs::copy_file(scene.file, path + "/original.prm", error);
     if (error)
       folder.refuse("original.prm cannot be written", error.value());

@@ -3,6 +3,7 @@
 #include <auxfem/output/history.h>
 #include <auxfem/output/notes.h>
 #include <auxfem/output/output_times.h>
+#include <auxfem/output/run_checkpoints.h>
 #include <auxfem/output/run_folder.h>
 #include <auxfem/output/run_output.h>
 #include <auxfem/output/vtu_writer.h>
@@ -22,6 +23,7 @@ namespace auxfem
   namespace
   {
     const std::string row_record      = "output: time of the last row",
+                      length_record   = "output: length of history.csv",
                       graphics_record = "output: time of the last graphics";
 
     Progress progress_of(const TimeParameters &time,
@@ -44,10 +46,11 @@ namespace auxfem
   class RunOutput::Implementation
   {
   public:
-    Implementation(const Scene      &scene,
-                   MPI_Comm          communicator,
-                   const StartTimes &start_times,
-                   const FileRules  &rules);
+    Implementation(const Scene           &scene,
+                   MPI_Comm               communicator,
+                   const StartTimes      &start_times,
+                   const FileRules       &rules,
+                   std::optional<Records> goes_on_from);
 
     void search_step(const Scene      &search,
                      const State      &state,
@@ -55,7 +58,10 @@ namespace auxfem
     void begin(const Equations &equations);
     void start_series(const Solution &solution);
     void resume(const Solution &solution, const Records &records);
-    void save(Records &records) const;
+    void save(Records &records);
+    bool keeps_checkpoints() const;
+    bool wants_checkpoint();
+    void take(const Records &checkpoint);
     std::optional<double> next_time(double time) const;
     void                  write_between(const Solution &solution);
     void write_step(const Solution &solution, const StepReport &report);
@@ -63,6 +69,8 @@ namespace auxfem
 
     const std::string folder;
     double            seconds = 0;
+    /** From which the run begins. */
+    std::optional<Records> goes_on_from;
 
   private:
     using Clock = std::chrono::steady_clock;
@@ -75,6 +83,7 @@ namespace auxfem
     void write_row(const Solution &solution);
     void write_graphics(const Solution &solution);
     void show_progress(const State &state, const StepReport &report);
+    void open_files();
 
     const Scene     &scene;
     const MPI_Comm   communicator;
@@ -101,17 +110,21 @@ namespace auxfem
     std::optional<History>            history;
     std::optional<CsvTable>           table; ///< on rank 0
     std::optional<VtuWriter>          graphics;
+    std::optional<RunCheckpoints>     checkpoints;
+    bool                              has_checkpoint = false;
     const OutputTimes                 row_times, graphics_times;
 
     /** Times last written (s); none before write_start(). */
     std::optional<double> last_row, last_graphics;
   };
 
-  RunOutput::Implementation::Implementation(const Scene      &scene,
-                                            const MPI_Comm    communicator,
-                                            const StartTimes &start_times,
-                                            const FileRules  &rules)
+  RunOutput::Implementation::Implementation(const Scene           &scene,
+                                            const MPI_Comm         communicator,
+                                            const StartTimes      &start_times,
+                                            const FileRules       &rules,
+                                            std::optional<Records> goes_on_from)
     : folder(scene.output.directory)
+    , goes_on_from(std::move(goes_on_from))
     , scene(scene)
     , communicator(communicator)
     , start_times(start_times)
@@ -155,7 +168,11 @@ namespace auxfem
     on_first_rank(communicator, [&]() {
       if (console) // A run that is done again goes on in the same log.
         return console->end_progress();
-      files.emplace(scene, rules);
+      files.emplace(scene,
+                    rules,
+                    FolderContents(),
+                    goes_on_from ? FormerResults::continued
+                                 : FormerResults::removed);
       console.emplace(std::cout,
                       terminal_width(
                         dealii::Utilities::MPI::n_mpi_processes(communicator)),
@@ -176,13 +193,26 @@ namespace auxfem
     last_row.reset();
     last_graphics.reset();
     history.emplace(scene, equations, communicator);
+    open_files();
+  }
+
+  void RunOutput::Implementation::open_files()
+  {
     on_first_rank(communicator, [&]() {
-      table.emplace(folder + "/history.csv", history->columns());
+      const std::string name = folder + "/history.csv";
+      if (goes_on_from)
+        table.emplace(name,
+                      history->columns(),
+                      goes_on_from->values(length_record, 1)[0]);
+      else
+        table.emplace(name, history->columns());
       write_column_reference(folder + "/history.units.csv", history->columns());
     });
+    if (scene.output.checkpoint_interval > 0)
+      checkpoints.emplace(scene, communicator);
     if (scene.output.graphics)
       {
-        graphics.emplace(scene, equations, folder, communicator);
+        graphics.emplace(scene, *equations, folder, communicator);
         on_first_rank(communicator, [&]() {
           for (const std::string &name : graphics->series())
             files->claim_series(name);
@@ -220,6 +250,12 @@ namespace auxfem
   {
     first_step = Clock::now();
     begin_time = solution.state.time;
+    if (console)
+      {
+        std::ostringstream text;
+        text << "Goes on from t = " << begin_time << " s\n";
+        console->print(text.str());
+      }
     history->resume(solution.state, records);
     last_row = records.values(row_record, 1)[0];
     if (!graphics)
@@ -228,14 +264,35 @@ namespace auxfem
     last_graphics = records.values(graphics_record, 1)[0];
   }
 
-  void RunOutput::Implementation::save(Records &records) const
+  void RunOutput::Implementation::save(Records &records)
   {
     history->save(records);
     records.keep(row_record, {last_row.value()});
+    records.keep(length_record, {table ? double(table->length()) : 0.});
     if (!graphics)
       return;
     graphics->save(records);
     records.keep(graphics_record, {last_graphics.value()});
+  }
+
+  bool RunOutput::Implementation::keeps_checkpoints() const
+  {
+    return checkpoints.has_value();
+  }
+
+  bool RunOutput::Implementation::wants_checkpoint()
+  {
+    return checkpoints && checkpoints->is_due();
+  }
+
+  void RunOutput::Implementation::take(const Records &checkpoint)
+  {
+    std::vector<std::string> written = {folder + "/history.csv"};
+    if (graphics)
+      for (const std::string &name : graphics->series())
+        written.push_back(folder + "/" + name + ".pvd");
+    checkpoints->write(checkpoint, written);
+    has_checkpoint = true;
   }
 
   std::optional<double>
@@ -318,16 +375,25 @@ namespace auxfem
       replace_file(folder + "/summary.json", summary_json(scene, summary));
       console->print(closing_text(summary, folder));
       if (!result.completed())
-        console->print_to_log("Reason: " + result.exit_state);
+        {
+          console->print_to_log("Reason: " + result.exit_state);
+          if (has_checkpoint)
+            console->print("Go on from the last checkpoint: auxfem --resume " +
+                           folder);
+        }
     });
   }
 
-  RunOutput::RunOutput(const Scene      &scene,
-                       const MPI_Comm    communicator,
-                       const StartTimes &start,
-                       const FileRules  &rules)
-    : implementation(
-        std::make_unique<Implementation>(scene, communicator, start, rules))
+  RunOutput::RunOutput(const Scene           &scene,
+                       const MPI_Comm         communicator,
+                       const StartTimes      &start,
+                       const FileRules       &rules,
+                       std::optional<Records> goes_on_from)
+    : implementation(std::make_unique<Implementation>(scene,
+                                                      communicator,
+                                                      start,
+                                                      rules,
+                                                      std::move(goes_on_from)))
   {}
 
   RunOutput::~RunOutput() = default;
@@ -351,10 +417,34 @@ namespace auxfem
     implementation->start_series(solution);
   }
 
+  const Records *RunOutput::goes_on_from() const
+  {
+    return implementation->goes_on_from ? &*implementation->goes_on_from
+                                        : nullptr;
+  }
+
+  bool RunOutput::keeps_checkpoints() const
+  {
+    return implementation->keeps_checkpoints();
+  }
+
+  bool RunOutput::wants_checkpoint()
+  {
+    return implementation->wants_checkpoint();
+  }
+
+  void RunOutput::take(const Records &checkpoint)
+  {
+    const Stopwatch watch(implementation->seconds);
+    implementation->take(checkpoint);
+  }
+
   void RunOutput::resume(const Solution &solution, const Records &records)
   {
     const Stopwatch watch(implementation->seconds);
     implementation->resume(solution, records);
+    // If the run is done again, it is from the start.
+    implementation->goes_on_from.reset();
   }
 
   void RunOutput::save(Records &records) const

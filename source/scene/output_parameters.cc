@@ -18,6 +18,13 @@ namespace auxfem
       Range::non_negative(),
       "Time between two of them, from within steps if these do not end there; 0: "
       "at start and end only."};
+    const Quantity checkpoint_interval = {
+      "Checkpoint interval",
+      "600 s",
+      "s",
+      Range::non_negative(),
+      "Wall time between two checkpoints, from which `auxfem --resume DIR` goes "
+      "on; there is another at the end and after SIGINT and SIGTERM. 0: none."};
     const Integer history_interval = {
       "History interval",
       1,
@@ -67,6 +74,7 @@ namespace auxfem
              graphics,
              graphics_interval,
              history_interval,
+             checkpoint_interval,
              row_interval,
              segments,
              effective_strains,
@@ -81,10 +89,11 @@ namespace auxfem
   OutputParameters read_output(ParameterValues &values)
   {
     OutputParameters output;
-    output.directory         = values[directory];
-    output.graphics          = values[graphics];
-    output.graphics_interval = values[graphics_interval];
-    output.history_interval  = values[history_interval];
+    output.directory           = values[directory];
+    output.graphics            = values[graphics];
+    output.graphics_interval   = values[graphics_interval];
+    output.history_interval    = values[history_interval];
+    output.checkpoint_interval = values[checkpoint_interval];
     if (!values.is_word(row_interval))
       output.row_interval = values[row_interval];
     output.segments          = values[segments];

@@ -111,13 +111,33 @@ namespace auxfem
     });
   }
 
-  std::vector<std::string> Records::names(const std::string &begin) const
+  void Records::keep_all(const std::string &owner, const Records &others)
   {
-    std::vector<std::string> found;
+    for (const Record &record : others.layout.list())
+      {
+        const auto first = others.all_values.begin() + record.first;
+        keep(owner + ": " + record.name,
+             record.items,
+             record.values_per_item,
+             {first, first + record.items.size() * record.values_per_item});
+      }
+  }
+
+  Records Records::all_of(const std::string &owner) const
+  {
+    const std::string begin = owner + ": ";
+    Records           result;
     for (const Record &record : layout.list())
       if (record.name.compare(0, begin.size(), begin) == 0)
-        found.push_back(record.name);
-    return found;
+        {
+          const auto first = all_values.begin() + record.first;
+          result.keep(record.name.substr(begin.size()),
+                      record.items,
+                      record.values_per_item,
+                      {first,
+                       first + record.items.size() * record.values_per_item});
+        }
+    return result;
   }
 
   unsigned int Records::values_per_item(const std::string &name) const

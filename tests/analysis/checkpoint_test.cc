@@ -33,9 +33,11 @@ namespace
   template <typename RecorderType>
   struct Recorded
   {
-    explicit Recorded(const Scene &scene)
+    /** @param further arguments of the recorder */
+    template <typename... Further>
+    explicit Recorded(const Scene &scene, Further &&...further)
       : run(scene, MPI_COMM_WORLD)
-      , recorder(scene, MPI_COMM_WORLD)
+      , recorder(scene, MPI_COMM_WORLD, std::forward<Further>(further)...)
     {
       recorder.begin(run.equations);
     }
@@ -164,17 +166,28 @@ TEST(Checkpoint, APlaneLatticeWithConnectorsGoesOnFromIt)
       const Course course =
         compare_halves(star_with_everything(2, 2).probe("top", "top"),
                        {std::string("Time/Scheme=") + scheme,
-                        "Solver/Type=auto",
+                        "Solver/Type=klu",
                         "Output/Effective strains=true"});
       EXPECT_GT(course.columns.at("damper.dissipated")[0], 0) << scheme;
     }
+}
+
+TEST(Checkpoint, FactorizationsAreThoseOfTheWholeRun)
+{
+  // KLU keeps pivots of another matrix, and the symmetric part of a tangent
+  // may have been factorized in its place.
+  for (const char *solver : {"auto", "klu", "mumps", "gmres"})
+    for (const char *scheme : {"newmark", "energy-momentum"})
+      compare_halves(star_with_everything(2, 2),
+                     {std::string("Time/Scheme=") + scheme,
+                      std::string("Solver/Type=") + solver});
 }
 
 TEST(Checkpoint, ALatticeInSpaceWithEverythingGoesOnFromIt)
 {
   for (const char *scheme : {"generalized-alpha", "esdirk"})
     compare_halves(space_star_with_everything(),
-                   {std::string("Time/Scheme=") + scheme, "Solver/Type=auto"});
+                   {std::string("Time/Scheme=") + scheme, "Solver/Type=klu"});
 }
 
 namespace
@@ -192,7 +205,7 @@ TEST(Checkpoint, TurnsInSpaceAreCountedOn)
 {
   const Course course =
     compare_halves(spinning_struts,
-                   {"Sections/band/Young's modulus=1e4", "Solver/Type=auto"});
+                   {"Sections/band/Young's modulus=1e4", "Solver/Type=klu"});
   EXPECT_GT(std::abs(course.columns.at("end.phi_z")[0]), 2 * pi);
   EXPECT_GT(std::abs(course.columns.at("end.phi_z")[1]), 4 * pi);
 }
@@ -230,11 +243,11 @@ TEST(Checkpoint, TurnsOfRigidPartsAreCountedOn)
     {
       const std::string set_scheme = std::string("Time/Scheme=") + scheme;
       const Course      plane =
-        compare_halves(rigid_bars, {set_scheme, "Solver/Type=auto"});
+        compare_halves(rigid_bars, {set_scheme, "Solver/Type=klu"});
       EXPECT_GT(std::abs(plane.columns.at("bar.phi")[0]), pi);
       EXPECT_GT(std::abs(plane.columns.at("bar.phi")[1]), 2 * pi);
       const Course space =
-        compare_halves(rigid_body_in_space, {set_scheme, "Solver/Type=auto"});
+        compare_halves(rigid_body_in_space, {set_scheme, "Solver/Type=klu"});
       EXPECT_GT(std::abs(space.columns.at("body.phi_z")[0]), pi);
       EXPECT_GT(std::abs(space.columns.at("body.phi_z")[1]), 2 * pi);
     }
@@ -251,7 +264,7 @@ TEST(Checkpoint, StepsThatAreRepeatedAreThoseOfTheWholeRun)
                      .probe("tip", "2"),
                    {"Newton/Maximum iterations=3",
                     "Newton/Factorization=every iteration",
-                    "Solver/Type=auto"});
+                    "Solver/Type=klu"});
   EXPECT_GT(course.retries[0], 0u);
   EXPECT_GT(course.retries[1], 0u);
 }
@@ -266,7 +279,7 @@ TEST(Checkpoint, ItMayBeTakenAtTheTimeOfAJump)
       .probe("tip", "2");
   for (const char *scheme : {"newmark", "generalized-alpha", "esdirk"})
     compare_halves(text,
-                   {std::string("Time/Scheme=") + scheme, "Solver/Type=auto"});
+                   {std::string("Time/Scheme=") + scheme, "Solver/Type=klu"});
 }
 
 namespace
@@ -322,15 +335,14 @@ TEST(Checkpoint, AFolderIsContinuedByRowsFilesAndLargestValues)
   const std::vector<std::string> settings = {"Output/Effective strains=true",
                                              "Output/Time between rows=0.27",
                                              "Output/Graphics interval=0.13",
-                                             "Solver/Type=auto"};
+                                             "Solver/Type=klu"};
   const auto                     scene_in = [&](const std::string &name) {
     std::vector<std::string> overrides = settings;
     overrides.push_back("Output/Directory=" + folder + name);
     return scene_of(star_with_everything(2, 2), overrides);
   };
-  const Scene whole_scene  = scene_in("_whole"),
-              first_scene  = scene_in("_first"),
-              second_scene = scene_in("_second");
+  const Scene whole_scene = scene_in("_whole"),
+              first_scene = scene_in("_halves");
 
   testing::internal::CaptureStdout();
   Recorded<RunOutput> whole(whole_scene);
@@ -339,31 +351,31 @@ TEST(Checkpoint, AFolderIsContinuedByRowsFilesAndLargestValues)
   whole.run.checkpoint(whole.recorder);
   whole.steps(5);
   whole.finish();
-  Recorded<RunOutput> first(first_scene);
-  first.start();
-  first.steps(5);
-  const Records       checkpoint = first.run.checkpoint(first.recorder);
-  Recorded<RunOutput> second(second_scene);
+  Records checkpoint;
+  {
+    // What is written after the checkpoint is lost.
+    Recorded<RunOutput> first(first_scene);
+    first.start();
+    first.steps(5);
+    checkpoint = first.run.checkpoint(first.recorder);
+    first.steps(4);
+  }
+  EXPECT_EQ(rows_in(folder + "_halves").size(), 2u); // at 0 and 0.27 s
+  Recorded<RunOutput> second(first_scene,
+                             StartTimes(),
+                             FileRules(),
+                             checkpoint);
   second.run.resume(checkpoint, second.recorder);
+  EXPECT_EQ(second.recorder.goes_on_from(), nullptr);
   second.steps(5);
   second.finish();
   testing::internal::GetCapturedStdout();
 
   MPI_Barrier(MPI_COMM_WORLD);
-  const auto join = [](auto a, const auto &b) {
-    a.insert(a.end(), b.begin(), b.end());
-    return a;
-  };
-  EXPECT_EQ(join(rows_in(folder + "_first"), rows_in(folder + "_second")),
-            rows_in(folder + "_whole"));
-  auto frames = frames_in(folder + "_first");
-  EXPECT_GT(frames.size(), 1u);
-  for (const auto &[time, file] : frames_in(folder + "_second"))
-    frames[time] = file;
-  EXPECT_EQ(frames, frames_in(folder + "_whole"));
-  EXPECT_GT(frames.size(), frames_in(folder + "_first").size());
+  EXPECT_EQ(rows_in(folder + "_halves"), rows_in(folder + "_whole"));
+  EXPECT_EQ(frames_in(folder + "_halves"), frames_in(folder + "_whole"));
   for (const auto &[begin, end] :
        {std::pair("work", "wall_seconds"), std::pair("energies_joule", "")})
-    EXPECT_EQ(part_of_summary(folder + "_second", begin, end),
+    EXPECT_EQ(part_of_summary(folder + "_halves", begin, end),
               part_of_summary(folder + "_whole", begin, end));
 }

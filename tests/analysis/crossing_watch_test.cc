@@ -1,4 +1,5 @@
 #include <analysis/findings_of.h>
+#include <analysis/resumed_run.h>
 #include <gtest/gtest.h>
 #include <support/scene_text.h>
 
@@ -97,6 +98,14 @@ TEST(CrossingWatch, KnowsThicknessInSpace)
   EXPECT_NEAR(through[0].time, 0.5, 0.05);
   const auto beside = findings_of(bent_past("-0.025"));
   EXPECT_TRUE(beside.empty()) << verdict_text(beside);
+}
+
+TEST(CrossingWatch, FindsTheSameInRunsThatAreResumed)
+{
+  for (const char *motion : {"0.4 * t", "0.4 * sin(3 * t)"})
+    EXPECT_EQ(
+      expect_same_when_resumed(bent_through(motion)).result.findings.size(),
+      1u);
 }
 
 TEST(CrossingWatch, FindsTheSameOnAllRanks)

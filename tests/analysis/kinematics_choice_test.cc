@@ -1,6 +1,7 @@
 #include <auxfem/analysis/kinematics_choice.h>
 #include <auxfem/output/memory_recorder.h>
 
+#include <analysis/resumed_run.h>
 #include <gtest/gtest.h>
 #include <support/scene_text.h>
 
@@ -137,6 +138,18 @@ TEST(KinematicsChoice, ALoadThatGrowsMakesTheRunStartAnew)
       << chosen.history.reason;
   EXPECT_GT(chosen.result.work.iterations, exact.result.work.iterations);
   EXPECT_EQ(chosen.result.work.steps, exact.result.work.steps);
+}
+
+TEST(KinematicsChoice, ARunThatIsResumedKeepsToWhatWasDecided)
+{
+  // Small displacements; small ones first; exact ones from the start.
+  for (const double force : {0.03, 0.4, 100.})
+    for (SceneText scene :
+         {cantilever(2, {0, force}), statics(cantilever(3, {0, force, force}))})
+      {
+        SCOPED_TRACE(force);
+        expect_same_when_resumed(scene.set("Effects/Large rotation", "auto"));
+      }
 }
 
 TEST(KinematicsChoice, LargeLoadsAreNotTried)

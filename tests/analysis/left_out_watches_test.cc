@@ -1,4 +1,5 @@
 #include <analysis/findings_of.h>
+#include <analysis/resumed_run.h>
 #include <gtest/gtest.h>
 #include <support/scene_run.h>
 #include <support/scene_text.h>
@@ -185,6 +186,16 @@ TEST(LoadSpeedWatch, ALoadThatIsThereAtOnceIsMeantToBe)
            "Damping coefficient = 100")
       .set("Loads/push/Force x", 1);
   EXPECT_TRUE(findings_of(sudden).empty());
+}
+
+TEST(LeftOutWatches, FindTheSameInRunsThatAreResumed)
+{
+  for (const std::string &scene : {std::string(pressed_strut(2, 0)),
+                                   std::string(pressed_strut(3, 0)),
+                                   std::string(shortened_spring("-0.99 * t")),
+                                   std::string(loaded_mass(1.5)),
+                                   std::string(shaken_struts(12, 0))})
+    EXPECT_GE(expect_same_when_resumed(scene).result.findings.size(), 1u);
 }
 
 TEST(LeftOutWatches, FindTheSameOnAllRanks)

@@ -4,6 +4,7 @@
 #include <auxfem/output/memory_recorder.h>
 #include <auxfem/parameters/errors.h>
 
+#include <analysis/resumed_run.h>
 #include <gtest/gtest.h>
 #include <support/scene_text.h>
 
@@ -346,6 +347,23 @@ TEST(OrderChoice, RunThatIsResumedGoesOnAlike)
       EXPECT_EQ(whole.first, half.first);
       EXPECT_EQ(whole.second, half.second);
     }
+}
+
+TEST(OrderChoice, ARunThatIsResumedKeepsItsOrders)
+{
+  const std::string text = SceneText(hit_knee())
+                             .set("Discretization/Order", "auto")
+                             .set("Discretization/Tolerance", 1e-3)
+                             .str();
+  const RecordedRun whole = expect_same_when_resumed(text);
+  ASSERT_TRUE(whole.result.orders);
+  const Scene       scene = read_scene_from_text(text, "test.prm");
+  const RecordedRun half  = resumed_run(scene, MPI_COMM_SELF, 0.5);
+  EXPECT_EQ(half.result.orders->predicted_error,
+            whole.result.orders->predicted_error);
+  EXPECT_EQ(half.result.orders->estimated_error,
+            whole.result.orders->estimated_error);
+  EXPECT_EQ(half.result.orders->steps, whole.result.orders->steps);
 }
 
 TEST(OrderChoice, StudyOfOrdersIsRefused)

@@ -1,4 +1,5 @@
 #include <analysis/findings_of.h>
+#include <analysis/resumed_run.h>
 #include <gtest/gtest.h>
 #include <support/run_program.h>
 #include <support/scene_text.h>
@@ -87,6 +88,27 @@ TEST(StabilityWatch, SaysWhenAColumnBucklesInMotion)
   EXPECT_NE(pressed[0].text.find("disturbance"), std::string::npos);
   const auto below = findings_of(column, with("-4 * min(1, 10 * t)"));
   EXPECT_TRUE(below.empty()) << verdict_text(below);
+}
+
+TEST(Watches, FindTheSameInRunsThatAreResumed)
+{
+  const auto findings = [](const std::string              &text,
+                           const std::vector<std::string> &overrides) {
+    return expect_same_when_resumed(text, overrides).result.findings;
+  };
+  EXPECT_EQ(findings(swinging_mass, {"Time/Time step=0.5"}).size(), 1u);
+  EXPECT_EQ(findings(swinging_mass,
+                     {"Time/Relative tolerance=1e-3", "Time/Time step=0.5"})
+              .size(),
+            0u);
+  EXPECT_EQ(findings(column, {}).size(), 1u);
+  EXPECT_EQ(findings(column,
+                     {"Time/Scheme=newmark",
+                      "Time/Time step=2 ms",
+                      "Time/End time=2",
+                      "Loads/press/Force x=-40 * min(1, 10 * t)"})
+              .size(),
+            1u);
 }
 
 TEST(StabilityWatch, AFreeBodyIsStable)

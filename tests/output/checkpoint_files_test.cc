@@ -108,8 +108,8 @@ TEST(CheckpointFormat, EveryLengthButTheWholeIsNoticed)
 
 TEST(CheckpointFiles, AreWrittenInTurn)
 {
-  const std::string     folder = checkpoint_folder("turns");
-  const CheckpointFiles files(folder);
+  const std::string folder = checkpoint_folder("turns");
+  CheckpointFiles   files(folder);
   files.write(content_of("first"));
   EXPECT_TRUE(fs::exists(folder + "/checkpoint_a"));
   EXPECT_FALSE(fs::exists(folder + "/checkpoint_b"));
@@ -126,8 +126,8 @@ TEST(CheckpointFiles, AreWrittenInTurn)
 
 TEST(CheckpointFiles, ADamagedNewestGivesWayToTheOlder)
 {
-  const std::string     folder = checkpoint_folder("damaged");
-  const CheckpointFiles files(folder);
+  const std::string folder = checkpoint_folder("damaged");
+  CheckpointFiles   files(folder);
   files.write(content_of("first"));
   files.write(content_of("second"));
   damage(folder + "/checkpoint_b");
@@ -138,7 +138,7 @@ TEST(CheckpointFiles, ADamagedNewestGivesWayToTheOlder)
                 "goes on from its other checkpoint"});
 
   // The next goes where nothing is lost.
-  files.write(content_of("third"));
+  CheckpointFiles(folder).write(content_of("third"));
   EXPECT_EQ(found_in(folder), "third");
   EXPECT_EQ(files.newest().warning, "");
   damage(folder + "/checkpoint_b");
@@ -147,9 +147,9 @@ TEST(CheckpointFiles, ADamagedNewestGivesWayToTheOlder)
 
 TEST(CheckpointFiles, WithoutAnyThatCanBeUsedNothingGoesOn)
 {
-  const std::string     folder = checkpoint_folder("none");
-  const CheckpointFiles files(folder);
-  const auto            message = [](const CheckpointFiles &files) {
+  const std::string folder = checkpoint_folder("none");
+  CheckpointFiles   files(folder);
+  const auto        message = [](const CheckpointFiles &files) {
     return input_error_of([&]() { files.newest(); });
   };
   expect_parts(message(files), {"no checkpoint in " + folder, "start from"});
@@ -168,8 +168,8 @@ TEST(CheckpointFiles, WithoutAnyThatCanBeUsedNothingGoesOn)
 
 TEST(CheckpointFiles, WhatCannotBeReadGivesWayToTheOther)
 {
-  const std::string     folder = checkpoint_folder("unreadable");
-  const CheckpointFiles files(folder);
+  const std::string folder = checkpoint_folder("unreadable");
+  CheckpointFiles   files(folder);
   files.write(content_of("first"));
   fs::create_directory(folder + "/checkpoint_b");
   EXPECT_EQ(found_in(folder), "first");
@@ -181,8 +181,8 @@ TEST(CheckpointFiles, WhatCannotBeReadGivesWayToTheOther)
 
 TEST(CheckpointFiles, ALaterFormatIsRefusedAndKept)
 {
-  const std::string     folder = checkpoint_folder("later");
-  const CheckpointFiles files(folder);
+  const std::string folder = checkpoint_folder("later");
+  CheckpointFiles   files(folder);
   files.write(content_of("first"));
   const std::string later =
     with_later_format(testing_support::read_text(folder + "/checkpoint_a"));
@@ -191,13 +191,15 @@ TEST(CheckpointFiles, ALaterFormatIsRefusedAndKept)
                                           "version 2",
                                           "reads version 1"};
   expect_parts(input_error_of([&]() { files.newest(); }), parts);
-  expect_parts(input_error_of([&]() { files.write(content_of("")); }), parts);
+  expect_parts(input_error_of(
+                 [&]() { CheckpointFiles(folder).write(content_of("")); }),
+               parts);
   EXPECT_EQ(testing_support::read_text(folder + "/checkpoint_b"), later);
 }
 
 TEST(CheckpointFiles, AFolderThatIsNotThereCannotBeWrittenTo)
 {
-  const CheckpointFiles files(checkpoint_folder("gone") + "/missing");
+  CheckpointFiles files(checkpoint_folder("gone") + "/missing");
   EXPECT_THROW(files.write(content_of("")), ComputationError);
 }
 

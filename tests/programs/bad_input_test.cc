@@ -15,7 +15,7 @@ namespace
       EXPECT_EQ(run.exit_code, 1) << run.output << run.errors;
       expect_contains(run.errors, parts);
       EXPECT_GT(count_lines(run.errors), 0u);
-      EXPECT_LE(count_lines(run.errors), 25u) << run.errors;
+      EXPECT_LE(count_lines(run.errors), 27u) << run.errors;
       expect_without(run.errors,
                      {"Stacktrace",
                       "An error occurred in line",

@@ -49,6 +49,37 @@ TEST(Records, WhatIsNotThereIsRefusedByName)
                {"\"pairs\" with 3 values"});
 }
 
+TEST(Records, AddWhatOtherRanksHave)
+{
+  Records first, second;
+  first.keep("time", {0.25});
+  first.keep("pairs", {4, 7}, 2, {40, 41, 70, 71});
+  second.keep("time", {0.25});
+  second.keep("pairs", {7, 9}, 2, {70, 71, 90, 91});
+  second.keep("singles", {1}, 1, {10});
+  first.add(second);
+  EXPECT_EQ(first.values("time", 1), (std::vector<double>{0.25}));
+  EXPECT_EQ(first.items("pairs"), (std::vector<unsigned int>{4, 7, 9}));
+  EXPECT_EQ(first.values("pairs", {9, 4}, 2),
+            (std::vector<double>{90, 91, 40, 41}));
+  EXPECT_EQ(first.values("singles", {1}, 1), (std::vector<double>{10}));
+  EXPECT_TRUE(first.has("singles"));
+  EXPECT_FALSE(second.has("doubles"));
+}
+
+TEST(Records, OfSeveralOwnersAreToldApart)
+{
+  Records of_one, of_other, all;
+  of_one.keep("time", {1});
+  of_other.keep("time", {2});
+  all.keep("time", {3});
+  all.keep_all("one", of_one);
+  all.keep_all("other", of_other);
+  EXPECT_EQ(all.values("time", 1), (std::vector<double>{3}));
+  EXPECT_EQ(all.all_of("one").values("time", 1), (std::vector<double>{1}));
+  EXPECT_EQ(all.all_of("other").values("time", 1), (std::vector<double>{2}));
+}
+
 TEST(Records, KeepTexts)
 {
   Records records;

@@ -57,6 +57,12 @@ namespace auxfem
      */
     std::string why_exact(double allowed) const;
 
+    /** @name For runs that are resumed. Collective. */
+    ///@{
+    void save(Records &records) const;
+    void resume(const Records &records);
+    ///@}
+
   private:
     /** The exact state of @p motion with `error` added. */
     State exact_state(const State &motion) const;

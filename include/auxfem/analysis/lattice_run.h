@@ -88,8 +88,8 @@ namespace auxfem
     /** All that has been done so far. */
     const Work &work() const;
 
-    /** What @p other has done counts here too, but for its steps. */
-    void add_work_of(const LatticeRun &other);
+    /** What was done elsewhere counts here too, but for its steps. */
+    void add_effort(const Work &elsewhere);
 
     /** As TimeStepper::solver(), before the run. */
     TangentSolver &solver();

@@ -15,6 +15,9 @@ namespace auxfem
    * Throws InputError if a record is missing. Collective.
    */
   State saved_state(const Equations &equations, const Records &records);
+
+  /** When that was (s). */
+  double time_of_saved_state(const Records &records);
 } // namespace auxfem
 
 #endif

@@ -1,6 +1,8 @@
 #ifndef auxfem_output_checkpoint_files_h
 #define auxfem_output_checkpoint_files_h
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,8 +28,8 @@ namespace auxfem
    * The last two checkpoints of a run, checkpoint_a and checkpoint_b in its
    * folder. They are written in turn, so that one is left if the other gets
    * lost. One file holds what all ranks have to keep: what moves into place in
-   * one go cannot be of different steps on different ranks. To be used on one
-   * rank.
+   * one go cannot be of different steps on different ranks. What is there is
+   * looked at before the first is written. To be used on one rank.
    *
    * A file is: 16 bytes that name the format, its version, which checkpoint of
    * the run it is, the version of auxfem, the number of ranks, the number of
@@ -42,12 +44,14 @@ namespace auxfem
 
     /**
      * Puts @p content in the place of the older checkpoint, or of one that
-     * cannot be read. When it returns, the disk has it: neither the end of the
-     * process nor a power cut loses it, and either before leaves both files as
-     * they were. Throws ComputationError if it cannot be written, and
-     * InputError rather than replace what only a later auxfem can read.
+     * cannot be read. When it returns, the disk has it and what was written to
+     * @p files before: neither the end of the process nor a power cut loses it,
+     * and either before leaves both checkpoints as they were. Throws
+     * ComputationError if it cannot be written, and InputError rather than
+     * replace what only a later auxfem can read.
      */
-    void write(const CheckpointContent &content) const;
+    void write(const CheckpointContent        &content,
+               const std::vector<std::string> &files = {});
 
     struct Found
     {
@@ -63,7 +67,15 @@ namespace auxfem
     Found newest() const;
 
   private:
-    std::string folder;
+    /** Where the next one goes. */
+    struct Next
+    {
+      std::uint64_t number;
+      std::string   file, other_file;
+    };
+
+    const std::string   folder;
+    std::optional<Next> next; ///< from the first write() on
   };
 } // namespace auxfem
 

@@ -30,6 +30,17 @@ namespace auxfem
     CsvTable(const std::string &file, const std::vector<Column> &columns);
 
     /**
+     * Goes on with @p file, of which the first @p length bytes are kept. Throws
+     * InputError if it is shorter or has other columns, or cannot be written.
+     */
+    CsvTable(const std::string         &file,
+             const std::vector<Column> &columns,
+             std::size_t                length);
+
+    /** Bytes in the file. */
+    std::size_t length();
+
+    /**
      * Appends one row, a number for each column; numbers that are not finite
      * appear as `nan`, `inf`. Throws ComputationError if the disk takes no
      * more.

@@ -105,8 +105,10 @@ namespace auxfem
      */
     void append_to_record(double time, const std::string &file);
 
-    /** Removes what a failed append_to_record() left. */
+    /** Removes what stands behind the entries. */
     void restore_record(const std::string &record) const;
+    /** Those that are not in the record. */
+    void remove_later_files() const;
 
     std::string  folder;
     std::string  name;

@@ -27,6 +27,13 @@ namespace auxfem
     std::vector<std::string> results_of_other_kinds = {};
   };
 
+  /** What becomes of results that auxfem has left in a folder. */
+  enum class FormerResults
+  {
+    removed,
+    continued
+  };
+
   /**
    * A folder for results, which belongs to this process while the object lives:
    * a second one is refused. What auxfem has written into it is listed in a
@@ -48,7 +55,8 @@ namespace auxfem
      */
     OutputFolder(const std::string    &path,
                  const FolderContents &contents,
-                 const FileRules      &rules);
+                 const FileRules      &rules,
+                 FormerResults         former_results = FormerResults::removed);
 
     /** Notes that auxfem writes the series @p name. */
     void claim_series(const std::string &name);

@@ -21,13 +21,15 @@ namespace auxfem
   public:
     /**
      * Makes the folder that @p scene names, whose files are spared, and removes
-     * the results of an earlier run in it. Throws InputError that says why the
-     * folder cannot be used, see OutputFolder.
+     * the results of an earlier run in it, unless they are continued: then the
+     * log is. Throws InputError that says why the folder cannot be used, see
+     * OutputFolder.
      * @param further that the run writes, besides those of a simulation.
      */
     RunFolder(const Scene          &scene,
               const FileRules      &rules,
-              const FolderContents &further = {});
+              const FolderContents &further        = {},
+              FormerResults         former_results = FormerResults::removed);
 
     /** Notes that the run writes the series @p name. */
     void claim_series(const std::string &name);

@@ -14,7 +14,8 @@ namespace auxfem
   /**
    * Everything a run leaves behind, in one folder: parameters.prm,
    * original.prm, log.txt, history.csv, solution.pvd, rigid_parts.pvd and
-   * connectors.pvd with their series (of what the scene has), summary.json.
+   * connectors.pvd with their series (of what the scene has), summary.json,
+   * checkpoints.
    * Also the lines on the screen. Rows are on disk as soon as they are written;
    * what was computed before a failure stays readable.
    *
@@ -31,11 +32,14 @@ namespace auxfem
      * @param communicator all ranks take part in every call.
      * @param start of this rank, for the summary.
      * @param rules files that the scene was read from are always spared.
+     * @param goes_on_from checkpoint of a run that has ended in the same
+     *   folder, whose results are continued
      */
-    RunOutput(const Scene      &scene,
-              MPI_Comm          communicator,
-              const StartTimes &start = StartTimes(),
-              const FileRules  &rules = FileRules());
+    RunOutput(const Scene           &scene,
+              MPI_Comm               communicator,
+              const StartTimes      &start        = StartTimes(),
+              const FileRules       &rules        = FileRules(),
+              std::optional<Records> goes_on_from = {});
     ~RunOutput() override;
 
     /** A progress line on the screen. */
@@ -53,9 +57,16 @@ namespace auxfem
     /** Rows and files for the solution at t = 0. */
     void start(const Solution &solution) override;
 
+    /** The one given, until a run has gone on from it. */
+    const Records *goes_on_from() const override;
+
+    bool keeps_checkpoints() const override;
+    bool wants_checkpoint() override;
+    void take(const Records &checkpoint) override;
+
     /**
-     * Rows and files follow those of the run that saved @p records; what that
-     * has written is not read.
+     * Rows and files follow those that were there when @p records were saved;
+     * later ones are removed.
      */
     void resume(const Solution &solution, const Records &records) override;
 

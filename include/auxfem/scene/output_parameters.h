@@ -40,6 +40,8 @@ namespace auxfem
     bool         graphics         = true;
     unsigned int history_interval = 1;  ///< steps between rows of history.csv
     std::optional<double> row_interval; ///< in place of it (s)
+    /** Wall time between checkpoints (s); 0: there are none. */
+    double       checkpoint_interval = 600;
     unsigned int segments = 8; ///< straight pieces an element is drawn with
     /** Whether history.csv has the strains between opposite sides. */
     bool effective_strains = false;

@@ -81,6 +81,12 @@ namespace auxfem
     /** Adds what @p others have beside it: records, and items of records. */
     void add(const Records &others);
 
+    /** Adds all of @p others, of somebody of whom there may be several. */
+    void keep_all(const std::string &owner, const Records &others);
+
+    /** What keep_all() has kept. */
+    Records all_of(const std::string &owner) const;
+
     /** Items of a record. Throws InputError if there is no such record. */
     const std::vector<unsigned int> &items(const std::string &name) const;
 
@@ -101,10 +107,6 @@ namespace auxfem
     /** What keep_text() has kept. Throws InputError if there is no such record.
      */
     std::string text(const std::string &name) const;
-
-    /** Names of all records that begin with @p begin, in the order of keep().
-     */
-    std::vector<std::string> names(const std::string &begin = "") const;
 
     /** Values of each item of a record. Throws InputError if there is no such
      * record. */

@@ -1,0 +1,180 @@
+#include <auxfem/algebra/long_messages.h>
+#include <auxfem/output/first_rank.h>
+#include <auxfem/output/run_checkpoints.h>
+#include <auxfem/parameters/errors.h>
+#include <auxfem/version.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/utilities.h>
+
+#include <boost/serialization/map.hpp>
+
+#include <array>
+#include <filesystem>
+#include <fstream>
+
+#include <zlib.h>
+
+namespace auxfem
+{
+  namespace
+  {
+    namespace mpi = dealii::Utilities::MPI;
+
+    const std::string scene_section      = "scene file",
+                      parameter_section  = "parameters",
+                      input_file_section = "input files",
+                      rank_section       = "rank ";
+
+    /** How much of a run's time checkpoints take at most. */
+    constexpr unsigned int largest_part = 100;
+
+    template <class Object>
+    std::string bytes_of(const Object &object)
+    {
+      const std::vector<char> bytes =
+        dealii::Utilities::pack(object, /*allow_compression=*/false);
+      return {bytes.begin(), bytes.end()};
+    }
+
+    template <class Object>
+    Object object_of(const std::string &bytes)
+    {
+      return dealii::Utilities::unpack<Object>(std::vector<char>(bytes.begin(),
+                                                                 bytes.end()),
+                                               /*allow_compression=*/false);
+    }
+
+    std::string absolute(const std::string &file)
+    {
+      std::error_code ignored;
+      return std::filesystem::absolute(file, ignored).lexically_normal();
+    }
+
+    /** Zero for one that cannot be read. */
+    unsigned int checksum(const std::string &file)
+    {
+      std::ifstream           stream(file, std::ios::binary);
+      std::array<char, 65536> block;
+      unsigned long           sum = 0;
+      while (stream.read(block.data(), block.size()) || stream.gcount() > 0)
+        sum = crc32_z(sum,
+                      reinterpret_cast<const Bytef *>(block.data()),
+                      stream.gcount());
+      return sum;
+    }
+
+    const std::string &section(const CheckpointContent &content,
+                               const std::string       &name)
+    {
+      for (const CheckpointContent::Section &candidate : content.sections)
+        if (candidate.name == name)
+          return candidate.bytes;
+      throw InputError("The checkpoint has no section `" + name +
+                       "`: it was left by another version of auxfem.");
+    }
+
+    /** That of this rank, or all of them for another number of ranks. */
+    Records records_in(const CheckpointContent &content,
+                       const MPI_Comm           communicator)
+    {
+      const auto of_rank = [&](const unsigned int rank) {
+        return object_of<Records>(
+          section(content, rank_section + std::to_string(rank)));
+      };
+      if (content.n_ranks == mpi::n_mpi_processes(communicator))
+        return of_rank(mpi::this_mpi_process(communicator));
+      Records all = of_rank(0);
+      for (unsigned int rank = 1; rank < content.n_ranks; ++rank)
+        all.add(of_rank(rank));
+      return all;
+    }
+  } // namespace
+
+  std::string changed_input_file(const RunToResume &run)
+  {
+    for (const auto &[file, expected] : run.input_files)
+      if (checksum(file) != expected)
+        return file;
+    return "";
+  }
+
+  RunToResume find_run_to_resume(const std::string &folder,
+                                 const MPI_Comm     communicator)
+  {
+    const CheckpointFiles::Found found   = CheckpointFiles(folder).newest();
+    const CheckpointContent     &content = found.content;
+    if (content.program_version != version)
+      throw InputError("The checkpoint in " + folder + " was taken by auxfem " +
+                       content.program_version + ", this is " + version +
+                       ". Go on with that version, or start from t = 0.");
+    RunToResume run;
+    run.folder      = folder;
+    run.scene_file  = section(content, scene_section);
+    run.parameters  = section(content, parameter_section);
+    run.input_files = object_of<std::map<std::string, unsigned int>>(
+      section(content, input_file_section));
+    run.records = records_in(content, communicator);
+    run.warning = found.warning;
+    return run;
+  }
+
+  RunCheckpoints::RunCheckpoints(const Scene   &scene,
+                                 const MPI_Comm communicator)
+    : scene(scene)
+    , communicator(communicator)
+    , files(scene.output.directory)
+    , last(Clock::now())
+  {}
+
+  bool RunCheckpoints::is_due()
+  {
+    const auto since = Clock::now() - last;
+    const bool due   = std::chrono::duration<double>(since).count() >=
+        scene.output.checkpoint_interval &&
+      since >= largest_part * took;
+    return mpi::n_mpi_processes(communicator) == 1
+      ? due
+      : mpi::broadcast(communicator, due);
+  }
+
+  void RunCheckpoints::write(const Records                  &records,
+                             const std::vector<std::string> &files_before)
+  {
+    const auto                     begin = Clock::now();
+    const std::string              mine  = bytes_of(records);
+    const std::vector<std::size_t> sizes =
+      mpi::gather(communicator, mine.size());
+    if (mpi::this_mpi_process(communicator) > 0)
+      send_to_first(mine.data(), mine.size(), communicator);
+    on_first_rank(communicator, [&]() {
+      CheckpointContent content = content_of(mine);
+      for (unsigned int rank = 1; rank < sizes.size(); ++rank)
+        {
+          std::string bytes(sizes[rank], ' ');
+          receive(bytes.data(), bytes.size(), rank, communicator);
+          content.sections.push_back(
+            {rank_section + std::to_string(rank), std::move(bytes)});
+        }
+      files.write(content, files_before);
+    });
+    last = Clock::now();
+    took = last - begin;
+  }
+
+  CheckpointContent RunCheckpoints::content_of(const std::string &bytes) const
+  {
+    std::map<std::string, unsigned int> input_files;
+    for (const std::string &file : scene.input_files)
+      if (const std::string name = absolute(file); name != absolute(scene.file))
+        input_files[name] = checksum(name);
+    CheckpointContent content;
+    content.program_version = version;
+    content.n_ranks         = mpi::n_mpi_processes(communicator);
+    content.sections        = {{scene_section, absolute(scene.file)},
+                               {parameter_section, scene.all_parameters},
+                               {input_file_section, bytes_of(input_files)},
+                               {rank_section + "0", bytes}};
+    return content;
+  }
+} // namespace auxfem

@@ -1,0 +1,102 @@
+#include <auxfem/analysis/saved_state.h>
+#include <auxfem/parameters/errors.h>
+#include <auxfem/parameters/parameter_file.h>
+#include <auxfem/resumption.h>
+
+#include <map>
+#include <sstream>
+
+namespace auxfem
+{
+  namespace
+  {
+    /** Values of parameters by their path. */
+    using ValuesByPath = std::map<std::string, std::string>;
+
+    void add_values(const ParameterSubsection &subsection,
+                    const std::string         &path,
+                    ValuesByPath              &values)
+    {
+      for (const ParameterEntry &entry : subsection.entries)
+        values[path + entry.name] = entry.value;
+      for (const ParameterSubsection &inner : subsection.subsections)
+        add_values(inner, path + inner.name + '/', values);
+    }
+
+    ValuesByPath values_of(const Scene &scene)
+    {
+      ValuesByPath values;
+      add_values(parse_parameter_text(scene.all_parameters, scene.file),
+                 "",
+                 values);
+      return values;
+    }
+
+    /** Whether the results until now are the same with another value. */
+    bool may_change(const std::string &path)
+    {
+      return path == "Time/End time" ||
+        (path.compare(0, 7, "Output/") == 0 && path != "Output/Directory" &&
+         path != "Output/Graphics" && path != "Output/Effective strains");
+    }
+
+    std::string value_at(const std::string &path, const ValuesByPath &values)
+    {
+      const auto found = values.find(path);
+      return found == values.end() ? "not given" : '"' + found->second + '"';
+    }
+
+    void refuse_changes(const Scene &before, const Scene &now)
+    {
+      const ValuesByPath values     = values_of(before),
+                         new_values = values_of(now);
+      ValuesByPath all              = new_values;
+      all.insert(values.begin(), values.end());
+      std::string changes;
+      for (const auto &[path, value] : all)
+        if (const std::string then = value_at(path, values),
+            wanted                 = value_at(path, new_values);
+            then != wanted && !may_change(path))
+          changes +=
+            "\n  " + path + ": it was " + then + ", now it is " + wanted;
+      if (!changes.empty())
+        throw InputError(
+          "A run that goes on keeps its parameters; what it has computed until "
+          "now depends on them:" +
+          changes +
+          "\nOnly Time/End time and the parameters of Output but Directory, "
+          "Graphics and Effective strains may change. Leave the others as they "
+          "were, or start from t = 0.");
+    }
+
+    void refuse_end_before(const double reached, const Scene &scene)
+    {
+      if (scene.time.end_time > reached)
+        return;
+      std::ostringstream message;
+      message << "The run has got to t = " << reached
+              << " s, and its end time is " << scene.time.end_time
+              << " s. Give a later one: --set \"Time/End time=...\".";
+      throw InputError(message.str());
+    }
+  } // namespace
+
+  Scene scene_to_resume(const RunToResume              &run,
+                        const std::vector<std::string> &overrides)
+  {
+    if (const std::string file = changed_input_file(run); !file.empty())
+      throw InputError("The run has read " + file +
+                       ", which has changed since, or is gone. Put it back, or "
+                       "start from t = 0.");
+    const auto with = [&run](const std::vector<std::string> &overrides) {
+      Scene scene =
+        read_scene_from_text(run.parameters, run.scene_file, overrides);
+      scene.output.directory = run.folder;
+      return scene;
+    };
+    Scene scene = with(overrides);
+    refuse_changes(with({}), scene);
+    refuse_end_before(time_of_saved_state(run.records), scene);
+    return scene;
+  }
+} // namespace auxfem
