@@ -194,8 +194,8 @@ TEST(EnergyMomentumInSpace, SecondOrder)
         }
     return result;
   };
-  const auto coarse = positions(0.01), middle = positions(0.005),
-             fine = positions(0.0025);
+  const auto coarse = positions(0.005), middle = positions(0.0025),
+             fine = positions(0.00125);
   double first = 0, second = 0;
   for (unsigned int i = 0; i < fine.size(); ++i)
     {
