@@ -34,3 +34,43 @@ TEST(CayleyRotation, SeriesOfSmallTurnsAreExactToTheLastDigit)
       EXPECT_NEAR(cosine_of_small(x), std::cos(x), 2.3e-16) << x;
     }
 }
+
+TEST(CayleyRotation, InSpaceGivesTheIncrementOfATurnedVectorFromItsMean)
+{
+  const SpaceVector before({0.8, -0.3, 0.5});
+  for (const double size : {1e-9, 0.3, 1., 2.})
+    {
+      const SpaceVector turn  = size * SpaceVector({0.6, -0.9, 0.4}),
+                        c     = cayley_rotation(turn),
+                        after = rotated(exponential(turn), before);
+      EXPECT_LT((after - before -
+                 dealii::cross_product_3d(c, (before + after) / 2))
+                  .norm(),
+                1e-15 * (1 + c.norm()));
+      EXPECT_NEAR(c.norm(), cayley_rotation(turn.norm()), 1e-14 * c.norm());
+    }
+}
+
+TEST(CayleyRotation, ChangeBySpinIsThatOfDifferences)
+{
+  const Quaternion  turn = exponential(SpaceVector({0.9, -1.1, 0.4}));
+  const SpaceVector c    = cayley_rotation(turn);
+  const double      h    = 1e-5;
+  for (unsigned int j = 0; j < 3; ++j)
+    {
+      SpaceVector spin;
+      spin[j]                = h;
+      const Quaternion  plus = exponential(spin), minus = exponential(-spin);
+      const SpaceVector turning = (cayley_rotation(turn * plus) -
+                                   cayley_rotation(turn * minus)) /
+        (2 * h),
+                        fixed = (cayley_rotation(plus * turn) -
+                                 cayley_rotation(minus * turn)) /
+        (2 * h);
+      for (unsigned int i = 0; i < 3; ++i)
+        {
+          EXPECT_NEAR(cayley_change_by_spin(c)[i][j], turning[i], 1e-9);
+          EXPECT_NEAR(cayley_change_by_spin(-c)[i][j], fixed[i], 1e-9);
+        }
+    }
+}
