@@ -9,6 +9,15 @@
 
 namespace auxfem
 {
+  namespace
+  {
+    bool is_of_modes(const Scene &scene)
+    {
+      return scene.analysis == Analysis::modes ||
+        scene.analysis == Analysis::buckling;
+    }
+  } // namespace
+
   RunResult run(const Scene      &scene,
                 const MPI_Comm    communicator,
                 const StartTimes &start,
@@ -18,7 +27,7 @@ namespace auxfem
       return run_study(scene, communicator, rules);
     FileRules with_others              = rules;
     with_others.results_of_other_kinds = study_files();
-    if (scene.analysis == Analysis::modes)
+    if (is_of_modes(scene))
       return run_modes(scene, communicator, with_others);
     for (const std::string &file : modes_files())
       with_others.results_of_other_kinds.push_back(file);
@@ -53,7 +62,7 @@ namespace auxfem
 
   void check(const Scene &scene, const MPI_Comm communicator)
   {
-    if (scene.analysis == Analysis::modes)
+    if (is_of_modes(scene))
       return check_modes(scene, communicator);
     analysis_of(scene).check(scene, communicator);
     if (scene.analysis == Analysis::study)

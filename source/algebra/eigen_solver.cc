@@ -11,7 +11,9 @@ namespace auxfem
     void scale(const ShiftedEigenproblem &problem, std::vector<double> &vector)
     {
       std::vector<double> weighted(vector.size());
-      problem.multiply_mass(vector.data(), weighted.data());
+      (problem.multiply_definite
+         ? problem.multiply_definite
+         : problem.multiply_mass)(vector.data(), weighted.data());
       double square = 0;
       for (std::size_t i = 0; i < weighted.size(); ++i)
         square += vector[i] * weighted[i];

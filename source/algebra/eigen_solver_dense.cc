@@ -98,78 +98,161 @@ namespace auxfem
     }
   } // namespace
 
+  namespace
+  {
+    /** A column on the rows of all ranks from what they own. */
+    std::vector<double> of_all(const UnknownLayout       &layout,
+                               const std::vector<double> &mine)
+    {
+      std::vector<double> all(layout.n_global(), 0.);
+      for (unsigned int i = 0; i < mine.size(); ++i)
+        all[layout.global(i)] = mine[i];
+      return layout.sum(all);
+    }
+
+    /** A F; @p act on owned rows of a column. */
+    template <class Action>
+    dealii::FullMatrix<double> product(const UnknownLayout              &layout,
+                                       const dealii::FullMatrix<double> &factor,
+                                       const Action                     &act)
+    {
+      dealii::FullMatrix<double> result(factor.m(), factor.n());
+      for (unsigned int j = 0; j < factor.n(); ++j)
+        {
+          dealii::Vector<double> column(factor.m());
+          for (unsigned int i = 0; i < column.size(); ++i)
+            column(i) = factor(i, j);
+          std::vector<double> x = owned(layout, column);
+          act(x);
+          const std::vector<double> all = of_all(layout, x);
+          for (unsigned int i = 0; i < all.size(); ++i)
+            result(i, j) = all[i];
+        }
+      return result;
+    }
+
+    /** F^T B for symmetric F^T B. */
+    Dense projection(const dealii::FullMatrix<double> &factor,
+                     const dealii::FullMatrix<double> &product)
+    {
+      const unsigned int n = factor.n();
+      Dense              projected(n);
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int j = 0; j < n; ++j)
+          {
+            double sum = 0;
+            for (unsigned int k = 0; k < factor.m(); ++k)
+              sum += factor(k, i) * product(k, j);
+            projected(i, j) = sum;
+          }
+      make_symmetric(projected);
+      return projected;
+    }
+
+    /** Numbers of the @p n largest values, by size or, with @p only_positive,
+     * among the positive ones; not those that are round-off. */
+    std::vector<unsigned int> largest(const dealii::Vector<double> &values,
+                                      const unsigned int            n,
+                                      const bool only_positive)
+    {
+      // Of motions that constraints forbid theta is zero.
+      constexpr double          round_off = 1e-13;
+      const double              least     = round_off * values.linfty_norm();
+      std::vector<unsigned int> order;
+      for (unsigned int j = 0; j < values.size(); ++j)
+        if ((only_positive ? values(j) : std::abs(values(j))) > least)
+          order.push_back(j);
+      std::sort(order.begin(),
+                order.end(),
+                [&](const unsigned int i, const unsigned int j) {
+                  return std::abs(values(i)) > std::abs(values(j));
+                });
+      order.resize(std::min<std::size_t>(order.size(), n));
+      return order;
+    }
+
+    /**
+     * Pairs from those of theta y = F^T (...) F y, theta = 1 / (lambda -
+     * sigma).
+     * @param shapes of which a pair's y makes its vector
+     * @param per_theta whether that is still to be divided by theta
+     */
+    Eigenpairs pairs_from(const ShiftedEigenproblem        &problem,
+                          const SymmetricEigenpairs        &inverse,
+                          const dealii::FullMatrix<double> &shapes,
+                          const bool                        per_theta,
+                          const unsigned int                n)
+    {
+      Eigenpairs found;
+      for (const unsigned int j :
+           largest(inverse.values, n, problem.only_above))
+        {
+          const double           theta = inverse.values(j);
+          dealii::Vector<double> shape(shapes.m()), y(shapes.n());
+          for (unsigned int i = 0; i < y.size(); ++i)
+            y(i) = inverse.vectors(i, j) / (per_theta ? theta : 1.);
+          shapes.vmult(shape, y);
+          found.pairs.push_back(
+            {problem.shift + 1 / theta, owned(problem.layout, shape)});
+        }
+      return found;
+    }
+
+    /** L^T (K - sigma M)^-1 L y = theta y with M = L L^T and y = L^T x. */
+    Eigenpairs by_root_of_mass(const ShiftedEigenproblem &problem,
+                               const unsigned int         n,
+                               bool                      &solved)
+    {
+      Dense mass = dense(problem.layout, [&](std::vector<double> &x) {
+        const std::vector<double> unit = x;
+        problem.multiply_mass(unit.data(), x.data());
+      });
+      make_symmetric(mass);
+      const dealii::FullMatrix<double> factor = root(mass),
+                                       solutions =
+                                         product(problem.layout,
+                                                 factor,
+                                                 [&](std::vector<double> &x) {
+                                                   solved =
+                                                     problem.solve(x.data()) &&
+                                                     solved;
+                                                 });
+      Dense                     projected = projection(factor, solutions);
+      const SymmetricEigenpairs inverse(projected);
+      // x = (K - sigma M)^-1 L y / theta
+      return pairs_from(problem, inverse, solutions, /*per_theta=*/true, n);
+    }
+
+    /** F^T M F y = theta y with (K - sigma M)^-1 = F F^T and x = F y. */
+    Eigenpairs by_root_of_inverse(const ShiftedEigenproblem &problem,
+                                  const unsigned int         n,
+                                  bool                      &solved)
+    {
+      Dense inverse = dense(problem.layout, [&](std::vector<double> &x) {
+        solved = problem.solve(x.data()) && solved;
+      });
+      make_symmetric(inverse);
+      const dealii::FullMatrix<double>
+        factor = root(inverse),
+        images = product(problem.layout, factor, [&](std::vector<double> &x) {
+          const std::vector<double> column = x;
+          problem.multiply_mass(column.data(), x.data());
+        });
+      Dense                     projected = projection(factor, images);
+      const SymmetricEigenpairs values(projected);
+      return pairs_from(problem, values, factor, /*per_theta=*/false, n);
+    }
+  } // namespace
+
   Eigenpairs dense_eigenpairs(const ShiftedEigenproblem &problem,
                               const unsigned int         n)
   {
-    const UnknownLayout &layout = problem.layout;
-    bool                 solved = true;
-    Dense                mass   = dense(layout, [&](std::vector<double> &x) {
-      const std::vector<double> unit = x;
-      problem.multiply_mass(unit.data(), x.data());
-    });
-    make_symmetric(mass);
-    const dealii::FullMatrix<double> factor = root(mass);
-
-    // L^T (K - sigma M)^-1 L y = theta y with y = L^T x.
-    const unsigned int         rank = factor.n();
-    dealii::FullMatrix<double> solutions(factor.m(), rank);
-    for (unsigned int j = 0; j < rank; ++j)
-      {
-        dealii::Vector<double> column(factor.m());
-        for (unsigned int i = 0; i < column.size(); ++i)
-          column(i) = factor(i, j);
-        std::vector<double> x = owned(layout, column);
-        solved                = problem.solve(x.data()) && solved;
-        std::vector<double> all(layout.n_global(), 0.);
-        for (unsigned int i = 0; i < x.size(); ++i)
-          all[layout.global(i)] = x[i];
-        all = layout.sum(all);
-        for (unsigned int i = 0; i < all.size(); ++i)
-          solutions(i, j) = all[i];
-      }
-    Eigenpairs found;
+    bool       solved = true;
+    Eigenpairs found  = problem.multiply_definite
+       ? by_root_of_inverse(problem, n, solved)
+       : by_root_of_mass(problem, n, solved);
     if (!solved)
-      {
-        found.why = "a linear solution failed";
-        return found;
-      }
-    Dense projected(rank);
-    for (unsigned int i = 0; i < rank; ++i)
-      for (unsigned int j = 0; j < rank; ++j)
-        {
-          double sum = 0;
-          for (unsigned int k = 0; k < factor.m(); ++k)
-            sum += factor(k, i) * solutions(k, j);
-          projected(i, j) = sum;
-        }
-    make_symmetric(projected);
-    const SymmetricEigenpairs inverse(projected);
-
-    // Of motions that constraints forbid theta is zero.
-    constexpr double round_off = 1e-13;
-    const double     least     = round_off *
-      std::max(std::abs(inverse.values(0)), std::abs(inverse.values(rank - 1)));
-    std::vector<unsigned int> order;
-    for (unsigned int j = 0; j < rank; ++j)
-      if (std::abs(inverse.values(j)) > least)
-        order.push_back(j);
-    std::sort(order.begin(),
-              order.end(),
-              [&](const unsigned int i, const unsigned int j) {
-                return std::abs(inverse.values(i)) >
-                  std::abs(inverse.values(j));
-              });
-    order.resize(std::min<std::size_t>(order.size(), n));
-    for (const unsigned int j : order)
-      {
-        // x = (K - sigma M)^-1 L y / theta
-        dealii::Vector<double> shape(factor.m()), y(rank);
-        for (unsigned int i = 0; i < rank; ++i)
-          y(i) = inverse.vectors(i, j) / inverse.values(j);
-        solutions.vmult(shape, y);
-        found.pairs.push_back(
-          {problem.shift + 1 / inverse.values(j), owned(layout, shape)});
-      }
+      return {{}, "a linear solution failed"};
     return found;
   }
 } // namespace auxfem

@@ -1,4 +1,5 @@
 #include <auxfem/analysis/mode_files.h>
+#include <auxfem/analysis/mode_space.h>
 #include <auxfem/equations/node_rotations.h>
 #include <auxfem/output/csv_table.h>
 #include <auxfem/output/vtu_writer.h>
@@ -24,6 +25,11 @@ namespace auxfem
     {
       return "mode_" + std::to_string(number) + "_";
     }
+
+    const std::vector<Column> buckling_columns = {
+      {"mode", "", "number, by rising factor"},
+      {"factor", "1", "of the loads with which the lattice buckles"},
+      {"residual", "1", "what is left of the equations of equilibrium"}};
 
     std::vector<Column> columns()
     {
@@ -96,24 +102,6 @@ namespace auxfem
         : 1.;
     }
 
-    /** The state with a multiple of the shape added. */
-    State
-    displaced(const LatticeRun &run, const Vector &shape, const double factor)
-    {
-      const NodeRotations rotations(run.model.numbering);
-      State               state = run.solution.state;
-      Vector              added = shape;
-      for (double &value : added)
-        value *= factor;
-      for (unsigned int i = 0; i < state.rotations.size(); ++i)
-        state.rotations[i] = normalized(
-          exponential(rotations.values(added, i)) * state.rotations[i]);
-      rotations.make_material(state, added);
-      for (std::size_t i = 0; i < added.size(); ++i)
-        state.displacement[i] += added[i];
-      return state;
-    }
-
     void set_velocity(const Vector &shape, const double factor, State &state)
     {
       if (!state.velocity)
@@ -126,7 +114,9 @@ namespace auxfem
 
   FolderContents mode_contents()
   {
-    FolderContents contents{{"modes.csv", "modes.units.csv"}, {}};
+    FolderContents contents{
+      {"modes.csv", "modes.units.csv", "buckling.csv", "buckling.units.csv"},
+      {}};
     for (unsigned int number = 1; number <= most_modes; ++number)
       for (const char *series : {"solution", "rigid_parts", "connectors"})
         contents.series.push_back(prefix(number) + series);
@@ -139,6 +129,27 @@ namespace auxfem
     for (unsigned int i = 0; i < found.modes.size(); ++i)
       table.append(row(found.modes[i], i + 1));
     write_column_reference(folder + "/modes.units.csv", columns());
+  }
+
+  void write_mode_table(const BucklingModes &found, const std::string &folder)
+  {
+    CsvTable table(folder + "/buckling.csv", buckling_columns);
+    for (unsigned int i = 0; i < found.modes.size(); ++i)
+      table.append(
+        {double(i + 1), found.modes[i].factor, found.modes[i].residual});
+    write_column_reference(folder + "/buckling.units.csv", buckling_columns);
+  }
+
+  std::string mode_table_text(const BucklingModes &found)
+  {
+    std::ostringstream text;
+    text << "  mode   factor of loads    residual";
+    for (unsigned int i = 0; i < found.modes.size(); ++i)
+      text << '\n'
+           << std::setw(6) << i + 1 << std::defaultfloat << std::setprecision(8)
+           << std::setw(18) << found.modes[i].factor << std::scientific
+           << std::setprecision(1) << std::setw(12) << found.modes[i].residual;
+    return text.str();
   }
 
   std::string mode_table_text(const NaturalModes &found,
@@ -181,8 +192,16 @@ namespace auxfem
     return modes;
   }
 
+  Json json_of(const BucklingModes &found)
+  {
+    Json modes = Json::array();
+    for (const BucklingMode &mode : found.modes)
+      modes.push_back({{"factor", mode.factor}, {"residual", mode.residual}});
+    return modes;
+  }
+
   std::vector<std::string> write_mode_pictures(const LatticeRun  &run,
-                                               const NaturalMode &mode,
+                                               const ModePicture &mode,
                                                const unsigned int number)
   {
     const Equations &equations = run.equations;
@@ -196,9 +215,12 @@ namespace auxfem
       {
         const double part  = double(i) / run.scene.modes.pictures,
                      phase = 2 * PI * part;
-        State before = displaced(run, mode.shape, factor * std::cos(phase));
+        State before       = displaced(run.solution.state,
+                                 run.model.numbering,
+                                 mode.shape,
+                                 factor * std::cos(phase));
         set_velocity(mode.shape,
-                     -factor * mode.angular_frequency() * std::sin(phase),
+                     -factor * mode.angular_frequency * std::sin(phase),
                      before);
         Solution solution{before, equations.make_results()};
         equations.residual(Evaluation::equilibrium(before, solution.state),

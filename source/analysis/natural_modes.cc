@@ -1,4 +1,4 @@
-#include <auxfem/algebra/eigen_solver.h>
+#include <auxfem/analysis/mode_space.h>
 #include <auxfem/analysis/natural_modes.h>
 #include <auxfem/parameters/errors.h>
 
@@ -25,18 +25,13 @@ namespace auxfem
     /** Round-off of a symmetric matrix, see TangentMatrix::asymmetry(). */
     constexpr double symmetric = 1e-10;
 
-    /** Further modes, between which a gap is looked for to count them. */
-    constexpr unsigned int n_guards = 4;
-
-    /** Each time with twice as many. */
-    constexpr unsigned int n_attempts = 4;
-
     /** Matrices of a state at rest, and what is done with them. */
     class Vibration
     {
     public:
       Vibration(TangentSolver &solver, const State &state)
         : solver(solver)
+        , space(solver)
         , equations(solver.equations())
         , layout(equations.unknowns().layout)
         , at_rest(state)
@@ -68,12 +63,7 @@ namespace auxfem
       /** Eigenvalues below the shift of factorize(). */
       std::optional<unsigned long> n_below()
       {
-        const std::optional<Inertia> inertia = solver.new_inertia();
-        if (!inertia)
-          return std::nullopt;
-        const unsigned long of_constraints =
-          solver.model().numbering.constraints().n_multipliers();
-        return inertia->negative - std::min(inertia->negative, of_constraints);
+        return space.n_negative();
       }
 
       /** Those nearest to the shift of factorize(). */
@@ -82,8 +72,8 @@ namespace auxfem
         const ShiftedEigenproblem problem = {
           layout,
           shift,
-          [this](const double *x, double *y) { multiply_mass(x, y); },
-          [this](double *x) { return solve(x); },
+          [this](const double *x, double *y) { space.multiply(mass, x, y); },
+          [this](double *x) { return space.solve(x); },
           n_with_mass()};
         return nearest_eigenpairs(problem, n);
       }
@@ -92,18 +82,11 @@ namespace auxfem
       unsigned int n_with_mass() const
       {
         const std::vector<double> masses = mass.diagonal();
-        std::vector<double>       n      = {0., 0.};
+        double                    n      = 0;
         for (unsigned int i = 0; i < masses.size(); ++i)
-          if (is_free(i))
-            {
-              ++n[0];
-              if (masses[i] > 0)
-                ++n[1];
-            }
-        n = layout.sum(n);
-        const unsigned long n_constraints =
-          solver.model().numbering.constraints().n_multipliers();
-        return std::max(0., std::min(n[0] - n_constraints, n[1]));
+          if (space.is_free(i) && masses[i] > 0)
+            ++n;
+        return std::min<unsigned int>(space.n_free(), layout.sum(n));
       }
 
       /**
@@ -133,13 +116,10 @@ namespace auxfem
 
       NaturalMode mode(const Eigenpair &pair, const double shift) const
       {
-        NaturalMode mode{0., 0., Vector(layout.n_local(), 0.), {}};
-        std::copy(pair.vector.begin(), pair.vector.end(), mode.shape.begin());
-        layout.update_ghosts(mode.shape.data());
-        turn_up(mode.shape);
+        NaturalMode         mode{0., 0., space.shape(pair.vector), {}};
         std::vector<double> forces(layout.n_owned()), inertia(layout.n_owned());
         stiffness.multiply(mode.shape.data(), forces.data());
-        multiply_mass(mode.shape.data(), inertia.data());
+        space.multiply(mass, mode.shape.data(), inertia.data());
         // Rayleigh's quotient: the solution has lost digits, which count twice.
         double energy = 0;
         for (unsigned int i = 0; i < layout.n_owned(); ++i)
@@ -149,7 +129,7 @@ namespace auxfem
           mode.eigenvalue = 0;
         double left = 0, all = 0;
         for (unsigned int i = 0; i < layout.n_owned(); ++i)
-          if (!is_prescribed(i))
+          if (!space.is_prescribed(i))
             {
               left += std::pow(forces[i] - mode.eigenvalue * inertia[i], 2);
               all += std::pow((mode.eigenvalue - shift) * inertia[i], 2);
@@ -161,64 +141,6 @@ namespace auxfem
       }
 
     private:
-      bool is_prescribed(const unsigned int i) const
-      {
-        return equations.unknowns().kinds[i] == UnknownKind::prescribed;
-      }
-
-      bool is_free(const unsigned int i) const
-      {
-        return !is_prescribed(i) &&
-          equations.unknowns().kinds[i] != UnknownKind::multiplier;
-      }
-
-      /** @p y = M x of owned rows: without the rows and columns of constraints,
-       * which every tangent has, and of what is prescribed. */
-      void multiply_mass(const double *x, double *y) const
-      {
-        Vector all(layout.n_local(), 0.);
-        for (unsigned int i = 0; i < layout.n_owned(); ++i)
-          if (is_free(i))
-            all[i] = x[i];
-        layout.update_ghosts(all.data());
-        mass.multiply(all.data(), y);
-        for (unsigned int i = 0; i < layout.n_owned(); ++i)
-          if (!is_free(i))
-            y[i] = 0;
-      }
-
-      bool solve(double *x)
-      {
-        Vector values(layout.n_local(), 0.);
-        std::copy_n(x, layout.n_owned(), values.begin());
-        if (!solver.solve(values))
-          return false;
-        std::copy_n(values.begin(), layout.n_owned(), x);
-        return true;
-      }
-
-      /** The largest entry becomes positive, of equal ones the first. */
-      void turn_up(Vector &shape) const
-      {
-        constexpr double as_large = 1 - 1e-6;
-        double           mine     = 0;
-        for (unsigned int i = 0; i < layout.n_owned(); ++i)
-          mine = std::max(mine, std::abs(shape[i]));
-        const double largest = layout.largest(mine);
-        double       first   = 0;
-        for (unsigned int i = layout.n_owned(); i-- > 0;)
-          if (std::abs(shape[i]) >= as_large * largest)
-            first = 1 + layout.n_global() - layout.global(i);
-        const double of_all = layout.largest(first);
-        double       sign   = 0;
-        for (unsigned int i = 0; i < layout.n_owned(); ++i)
-          if (1. + layout.n_global() - layout.global(i) == of_all)
-            sign = shape[i] < 0 ? -1 : 1;
-        sign = layout.sum(sign);
-        for (double &value : shape)
-          value *= sign;
-      }
-
       /** x.M r in free rows. Collective. */
       double participation(const Vector &shape, const unsigned int d) const
       {
@@ -227,7 +149,7 @@ namespace auxfem
         mass.multiply(along.data(), inertia.data());
         double sum = 0;
         for (unsigned int i = 0; i < layout.n_owned(); ++i)
-          if (is_free(i))
+          if (space.is_free(i))
             sum += shape[i] * inertia[i];
         return layout.sum(sum);
       }
@@ -252,6 +174,7 @@ namespace auxfem
       }
 
       TangentSolver       &solver;
+      ModeSpace            space;
       const Equations     &equations;
       const UnknownLayout &layout;
       const State          at_rest;
@@ -260,35 +183,6 @@ namespace auxfem
       EvaluationResults    results;
       TangentMatrix        mass, stiffness;
     };
-
-    /** Of the last pairs, how many lie before the widest gap; at least @p n. */
-    unsigned int before_widest_gap(const std::vector<Eigenpair> &pairs,
-                                   const unsigned int            n,
-                                   const double                  shift)
-    {
-      unsigned int best   = n;
-      double       widest = 0;
-      for (unsigned int i = n; i < pairs.size(); ++i)
-        if (const double gap = (pairs[i].value - pairs[i - 1].value) /
-              std::abs(pairs[i].value - shift);
-            gap > widest)
-          {
-            widest = gap;
-            best   = i;
-          }
-      return best;
-    }
-
-    /** Eigenvalues below @p limit. */
-    unsigned long n_below(const std::vector<Eigenpair> &pairs,
-                          const double                  limit)
-    {
-      return std::count_if(pairs.begin(),
-                           pairs.end(),
-                           [limit](const Eigenpair &pair) {
-                             return pair.value < limit;
-                           });
-    }
 
     [[noreturn]] void fail(const std::string &why)
     {
@@ -347,13 +241,13 @@ namespace auxfem
       fail("nothing that can move has a mass");
     NaturalModes found;
     found.shift = factorized_shift(vibration, solver);
-    for (unsigned int attempt = 0; attempt < n_attempts; ++attempt)
+    for (unsigned int attempt = 0; attempt < n_attempts_to_find_all; ++attempt)
       {
         if (attempt > 0 && !vibration.factorize(found.shift))
           fail(solver.why());
         const auto         n_below_shift = vibration.n_below();
         const unsigned int n_asked =
-          std::min((wanted << attempt) + n_guards, n_with_mass);
+          std::min((wanted << attempt) + n_guard_modes, n_with_mass);
         const Eigenpairs near = vibration.nearest(found.shift, n_asked);
         if (near.pairs.empty() || !near.why.empty())
           fail(near.why.empty() ? "no motion has a mass" : near.why);

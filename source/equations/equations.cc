@@ -228,6 +228,13 @@ namespace auxfem
                               matrix);
   }
 
+  void Equations::add_geometric_tangent(const ForceChange &change,
+                                        TangentMatrix     &matrix) const
+  {
+    for (unsigned int i = 0; i < n_internal; ++i)
+      effects[i]->add_geometric_tangent(change, i, matrix);
+  }
+
   Vector Equations::load_derivative(const Evaluation &evaluation) const
   {
     Vector derivative(unknowns().layout.n_local(), 0.);

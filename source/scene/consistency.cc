@@ -232,12 +232,34 @@ namespace auxfem
 
     void check_modes(const Scene &scene, Mistakes &mistakes)
     {
-      if (scene.analysis != Analysis::modes)
+      if (scene.analysis != Analysis::modes &&
+          scene.analysis != Analysis::buckling)
         return;
+      const std::string name =
+        scene.analysis == Analysis::modes ? "modes" : "buckling";
       if (scene.context.model != Model::lattice)
         mistakes.add(message(scene,
-                             "Analysis = modes: only lattices have them. Set "
-                             "Model = lattice, or Analysis = simulation"));
+                             "Analysis = ",
+                             name,
+                             ": only lattices have such modes. Set Model = "
+                             "lattice, or Analysis = simulation"));
+      else if (scene.analysis == Analysis::buckling)
+        {
+          if (scene.effects.large_rotation == Switch::off)
+            mistakes.add(message(scene,
+                                 "Effects/Large rotation = off: what buckles "
+                                 "turns. Set it to auto for Analysis = "
+                                 "buckling"));
+          if (scene.context.dimension == 3)
+            for (const JointDefinition &joint : scene.joints)
+              if (joint.type == JointDefinition::Type::rotational_spring)
+                mistakes.add(message(
+                  scene,
+                  joint.path,
+                  ": what moments of rotational springs in space do as the "
+                  "joint turns is not known to Analysis = buckling. Make the "
+                  "ends rigid or hinged, or give the scene in the plane"));
+        }
       else if (!scene.time.scheme->is_dynamic() ||
                scene.effects.inertia == Switch::off)
         mistakes.add(message(scene,
@@ -245,9 +267,10 @@ namespace auxfem
                              "= newmark and leave Effects/Inertia = auto"));
       if (scene.discretization.tolerance)
         mistakes.add(message(scene,
-                             "Discretization/Order = auto: with Analysis = "
-                             "modes the order is a number. Set Order to one, "
-                             "e.g. 3"));
+                             "Discretization/Order = auto: with Analysis = ",
+                             name,
+                             " the order is a number. Set Order to one, e.g. "
+                             "3"));
     }
 
     void check_rows(const Scene &scene, Mistakes &mistakes)

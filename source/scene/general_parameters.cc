@@ -34,14 +34,19 @@ namespace auxfem
     const std::vector<std::pair<std::string, Analysis>> analyses = {
       {"simulation", Analysis::simulation},
       {"modes", Analysis::modes},
+      {"buckling", Analysis::buckling},
       {"study", Analysis::study}};
 
     const Choice analysis = {
       "Analysis",
       "simulation",
-      {analyses[0].first, analyses[1].first, analyses[2].first},
+      {analyses[0].first,
+       analyses[1].first,
+       analyses[2].first,
+       analyses[3].first},
       "What is computed. simulation: the scene, by Time/Scheme; modes: natural "
-      "frequencies and modes of a lattice, see Modes; study: the scene again and "
+      "frequencies and modes of a lattice, buckling: factors of its loads at "
+      "which it buckles, with their modes, see Modes; study: the scene again and "
       "again with other parameters, see Study."};
     const Text constants = {
       "Constants",

@@ -4,18 +4,33 @@ namespace auxfem
 {
   namespace
   {
-    const Integer number = {"Number",
-                            10,
-                            1,
-                            1000,
-                            "How many modes, those of the lowest frequencies."};
-    const Choice  about  = {
-        "About",
-        "rest",
-        {"rest", "static equilibrium"},
-        "State that vibrates. rest: as the lattice is given, without loads; static "
-          "equilibrium: that under the loads, weight and prescribed motions of t = "
-          "0, with all they change of the stiffness."};
+    const Integer number = {
+      "Number",
+      10,
+      1,
+      1000,
+      "How many modes, those of the lowest frequencies or "
+      "factors of the loads."};
+    const Choice about = {
+      "About",
+      "rest",
+      {"rest", "static equilibrium"},
+      "State that vibrates or, with further loads, buckles. rest: as the lattice "
+      "is given, without loads; static equilibrium: that under the loads, weight and prescribed motions of t = "
+      "0, with all they change of the stiffness."};
+    const Quantity load_time = {
+      "Time of the loads",
+      "none",
+      "s",
+      Range::non_negative(),
+      "Of Analysis = buckling: the lattice buckles under a multiple of the loads "
+      "and prescribed motions of this time or, about a static equilibrium, of "
+      "what they differ from those of t = 0. none: Time/End time.",
+      {"none"}};
+    const Boolean reversed_loads = {
+      "Reversed loads",
+      false,
+      "Of Analysis = buckling: whether the opposite of the loads is multiplied."};
     const Quantity amplitude = {
       "Amplitude",
       "0.05",
@@ -32,13 +47,15 @@ namespace auxfem
 
   SubsectionSchema modes_schema()
   {
-    return {"Modes",
-            SubsectionSchema::Form::fixed,
-            "With Analysis = modes: natural frequencies and modes.",
-            {number, about, amplitude, pictures},
-            "",
-            {},
-            {Model::lattice}};
+    return {
+      "Modes",
+      SubsectionSchema::Form::fixed,
+      "With Analysis = modes: natural frequencies and modes; with Analysis "
+      "= buckling: factors of the loads and buckling modes.",
+      {number, about, load_time, reversed_loads, amplitude, pictures},
+      "",
+      {},
+      {Model::lattice}};
   }
 
   ModesDefinition read_modes(const ParameterValues &values)
@@ -46,8 +63,11 @@ namespace auxfem
     ModesDefinition modes;
     modes.number            = values[number];
     modes.about_equilibrium = values[about] != "rest";
-    modes.amplitude         = values[amplitude];
-    modes.pictures          = values[pictures];
+    if (!values.is_word(load_time))
+      modes.load_time = values[load_time];
+    modes.reversed_loads = values[reversed_loads];
+    modes.amplitude      = values[amplitude];
+    modes.pictures       = values[pictures];
     return modes;
   }
 } // namespace auxfem

@@ -91,4 +91,59 @@ namespace
     EXPECT_EQ(run.exit_code, 0) << run.errors;
     EXPECT_FALSE(std::filesystem::exists(path("out")));
   }
+
+  TEST_F(ModesProgram, BucklingLeavesATableAndPictures)
+  {
+    const ProgramRun run =
+      run_auxfem({std::string(AUXFEM_PRM_DIRECTORY) + "/buckling.prm",
+                  "--output",
+                  "out",
+                  "--set",
+                  "Modes/Number=2",
+                  "--set",
+                  "Modes/Pictures=4"});
+    ASSERT_EQ(run.exit_code, 0) << run.errors;
+    EXPECT_NE(run.output.find("None is missing"), std::string::npos);
+    EXPECT_NE(run.output.find("linear theory"), std::string::npos);
+    const Table table(path("out/buckling.csv"));
+    ASSERT_EQ(table.n_rows, 2u);
+    EXPECT_NEAR(table["factor"][0], 1.284, 1e-3);
+    EXPECT_GT(table["factor"][1], table["factor"][0]);
+    EXPECT_LT(table["residual"][0], 1e-6);
+    EXPECT_TRUE(std::filesystem::exists(path("out/mode_2_solution.pvd")));
+
+    // Exactly, equilibria are stable until there and no further.
+    for (const auto &[force, is_stable] :
+         {std::pair("-1.27", true), std::pair("-1.30", false)})
+      {
+        const ProgramRun exact =
+          run_modes({std::string("Loads/pressure/Force y=") + force,
+                     "Modes/Number=1",
+                     "Output/Graphics=false"});
+        ASSERT_EQ(exact.exit_code, 0) << exact.errors;
+        EXPECT_EQ(exact.output.find("unstable") == std::string::npos, is_stable)
+          << force;
+      }
+    // One kind of results takes the place of the other.
+    EXPECT_FALSE(std::filesystem::exists(path("out/buckling.csv")));
+  }
+
+  TEST_F(ModesProgram, BucklingRefusesScenesWithout)
+  {
+    const auto errors = [&](const Words &further) {
+      Words words = {std::string(AUXFEM_PRM_DIRECTORY) + "/buckling.prm",
+                     "--output",
+                     "out"};
+      words.insert(words.end(), further.begin(), further.end());
+      const ProgramRun run = run_auxfem(words);
+      EXPECT_EQ(run.exit_code, 1);
+      return run.errors;
+    };
+    expect_contains(errors({"--set", "Effects/Large rotation=off"}),
+                    {"Effects/Large rotation = off"});
+    expect_contains(errors({"--set", "Loads/pressure/Force y=0"}), {"no load"});
+    expect_contains(errors(
+                      {"--set", "Loads/pressure/Direction=follows the joint"}),
+                    {"follow"});
+  }
 } // namespace

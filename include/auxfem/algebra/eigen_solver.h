@@ -10,8 +10,9 @@
 namespace auxfem
 {
   /**
-   * K x = lambda M x with symmetric K and M, M positive semidefinite, as
-   * operators on the owned rows of all ranks. What they compute is collective.
+   * K x = lambda M x with symmetric K and M, as operators on the owned rows of
+   * all ranks: M positive semidefinite, or else K - sigma M positive definite.
+   * What they compute is collective.
    */
   struct ShiftedEigenproblem
   {
@@ -24,12 +25,18 @@ namespace auxfem
     std::function<bool(double *x)> solve;
     /** How many eigenvalues are finite, at most. */
     unsigned int n_finite;
+    /** y = (K - sigma M) x, where M is not semidefinite: the product in which
+     * vectors have unit length. Else none, and it is that by M. */
+    std::function<void(const double *x, double *y)> multiply_definite = {};
+    /** Whether eigenvalues below the shift do not count. */
+    bool only_above = false;
   };
 
   struct Eigenpair
   {
     double value;
-    /** Owned rows, of unit length in the norm by M. */
+    /** Owned rows, of unit length in the norm by M, or by K - sigma M where
+     * that is the definite one. */
     std::vector<double> vector;
   };
 

@@ -15,7 +15,8 @@ namespace auxfem
    * As nearest_eigenpairs(), by the Krylov-Schur method (Stewart 2001, SIAM J.
    * Matrix Anal. Appl. 23, 601; Trilinos Anasazi on Tpetra) for
    * (K - sigma M)^-1 M in the inner product by M (Ericsson & Ruhe 1980, Math.
-   * Comp. 35, 1251). Loads the library auxfem_iteration; throws
+   * Comp. 35, 1251) or K - sigma M (Grimes, Lewis & Simon 1994, SIAM J. Matrix
+   * Anal. Appl. 15, 228). Loads the library auxfem_iteration; throws
    * ComputationError if it is not there. Does not scale vectors. Collective.
    */
   Eigenpairs krylov_eigenpairs(const ShiftedEigenproblem &problem,

@@ -12,6 +12,7 @@ namespace auxfem
   /**
    * `Analysis = modes`: natural frequencies and modes into Output/Directory
    * (modes.csv, summary.json, `mode_1_solution.pvd`, ...) and onto the screen.
+   * `Analysis = buckling`: factors of loads and buckling modes (buckling.csv).
    * Throws InputError, ComputationError. Collective.
    */
   RunResult

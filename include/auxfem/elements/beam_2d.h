@@ -3,6 +3,7 @@
 
 #include <auxfem/elements/beam_shape.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace auxfem
@@ -200,6 +201,20 @@ namespace auxfem
       return energy;
     }
 
+    /** Adds to a section tangent what axial and shear force have as the section
+     * turns. */
+    inline void add_geometric_part(const Kinematics &k,
+                                   const double      axial,
+                                   const double      shear,
+                                   double (&G)[3][3])
+    {
+      G[0][2] -= shear;
+      G[1][2] += axial;
+      G[2][0] -= shear;
+      G[2][1] += axial;
+      G[2][2] -= axial * k.stretch + shear * k.slip;
+    }
+
     /**
      * Tangent of the section forces by (r'.t, r'.n, phi) at a Gauss point, in
      * that order along rows and columns, in the frame of the turned section.
@@ -248,13 +263,57 @@ namespace auxfem
           G[2][j] = dN[j] * k.slip - dQ[j] * k.stretch;
         }
       if (large_rotation)
-        {
-          G[0][2] -= stiffness_factor * Q;
-          G[1][2] += stiffness_factor * N;
-          G[2][0] -= stiffness_factor * Q;
-          G[2][1] += stiffness_factor * N;
-          G[2][2] -= stiffness_factor * (N * k.stretch + Q * k.slip);
-        }
+        add_geometric_part(k, stiffness_factor * N, stiffness_factor * Q, G);
+    }
+
+    /** Adds a Gauss point with its section tangent and bending stiffness to the
+     * tangent of an element. */
+    template <int order>
+    inline void add_section(const BeamShape<order> &shape,
+                            const int               g,
+                            const double            jacobian,
+                            const Kinematics       &k,
+                            const double (&G)[3][3],
+                            const double bending,
+                            double      *matrix)
+    {
+      constexpr int n                = 3 * (order + 1);
+      const double  inverse_jacobian = 1 / jacobian;
+      // The same in the global frame: x = (t, -n)-components turned back.
+      const double c = k.cosine, s = k.sine;
+      const double T[2][3] = {{c * G[0][0] - s * G[1][0],
+                               c * G[0][1] - s * G[1][1],
+                               c * G[0][2] - s * G[1][2]},
+                              {s * G[0][0] + c * G[1][0],
+                               s * G[0][1] + c * G[1][1],
+                               s * G[0][2] + c * G[1][2]}};
+      const double xx      = c * T[0][0] - s * T[0][1],
+                   xy      = s * T[0][0] + c * T[0][1],
+                   yx      = c * T[1][0] - s * T[1][1],
+                   yy      = s * T[1][0] + c * T[1][1],
+                   zx      = c * G[2][0] - s * G[2][1],
+                   zy      = s * G[2][0] + c * G[2][1];
+      const double w       = shape.weight[g];
+      for (int a = 0; a <= order; ++a)
+        for (int b = 0; b <= order; ++b)
+          {
+            const double dd = w * inverse_jacobian * shape.derivative[g][a] *
+              shape.derivative[g][b],
+                         dv = w * shape.derivative[g][a] * shape.value[g][b],
+                         vd = w * shape.value[g][a] * shape.derivative[g][b],
+                         vv =
+                           w * jacobian * shape.value[g][a] * shape.value[g][b];
+            double *block = matrix + 3 * a * n + 3 * b;
+            block[0] += dd * xx;
+            block[1] += dd * xy;
+            block[2] += dv * T[0][2];
+            block[n] += dd * yx;
+            block[n + 1] += dd * yy;
+            block[n + 2] += dv * T[1][2];
+            block[2 * n] += vd * zx;
+            block[2 * n + 1] += vd * zy;
+            block[2 * n + 2] += vv * G[2][2] + dd * bending;
+          }
     }
 
     /**
@@ -295,43 +354,32 @@ namespace auxfem
             (stiffness_factor +
              (damped ? stiffness.damping_time * damping_factor : 0.));
 
-          // The same in the global frame: x = (t, -n)-components turned back.
-          const double c = k.cosine, s = k.sine;
-          const double T[2][3] = {{c * G[0][0] - s * G[1][0],
-                                   c * G[0][1] - s * G[1][1],
-                                   c * G[0][2] - s * G[1][2]},
-                                  {s * G[0][0] + c * G[1][0],
-                                   s * G[0][1] + c * G[1][1],
-                                   s * G[0][2] + c * G[1][2]}};
-          const double xx      = c * T[0][0] - s * T[0][1],
-                       xy      = s * T[0][0] + c * T[0][1],
-                       yx      = c * T[1][0] - s * T[1][1],
-                       yy      = s * T[1][0] + c * T[1][1],
-                       zx      = c * G[2][0] - s * G[2][1],
-                       zy      = s * G[2][0] + c * G[2][1];
-          const double w       = shape.weight[g];
-          for (int a = 0; a <= order; ++a)
-            for (int b = 0; b <= order; ++b)
-              {
-                const double dd = w * inverse_jacobian *
-                  shape.derivative[g][a] * shape.derivative[g][b],
-                             dv =
-                               w * shape.derivative[g][a] * shape.value[g][b],
-                             vd =
-                               w * shape.value[g][a] * shape.derivative[g][b],
-                             vv = w * jacobian * shape.value[g][a] *
-                  shape.value[g][b];
-                double *block = matrix + 3 * a * n + 3 * b;
-                block[0] += dd * xx;
-                block[1] += dd * xy;
-                block[2] += dv * T[0][2];
-                block[n] += dd * yx;
-                block[n + 1] += dd * yy;
-                block[n + 2] += dv * T[1][2];
-                block[2 * n] += vd * zx;
-                block[2 * n + 1] += vd * zy;
-                block[2 * n + 2] += vv * G[2][2] + dd * bending;
-              }
+          add_section(shape, g, jacobian, k, G, bending, matrix);
+        }
+    }
+
+    /**
+     * Geometric stiffness: what @p forces at the Gauss points (N, Q and, which
+     * does not count, M at indices 0, 1, 5) add to the tangent at the
+     * displacements @p u.
+     */
+    template <int order, class Forces>
+    inline void geometric_tangent(const BeamShape<order> &shape,
+                                  const Frame            *frames,
+                                  const double            jacobian,
+                                  const double           *u,
+                                  const Forces           *forces,
+                                  double                 *matrix)
+    {
+      constexpr int n = 3 * (order + 1);
+      std::fill(matrix, matrix + n * n, 0.);
+      for (int g = 0; g < order; ++g)
+        {
+          const Kinematics k =
+            kinematics<true>(frames[g], interpolate(shape, g, 1 / jacobian, u));
+          double G[3][3] = {};
+          add_geometric_part(k, forces[g][0], forces[g][1], G);
+          add_section(shape, g, jacobian, k, G, /*bending=*/0, matrix);
         }
     }
   } // namespace Beam2D

@@ -22,24 +22,32 @@ namespace auxfem
       SpaceTensor tangent;      ///< T(psi)
     };
 
-    inline Gradient energy_gradient(const Kinematics &point,
-                                    const Stiffness  &stiffness)
+    /** @param force, moment of the section, in its axes. */
+    inline Gradient energy_gradient(const Kinematics  &point,
+                                    const SpaceVector &force,
+                                    const SpaceVector &moment)
     {
       using dealii::cross_product_3d;
       const RotationCoefficients &c = point.coefficients;
-      const SpaceVector force = section_force(stiffness, point.strains.gamma);
-      Gradient          d;
-      d.force        = point.axes * force;
-      d.middle_force = point.middle_axes * force;
-      d.middle_moment =
-        point.middle_axes * section_moment(stiffness, point.strains.kappa);
-      d.middle_slope = point.middle_axes * (point.slope * point.axes);
-      d.tangent      = tangent_operator(c, point.psi);
+      Gradient                    d;
+      d.force         = point.axes * force;
+      d.middle_force  = point.middle_axes * force;
+      d.middle_moment = point.middle_axes * moment;
+      d.middle_slope  = point.middle_axes * (point.slope * point.axes);
+      d.tangent       = tangent_operator(c, point.psi);
       d.by_psi = cross_product_3d(d.middle_force, d.middle_slope) * d.tangent +
         times_tangent_derivative(d.middle_moment, c, point.psi, point.gradient);
       d.by_gradient = d.middle_moment * d.tangent;
       d.couple      = cross_product_3d(d.force, point.slope);
       return d;
+    }
+
+    inline Gradient energy_gradient(const Kinematics &point,
+                                    const Stiffness  &stiffness)
+    {
+      return energy_gradient(point,
+                             section_force(stiffness, point.strains.gamma),
+                             section_moment(stiffness, point.strains.kappa));
     }
 
     /** tau and tau' of the middle rotation, as in Beam3D. */

@@ -248,16 +248,19 @@ namespace auxfem
     }
 
     /**
-     * Tangent stiffness @p factor dF/d(u, theta) of the internal force, row by
-     * row into @p matrix (6 (order + 1) squared).
+     * Derivative @p factor dF/d(u, theta) of the internal force, row by row into
+     * @p matrix (6 (order + 1) squared).
+     * @param stiffness by which section forces change
+     * @param gradients at the Gauss points, with the section forces themselves
      */
     template <int order>
-    inline void tangent(const BeamShape<order>         &shape,
-                        const ElementKinematics<order> &element,
-                        const double                    jacobian,
-                        const Stiffness                &stiffness,
-                        const double                    factor,
-                        double                         *matrix)
+    inline void tangent_with_forces(const BeamShape<order>         &shape,
+                                    const ElementKinematics<order> &element,
+                                    const double                    jacobian,
+                                    const Stiffness                &stiffness,
+                                    const Gradient (&gradients)[order],
+                                    const double factor,
+                                    double      *matrix)
     {
       constexpr int          n = n_components * (order + 1);
       ElementGradient<order> gradient;
@@ -265,14 +268,13 @@ namespace auxfem
       for (int g = 0; g < order; ++g)
         {
           const Kinematics &point = element.points[g];
-          const Gradient    d     = energy_gradient(point, stiffness);
-          gradient.add(shape, g, jacobian, d);
+          gradient.add(shape, g, jacobian, gradients[g]);
           hessian.add(shape,
                       g,
                       jacobian,
                       point,
-                      d,
-                      energy_hessian(point, stiffness, d));
+                      gradients[g],
+                      energy_hessian(point, stiffness, gradients[g]));
         }
       hessian.complete();
       const NodeOperators<order> operators(element.relative);
@@ -302,6 +304,56 @@ namespace auxfem
                      factor,
                      matrix + (n_components * a + 3) * n);
         }
+    }
+
+    /**
+     * Tangent stiffness @p factor dF/d(u, theta) of the internal force, row by
+     * row into @p matrix (6 (order + 1) squared).
+     */
+    template <int order>
+    inline void tangent(const BeamShape<order>         &shape,
+                        const ElementKinematics<order> &element,
+                        const double                    jacobian,
+                        const Stiffness                &stiffness,
+                        const double                    factor,
+                        double                         *matrix)
+    {
+      Gradient gradients[order];
+      for (int g = 0; g < order; ++g)
+        gradients[g] = energy_gradient(element.points[g], stiffness);
+      tangent_with_forces(shape,
+                          element,
+                          jacobian,
+                          stiffness,
+                          gradients,
+                          factor,
+                          matrix);
+    }
+
+    /**
+     * Geometric stiffness: what @p forces at the Gauss points (N, Q_2, Q_3, T,
+     * M_2, M_3) add to the tangent.
+     */
+    template <int order, class Forces>
+    inline void geometric_tangent(const BeamShape<order>         &shape,
+                                  const ElementKinematics<order> &element,
+                                  const double                    jacobian,
+                                  const Forces                   *forces,
+                                  double                         *matrix)
+    {
+      Gradient gradients[order];
+      for (int g = 0; g < order; ++g)
+        gradients[g] = energy_gradient(
+          element.points[g],
+          SpaceVector({forces[g][0], forces[g][1], forces[g][2]}),
+          SpaceVector({forces[g][3], forces[g][4], forces[g][5]}));
+      tangent_with_forces(shape,
+                          element,
+                          jacobian,
+                          Stiffness{},
+                          gradients,
+                          /*factor=*/1,
+                          matrix);
     }
 
     /** Tangent of the small-displacement form: that of the exact one at rest.

@@ -17,6 +17,15 @@ namespace auxfem
       sizes[unknown] = std::max(sizes[unknown], size);
   }
 
+  /** Forces that act at a state: `factor` times those by which `to` differs
+   * from `from`. */
+  struct ForceChange
+  {
+    const State             &state, &from, &to;
+    const EvaluationResults &at_state, &at_from, &at_to;
+    double                   factor;
+  };
+
   /**
    * One kind of physics: struts, inertia, a group of connectors, a load. The
    * scene makes a list of these; what is not in the list costs nothing. Called
@@ -82,6 +91,17 @@ namespace auxfem
                              const EffectResults * /*results*/,
                              const TangentFactors & /*factors*/,
                              TangentMatrix & /*matrix*/) const
+    {}
+
+    /**
+     * Adds the geometric stiffness of a change of its forces: the derivative of
+     * the residual by motions from change.state in which these stay as they
+     * are, in the axes they have. Constraints have it by their multipliers.
+     * @param effect index of the effect in EvaluationResults::of_effects
+     */
+    virtual void add_geometric_tangent(const ForceChange & /*change*/,
+                                       const unsigned int /*effect*/,
+                                       TangentMatrix & /*matrix*/) const
     {}
 
     /** Adds the derivative of the residual by the load factor (n_local

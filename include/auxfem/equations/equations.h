@@ -98,6 +98,12 @@ namespace auxfem
                  const TangentFactors    &factors,
                  TangentMatrix           &matrix) const;
 
+    /** Adds to @p matrix what a change of internal forces adds to the tangent,
+     * see Effect::add_geometric_tangent(); that of constraints is not among it.
+     */
+    void add_geometric_tangent(const ForceChange &change,
+                               TangentMatrix     &matrix) const;
+
     /** Derivative of the residual by the load factor, of local unknowns. */
     Vector load_derivative(const Evaluation &evaluation) const;
 

@@ -15,6 +15,7 @@ namespace auxfem
   {
     simulation, ///< the scene, as its time scheme does
     modes,      ///< natural frequencies and modes
+    buckling,   ///< factors of the loads at which the lattice buckles
     study       ///< many simulations with other parameters
   };
 

@@ -3,15 +3,22 @@
 
 #include <auxfem/parameters/subsection_schema.h>
 
+#include <optional>
+
 namespace auxfem
 {
-  /** `Modes`: which natural modes of a lattice are computed, about what. */
+  /** `Modes`: which natural or buckling modes of a lattice are computed, about
+   * what. */
   struct ModesDefinition
   {
     unsigned int number = 10;
     /** About the static equilibrium under the loads of t = 0, else about rest.
      */
     bool about_equilibrium = false;
+    /** Whose loads make it buckle (s); none: the end time. */
+    std::optional<double> load_time;
+    /** Whether it buckles under the opposite loads. */
+    bool reversed_loads = false;
     /** Largest displacement in the files for ParaView, over the size of the
      * lattice. */
     double amplitude = 0.05;

@@ -84,17 +84,20 @@ namespace auxfem
         }
     }
 
-    Teuchos::ParameterList parameters_for(const unsigned int n,
-                                          const unsigned int n_finite)
+    Teuchos::ParameterList parameters_for(const ShiftedEigenproblem &problem,
+                                          const unsigned int         n)
     {
-      const unsigned int of_block = size_of_block(n_finite);
-      const unsigned int n_basis  = std::min(n_krylov_directions(n), n_finite);
+      const unsigned int of_block = size_of_block(problem.n_finite);
+      const unsigned int n_basis =
+        std::min(n_krylov_directions(n), problem.n_finite);
       Teuchos::ParameterList parameters;
-      parameters.set("Which", "LM");
+      parameters.set("Which", problem.only_above ? "LR" : "LM");
       parameters.set("Block Size", int(of_block));
       parameters.set("Num Blocks", int(n_basis / of_block));
       parameters.set("Maximum Restarts", 100);
-      parameters.set("Convergence Tolerance", 1e-12);
+      // Lengths by the stiffness keep fewer digits than those by masses.
+      parameters.set("Convergence Tolerance",
+                     problem.multiply_definite ? 1e-7 : 1e-12);
       parameters.set("Verbosity", int(Anasazi::Errors));
       return parameters;
     }
@@ -107,8 +110,11 @@ auxfem_find_eigenpairs(const auxfem::ShiftedEigenproblem &problem,
                        auxfem::Eigenpairs                &found)
 {
   using namespace auxfem;
-  const auto map  = make_map(problem.layout, problem.layout.n_owned());
-  const auto mass = rcp(new FunctionOperator(map, problem.multiply_mass));
+  const auto map     = make_map(problem.layout, problem.layout.n_owned());
+  const auto product = rcp(new FunctionOperator(map,
+                                                problem.multiply_definite
+                                                  ? problem.multiply_definite
+                                                  : problem.multiply_mass));
   // (K - sigma M)^-1 M
   const auto image = [&problem](const double *x, double *y) {
     problem.multiply_mass(x, y);
@@ -134,7 +140,7 @@ auxfem_find_eigenpairs(const auxfem::ShiftedEigenproblem &problem,
             random[i] *= std::cos(problem.layout.global(i));
         }
       const auto eigenproblem =
-        rcp(new AnasaziProblem(shifted_inverse, mass, start));
+        rcp(new AnasaziProblem(shifted_inverse, product, start));
       eigenproblem->setHermitian(true);
       eigenproblem->setNEV(n);
       if (!eigenproblem->setProblem())
@@ -142,7 +148,7 @@ auxfem_find_eigenpairs(const auxfem::ShiftedEigenproblem &problem,
           found.why = "the eigenproblem is not complete";
           return;
         }
-      auto        parameters = parameters_for(n, problem.n_finite);
+      auto        parameters = parameters_for(problem, n);
       KrylovSchur method(eigenproblem, parameters);
       if (method.solve() != Anasazi::Converged)
         found.why = "the Krylov-Schur method has not converged";

@@ -344,6 +344,33 @@ namespace auxfem
       }
   }
 
+  void ConnectorForces::add_geometric_tangent(const ForceChange &change,
+                                              const unsigned int effect,
+                                              TangentMatrix     &matrix) const
+  {
+    if (!follows_line)
+      return;
+    const auto of_group = [effect](const EvaluationResults &results) {
+      return static_cast<const ConnectorResults *>(
+        results.of_effects[effect].get());
+    };
+    const ConnectorResults *const        now    = of_group(change.at_state),
+                                  *const before = of_group(change.at_from),
+                                  *const after  = of_group(change.at_to);
+    for (unsigned int i = 0; i < connectors.size(); ++i)
+      {
+        const auto  &n     = now->direction[i];
+        const double force = change.factor *
+          (after->response[i].force - before->response[i].force);
+        double D[3][3];
+        for (unsigned int a = 0; a < 3; ++a)
+          for (unsigned int b = 0; b < 3; ++b)
+            D[a][b] = force / now->current_length[i] *
+              ((a == b ? 1. : 0.) - n[a] * n[b]);
+        add_block(i, D, matrix);
+      }
+  }
+
   void ConnectorForces::add_mean_tangent(const Evaluation       &evaluation,
                                          const ConnectorResults &results,
                                          TangentMatrix          &matrix) const

@@ -183,6 +183,21 @@ namespace auxfem
                 slope[1] * tangent[0] - slope[0] * tangent[1]};
       }
 
+      static void geometric_tangent(const BeamShape<order> &shape,
+                                    const Frame            *frames,
+                                    const double            jacobian,
+                                    const Motion           &motion,
+                                    const SectionForces (&of_points)[order],
+                                    double *block)
+      {
+        Beam2D::geometric_tangent(shape,
+                                  frames,
+                                  jacobian,
+                                  motion.u,
+                                  of_points,
+                                  block);
+      }
+
       static void elastic_forces(const BeamShape<order> &shape,
                                  const Frame            *frames,
                                  const double            jacobian,

@@ -271,6 +271,25 @@ namespace auxfem
         return {section_frame(tangent, reference), slope};
       }
 
+      static void geometric_tangent(const BeamShape<order>        &shape,
+                                    [[maybe_unused]] const Frame  *frames,
+                                    const double                   jacobian,
+                                    [[maybe_unused]] const Motion &motion,
+                                    const SectionForces (&of_points)[order],
+                                    double *block)
+      {
+        if constexpr (large_rotation)
+          Beam3D::geometric_tangent(
+            shape,
+            Beam3D::ElementKinematics<order>(shape,
+                                             frames,
+                                             jacobian,
+                                             motion.nodes),
+            jacobian,
+            of_points,
+            block);
+      }
+
       static void elastic_forces(const BeamShape<order> &shape,
                                  const Frame            *frames,
                                  const double            jacobian,

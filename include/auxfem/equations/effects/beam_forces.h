@@ -45,10 +45,10 @@ namespace auxfem
    * point at rest), `Stiffness` and `Motion` (of an element's nodes); functions
    * `frame`, `stiffness`, `hold_shear`, `largest_stiffness` for the element at
    * rest, `motion`, `internal_force`, `tangent` for its forces,
-   * `elastic_forces`, `viscous_forces` (of several motions of the same
-   * positions) at its Gauss points, and `rotation`, `axes` for output,
-   * `strain_product` for energies. With `has_mean_forces` and large rotations
-   * it has `mean_force` and `mean_tangent` over a step.
+   * `geometric_tangent`, `elastic_forces`, `viscous_forces` (of several motions
+   * of the same positions) at its Gauss points, and `rotation`, `axes` for
+   * output, `strain_product` for energies. With `has_mean_forces` and large
+   * rotations it has `mean_force` and `mean_tangent` over a step.
    */
   template <class Beam>
   class BeamForces : public StrutForces
@@ -179,6 +179,36 @@ namespace auxfem
                         factors,
                         block);
           matrix.add(group.begin + e, block);
+        }
+    }
+
+    void add_geometric_tangent(const ForceChange &change,
+                               const unsigned int /*effect*/,
+                               TangentMatrix &matrix) const override
+    {
+      if constexpr (!Beam::is_linear)
+        {
+          double        block[n * n];
+          SectionForces forces[order], before[order];
+          for (unsigned int e = 0; e < of_elements.size(); ++e)
+            {
+              const int *unknowns = unknowns_of(e);
+              const auto motion   = [&](const State &state) {
+                return Beam::motion(numbering, unknowns, state);
+              };
+              elastic_forces(e, motion(change.to), forces);
+              elastic_forces(e, motion(change.from), before);
+              for (int g = 0; g < order; ++g)
+                for (unsigned int k = 0; k < 6; ++k)
+                  forces[g][k] = change.factor * (forces[g][k] - before[g][k]);
+              Beam::geometric_tangent(shape,
+                                      &frames[std::size_t(e) * order],
+                                      of_elements[e].jacobian,
+                                      motion(change.state),
+                                      forces,
+                                      block);
+              matrix.add(group.begin + e, block);
+            }
         }
     }
 

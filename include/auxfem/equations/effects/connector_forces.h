@@ -69,6 +69,9 @@ namespace auxfem
                             const EffectResults  *results,
                             const TangentFactors &factors,
                             TangentMatrix        &matrix) const override;
+    void        add_geometric_tangent(const ForceChange &change,
+                                      unsigned int       effect,
+                                      TangentMatrix     &matrix) const override;
     void        account(const Evaluation    &evaluation,
                         const EffectResults *results,
                         EnergyAccount       &account) const override;
