@@ -185,7 +185,7 @@ TEST(Checkpoint, FactorizationsAreThoseOfTheWholeRun)
 
 TEST(Checkpoint, ALatticeInSpaceWithEverythingGoesOnFromIt)
 {
-  for (const char *scheme : {"generalized-alpha", "esdirk"})
+  for (const char *scheme : {"generalized-alpha", "esdirk", "energy-momentum"})
     compare_halves(space_star_with_everything(),
                    {std::string("Time/Scheme=") + scheme, "Solver/Type=klu"});
 }
