@@ -1,3 +1,4 @@
+#include <auxfem/analysis/guess_ahead.h>
 #include <auxfem/analysis/time_stepper.h>
 #include <auxfem/equations/prescribed_motion.h>
 #include <auxfem/parameters/errors.h>
@@ -468,6 +469,8 @@ namespace auxfem
   void TimeStepper::predict(const ImplicitScheme &rule, const Evaluation &step)
   {
     rule.predict(step.from, step.dt, step.to);
+    if (scheme.balances_means())
+      guess_ahead(rule, step, equations.model());
     rotations.follow(step);
     if (scheme.is_dynamic())
       prescribe_motion(equations.model(), step);

@@ -9,7 +9,7 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  const std::string rod =
+  const std::string rod_of_frame =
     "Shape = rectangle | Width = 0.12 | Height = 0.05 | "
     "Young's modulus = 3e4 | Poisson's ratio = 0.3 | Density = 100";
 
@@ -23,7 +23,7 @@ namespace
     return SceneText()
       .dimension(3)
       .frame("0 0 0; 1 0 0.3; 1.5 0.9 0.2", "0 1; 1 2")
-      .add("Sections/rod", rod)
+      .add("Sections/rod", rod_of_frame)
       .mesh(order)
       .set("Newton/Tolerance", 1e-12)
       .time(end, dt, "energy-momentum");
@@ -85,7 +85,7 @@ namespace
       .frame("0 0 0; 1 0 0.3; 1.5 0.9 0.2; 0.4 1 -0.3; 0.2 1.9 0.4; "
              "1.2 2 0.1",
              "0 1; 1 2; 2 3; 3 4; 2 5")
-      .add("Sections/rod", rod)
+      .add("Sections/rod", rod_of_frame)
       .mesh(2)
       .set("Newton/Tolerance", 1e-12);
   }
