@@ -157,7 +157,8 @@ namespace auxfem
     if (faults.empty())
       throw InputError("There is no checkpoint in " + folder +
                        " (checkpoint_a or checkpoint_b). Give the folder of a "
-                       "run that has left one, or start from t = 0.");
+                       "simulation of a lattice that has left one, or start "
+                       "from t = 0; studies go on when they are run again.");
     throw InputError("No checkpoint in " + folder + " can be used: " + faults +
                      ". Start from t = 0.");
   }
