@@ -111,8 +111,9 @@ namespace auxfem
     std::optional<CsvTable>           table; ///< on rank 0
     std::optional<VtuWriter>          graphics;
     std::optional<RunCheckpoints>     checkpoints;
-    bool                              has_checkpoint = false;
-    const OutputTimes                 row_times, graphics_times;
+    /** Whether nothing has come after the last checkpoint. */
+    bool              is_last_in_checkpoint = false;
+    const OutputTimes row_times, graphics_times;
 
     /** Times last written (s); none before write_start(). */
     std::optional<double> last_row, last_graphics;
@@ -292,7 +293,7 @@ namespace auxfem
       for (const std::string &name : graphics->series())
         written.push_back(folder + "/" + name + ".pvd");
     checkpoints->write(checkpoint, written);
-    has_checkpoint = true;
+    is_last_in_checkpoint = true;
   }
 
   std::optional<double>
@@ -314,7 +315,8 @@ namespace auxfem
   void RunOutput::Implementation::write_step(const Solution   &solution,
                                              const StepReport &report)
   {
-    const State &state = solution.state;
+    const State &state    = solution.state;
+    is_last_in_checkpoint = false;
     if (!scene.output.row_interval &&
         state.step % scene.output.history_interval == 0)
       write_row(solution);
@@ -377,9 +379,8 @@ namespace auxfem
       if (!result.completed())
         {
           console->print_to_log("Reason: " + result.exit_state);
-          if (has_checkpoint)
-            console->print("Go on from the last checkpoint: auxfem --resume " +
-                           folder);
+          if (is_last_in_checkpoint)
+            console->print("Go on with: auxfem --resume " + folder);
         }
     });
   }
