@@ -210,6 +210,30 @@ namespace
     EXPECT_EQ(run.errors.find("End time:"), std::string::npos) << run.errors;
   }
 
+  TEST_F(ResumedRun, RefusesFilesThatHaveChanged)
+  {
+    write("load.txt", "0 0\n1e-3 -0.1\n");
+    const std::string by_table = "Loads/hit/Force y=table: load.txt";
+    ASSERT_EQ(run_auxfem({"scene.prm", "--output", "whole", "--set", by_table})
+                .exit_code,
+              0);
+    Words half = begin();
+    half.insert(half.end(),
+                {"--set", by_table, "--set", "Time/End time=" + early});
+    ASSERT_EQ(run_auxfem(half).exit_code, 0);
+    write("load.txt", "0 0\n1e-3 -0.2\n");
+    const Words      to_end  = go_on({"--set", "Time/End time=" + end});
+    const ProgramRun changed = run_auxfem(to_end);
+    EXPECT_EQ(changed.exit_code, 1);
+    expect_contains(changed.errors, {"load.txt", "has changed"});
+    std::filesystem::remove(path("load.txt"));
+    EXPECT_EQ(run_auxfem(to_end).exit_code, 1);
+    write("load.txt", "0 0\n1e-3 -0.1\n");
+    ASSERT_EQ(run_auxfem(to_end).exit_code, 0);
+    EXPECT_TRUE(read_text(path("out/history.csv")) ==
+                read_text(path("whole/history.csv")));
+  }
+
   TEST_F(ResumedRun, FallsBackToTheOlderCheckpoint)
   {
     ASSERT_EQ(run_auxfem({"scene.prm", "--output", "whole"}).exit_code, 0);
