@@ -149,9 +149,16 @@ namespace auxfem
           }
     }
 
+    /** Whatever the scheme, buckling loads are those of statics. */
+    bool is_static(const Scene &scene)
+    {
+      return !scene.time.scheme->is_dynamic() ||
+        scene.analysis == Analysis::buckling;
+    }
+
     void check_motions(const Scene &scene, Mistakes &mistakes)
     {
-      if (!scene.time.scheme->is_dynamic())
+      if (is_static(scene))
         return;
       for (const SupportDefinition &support : scene.supports)
         for (unsigned int c = 0; c < n_motion_components; ++c)
@@ -173,7 +180,7 @@ namespace auxfem
 
     void check_density(const Scene &scene, Mistakes &mistakes)
     {
-      const bool statics = !scene.time.scheme->is_dynamic();
+      const bool statics = is_static(scene);
       const bool weight =
         scene.gravity.norm() > 0 && scene.effects.gravity != Switch::off;
       if (statics && !weight)

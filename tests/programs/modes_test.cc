@@ -128,6 +128,23 @@ namespace
     EXPECT_FALSE(std::filesystem::exists(path("out/buckling.csv")));
   }
 
+  TEST_F(ModesProgram, BucklingNeedsNoDensity)
+  {
+    write("massless.prm",
+          replaced(prm_text("buckling.prm"),
+                   "    set Density         = 2700 kg/m3\n",
+                   ""));
+    const ProgramRun run = run_auxfem({"massless.prm",
+                                       "--output",
+                                       "out",
+                                       "--set",
+                                       "Modes/Number=1",
+                                       "--set",
+                                       "Output/Graphics=false"});
+    ASSERT_EQ(run.exit_code, 0) << run.errors;
+    EXPECT_NEAR(Table(path("out/buckling.csv"))["factor"][0], 1.284, 1e-3);
+  }
+
   TEST_F(ModesProgram, BucklingRefusesScenesWithout)
   {
     const auto errors = [&](const Words &further) {
