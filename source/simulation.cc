@@ -2,6 +2,7 @@
 #include <auxfem/analysis/modes.h>
 #include <auxfem/output/first_rank.h>
 #include <auxfem/output/run_output.h>
+#include <auxfem/output/singular_point_files.h>
 #include <auxfem/reduced_cell/cell_output.h>
 #include <auxfem/reduced_cell/comparison.h>
 #include <auxfem/simulation.h>
@@ -25,12 +26,22 @@ namespace auxfem
   {
     if (scene.analysis == Analysis::study)
       return run_study(scene, communicator, rules);
-    FileRules with_others              = rules;
-    with_others.results_of_other_kinds = study_files();
+    FileRules  with_others = rules;
+    const auto add = [&with_others](const std::vector<std::string> &files) {
+      with_others.results_of_other_kinds.insert(
+        with_others.results_of_other_kinds.end(),
+        files.begin(),
+        files.end());
+    };
+    add(study_files());
     if (is_of_modes(scene))
-      return run_modes(scene, communicator, with_others);
-    for (const std::string &file : modes_files())
-      with_others.results_of_other_kinds.push_back(file);
+      {
+        add(path_contents().names());
+        return run_modes(scene, communicator, with_others);
+      }
+    add(modes_files());
+    if (scene.analysis != Analysis::static_path)
+      add(path_contents().names());
     if (scene.context.model == Model::reduced_cell)
       {
         CellOutput folder(scene, start, with_others);

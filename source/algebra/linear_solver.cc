@@ -16,9 +16,6 @@ namespace auxfem
     const LinearSolverChoice with_pivoting =
       {LinearSolverType::mumps, "indefinite matrix that needs pivoting"};
 
-    /** An asymmetry below this is the round-off of sums of symmetric terms. */
-    constexpr double symmetric_to_round_off = 1e-13;
-
     /** Over all ranks. Collective. */
     unsigned long count(const Unknowns &unknowns, const UnknownKind kind)
     {
@@ -55,20 +52,22 @@ namespace auxfem
     return outcome;
   }
 
-  Symmetry LinearSolver::wanted_symmetry(const Exactness exactness) const
+  Symmetry LinearSolver::wanted_symmetry(const Exactness exactness)
   {
+    serves_matrix          = true;
     const double asymmetry = matrix.asymmetry();
     // Entries that are no numbers are found by those that factorize.
-    if (!(asymmetry > symmetric_to_round_off))
+    if (!(asymmetry > TangentMatrix::symmetric_to_round_off))
       return Symmetry::given;
+    if (exactness == Exactness::exact && matrix.is_symmetric())
+      return Symmetry::enforced;
     const bool takes_unsymmetric = parameters.type != "cholmod";
-    return !takes_unsymmetric ||
-        (exactness == Exactness::approximate &&
-         symmetric_part_pays(parameters,
-                             asymmetry,
-                             matrix.pattern().unknowns().layout.n_global()))
-      ? Symmetry::enforced
-      : Symmetry::none;
+    serves_matrix                = takes_unsymmetric &&
+      !(exactness == Exactness::approximate &&
+        symmetric_part_pays(parameters,
+                            asymmetry,
+                            matrix.pattern().unknowns().layout.n_global()));
+    return serves_matrix ? Symmetry::none : Symmetry::enforced;
   }
 
   FactorizationOutcome LinearSolver::try_to_factorize(const Exactness exactness)
@@ -163,7 +162,7 @@ namespace auxfem
 
   bool LinearSolver::is_exact() const
   {
-    return symmetry != Symmetry::enforced;
+    return serves_matrix;
   }
 
   std::optional<Inertia> LinearSolver::inertia()

@@ -199,4 +199,38 @@ namespace auxfem
       unknowns.layout.sum(std::vector<double>{difference, size});
     return sums[1] > 0 ? std::sqrt(sums[0] / sums[1]) : 0.;
   }
+
+  double TangentMatrix::asymmetry_of_sum() const
+  {
+    const Unknowns      &unknowns = of_pattern.unknowns();
+    const UnknownLayout &layout   = unknowns.layout;
+    std::vector<double>  x(layout.n_local(), 0.), product(layout.n_owned()),
+      of_symmetric_part(layout.n_owned());
+    for (unsigned int i = 0; i < x.size(); ++i)
+      if (unknowns.kinds[i] != UnknownKind::prescribed)
+        x[i] = unknowns.unit(i) * std::cos(1. + 3. * layout.global(i));
+    multiply(x.data(), product.data());
+    multiply(x.data(), of_symmetric_part.data(), Symmetry::enforced);
+    std::vector<double> sums = {0., 0.};
+    for (unsigned int i = 0; i < layout.n_owned(); ++i)
+      if (unknowns.kinds[i] != UnknownKind::prescribed)
+        {
+          const double unit = unknowns.unit(i);
+          sums[0] +=
+            std::pow(2 * unit * (product[i] - of_symmetric_part[i]), 2);
+          sums[1] += std::pow(unit * product[i], 2);
+        }
+    sums = layout.sum(sums);
+    return sums[1] > 0 ? std::sqrt(sums[0] / sums[1]) : 0.;
+  }
+
+  bool TangentMatrix::is_symmetric() const
+  {
+    // What Newton's tolerance leaves of moments that balance.
+    constexpr double unbalanced = 1e-6;
+    const double     of_blocks  = asymmetry();
+    return !(of_blocks > symmetric_to_round_off) ||
+      asymmetry_of_sum() <=
+      std::max(symmetric_to_round_off, unbalanced * of_blocks);
+  }
 } // namespace auxfem

@@ -1,5 +1,6 @@
 #include <auxfem/analysis/buckling_modes.h>
 #include <auxfem/analysis/mode_space.h>
+#include <auxfem/equations/displaced_state.h>
 #include <auxfem/equations/prescribed_motion.h>
 #include <auxfem/parameters/errors.h>
 
@@ -243,7 +244,7 @@ namespace auxfem
           return layout.largest(mine);
         };
         constexpr double round_off = 1e-13;
-        if (stiffness.asymmetry() > round_off * 1e3 ||
+        if (!stiffness.is_symmetric() ||
             largest(loaded) > round_off * largest(stiffness))
           refuse(
             "the stiffness depends on loads that follow their joints. "

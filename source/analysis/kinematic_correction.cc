@@ -109,7 +109,7 @@ namespace auxfem
   {
     State exact        = rest;
     exact.time         = motion.time;
-    exact.load_factor  = motion.load_factor;
+    exact.path         = motion.path;
     exact.displacement = motion.displacement;
     exact.velocity     = motion.velocity;
     exact.acceleration = motion.acceleration;

@@ -185,6 +185,11 @@ namespace auxfem
     return work_done;
   }
 
+  Work &LatticeRun::work()
+  {
+    return work_done;
+  }
+
   RunResult LatticeRun::result(const std::string &exit_state) const
   {
     return {exit_state,
@@ -194,10 +199,24 @@ namespace auxfem
             stepper.estimated_error()};
   }
 
+  Watches &LatticeRun::watches()
+  {
+    return stepper.watches();
+  }
+
   RunResult LatticeRun::run(Recorder &recorder)
   {
-    bool       has_begun = false;
-    const auto finish    = [&](const std::string &exit_state) {
+    return run(recorder, [this](Recorder &of_run) {
+      advance_to_end(of_run);
+      return std::vector<Finding>();
+    });
+  }
+
+  RunResult LatticeRun::run(Recorder &recorder, const Advance &advance)
+  {
+    bool                 has_begun = false;
+    std::vector<Finding> of_way;
+    const auto           finish = [&](const std::string &exit_state) {
       if (!has_begun)
         recorder.begin(equations);
       recorder.finish(solution, result(exit_state));
@@ -207,7 +226,7 @@ namespace auxfem
     try
       {
         begin(recorder, has_begun);
-        advance_to_end(recorder);
+        of_way = advance(recorder);
       }
     catch (const InputError &)
       {
@@ -233,6 +252,9 @@ namespace auxfem
     if (recorder.ends_run())
       return result("ended before its end time");
     RunResult completed = result("completed");
+    completed.findings.insert(completed.findings.end(),
+                              of_way.begin(),
+                              of_way.end());
     recorder.finish(solution, completed);
     return completed;
   }

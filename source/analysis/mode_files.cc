@@ -1,7 +1,7 @@
 #include <auxfem/analysis/mode_files.h>
-#include <auxfem/analysis/mode_space.h>
-#include <auxfem/equations/node_rotations.h>
+#include <auxfem/equations/displaced_state.h>
 #include <auxfem/output/csv_table.h>
+#include <auxfem/output/shape_amplitude.h>
 #include <auxfem/output/vtu_writer.h>
 
 #include <deal.II/base/numbers.h>
@@ -72,34 +72,6 @@ namespace auxfem
           values.push_back(participation * participation);
         }
       return values;
-    }
-
-    /** Largest extension of the lattice along an axis (m). */
-    double extension(const Lattice &lattice)
-    {
-      dealii::Point<3> lower = lattice.joints.front(), upper = lower;
-      for (const dealii::Point<3> &joint : lattice.joints)
-        for (unsigned int d = 0; d < 3; ++d)
-          {
-            lower[d] = std::min(lower[d], joint[d]);
-            upper[d] = std::max(upper[d], joint[d]);
-          }
-      double largest = 0;
-      for (unsigned int d = 0; d < 3; ++d)
-        largest = std::max(largest, upper[d] - lower[d]);
-      return largest;
-    }
-
-    /** By how much a shape is multiplied to be seen (m per shape). */
-    double factor_of(const LatticeRun &run, const Vector &shape)
-    {
-      double largest = 0;
-      for (const int i : run.model.rows.free_translations)
-        largest = std::max(largest, std::abs(shape[i]));
-      largest = run.model.numbering.layout().largest(largest);
-      return largest > 0
-        ? run.scene.modes.amplitude * extension(run.lattice) / largest
-        : 1.;
     }
 
     void set_velocity(const Vector &shape, const double factor, State &state)
@@ -210,7 +182,7 @@ namespace auxfem
                      run.scene.output.directory,
                      equations.unknowns().layout.communicator(),
                      prefix(number));
-    const double     factor = factor_of(run, mode.shape);
+    const double     factor = shape_amplitude(run.scene, equations, mode.shape);
     for (unsigned int i = 0; i < run.scene.modes.pictures; ++i)
       {
         const double part  = double(i) / run.scene.modes.pictures,

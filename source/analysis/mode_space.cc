@@ -1,5 +1,4 @@
 #include <auxfem/analysis/mode_space.h>
-#include <auxfem/equations/node_rotations.h>
 
 #include <algorithm>
 #include <cmath>
@@ -122,23 +121,5 @@ namespace auxfem
                          [limit](const Eigenpair &pair) {
                            return pair.value < limit;
                          });
-  }
-
-  State displaced(const State        &state,
-                  const DofNumbering &numbering,
-                  const Vector       &shape,
-                  const double        factor)
-  {
-    const NodeRotations rotations(numbering);
-    State               moved = state;
-    Vector              added = shape;
-    for (double &value : added)
-      value *= factor;
-    for (unsigned int i = 0; i < moved.rotations.size(); ++i)
-      moved.rotations[i] = normalized(exponential(rotations.values(added, i)) *
-                                      moved.rotations[i]);
-    rotations.make_material(moved, added);
-    add_multiple(1., added, moved.displacement);
-    return moved;
   }
 } // namespace auxfem

@@ -224,11 +224,7 @@ namespace auxfem
 
   std::vector<std::string> modes_files()
   {
-    const FolderContents     contents = mode_contents();
-    std::vector<std::string> files    = contents.files;
-    for (const std::string &series : contents.series)
-      files.push_back(series + ".pvd");
-    return files;
+    return mode_contents().names();
   }
 
   RunResult run_modes(const Scene     &given,

@@ -22,9 +22,6 @@ namespace auxfem
     /** Of eigenvalues, over the shift; what lies below has no stiffness. */
     constexpr double round_off = 1e-4;
 
-    /** Round-off of a symmetric matrix, see TangentMatrix::asymmetry(). */
-    constexpr double symmetric = 1e-10;
-
     /** Matrices of a state at rest, and what is done with them. */
     class Vibration
     {
@@ -44,7 +41,7 @@ namespace auxfem
         solver.residual(evaluation, results);
         equations.tangent(evaluation, results, {0, 0, 1}, mass);
         equations.tangent(evaluation, results, {1, 0, 0}, stiffness);
-        if (stiffness.asymmetry() > symmetric)
+        if (!stiffness.is_symmetric())
           throw InputError(
             "Analysis = modes: the stiffness is not symmetric, since loads "
             "follow their joints. Natural modes are computed for loads that "

@@ -52,7 +52,8 @@ namespace auxfem
 
   Newton::Result Newton::solve(const ImplicitScheme &scheme,
                                const Evaluation     &evaluation,
-                               EvaluationResults    &results)
+                               EvaluationResults    &results,
+                               AddedEquation *const  added)
   {
     Result result;
     exactness = is_linear || has_failed || !parameters.keep_factorization
@@ -119,7 +120,7 @@ namespace auxfem
             result.reason = solver.why();
             return result;
           }
-        result.reason = iterate(scheme, evaluation);
+        result.reason = iterate(scheme, evaluation, added);
         if (!result.reason.empty())
           return result;
         is_in_place = true;
@@ -204,12 +205,14 @@ namespace auxfem
   }
 
   std::string Newton::iterate(const ImplicitScheme &scheme,
-                              const Evaluation     &evaluation)
+                              const Evaluation     &evaluation,
+                              AddedEquation *const  added)
   {
     const LatticeModel &model = solver.model();
     increment.resize(evaluation.to.displacement.size());
     find_right_side(model, evaluation, increment.data());
-    if (!solver.solve(increment))
+    if (!solver.solve(increment) ||
+        (added != nullptr && !added->complete(solver, evaluation, increment)))
       return solver.why();
     if (!is_linear &&
         !(largest_motion(model, increment).second <= half_revolution))

@@ -9,6 +9,7 @@ namespace auxfem
   const std::vector<AnalysisEntry> &analysis_registry()
   {
     static const std::vector<AnalysisEntry> registry = {transient_entry(),
+                                                        static_steps_entry(),
                                                         static_path_entry(),
                                                         reduced_cell_entry()};
     return registry;

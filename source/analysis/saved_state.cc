@@ -141,7 +141,6 @@ namespace auxfem
     records.keep(record,
                  {state.time,
                   double(state.step),
-                  state.load_factor,
                   state.largest_force,
                   state.largest_energy});
     unknowns.keep(record + displacement, state.displacement, records);
@@ -152,10 +151,7 @@ namespace auxfem
         unknowns.keep(record + name, **vector, records);
     if (state.before)
       {
-        records.keep(before,
-                     {state.before->time,
-                      state.before->dt,
-                      state.before->load_factor});
+        records.keep(before, {state.before->time_of_loads, state.before->dt});
         unknowns.keep(before + displacement,
                       state.before->displacement,
                       records);
@@ -172,12 +168,11 @@ namespace auxfem
     const UnknownRecords unknowns(numbering);
     State                state = equations.initial_state();
 
-    const std::vector<double> scalars = records.values(record, 5);
+    const std::vector<double> scalars = records.values(record, 4);
     state.time                        = scalars[0];
     state.step                        = scalars[1];
-    state.load_factor                 = scalars[2];
-    state.largest_force               = scalars[3];
-    state.largest_energy              = scalars[4];
+    state.largest_force               = scalars[2];
+    state.largest_energy              = scalars[3];
     state.displacement = unknowns.values(record + displacement, records);
     state.residual     = unknowns.values(record + residual, records);
     state.largest_forces =
@@ -187,11 +182,10 @@ namespace auxfem
         *vector = unknowns.values(record + name, records);
     if (records.has(before))
       {
-        const std::vector<double> then = records.values(before, 3);
+        const std::vector<double> then = records.values(before, 2);
         state.before.emplace(
           State::Before{then[0],
                         then[1],
-                        then[2],
                         unknowns.values(before + displacement, records),
                         unknowns.values(before + residual, records)});
       }
@@ -203,6 +197,6 @@ namespace auxfem
 
   double time_of_saved_state(const Records &records)
   {
-    return records.values(record, 5)[0];
+    return records.values(record, 4)[0];
   }
 } // namespace auxfem

@@ -1,18 +1,295 @@
 #include <auxfem/analysis/analysis.h>
-#include <auxfem/analysis/lattice_analysis.h>
+#include <auxfem/analysis/lattice_run.h>
+#include <auxfem/analysis/path_step_length.h>
+#include <auxfem/analysis/singular_points.h>
+#include <auxfem/output/run_output.h>
+#include <auxfem/parameters/errors.h>
+#include <auxfem/time/interruption.h>
+#include <auxfem/time/static.h>
+
+#include <cmath>
+#include <sstream>
 
 namespace auxfem
 {
+  namespace
+  {
+    /** @p scene with what paths of equilibria are made of: viscous processes
+     * have come to rest. */
+    Scene at_rest(Scene scene)
+    {
+      scene.time.scheme             = std::make_shared<QuasiStatic>();
+      scene.time.relative_tolerance = std::nullopt;
+      // Few iterations a point are what lets steps be long.
+      scene.newton.keep_factorization   = false;
+      scene.effects.inertia             = Switch::automatic;
+      scene.effects.large_rotation      = Switch::on;
+      scene.effects.connector_viscosity = Switch::off;
+      scene.effects.strut_damping       = Switch::off;
+      scene.initial_velocities.clear();
+      return scene;
+    }
+
+    /** Follows the equilibria of a run that has started. */
+    class EquilibriumPath
+    {
+    public:
+      /** At the start; throws as PathStepper::start(). */
+      explicit EquilibriumPath(LatticeRun &run)
+        : run(run)
+        , path(run.scene.path)
+        , stepper(run.solver(), run.scene.newton)
+        , point(stepper.start(run.solution, path.reversed_loads))
+        , lengths(path.resolution,
+                  path.first_increment / std::abs(point.tangent.load_rate))
+      {}
+
+      /** To where the scene says that the path ends. */
+      void follow(Recorder &recorder)
+      {
+        while (!has_ended())
+          {
+            end_if_interrupted(run.model.numbering.layout().communicator());
+            advance(recorder);
+          }
+      }
+
+      /** What is to be said of where it has ended. */
+      std::vector<Finding> findings() const
+      {
+        if (has_reached_end())
+          return {};
+        std::ostringstream text;
+        text << "The path ended after Path/Points = " << path.most_points
+             << " points, at load factor " << point.load_factor()
+             << ", before it came to Largest load factor"
+             << (path.largest_displacement ? " or Largest displacement" : "")
+             << ".";
+        return {{Verdict::doubtful, text.str(), point.arc_length(), ""}};
+      }
+
+    private:
+      /** One point further, past all singular points on the way, or on to
+       * another branch at one of them. */
+      void advance(Recorder &recorder)
+      {
+        StepReport report;
+        PathPoint  next = next_point(report);
+        for (LocatedPoint &located :
+             find_singular_points(stepper, point, next, report.dt))
+          {
+            if (is_beyond_end(located.point))
+              break;
+            recorder.singular_point(located.point.solution, located.singular);
+            if (!leaves_branch_at(located.singular))
+              continue;
+            point = std::move(located.point);
+            // The work of a path is that of its bend; here it has a kink.
+            point.solution.state.before.reset();
+            accept(branch_off(located.singular, report), report, recorder);
+            return;
+          }
+        if (is_beyond_end(next))
+          end_at_largest_load(report.dt, next);
+        accept(std::move(next), report, recorder);
+      }
+
+      /** The next one that is near enough to the tangent. */
+      PathPoint next_point(StepReport &report)
+      {
+        while (true)
+          {
+            report.dt     = lengths.length();
+            PathStep step = stepper.step(point, point.tangent, report.dt);
+            count(step, report);
+            if (is_near_enough(step))
+              return std::move(*step.point);
+            ++report.retries;
+            ++run.work().retries;
+            if (lengths.is_exhausted())
+              give_up(report.dt, step.why_failed);
+          }
+      }
+
+      void count(const PathStep &step, StepReport &report)
+      {
+        report.iterations += step.iterations;
+        run.work().iterations += step.iterations;
+        report.relative_residual = step.relative_residual;
+      }
+
+      /** Sets the next length either way. */
+      bool is_near_enough(const PathStep &step)
+      {
+        if (!step.point)
+          {
+            lengths.failed();
+            return false;
+          }
+        const PathMetric &metric = stepper.metric();
+        return lengths.judge(step,
+                             metric.length(
+                               step.point->solution.state.displacement),
+                             metric.product(point.tangent.direction,
+                                            step.point->tangent.direction));
+      }
+
+      [[noreturn]] void give_up(const double       length,
+                                const std::string &why) const
+      {
+        std::ostringstream message;
+        message << "The path of equilibria is lost at load factor "
+                << point.load_factor() << ", arc length " << point.arc_length()
+                << " m: no point was found even " << length << " m from there"
+                << (why.empty() ? ", where the path turns too sharply"
+                                : ": " + why)
+                << ".\nAll points until then are in the output folder. Finer "
+                   "elements, another Path/Branch or an imperfection may "
+                   "carry it further.";
+        throw ComputationError(message.str());
+      }
+
+      bool is_beyond_end(const PathPoint &reached) const
+      {
+        return std::abs(reached.load_factor()) > path.largest_load_factor;
+      }
+
+      /** Replaces @p next, @p length (m) from here, by the point with the
+       * largest load factor, where that is found. */
+      void end_at_largest_load(const double length, PathPoint &next)
+      {
+        const double target =
+          std::copysign(path.largest_load_factor, next.load_factor());
+        const double part = (target - point.load_factor()) /
+          (next.load_factor() - point.load_factor());
+        PathStep last = stepper.step_to_load(point, part * length, target);
+        if (last.point)
+          next = std::move(*last.point);
+      }
+
+      bool leaves_branch_at(const SingularPoint &singular)
+      {
+        if (singular.kind != SingularPoint::Kind::bifurcation ||
+            singular.null_vector.empty())
+          return false;
+        ++n_bifurcations;
+        using Branch = PathDefinition::Branch;
+        return path.branch == Branch::numbered
+          ? n_bifurcations == path.branch_number
+          : path.branch == Branch::stable && singular.n_negative_before &&
+            singular.n_negative_after &&
+            *singular.n_negative_after > *singular.n_negative_before;
+      }
+
+      /** A point on the branch that crosses here. */
+      PathPoint branch_off(const SingularPoint &singular, StepReport &report)
+      {
+        PathTangent across{singular.null_vector, 0.};
+        if (path.opposite_side)
+          multiply(-1., across.direction);
+        // Shorter ways would be lost in the round-off of a soft direction.
+        constexpr double       least_part = 1e-3;
+        constexpr unsigned int n_attempts = 8;
+        std::string            why;
+        report.dt =
+          std::max(report.dt, least_part * run.model.mean_strut_length);
+        for (unsigned int i = 0; i < n_attempts; ++i, report.dt /= 2)
+          {
+            PathStep step = stepper.step(point, across, report.dt);
+            count(step, report);
+            if (step.point)
+              {
+                lengths.begin_anew(report.dt);
+                return std::move(*step.point);
+              }
+            why = step.why_failed;
+          }
+        throw ComputationError(
+          "No other branch was found at a bifurcation: " + why +
+          ".\nAll points until then are in the output folder. Choose another "
+          "Path/Branch, or disturb the lattice by an imperfection.");
+      }
+
+      /** The step from here to @p next is done. */
+      void
+      accept(PathPoint &&next, const StepReport &report, Recorder &recorder)
+      {
+        State           &reached = next.solution.state;
+        const Evaluation step =
+          Evaluation::static_step(point.solution.state,
+                                  reached,
+                                  reached.time - point.arc_length());
+        run.watches().step(step, next.solution.results, run.solver());
+        reached.step = run.solution.state.step + 1;
+        run.equations.update_couplings(reached);
+        lengths.reached(stepper.metric().length(reached.displacement),
+                        next.load_factor());
+        point              = std::move(next);
+        run.solution.state = point.solution.state;
+        std::swap(run.solution.results, point.solution.results);
+        ++run.work().steps;
+        recorder.step(run.solution, report);
+      }
+
+      bool has_ended() const
+      {
+        return has_reached_end() ||
+          point.solution.state.step >= path.most_points;
+      }
+
+      /** Whether the last point is where the path is to lead. */
+      bool has_reached_end() const
+      {
+        const State &state = point.solution.state;
+        return std::abs(point.load_factor()) >= path.largest_load_factor ||
+          (path.largest_displacement &&
+           largest_motion(run.model, state.displacement).first >=
+             *path.largest_displacement);
+      }
+
+      LatticeRun           &run;
+      const PathDefinition &path;
+      PathStepper           stepper;
+      PathPoint             point; ///< the last one
+      PathStepLength        lengths;
+      unsigned int          n_bifurcations = 0;
+    };
+
+    RunResult run_path(const Scene   &given,
+                       const MPI_Comm communicator,
+                       Recorder      &recorder)
+    {
+      const Scene scene = at_rest(given);
+      LatticeRun  run(scene, communicator);
+      // What is no mechanism is stable at rest.
+      if (!scene.time.static_start)
+        run.solution.state.path->n_negative = 0;
+      return run.run(recorder, [&run](Recorder &of_run) {
+        EquilibriumPath path(run);
+        path.follow(of_run);
+        return path.findings();
+      });
+    }
+
+    void check_path(const Scene &given, const MPI_Comm communicator)
+    {
+      const Scene scene = at_rest(given);
+      LatticeRun  run(scene, communicator);
+      run.prepare();
+      refuse_columns_of_nothing(scene, run.lattice);
+      print_overview(scene, run.equations);
+    }
+  } // namespace
+
   AnalysisEntry static_path_entry()
   {
     return {"static path",
-            "Equilibria of a lattice along a path of loads and prescribed "
-            "motions, of which time is the parameter.",
+            "Equilibria of a lattice by arc length, through limit points and "
+            "bifurcations.",
             [](const Scene &scene) {
-              return scene.context.model == Model::lattice &&
-                !scene.time.scheme->is_dynamic();
+              return scene.analysis == Analysis::static_path;
             },
-            run_lattice,
-            check_lattice};
+            run_path,
+            check_path};
   }
 } // namespace auxfem

@@ -71,7 +71,7 @@ namespace auxfem
     , control(make_control(parameters))
     , dense_output(equations, scheme)
     , ends(step_ends(scene))
-    , watches(scene, equations, work)
+    , watches_of_scene(scene, equations, work)
   {
     if (parameters.relative_tolerance)
       error.emplace(equations, parameters);
@@ -81,7 +81,7 @@ namespace auxfem
 
   std::vector<Finding> TimeStepper::findings() const
   {
-    std::vector<Finding> all = watches.findings();
+    std::vector<Finding> all = watches_of_scene.findings();
     if (error)
       for (const Finding &finding : error->findings())
         all.push_back(finding);
@@ -91,6 +91,11 @@ namespace auxfem
   std::optional<double> TimeStepper::estimated_error() const
   {
     return error ? std::optional<double>(error->total()) : std::nullopt;
+  }
+
+  Watches &TimeStepper::watches()
+  {
+    return watches_of_scene;
   }
 
   TangentSolver &TimeStepper::solver()
@@ -103,7 +108,7 @@ namespace auxfem
     control->save(records);
     if (error)
       error->save(records);
-    watches.save(records);
+    watches_of_scene.save(records);
     if (stages)
       stages->save(records);
     solvers->newton.save(records);
@@ -118,7 +123,7 @@ namespace auxfem
     control->resume(records);
     if (error)
       error->resume(records);
-    watches.resume(records);
+    watches_of_scene.resume(records);
     if (stages)
       stages->resume(records);
     solvers->newton.resume(records);
@@ -138,7 +143,7 @@ namespace auxfem
     if (!scheme.is_dynamic())
       {
         account_for_rates(solution, State(state), nullptr, 0.);
-        watches.start(state);
+        watches_of_scene.start(state);
         return;
       }
     ConsistentRates rates(solvers->tangent);
@@ -146,7 +151,7 @@ namespace auxfem
     if (scheme.keeps_massless_in_equilibrium())
       rates.keep_massless(state);
     account_for_rates(solution, before, &rates, 0.);
-    watches.start(state);
+    watches_of_scene.start(state);
     solvers->newton.drop_factorization();
   }
 
@@ -377,7 +382,7 @@ namespace auxfem
     if (stages)
       stages->accept();
     raise_largest_energy(solution.state, trial.state);
-    watches.step(step, trial.results, solvers->tangent);
+    watches_of_scene.step(step, trial.results, solvers->tangent);
     trial.state.step = solution.state.step;
     std::swap(solution, trial);
     dense_output.record(trial,

@@ -10,7 +10,8 @@ namespace auxfem
       "Motion of a lattice with inertia from t = 0 to the end time, by an "
       "implicit time scheme.",
       [](const Scene &scene) {
-        return scene.context.model == Model::lattice &&
+        return scene.analysis != Analysis::static_path &&
+          scene.context.model == Model::lattice &&
           scene.time.scheme->is_dynamic();
       },
       run_lattice,

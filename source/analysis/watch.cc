@@ -21,10 +21,11 @@ namespace auxfem
     const SimulatedEffects &simulated   = equations.model().simulated;
     const bool              has_inertia = simulated.inertia;
     const bool              has_struts  = !equations.reporting().struts.empty();
-    watches.push_back(make_energy_watch(has_inertia));
+    watches.push_back(make_energy_watch(equations));
     // What is linear is as stable as at the start, where mechanisms are
     // refused.
-    if (!equations.is_linear())
+    // A path counts what is unstable itself.
+    if (!equations.is_linear() && scene.analysis != Analysis::static_path)
       watches.push_back(make_stability_watch(scene, equations, work));
     if (!simulated.large_rotation &&
         !scene.effects.small_displacements_are_judged)

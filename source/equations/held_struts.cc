@@ -91,7 +91,7 @@ namespace auxfem
     , loads(loads_of_struts(scene, model, lattice, numbering))
     , pattern(numbering.unknowns())
     , first_element(lattice.struts.size(), invalid_index)
-    , instants(lattice.struts.size(), {0., 1.})
+    , instants(lattice.struts.size(), 0.)
     , last_work(lattice.struts.size(), 0.)
   {
     StateLayout layout;
@@ -121,7 +121,7 @@ namespace auxfem
   void HeldStruts::move(const unsigned int strut, const StrutMotion &motion)
   {
     const unsigned int first = first_element[strut];
-    instants[strut]          = {motion.time, motion.load_factor};
+    instants[strut]          = motion.time;
     set_motion_of_strut(numbering,
                         first,
                         interpolated(motion,
@@ -134,7 +134,7 @@ namespace auxfem
   {
     StrutMotion result =
       motion_of_strut(numbering, *state, first_element[strut]);
-    std::tie(result.time, result.load_factor) = instants[strut];
+    result.time = instants[strut];
     return result;
   }
 
@@ -151,12 +151,12 @@ namespace auxfem
   {
     if (loads.empty())
       return;
-    std::set<std::pair<double, double>> distinct;
+    std::set<double> distinct;
     for (const unsigned int strut : counted)
       distinct.insert(instants[strut]);
-    for (const auto &instant : distinct)
+    for (const double instant : distinct)
       {
-        std::tie(state->time, state->load_factor) = instant;
+        state->time = instant;
         std::vector<double> now(residual.size(), 0.);
         for (const auto &effect : loads)
           effect->add_residual(Evaluation::rates(*state, *state),

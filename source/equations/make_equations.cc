@@ -20,6 +20,7 @@ namespace auxfem
     {
       StateLayout layout;
       layout.velocity = layout.acceleration = model.simulated.inertia;
+      layout.path = scene.analysis == Analysis::static_path;
       layout.algorithmic_acceleration =
         scene.time.implicit_scheme().uses_algorithmic_acceleration();
       layout.n_rotations = model.n_large_rotations();

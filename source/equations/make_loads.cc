@@ -3,6 +3,7 @@
 #include <auxfem/equations/make_loads.h>
 #include <auxfem/mesh/sets.h>
 #include <auxfem/model/line_rule.h>
+#include <auxfem/model/proportional_loads.h>
 #include <auxfem/model/unknown_names.h>
 #include <auxfem/parameters/errors.h>
 
@@ -31,20 +32,21 @@ namespace auxfem
     void add_dead_load(const JointLoadDefinition &definition,
                        const Lattice             &lattice,
                        const DofNumbering        &numbering,
-                       const SceneContext        &context,
+                       const Scene               &scene,
                        AppliedLoads              &loads)
     {
       const std::vector<unsigned int> joints =
         select_joints(lattice,
                       definition.joints,
-                      context,
+                      scene.context,
                       definition.path + "/Joints");
       for (const unsigned int c : numbering.components())
         {
           if (definition.components[c].is_zero())
             continue;
           const unsigned int load =
-            loads.add_load(definition.components[c], work_of(definition.name));
+            loads.add_load(proportional(definition.components[c], scene),
+                           work_of(definition.name));
           for (const unsigned int joint : joints)
             {
               if (!numbering.joint_has(joint, c))
@@ -61,15 +63,18 @@ namespace auxfem
     void add_follower_load(const JointLoadDefinition &definition,
                            const Lattice             &lattice,
                            const DofNumbering        &numbering,
-                           const SceneContext        &context,
+                           const Scene               &scene,
                            FollowerLoads             &loads)
     {
+      auto components = definition.components;
+      for (TimeFunction &component : components)
+        component = proportional(component, scene);
       const unsigned int load =
-        loads.add_load(definition.components, work_of(definition.name));
+        loads.add_load(components, work_of(definition.name));
       for (const unsigned int joint :
            select_joints(lattice,
                          definition.joints,
-                         context,
+                         scene.context,
                          definition.path + "/Joints"))
         {
           if (!numbering.joint_has(joint, rotation_z))
@@ -180,7 +185,7 @@ namespace auxfem
               if (definition.components[c].is_zero())
                 continue;
               const unsigned int load =
-                loads.add_load(definition.components[c],
+                loads.add_load(proportional(definition.components[c], scene),
                                work_of(definition.name));
               add_along_struts(
                 load,
@@ -213,11 +218,11 @@ namespace auxfem
         {
           if (scene.gravity[c] == 0)
             continue;
-          const unsigned int load =
-            loads.add_load(constant(scene.gravity[c], scene.context),
-                           {EnergyKind::work,
-                            "gravity_work",
-                            "work of the weight since the start"});
+          const unsigned int load = loads.add_load(
+            proportional(constant(scene.gravity[c], scene.context), scene),
+            {EnergyKind::work,
+             "gravity_work",
+             "work of the weight since the start"});
           add_along_struts(
             load,
             c,
@@ -266,13 +271,9 @@ namespace auxfem
     for (const JointLoadDefinition &load : scene.joint_loads)
       // Without large rotations nothing turns.
       if (load.follows_joint && simulated.large_rotation)
-        add_follower_load(load,
-                          lattice,
-                          numbering,
-                          scene.context,
-                          *follower_loads);
+        add_follower_load(load, lattice, numbering, scene, *follower_loads);
       else
-        add_dead_load(load, lattice, numbering, scene.context, *dead);
+        add_dead_load(load, lattice, numbering, scene, *dead);
     add_line_loads(scene, lattice, numbering, bodies, *dead);
     if (simulated.gravity)
       add_gravity(scene, lattice, numbering, sections, bodies, *dead);

@@ -17,7 +17,7 @@ namespace auxfem
       SupportMotion(const Support &support, const Evaluation &evaluation)
       {
         const TimeLimit at = evaluation.event_at_to.value_or(
-          TimeLimit{evaluation.to.time, TimeSide::after});
+          TimeLimit{time_of_loads(evaluation.to), TimeSide::after});
         for (unsigned int c = 0; c < n_motion_components; ++c)
           if (!support.motion[c].is_zero())
             {
@@ -187,6 +187,39 @@ namespace auxfem
                                                   prescribed.rotation),
                                  prescribed.rotation,
                                  *before.velocity);
+      }
+  }
+
+  void find_motion_derivative(const LatticeModel &model,
+                              const Evaluation   &evaluation,
+                              double             *derivative)
+  {
+    const UnknownLayout &layout = model.numbering.layout();
+    for (const Support &support : model.supports)
+      {
+        if (support.is_at_rest())
+          continue;
+        const SupportMotion moved(support, evaluation);
+        for (const Support::PrescribedUnknown &prescribed : support.unknowns)
+          if (layout.is_owned(prescribed.unknown) &&
+              !support.moves_as_rotation(prescribed))
+            derivative[prescribed.unknown] =
+              moved.jets[prescribed.component][1];
+        for (const Support::PrescribedRotation &prescribed : support.rotations)
+          {
+            if (!prescribed.is_whole())
+              continue;
+            const SpaceVector spin = rotated(exponential(moved.rotation(0)),
+                                             angular_motion(moved.rotation(0),
+                                                            moved.rotation(1),
+                                                            moved.rotation(2))
+                                               .velocity);
+            const std::array<int, 3> &spins =
+              model.numbering.rotations()[prescribed.rotation];
+            for (unsigned int c = 0; c < 3; ++c)
+              if (layout.is_owned(spins[c]))
+                derivative[spins[c]] = spin[c];
+          }
       }
   }
 

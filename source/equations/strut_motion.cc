@@ -89,8 +89,7 @@ namespace auxfem
     motion.order = element.order;
     motion.n_elements =
       std::lround(1 / (element.interval.end - element.interval.begin));
-    motion.time        = state.time;
-    motion.load_factor = state.load_factor;
+    motion.time = time_of_loads(state);
     for_each_field(motion, state, [&](auto &of_nodes, const auto & /*all*/) {
       of_nodes.resize(std::size_t(n) * motion.n_nodes());
     });

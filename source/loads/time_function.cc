@@ -17,6 +17,40 @@ namespace auxfem
 
     const std::string table_word        = "table:",
                       linear_table_word = "linear table:";
+
+    class Line : public TimeHistory
+    {
+    public:
+      Line(const double at_zero, const double at_one)
+        : at_zero(at_zero)
+        , slope(at_one - at_zero)
+      {}
+
+      double value(const double t) const override
+      {
+        return at_zero + t * slope;
+      }
+
+      double limit(const double t, const TimeSide /*side*/) const override
+      {
+        return value(t);
+      }
+
+      Jet<double> jet(const double t, const TimeSide /*side*/) const override
+      {
+        return {value(t), slope, 0.};
+      }
+
+      std::vector<TimeEvent> events(double /*begin*/,
+                                    double /*end*/,
+                                    unsigned int /*derivatives*/) const override
+      {
+        return {};
+      }
+
+    private:
+      const double at_zero, slope;
+    };
   } // namespace
 
   std::optional<TableText> table_text(const std::string &text)
@@ -57,6 +91,19 @@ namespace auxfem
       }
     function->origin = path + ": '" + trimmed + "'";
     history          = function;
+  }
+
+  TimeFunction TimeFunction::line(const double       at_zero,
+                                  const double       at_one,
+                                  const std::string &origin)
+  {
+    TimeFunction line;
+    if (at_zero == 0 && at_one == 0)
+      return line;
+    const auto function = std::make_shared<Line>(at_zero, at_one);
+    function->origin    = origin;
+    line.history        = function;
+    return line;
   }
 
   double TimeFunction::value(const double t) const

@@ -1,4 +1,5 @@
 #include <auxfem/mesh/sets.h>
+#include <auxfem/model/proportional_loads.h>
 #include <auxfem/model/rigid_parts.h>
 #include <auxfem/model/supports.h>
 #include <auxfem/model/unknown_names.h>
@@ -138,6 +139,8 @@ namespace auxfem
     for (const SupportDefinition &definition : scene.supports)
       {
         Support support{definition.name, {}, {}, definition.motion};
+        for (TimeFunction &motion : support.motion)
+          motion = proportional(motion, scene);
         for (const unsigned int joint : joints_of(definition, scene, lattice))
           for (const unsigned int c : numbering.components())
             {

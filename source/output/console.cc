@@ -50,8 +50,30 @@ namespace auxfem
     return lines;
   }
 
+  namespace
+  {
+    std::string format_point(const Progress &progress)
+    {
+      std::string line =
+        format("%5lu  load factor %.6g  arc length %.5g m  it %2u",
+               progress.step,
+               progress.path->load_factor,
+               progress.time,
+               progress.iterations);
+      if (progress.retries > 0)
+        line += format(" (%u rejected)", progress.retries);
+      if (progress.path->n_negative)
+        line += format("  negative %lu", *progress.path->n_negative);
+      if (progress.relative_balance)
+        line += format("  energy %+.1e", *progress.relative_balance);
+      return line;
+    }
+  } // namespace
+
   std::string format_progress(const Progress &progress)
   {
+    if (progress.path)
+      return format_point(progress);
     const int   width = std::to_string(progress.n_steps).size();
     std::string line  = format("%*lu/%lu  t %.5g s  dt %.3g  it %2u",
                               width,
@@ -131,9 +153,10 @@ namespace auxfem
 
     // The small addition lets sums of steps that miss a twentieth by round-off
     // count as having reached it.
-    const int  reached   = std::floor(20 * progress.fraction() + 1e-9);
-    const bool milestone = reached > twentieth;
-    twentieth            = std::max(twentieth, reached);
+    const int  reached = std::floor(20 * progress.fraction() + 1e-9);
+    const bool milestone =
+      progress.path ? progress.step % 10 == 0 : reached > twentieth;
+    twentieth = std::max(twentieth, reached);
 
     const bool rewrite_due = terminal_width > 0 &&
       (line_length == 0 || progress.seconds >= last_rewrite + update_interval);

@@ -1,4 +1,5 @@
 #include <auxfem/output/energy_judgement.h>
+#include <auxfem/time/moment_text.h>
 
 #include <algorithm>
 #include <cmath>
@@ -23,16 +24,9 @@ namespace auxfem
       return text;
     }
 
-    std::string in_seconds(const double time)
-    {
-      std::ostringstream text;
-      text << time << " s";
-      return text.str();
-    }
   } // namespace
 
-  EnergyJudgement::EnergyJudgement(const bool has_inertia)
-    : has_inertia(has_inertia)
+  EnergyJudgement::EnergyJudgement(const Kind kind) : kind(kind)
   {}
 
   void EnergyJudgement::start(const Energies &energies)
@@ -57,25 +51,26 @@ namespace auxfem
     if (!(error.value <= doubtful_error * moved))
       found.push_back(error_finding(moved));
     // Without inertia it is what the rates at the ends of steps leave open.
-    if (!has_inertia)
+    if (kind != Kind::motion)
       return found;
     if (given.value > doubtful_gift * moved)
-      found.push_back(
-        {Verdict::doubtful,
-         "The time integration has given the structure " +
-           in_per_cent(given.value / moved) +
-           " of the energy that came in, by t = " + in_seconds(given.time) +
-           "; shorten the step, or use a scheme that damps.",
-         given.time,
-         ""});
+      found.push_back({Verdict::doubtful,
+                       "The time integration has given the structure " +
+                         in_per_cent(given.value / moved) +
+                         " of the energy that came in, by " +
+                         moment_text(kind == Kind::static_path, given.time) +
+                         "; shorten the step, or use a scheme that damps.",
+                       given.time,
+                       ""});
     if (taken.value > doubtful_loss * moved)
-      found.push_back(
-        {Verdict::doubtful,
-         "The time integration has taken " + in_per_cent(taken.value / moved) +
-           " of the energy that came in, by t = " + in_seconds(taken.time) +
-           "; shorten the step.",
-         taken.time,
-         ""});
+      found.push_back({Verdict::doubtful,
+                       "The time integration has taken " +
+                         in_per_cent(taken.value / moved) +
+                         " of the energy that came in, by " +
+                         moment_text(kind == Kind::static_path, taken.time) +
+                         "; shorten the step.",
+                       taken.time,
+                       ""});
     return found;
   }
 
@@ -86,11 +81,14 @@ namespace auxfem
     text += moved > 0
       ? in_per_cent(error.value / moved) + " of the energy that came in"
       : "where no energy came in";
-    text += ", at t = " + in_seconds(error.time) + ": these results are ";
+    text += ", at " + moment_text(kind == Kind::static_path, error.time) +
+      ": these results are ";
     text += is_ruinous ? "not reliable" : "doubtful";
-    text += "; shorten the step. If that does not help, the structure jumps "
-            "from one equilibrium to another, which only a simulation with "
-            "inertia follows.";
+    text += kind == Kind::static_path
+      ? "; reduce Path/Resolution."
+      : "; shorten the step. If that does not help, the structure jumps "
+        "from one equilibrium to another, which only a simulation with "
+        "inertia follows.";
     return {is_ruinous ? Verdict::not_to_be_used : Verdict::doubtful,
             text,
             error.time,

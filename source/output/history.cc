@@ -7,12 +7,23 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace auxfem
 {
   namespace
   {
     const std::string rotation_record = "history: largest rotation";
+
+    const std::vector<Column> path_columns = {
+      {"arc_length",
+       "m",
+       "sum over the points of the root mean square of how far nodes move, "
+       "rotations with an arm of the mean strut length"},
+      {"load_factor", "1", "by which loads are multiplied"},
+      {"negative_eigenvalues",
+       "",
+       "of the stiffness: 0 in stable equilibrium; nan: not known"}};
 
     /** A component of what a support exerts. */
     Column reaction_column(const std::string &support,
@@ -72,7 +83,11 @@ namespace auxfem
     , part_rotations(equations)
     , rotation_vectors(equations.model())
   {
-    column_list.push_back({"time", "s", "time"});
+    if (scene.analysis == Analysis::static_path)
+      column_list = path_columns;
+    else
+      column_list.push_back({"time", "s", "time"});
+    n_of_position = column_list.size();
     for (const ProbeDefinition &probe : scene.output.probes)
       if (RigidPartProbe::is_one(probe))
         rigid_part_probes.emplace_back(probe, scene, equations);
@@ -259,15 +274,22 @@ namespace auxfem
   {
     const State &state = solution.state;
     note(state);
-    row[0]              = state.time;
-    unsigned int column = add_unknown_sums(state, 1);
+    row[0] = state.time;
+    if (state.path)
+      {
+        row[1] = state.path->load_factor;
+        row[2] = state.path->n_negative
+          ? double(*state.path->n_negative)
+          : std::numeric_limits<double>::quiet_NaN();
+      }
+    unsigned int column = add_unknown_sums(state, n_of_position);
     column              = add_rigid_part_values(state, column);
     column              = add_connector_sums(solution, column);
     column              = add_strains(state, column);
     if (equations.model().numbering.layout().n_ranks() > 1)
       MPI_Allreduce(MPI_IN_PLACE,
-                    row.data() + 1,
-                    column - 1,
+                    row.data() + n_of_position,
+                    column - n_of_position,
                     MPI_DOUBLE,
                     MPI_SUM,
                     communicator);

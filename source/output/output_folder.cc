@@ -48,6 +48,14 @@ namespace auxfem
     }
   } // namespace
 
+  std::vector<std::string> FolderContents::names() const
+  {
+    std::vector<std::string> all = files;
+    for (const std::string &name : series)
+      all.push_back(name + ".pvd");
+    return all;
+  }
+
   OutputFolder::OutputFolder(const std::string    &path,
                              const FolderContents &contents,
                              const FileRules      &rules,

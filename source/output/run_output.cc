@@ -6,6 +6,7 @@
 #include <auxfem/output/run_checkpoints.h>
 #include <auxfem/output/run_folder.h>
 #include <auxfem/output/run_output.h>
+#include <auxfem/output/singular_point_files.h>
 #include <auxfem/output/vtu_writer.h>
 #include <auxfem/scene/step_ends.h>
 #include <auxfem/time/interruption.h>
@@ -39,6 +40,7 @@ namespace auxfem
       progress.iterations        = report.iterations;
       progress.retries           = report.retries;
       progress.relative_residual = report.relative_residual;
+      progress.path              = state.path;
       return progress;
     }
   } // namespace
@@ -65,6 +67,8 @@ namespace auxfem
     std::optional<double> next_time(double time) const;
     void                  write_between(const Solution &solution);
     void write_step(const Solution &solution, const StepReport &report);
+    void write_singular_point(const Solution      &solution,
+                              const SingularPoint &point);
     void finish(const Solution &last, const RunResult &result);
 
     const std::string folder;
@@ -84,6 +88,7 @@ namespace auxfem
     void write_graphics(const Solution &solution);
     void show_progress(const State &state, const StepReport &report);
     void open_files();
+    void open_graphics();
 
     const Scene     &scene;
     const MPI_Comm   communicator;
@@ -111,6 +116,8 @@ namespace auxfem
     std::optional<CsvTable>           table; ///< on rank 0
     std::optional<VtuWriter>          graphics;
     std::optional<RunCheckpoints>     checkpoints;
+    /** Only on a path of equilibria. */
+    std::optional<SingularPointFiles> singular_points;
     /** Whether nothing has come after the last checkpoint. */
     bool              is_last_in_checkpoint = false;
     const OutputTimes row_times, graphics_times;
@@ -171,7 +178,8 @@ namespace auxfem
         return console->end_progress();
       files.emplace(scene,
                     rules,
-                    FolderContents(),
+                    scene.analysis == Analysis::static_path ? path_contents()
+                                                            : FolderContents(),
                     goes_on_from ? FormerResults::continued
                                  : FormerResults::removed);
       console.emplace(std::cout,
@@ -211,14 +219,22 @@ namespace auxfem
     });
     if (scene.output.checkpoint_interval > 0)
       checkpoints.emplace(scene, communicator);
+    if (scene.analysis == Analysis::static_path)
+      singular_points.emplace(scene, *equations, communicator);
     if (scene.output.graphics)
-      {
-        graphics.emplace(scene, *equations, folder, communicator);
-        on_first_rank(communicator, [&]() {
-          for (const std::string &name : graphics->series())
-            files->claim_series(name);
-        });
-      }
+      open_graphics();
+  }
+
+  void RunOutput::Implementation::open_graphics()
+  {
+    graphics.emplace(scene, *equations, folder, communicator);
+    on_first_rank(communicator, [&]() {
+      for (const std::string &name : graphics->series())
+        files->claim_series(name);
+      if (singular_points)
+        for (const std::string &name : singular_points->series())
+          files->claim_series(name);
+    });
   }
 
   void RunOutput::Implementation::write_row(const Solution &solution)
@@ -322,8 +338,20 @@ namespace auxfem
       write_row(solution);
     else
       history->note(state);
+    if (state.path && state.step % scene.path.graphics_interval == 0)
+      write_graphics(solution);
     if (console)
       show_progress(state, report);
+  }
+
+  void
+  RunOutput::Implementation::write_singular_point(const Solution      &solution,
+                                                  const SingularPoint &point)
+  {
+    write_row(solution);
+    singular_points->write(solution.state, point);
+    if (console)
+      console->print(text_of(solution.state, point, singular_points->number()));
   }
 
   void RunOutput::Implementation::show_progress(const State      &state,
@@ -365,6 +393,7 @@ namespace auxfem
     summary.largest_rotation =
       dealii::Utilities::MPI::max(history->largest_rotation(), communicator);
     summary.time                     = result.time;
+    summary.path                     = last.state.path;
     summary.time_error               = result.time_error;
     summary.small_displacement_error = result.small_displacement_error;
     summary.orders                   = result.orders;
@@ -462,6 +491,13 @@ namespace auxfem
   {
     const Stopwatch watch(implementation->seconds);
     implementation->write_between(solution);
+  }
+
+  void RunOutput::singular_point(const Solution      &solution,
+                                 const SingularPoint &point)
+  {
+    const Stopwatch watch(implementation->seconds);
+    implementation->write_singular_point(solution, point);
   }
 
   void RunOutput::step(const Solution &solution, const StepReport &report)

@@ -294,6 +294,13 @@ namespace auxfem
   std::string summary_json(const Scene &scene, const Summary &summary)
   {
     Json json = json_of_run(scene, summary.exit_state, summary.time);
+    if (summary.path)
+      {
+        json.erase("time_reached");
+        json.erase("end_time");
+        json["arc_length"]  = summary.time;
+        json["load_factor"] = summary.path->load_factor;
+      }
     add_verdict(json, summary.findings);
     json["counts"]           = json_of(summary.counts);
     json["sections"]         = names_of_groups(scene.sections);
@@ -366,6 +373,19 @@ namespace auxfem
     return text;
   }
 
+  namespace
+  {
+    std::string where(const Summary &summary)
+    {
+      std::ostringstream text;
+      if (summary.path)
+        text << " at load factor " << summary.path->load_factor << ": ";
+      else
+        text << " at t = " << summary.time << " s: ";
+      return text.str();
+    }
+  } // namespace
+
   std::string closing_text(const Summary &summary, const std::string &folder)
   {
     const Work        &totals = summary.totals;
@@ -373,9 +393,10 @@ namespace auxfem
     std::ostringstream stream;
     stream << (summary.exit_state == "completed" ? "Completed"
                                                  : "Stopped early")
-           << " at t = " << summary.time << " s: " << totals.steps << " steps, "
-           << totals.iterations << " iterations, " << totals.factorizations
-           << " factorizations, " << totals.retries << " rejected steps\n"
+           << where(summary) << totals.steps
+           << (summary.path ? " points, " : " steps, ") << totals.iterations
+           << " iterations, " << totals.factorizations << " factorizations, "
+           << totals.retries << " rejected steps\n"
            << "Wall time " << seconds(summary.resources.wall_seconds)
            << ": set-up " << seconds(wall.setup) << ", residuals "
            << seconds(wall.residual) << ", tangents " << seconds(wall.tangent)

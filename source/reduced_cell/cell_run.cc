@@ -12,7 +12,7 @@ namespace auxfem
   {
     const std::unique_ptr<CellScheme> scheme = make_cell_scheme(scene);
     RunResult                         result;
-    EnergyJudgement                   judgement(/*has_inertia=*/true);
+    EnergyJudgement                   judgement(EnergyJudgement::Kind::motion);
     const auto                        record = [&](const CellSample &sample) {
       result.time = sample.time;
       judgement.add(sample.energies, sample.time);

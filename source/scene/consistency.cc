@@ -149,10 +149,11 @@ namespace auxfem
           }
     }
 
-    /** Whatever the scheme, buckling loads are those of statics. */
+    /** Whatever the scheme, paths and buckling loads are those of statics. */
     bool is_static(const Scene &scene)
     {
       return !scene.time.scheme->is_dynamic() ||
+        scene.analysis == Analysis::static_path ||
         scene.analysis == Analysis::buckling;
     }
 
@@ -237,36 +238,40 @@ namespace auxfem
                              "one, e.g. 3"));
     }
 
-    void check_modes(const Scene &scene, Mistakes &mistakes)
+    /** What analyses of large motions without inertia ask for. */
+    void check_stability_analysis(const Scene &scene, Mistakes &mistakes)
     {
-      if (scene.analysis != Analysis::modes &&
-          scene.analysis != Analysis::buckling)
+      if (scene.effects.large_rotation == Switch::off)
+        mistakes.add(message(scene,
+                             "Effects/Large rotation = off: what buckles "
+                             "turns. Set it to auto for Analysis = ",
+                             name_of(scene.analysis)));
+      if (scene.analysis != Analysis::buckling || scene.context.dimension != 3)
         return;
-      const std::string name =
-        scene.analysis == Analysis::modes ? "modes" : "buckling";
+      for (const JointDefinition &joint : scene.joints)
+        if (joint.type == JointDefinition::Type::rotational_spring)
+          mistakes.add(
+            message(scene,
+                    joint.path,
+                    ": what moments of rotational springs in space do as the "
+                    "joint turns is not known to Analysis = buckling. Make the "
+                    "ends rigid or hinged, or give the scene in the plane"));
+    }
+
+    void check_analysis(const Scene &scene, Mistakes &mistakes)
+    {
+      if (scene.analysis == Analysis::simulation ||
+          scene.analysis == Analysis::study)
+        return;
+      const std::string name = name_of(scene.analysis);
       if (scene.context.model != Model::lattice)
         mistakes.add(message(scene,
                              "Analysis = ",
                              name,
-                             ": only lattices have such modes. Set Model = "
-                             "lattice, or Analysis = simulation"));
-      else if (scene.analysis == Analysis::buckling)
-        {
-          if (scene.effects.large_rotation == Switch::off)
-            mistakes.add(message(scene,
-                                 "Effects/Large rotation = off: what buckles "
-                                 "turns. Set it to auto for Analysis = "
-                                 "buckling"));
-          if (scene.context.dimension == 3)
-            for (const JointDefinition &joint : scene.joints)
-              if (joint.type == JointDefinition::Type::rotational_spring)
-                mistakes.add(message(
-                  scene,
-                  joint.path,
-                  ": what moments of rotational springs in space do as the "
-                  "joint turns is not known to Analysis = buckling. Make the "
-                  "ends rigid or hinged, or give the scene in the plane"));
-        }
+                             " is one of lattices. Set Model = lattice, or "
+                             "Analysis = simulation"));
+      else if (scene.analysis != Analysis::modes)
+        check_stability_analysis(scene, mistakes);
       else if (!scene.time.scheme->is_dynamic() ||
                scene.effects.inertia == Switch::off)
         mistakes.add(message(scene,
@@ -375,7 +380,7 @@ namespace auxfem
     check_rows(scene, mistakes);
     check_order(scene, mistakes);
     check_chosen_order(scene, mistakes);
-    check_modes(scene, mistakes);
+    check_analysis(scene, mistakes);
     check_tolerance(scene, mistakes);
     check_inertia(scene, mistakes);
     check_motions(scene, mistakes);

@@ -33,6 +33,7 @@ namespace auxfem
       "or one star cell of rigid parts with two unknowns."};
     const std::vector<std::pair<std::string, Analysis>> analyses = {
       {"simulation", Analysis::simulation},
+      {"static path", Analysis::static_path},
       {"modes", Analysis::modes},
       {"buckling", Analysis::buckling},
       {"study", Analysis::study}};
@@ -43,8 +44,11 @@ namespace auxfem
       {analyses[0].first,
        analyses[1].first,
        analyses[2].first,
-       analyses[3].first},
-      "What is computed. simulation: the scene, by Time/Scheme; modes: natural "
+       analyses[3].first,
+       analyses[4].first},
+      "What is computed. simulation: the scene, by Time/Scheme; static path: "
+      "equilibria of a lattice by arc length, through limit points and "
+      "bifurcations, see Path; modes: natural "
       "frequencies and modes of a lattice, buckling: factors of its loads at "
       "which it buckles, with their modes, see Modes; study: the scene again and "
       "again with other parameters, see Study."};
@@ -149,6 +153,16 @@ namespace auxfem
   std::string read_title(const ParameterValues &values)
   {
     return values[title];
+  }
+
+
+
+  std::string name_of(const Analysis analysis)
+  {
+    for (const auto &[word, value] : analyses)
+      if (value == analysis)
+        return word;
+    return "";
   }
 
 

@@ -78,6 +78,7 @@ namespace auxfem
       {output_schema(), set<&Scene::output, read_output>},
       {probes_schema(), add_probe},
       {modes_schema(), set<&Scene::modes, read_modes>},
+      {path_schema(), set<&Scene::path, read_path>},
       {study_schema(), set<&Scene::study, read_study>},
       {quantities_schema(), add_quantity}};
     return all;

@@ -15,6 +15,8 @@ namespace auxfem
     , energy_sums(energies.amounts())
     , largest_forces(n_unknowns, 0.)
   {
+    if (layout.path)
+      path.emplace();
     if (layout.velocity)
       velocity.emplace(n_unknowns, 0.);
     if (layout.acceleration)

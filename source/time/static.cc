@@ -47,11 +47,7 @@ namespace auxfem
         add_multiple(-weight, from.displacement, *to.velocity);
         add_multiple(weight, from.before->displacement, *to.velocity);
       }
-    to.before = {from.time,
-                 dt,
-                 from.load_factor,
-                 from.displacement,
-                 from.residual};
+    to.before = {time_of_loads(from), dt, from.displacement, from.residual};
   }
 
   TangentFactors QuasiStatic::factors(const State &from, const double dt) const

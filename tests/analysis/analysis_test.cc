@@ -65,7 +65,8 @@ TEST(AnalysisRegistry, ModelAndSchemeDecide)
   const auto name_of = [&](const char *file, const std::string &override) {
     return analysis_of(shipped_scene(folder / file, {override})).name;
   };
-  EXPECT_EQ(name_of("star-10x10.prm", "Time/Scheme=static"), "static path");
+  EXPECT_EQ(name_of("star-10x10.prm", "Time/Scheme=static"), "static steps");
+  EXPECT_EQ(name_of("star-10x10.prm", "Analysis=static path"), "static path");
   EXPECT_EQ(name_of("star-10x10.prm", "Time/Scheme=newmark"), "transient");
   EXPECT_EQ(name_of("cell-case-1.prm", "Time/Scheme=newmark"), "reduced cell");
   EXPECT_EQ(name_of("cell-case-1.prm", "Time/Scheme=arkode"), "reduced cell");

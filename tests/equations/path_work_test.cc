@@ -11,10 +11,9 @@ namespace
   {
     TwoSteps() : from(1, StateLayout()), to(from)
     {
-      from.time = 0.2;
-      from.before =
-        State::Before{0.1, 0.1, 1, from.displacement, from.residual};
-      to.time = 0.7;
+      from.time   = 0.2;
+      from.before = State::Before{0.1, 0.1, from.displacement, from.residual};
+      to.time     = 0.7;
     }
 
     Evaluation step() const

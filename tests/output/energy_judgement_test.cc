@@ -12,7 +12,7 @@ namespace
   class GivenEnergies
   {
   public:
-    GivenEnergies() : judgement(/*has_inertia=*/true)
+    GivenEnergies() : judgement(EnergyJudgement::Kind::motion)
     {
       kinetic   = ledger.enter(kinetic_energy_entry());
       numerical = ledger.enter(numerical_energy_entry());

@@ -71,9 +71,9 @@ TEST(QuasiStatic, VelocityIsExactForAParabola)
   states.from.time         = 0.4;
   states.from.displacement = times(u(0.4));
   states.from.before.emplace();
-  states.from.before->time         = 0.3;
-  states.from.before->dt           = 0.1;
-  states.from.before->displacement = times(u(0.3));
+  states.from.before->time_of_loads = 0.3;
+  states.from.before->dt            = 0.1;
+  states.from.before->displacement  = times(u(0.3));
   scheme.predict(states.from, 0.25, states.to);
   scheme.correct(states.from, times(u(0.65) - u(0.4)), 0.25, states.to);
   for (unsigned int i = 0; i < pattern.size(); ++i)
@@ -81,7 +81,7 @@ TEST(QuasiStatic, VelocityIsExactForAParabola)
       EXPECT_NEAR(states.to.displacement[i], u(0.65) * pattern[i], 1e-14);
       EXPECT_NEAR((*states.to.velocity)[i], (3 - 1.3) * pattern[i], 1e-13);
     }
-  EXPECT_EQ(states.to.before->time, 0.4);
+  EXPECT_EQ(states.to.before->time_of_loads, 0.4);
   EXPECT_EQ(states.to.before->dt, 0.25);
   EXPECT_EQ(states.to.before->displacement, states.from.displacement);
 }

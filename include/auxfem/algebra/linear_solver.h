@@ -93,7 +93,8 @@ namespace auxfem
       std::optional<unsigned long>        version;
     };
 
-    Symmetry             wanted_symmetry(Exactness exactness) const;
+    /** Sets serves_matrix, too. Collective. */
+    Symmetry             wanted_symmetry(Exactness exactness);
     FactorizationOutcome try_to_factorize(Exactness exactness);
     FactorizationOutcome factorize_joints(const LinearSolverChoice &choice);
     EquationsAtJoints    equations_at_joints() const;
@@ -102,11 +103,13 @@ namespace auxfem
     std::optional<Inertia> inertia_by_mumps() const;
     std::string            message(FactorizationOutcome outcome) const;
 
-    const SolverParameters               parameters;
-    const TangentMatrix                 &matrix;
-    const unsigned long                  n_prescribed, n_multipliers;
-    StrutCondensation                    condensation;
-    Symmetry                             symmetry = Symmetry::given;
+    const SolverParameters parameters;
+    const TangentMatrix   &matrix;
+    const unsigned long    n_prescribed, n_multipliers;
+    StrutCondensation      condensation;
+    Symmetry               symmetry = Symmetry::given;
+    /** Whether what is factorized is not another symmetric part. */
+    bool                                 serves_matrix = true;
     std::map<LinearSolverType, Analysed> methods;
     /** The one that solves. */
     LinearSolverMethod *current = nullptr;

@@ -96,6 +96,10 @@ namespace auxfem
                   double       *y,
                   Symmetry      symmetry = Symmetry::none) const;
 
+    /** An asymmetry() below this is the round-off of sums of symmetric terms.
+     */
+    static constexpr double symmetric_to_round_off = 1e-13;
+
     /**
      * |B - B^T| / |B| over all blocks B, in Frobenius' norm of their free rows
      * and columns; rotations are measured in Unknowns::length times radian.
@@ -103,7 +107,17 @@ namespace auxfem
      */
     double asymmetry() const;
 
+    /**
+     * Whether the matrix is symmetric as a whole to round-off. Its blocks need
+     * not be: those of struts in space are not, but where moments at joints
+     * balance, what they lack cancels. Collective.
+     */
+    bool is_symmetric() const;
+
   private:
+    /** As asymmetry(), of the sum of all blocks; estimated with a vector. */
+    double asymmetry_of_sum() const;
+
     template <class Action>
     void for_each_block(const Action &action) const;
 

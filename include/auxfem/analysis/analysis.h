@@ -41,6 +41,7 @@ namespace auxfem
   /** @name Entries of the table, one per file; only register.cc needs them. */
   ///@{
   AnalysisEntry transient_entry();
+  AnalysisEntry static_steps_entry();
   AnalysisEntry static_path_entry();
   AnalysisEntry reduced_cell_entry();
   ///@}

@@ -5,6 +5,8 @@
 #include <auxfem/output/recorder.h>
 #include <auxfem/time/stopwatch.h>
 
+#include <functional>
+
 namespace auxfem
 {
   /**
@@ -85,8 +87,22 @@ namespace auxfem
      */
     RunResult run(Recorder &recorder);
 
-    /** All that has been done so far. */
+    /** Takes a run on from its start, tells the recorder of it, and returns
+     * what it has found out about the way. */
+    using Advance = std::function<std::vector<Finding>(Recorder &)>;
+
+    /** As run(), with @p advance in place of advance_to_end(). */
+    RunResult run(Recorder &recorder, const Advance &advance);
+
+    /** What looks at accepted steps. */
+    Watches &watches();
+
+    /** All that has been done so far; whoever takes the run further adds to it.
+     */
+    ///@{
     const Work &work() const;
+    Work       &work();
+    ///@}
 
     /** What was done elsewhere counts here too, but for its steps. */
     void add_effort(const Work &elsewhere);

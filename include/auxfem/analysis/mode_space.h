@@ -68,13 +68,6 @@ namespace auxfem
 
   /** Eigenvalues below @p limit. */
   unsigned long n_below(const std::vector<Eigenpair> &pairs, double limit);
-
-  /** @p state with @p factor times @p shape added, of all local unknowns;
-   * rotations as vectors in the global frame. */
-  State displaced(const State        &state,
-                  const DofNumbering &numbering,
-                  const Vector       &shape,
-                  double              factor);
 } // namespace auxfem
 
 #endif

@@ -9,6 +9,26 @@
 namespace auxfem
 {
   /**
+   * An unknown and an equation beside those of the lattice, solved together
+   * with them.
+   */
+  class AddedEquation
+  {
+  public:
+    virtual ~AddedEquation() = default;
+
+    /**
+     * Completes @p increment, which solves the equations of the lattice at
+     * evaluation.to with the unknown as it is, such that the added equation
+     * holds too, and changes the unknown in evaluation.to. Returns false if
+     * @p solver, which has the tangent factorized, fails. Collective.
+     */
+    virtual bool complete(TangentSolver    &solver,
+                          const Evaluation &evaluation,
+                          Vector           &increment) = 0;
+  };
+
+  /**
    * Newton's method for one step, with the factorization kept as long as it
    * serves.
    *
@@ -40,10 +60,12 @@ namespace auxfem
     /**
      * Solves evaluation.to, which the scheme has predicted; of a solved one
      * State::largest_force and State::largest_forces too.
+     * @param added solved as well if it is not nullptr
      */
     Result solve(const ImplicitScheme &scheme,
                  const Evaluation     &evaluation,
-                 EvaluationResults    &results);
+                 EvaluationResults    &results,
+                 AddedEquation        *added = nullptr);
 
     /** Forgets the factorization (the state jumped). */
     void drop_factorization();
@@ -81,7 +103,8 @@ namespace auxfem
     double in_force_units(const EvaluationResults &results) const;
     /** Solves for the increment and applies it; empty, or why it failed. */
     std::string iterate(const ImplicitScheme &scheme,
-                        const Evaluation     &evaluation);
+                        const Evaluation     &evaluation,
+                        AddedEquation        *added);
 
     TangentSolver         &solver;
     const NewtonParameters parameters;

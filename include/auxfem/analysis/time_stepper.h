@@ -57,6 +57,9 @@ namespace auxfem
     /** Estimated error of all steps so far, relative, where steps follow it. */
     std::optional<double> estimated_error() const;
 
+    /** Those that look at its steps. */
+    Watches &watches();
+
     /** What the watches have found so far. */
     std::vector<Finding> findings() const;
 
@@ -169,7 +172,7 @@ namespace auxfem
     /** Only where the length of steps follows their error. */
     std::optional<StepError> error;
     const StepEnds           ends;
-    Watches                  watches;
+    Watches                  watches_of_scene;
     std::string              last_failure;
     /** Of the last step, over the one that is allowed; 0: it failed for another
      * reason, or did not. */

@@ -69,7 +69,7 @@ namespace auxfem
   ///@{
   /** Of energy that is not accounted for, or that a scheme with inertia gives
    * or takes. */
-  std::unique_ptr<Watch> make_energy_watch(bool has_inertia);
+  std::unique_ptr<Watch> make_energy_watch(const Equations &equations);
 
   /** Of steps that are long for the motion that they follow. With inertia. */
   std::unique_ptr<Watch> make_step_watch(const Scene     &scene,

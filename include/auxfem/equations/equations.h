@@ -104,7 +104,8 @@ namespace auxfem
     void add_geometric_tangent(const ForceChange &change,
                                TangentMatrix     &matrix) const;
 
-    /** Derivative of the residual by the load factor, of local unknowns. */
+    /** Derivative of the residual by time_of_loads() of evaluation.to through
+     * the loads, of local unknowns. */
     Vector load_derivative(const Evaluation &evaluation) const;
 
     /**

@@ -110,9 +110,9 @@ namespace auxfem
     std::vector<double>                         residual; ///< by local unknown
     /** By strut of the lattice: its first element, the instant it is at. */
     ///@{
-    std::vector<unsigned int>              first_element;
-    std::vector<std::pair<double, double>> instants; ///< time, load factor
-    std::vector<double> last_work; ///< of the last correction (J)
+    std::vector<unsigned int> first_element;
+    std::vector<double>       instants;  ///< StrutMotion::time
+    std::vector<double>       last_work; ///< of the last correction (J)
     ///@}
   };
 } // namespace auxfem

@@ -13,7 +13,7 @@ namespace auxfem
   inline double value_at_start(const TimeFunction &load, const Evaluation &step)
   {
     if (!step.event_at_from)
-      return load.value(step.from.time);
+      return load.value(time_of_loads(step.from));
     const double event = *step.event_at_from;
     const bool   is_raised =
       step.kind == Evaluation::Kind::static_step && step.from.time > 0;
@@ -28,7 +28,7 @@ namespace auxfem
                              const Evaluation   &evaluation)
   {
     if (!evaluation.event_at_to)
-      return load.value(evaluation.to.time);
+      return load.value(time_of_loads(evaluation.to));
     const auto &[time, side] = *evaluation.event_at_to;
     return side == TimeSide::before ? load.value_before(time)
                                     : load.value_after(time);

@@ -40,6 +40,14 @@ namespace auxfem
                        double             *right_side);
 
   /**
+   * Derivative of what supports prescribe at evaluation.to by time_of_loads(),
+   * into their owned rows of @p derivative; of large rotations in space spins.
+   */
+  void find_motion_derivative(const LatticeModel &model,
+                              const Evaluation   &evaluation,
+                              double             *derivative);
+
+  /**
    * How far the work of supports in a step with inertia may be off (J): what
    * the mean of forces times the way leaves out where forces change evenly over
    * the step and positions are cubic. Collective.

@@ -17,9 +17,7 @@ namespace auxfem
   {
     unsigned int order      = 0; ///< of the elements
     unsigned int n_elements = 0;
-    double       time       = 0; ///< s
-    /** As State::load_factor. */
-    double load_factor = 1;
+    double       time       = 0; ///< time_of_loads()
     /** n_components() a node; rates are empty where the state has none. */
     ///@{
     std::vector<double> displacement, velocity, acceleration;

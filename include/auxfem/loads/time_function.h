@@ -64,6 +64,11 @@ namespace auxfem
                  const SceneContext &context,
                  TableKind           tables = TableKind::linear);
 
+    /** The straight line through @p at_zero at 0 and @p at_one at 1.
+     * @param origin as origin() */
+    static TimeFunction
+    line(double at_zero, double at_one, const std::string &origin);
+
     /**
      * Value at time @p t (s). Throws ComputationError if it is not finite. Not
      * to be called by several threads at once.

@@ -1,6 +1,8 @@
 #ifndef auxfem_output_console_h
 #define auxfem_output_console_h
 
+#include <auxfem/time/state.h>
+
 #include <optional>
 #include <ostream>
 #include <string>
@@ -28,6 +30,10 @@ namespace auxfem
     /** Time (s) the first step began at; not 0 in a run that was resumed. */
     double begin_time = 0;
 
+    /** On a path of equilibria, of which `time` is the arc length (m) and the
+     * number of steps the largest possible. */
+    std::optional<PathPosition> path;
+
     /** Part of the time that is done, in [0, 1]. */
     double fraction() const;
   };
@@ -38,7 +44,8 @@ namespace auxfem
 
   /**
    * One line of fewer than 100 characters: step, time, time step, iterations,
-   * residual, energy balance, time left.
+   * residual, energy balance, time left; on a path load factor and number of
+   * negative eigenvalues in place of times.
    */
   std::string format_progress(const Progress &progress);
 
@@ -57,8 +64,9 @@ namespace auxfem
   /**
    * Screen and log of a run. On a terminal the progress is one line rewritten
    * in place, at most ten times a second; else it is a plain line for each
-   * twentieth of the time. The log has those plain lines in both cases, and
-   * every step that had to be repeated. To be made on one rank only.
+   * twentieth of the time, on a path for each tenth point. The log has those
+   * plain lines in both cases, and every step that had to be repeated. To be
+   * made on one rank only.
    */
   class Console
   {

@@ -16,7 +16,15 @@ namespace auxfem
   class EnergyJudgement
   {
   public:
-    explicit EnergyJudgement(bool has_inertia);
+    /** What runs have energies for. */
+    enum class Kind
+    {
+      motion,
+      static_steps,
+      static_path
+    };
+
+    explicit EnergyJudgement(Kind kind);
 
     /** Of t = 0. */
     void start(const Energies &energies);
@@ -35,7 +43,7 @@ namespace auxfem
   private:
     Finding error_finding(double moved) const;
 
-    const bool    has_inertia;
+    const Kind    kind;
     double        zero = 0, initial = 0, work = 0; ///< J
     LargestInTime error, given, taken;             ///< J
   };

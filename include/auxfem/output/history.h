@@ -14,7 +14,8 @@
 namespace auxfem
 {
   /**
-   * The rows of `history.csv`: numbers of a state. Columns: `time`; for a probe
+   * The rows of `history.csv`: numbers of a state. Columns: `time`, or
+   * `arc_length`, `load_factor` and `negative_eigenvalues`; for a probe
    * P `P.ux`, `P.uy`, `P.phi` (if all its joints rotate) and in dynamics
    * `P.vx`, `P.vy`, means over its joints; for a probe on rigid parts the
    * columns of RigidPartProbe; for a support S `S.rx`, `S.ry`,
@@ -110,9 +111,11 @@ namespace auxfem
     unsigned int add_strains(const State &state, unsigned int column);
     double value(Quantity quantity, const State &state, int unknown) const;
 
-    const Equations            &equations;
-    MPI_Comm                    communicator;
-    std::vector<Column>         column_list;
+    const Equations    &equations;
+    MPI_Comm            communicator;
+    std::vector<Column> column_list;
+    /** Columns that say where on the way a row lies. */
+    unsigned int                n_of_position = 1;
     std::vector<UnknownSum>     sums;
     RigidPartRotations          part_rotations;
     std::vector<RigidPartProbe> rigid_part_probes;

@@ -13,6 +13,9 @@ namespace auxfem
     std::vector<std::string> files;
     /** Series `NAME`: `NAME.pvd` and numbered files in the folder `NAME`. */
     std::vector<std::string> series;
+
+    /** All files but those in folders. */
+    std::vector<std::string> names() const;
   };
 
   /** Which files a run spares in the folder of its results. */

@@ -4,6 +4,7 @@
 #include <auxfem/equations/equations.h>
 #include <auxfem/equations/solution.h>
 #include <auxfem/output/order_report.h>
+#include <auxfem/output/singular_point.h>
 #include <auxfem/output/verdict.h>
 #include <auxfem/time/step_report.h>
 
@@ -127,6 +128,12 @@ namespace auxfem
     virtual void between(const Solution & /*solution*/)
     {}
 
+    /** On a path of equilibria a singular point was found at @p solution, which
+     * lies between the last step and the next. */
+    virtual void singular_point(const Solution & /*solution*/,
+                                const SingularPoint & /*point*/)
+    {}
+
     /** A step of the scene is done. */
     virtual void step(const Solution & /*solution*/,
                       const StepReport & /*report*/)
@@ -214,6 +221,12 @@ namespace auxfem
     void between(const Solution &solution) override
     {
       recorder.between(solution);
+    }
+
+    void singular_point(const Solution      &solution,
+                        const SingularPoint &point) override
+    {
+      recorder.singular_point(solution, point);
     }
 
     void step(const Solution &solution, const StepReport &report) override

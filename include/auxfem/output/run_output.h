@@ -82,6 +82,8 @@ namespace auxfem
      * A finished step: progress line; history row if rows go by steps. Throws
      * ComputationError if the disk takes no more.
      */
+    void singular_point(const Solution      &solution,
+                        const SingularPoint &point) override;
     void step(const Solution &solution, const StepReport &report) override;
 
     /** Closes the run: last row and graphics, summary.json. */

@@ -72,6 +72,8 @@ namespace auxfem
     LargestStrain strain;               ///< if effective strains are wanted
     double        largest_rotation = 0; ///< rad
     double        time             = 0; ///< reached (s)
+    /** Reached, on a path of equilibria; `time` is the arc length (m) then. */
+    std::optional<PathPosition> path;
     /** See RunResult. */
     std::optional<double>      time_error, small_displacement_error;
     std::optional<OrderReport> orders;

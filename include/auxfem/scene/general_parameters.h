@@ -13,10 +13,11 @@ namespace auxfem
   /** `Analysis`: what is computed of a scene. */
   enum class Analysis
   {
-    simulation, ///< the scene, as its time scheme does
-    modes,      ///< natural frequencies and modes
-    buckling,   ///< factors of the loads at which the lattice buckles
-    study       ///< many simulations with other parameters
+    simulation,  ///< the scene, as its time scheme does
+    static_path, ///< equilibria by arc length
+    modes,       ///< natural frequencies and modes
+    buckling,    ///< factors of the loads at which the lattice buckles
+    study        ///< many simulations with other parameters
   };
 
   /** The top level of the parameter file, outside all subsections. */
@@ -24,6 +25,9 @@ namespace auxfem
 
   /** `Title`. */
   std::string read_title(const ParameterValues &values);
+
+  /** The word for @p analysis, e.g. `static path`. */
+  std::string name_of(Analysis analysis);
 
   /** `Analysis`. */
   Analysis read_analysis(const ParameterValues &values);

@@ -15,6 +15,7 @@
 #include <auxfem/scene/general_parameters.h>
 #include <auxfem/scene/modes_definition.h>
 #include <auxfem/scene/output_parameters.h>
+#include <auxfem/scene/path_definition.h>
 #include <auxfem/scene/reduced_cell_definition.h>
 #include <auxfem/scene/study_definition.h>
 #include <auxfem/time/time_parameters.h>
@@ -57,6 +58,7 @@ namespace auxfem
     SolverParameters                       solver;
     OutputParameters                       output;
     ModesDefinition                        modes;
+    PathDefinition                         path;
     StudyDefinition                        study;
     /** All parameters with the values used, in .prm syntax, for parameters.prm.
      */

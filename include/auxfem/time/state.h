@@ -19,12 +19,24 @@ namespace auxfem
       {values[unknowns[0]], values[unknowns[1]], values[unknowns[2]]});
   }
 
+  /** Where a state lies on a path of equilibria. */
+  struct PathPosition
+  {
+    /** All loads and prescribed motions are those of this factor, see
+     * proportional_loads(). */
+    double load_factor = 0;
+    /** Negative eigenvalues of the stiffness; nothing where they are not known.
+     */
+    std::optional<unsigned long> n_negative;
+  };
+
   /** Which parts of the state a scene needs, as its effects ask for them. */
   struct StateLayout
   {
     /** Dynamics, or viscosity in statics. */
     bool velocity     = false;
     bool acceleration = false; ///< dynamics
+    bool path         = false; ///< paths of equilibria
     /** Alpha methods other than Newmark. */
     bool algorithmic_acceleration = false;
     /** Rotations in space kept as quaternions; none if they stay small. */
@@ -55,10 +67,11 @@ namespace auxfem
      * Collective. */
     void take_ghosts(const UnknownLayout &layout);
 
-    double        time = 0; ///< s
+    /** s; of a state on a path of equilibria its arc length (m). */
+    double        time = 0;
     unsigned long step = 0;
-    /** By which the loads of `time` are multiplied. */
-    double load_factor = 1;
+    /** Only on a path of equilibria. */
+    std::optional<PathPosition> path;
 
     /**
      * The accepted state before this one, kept by schemes without inertia:
@@ -67,11 +80,10 @@ namespace auxfem
      */
     struct Before
     {
-      double time; ///< s
+      double time_of_loads; ///< as time_of_loads()
       /** Length of the step from there (s): differences of times would be
        * rounded, and what should be the same in all steps is not. */
       double dt;
-      double load_factor;
       Vector displacement, residual;
     };
     std::optional<Before> before;
@@ -135,6 +147,13 @@ namespace auxfem
     double largest_energy = 0; ///< mechanical or dissipated (J)
     ///@}
   };
+
+  /** The argument of time histories: the time (s), on a path of equilibria the
+   * load factor. */
+  inline double time_of_loads(const State &state)
+  {
+    return state.path ? state.path->load_factor : state.time;
+  }
 } // namespace auxfem
 
 #endif

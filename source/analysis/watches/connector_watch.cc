@@ -1,5 +1,6 @@
 #include <auxfem/analysis/occurrences.h>
 #include <auxfem/analysis/watch.h>
+#include <auxfem/time/moment_text.h>
 
 #include <sstream>
 
@@ -51,11 +52,11 @@ namespace auxfem
         std::ostringstream text;
         text.precision(3);
         text << "The " << location << " has less than " << 100 * doubtful_length
-             << " % of its length at rest from about t = " << first->time
-             << " s on";
+             << " % of its length at rest from about "
+             << moment_text(equations.layout().path, first->time, 3) << " on";
         if (largest->size == 1)
-          text << ", and one is pushed through itself at t = " << largest->time
-               << " s";
+          text << ", and one is pushed through itself at "
+               << moment_text(equations.layout().path, largest->time, 3);
         text << ": no real spring or damper has such a stroke, and the line "
                 "along which its force acts turns at any touch. Reduce the "
                 "load, or set Geometry = direction, where the extension goes "

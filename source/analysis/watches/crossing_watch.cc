@@ -1,6 +1,7 @@
 #include <auxfem/analysis/relative_motion.h>
 #include <auxfem/analysis/watch.h>
 #include <auxfem/mesh/segment.h>
+#include <auxfem/time/moment_text.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/numerics/rtree.h>
@@ -95,9 +96,9 @@ namespace auxfem
       }
 
       /** `at about t = 1 s, later up to 3 pairs`. */
-      void write_time(std::ostream &text) const
+      void write_time(const bool on_path, std::ostream &text) const
       {
-        text << " at about t = " << time << " s";
+        text << " at about " << moment_text(on_path, time, 4);
         if (most > 1)
           text << ", later up to " << most << " pairs";
       }
@@ -230,7 +231,9 @@ namespace auxfem
         , rule(model.lattice, model.sections)
         , motion_between_looks(
             rule.motion_between_looks(model.mean_strut_length))
-        , end_time(scene.time.end_time)
+        , end_time(equations.layout().path
+                     ? std::numeric_limits<double>::infinity()
+                     : scene.time.end_time)
         , steps_between_looks(model.simulated.inertia ? 20 : 1)
         , motion(model)
       {}
@@ -265,7 +268,7 @@ namespace auxfem
           {
             text << "Struts " << touched.pair.first << " and "
                  << touched.pair.second << " touch";
-            touched.write_time(text);
+            touched.write_time(equations.layout().path, text);
           }
         if (crossed.most > 0)
           {
@@ -275,7 +278,7 @@ namespace auxfem
             else
               text << "truts " << crossed.pair.first << " and "
                    << crossed.pair.second << " have passed into each other";
-            crossed.write_time(text);
+            crossed.write_time(equations.layout().path, text);
           }
         text << ": contact is not modelled. What the lattice does from there "
                 "on holds only if its struts can pass each other.";

@@ -8,7 +8,7 @@ namespace auxfem
     class EnergyWatch : public Watch
     {
     public:
-      explicit EnergyWatch(const bool has_inertia) : judgement(has_inertia)
+      explicit EnergyWatch(const EnergyJudgement::Kind kind) : judgement(kind)
       {}
 
       void start(const State &state) override
@@ -43,8 +43,12 @@ namespace auxfem
     };
   } // namespace
 
-  std::unique_ptr<Watch> make_energy_watch(const bool has_inertia)
+  std::unique_ptr<Watch> make_energy_watch(const Equations &equations)
   {
-    return std::make_unique<EnergyWatch>(has_inertia);
+    using Kind = EnergyJudgement::Kind;
+    return std::make_unique<EnergyWatch>(
+      equations.model().simulated.inertia ? Kind::motion
+        : equations.layout().path         ? Kind::static_path
+                                          : Kind::static_steps);
   }
 } // namespace auxfem

@@ -1,5 +1,6 @@
 #include <auxfem/analysis/occurrences.h>
 #include <auxfem/analysis/watch.h>
+#include <auxfem/time/moment_text.h>
 
 #include <deal.II/base/numbers.h>
 
@@ -39,7 +40,8 @@ namespace auxfem
     {
     public:
       LocalBucklingWatch(const Scene &scene, const Equations &equations)
-        : model(equations.model())
+        : equations(equations)
+        , model(equations.model())
         , communicator(equations.unknowns().layout.communicator())
         , end_time(scene.time.end_time)
         , steps_between_looks(
@@ -90,14 +92,16 @@ namespace auxfem
           << order << " is "
           << (order <= 2 ? "stiff against it"
                          : "too stiff against it where ends are held")
-          << ". From about t = " << first->time << " s on " << location
-          << " is pressed by more than "
+          << ". From about "
+          << moment_text(equations.layout().path, first->time, 3) << " on "
+          << location << " is pressed by more than "
           << (order <= 2 ? "its buckling load with hinged ends"
                          : "its buckling load with one end clamped, one "
                            "hinged")
           << ", strut " << largest->number << " by " << largest->size
-          << " times that at t = " << largest->time
-          << " s. Set Discretization/Order = 4 or Global refinements = 1.";
+          << " times that at "
+          << moment_text(equations.layout().path, largest->time, 3)
+          << ". Set Discretization/Order = 4 or Global refinements = 1.";
         return {{Verdict::doubtful, text.str(), first->time, location}};
       }
 
@@ -150,6 +154,7 @@ namespace auxfem
           }
       }
 
+      const Equations          &equations;
       const LatticeModel       &model;
       const MPI_Comm            communicator;
       const double              end_time; ///< s

@@ -1,5 +1,6 @@
 #include <auxfem/analysis/occurrences.h>
 #include <auxfem/analysis/watch.h>
+#include <auxfem/time/moment_text.h>
 
 #include <limits>
 #include <sstream>
@@ -80,8 +81,9 @@ namespace auxfem
 
       const std::vector<double> allowed;
 
+      const Equations &equations;
+
     private:
-      const Equations  &equations;
       const MPI_Comm    communicator;
       const std::string name;
       Occurrences       beyond; ///< strains over what is allowed
@@ -146,11 +148,13 @@ namespace auxfem
         std::ostringstream text;
         text.precision(3);
         text
-          << "The material yields from about t = " << first.time
-          << " s on, first in " << location << "; strut " << largest.number
+          << "The material yields from about "
+          << moment_text(equations.layout().path, first.time, 3)
+          << " on, first in " << location << "; strut " << largest.number
           << " reaches a strain of " << 100 * strain
-          << " % in an outer fibre at t = " << largest.time
-          << " s, its Yield strain is " << 100 * strain / largest.size
+          << " % in an outer fibre at "
+          << moment_text(equations.layout().path, largest.time, 3)
+          << ", its Yield strain is " << 100 * strain / largest.size
           << " %. Struts here stay elastic; real ones are softer from there "
              "on and keep a part of the deformation. Reduce the load, or use "
              "the results until then.";

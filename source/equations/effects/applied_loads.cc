@@ -61,8 +61,7 @@ namespace auxfem
       }
     for (const Load &load : loads)
       {
-        const double value = evaluation.to.load_factor *
-          value_at_end(load.time_history, evaluation);
+        const double value = value_at_end(load.time_history, evaluation);
         for (const Weight &w : load.weights)
           residual[w.unknown] -= value * w.weight;
       }
@@ -84,8 +83,7 @@ namespace auxfem
   double AppliedLoads::mean_value(const Load       &load,
                                   const Evaluation &step) const
   {
-    return (step.from.load_factor * value_before(load, step) +
-            step.to.load_factor * value_at_end(load.time_history, step)) /
+    return (value_before(load, step) + value_at_end(load.time_history, step)) /
       2;
   }
 
@@ -94,9 +92,10 @@ namespace auxfem
   {
     for (const Load &load : loads)
       {
-        const double value = value_at_end(load.time_history, evaluation);
+        const double rate =
+          load.time_history.jet(time_of_loads(evaluation.to))[1];
         for (const Weight &w : load.weights)
-          derivative[w.unknown] -= value * w.weight;
+          derivative[w.unknown] -= rate * w.weight;
       }
   }
 
@@ -130,8 +129,7 @@ namespace auxfem
           if (numbering.layout().is_owned(w.unknown))
             along += w.weight * rotations.spatial_rate(stage.to, w.unknown);
         account.add_power(load.work_entry,
-                          stage.to.load_factor *
-                            value_at_end(load.time_history, stage) * along);
+                          value_at_end(load.time_history, stage) * along);
       }
   }
 
@@ -141,10 +139,9 @@ namespace auxfem
   {
     const State::Before   &before = *path.state_before();
     PathWork::Values       displacement{};
-    const PathWork::Values force{
-      {before.load_factor * load.time_history.value(before.time),
-       step.from.load_factor * value_before(load, step),
-       step.to.load_factor * value_at_end(load.time_history, step)}};
+    const PathWork::Values force{{load.time_history.value(before.time_of_loads),
+                                  value_before(load, step),
+                                  value_at_end(load.time_history, step)}};
     for (const Weight &w : load.weights)
       if (numbering.layout().is_owned(w.unknown) &&
           (step.to.rotations.empty() ||

@@ -99,18 +99,19 @@ namespace auxfem
       : state.rotations[numbering.rotations().with(rotation_about_z)];
   }
 
-  void FollowerLoads::subtract(const double      factor,
-                               const Evaluation &evaluation,
-                               double           *forces) const
+  template <class Value>
+  void FollowerLoads::subtract(const Value &value,
+                               const State &state,
+                               double      *forces) const
   {
     for (const Load &load : loads)
       {
-        const Values now = values_now(load, evaluation);
+        const Values of_load = values(load, value);
         for (const Joint &joint : load.joints)
           {
-            const Quaternion  P      = rotation(joint, evaluation.to);
-            const SpaceVector force  = factor * rotated(P, now.force),
-                              moment = factor * rotated(P, now.moment);
+            const Quaternion  P      = rotation(joint, state);
+            const SpaceVector force  = rotated(P, of_load.force),
+                              moment = rotated(P, of_load.moment);
             for (unsigned int c = 0; c < n_motion_components; ++c)
               if (joint[c] >= 0)
                 forces[joint[c]] -= (c < 3 ? force : moment)[c % 3];
@@ -125,7 +126,12 @@ namespace auxfem
     if (evaluation.kind == Evaluation::Kind::between)
       add_mean_loads(evaluation, residual);
     else
-      subtract(evaluation.to.load_factor, evaluation, residual);
+      subtract(
+        [&](const TimeFunction &component) {
+          return value_at_end(component, evaluation);
+        },
+        evaluation.to,
+        residual);
   }
 
   void FollowerLoads::add_mean_loads(const Evaluation &step,
@@ -164,19 +170,21 @@ namespace auxfem
   {
     // The moment is constant in axes that turn with the joint, as is the turn
     // itself.
-    const auto &[before, now]  = ends;
-    const double factor_before = step.from.load_factor,
-                 factor_now    = step.to.load_factor;
-    return {(factor_before * rotated(rotation(joint, step.from), before.force) +
-             factor_now * rotated(rotation(joint, step.to), now.force)) /
+    const auto &[before, now] = ends;
+    return {(rotated(rotation(joint, step.from), before.force) +
+             rotated(rotation(joint, step.to), now.force)) /
               2,
-            (factor_before * before.moment + factor_now * now.moment) / 2};
+            (before.moment + now.moment) / 2};
   }
 
   void FollowerLoads::add_load_derivative(const Evaluation &evaluation,
                                           double           *derivative) const
   {
-    subtract(1., evaluation, derivative);
+    const double time = time_of_loads(evaluation.to);
+    subtract(
+      [&](const TimeFunction &component) { return component.jet(time)[1]; },
+      evaluation.to,
+      derivative);
   }
 
   void FollowerLoads::add_tangent(const Evaluation &evaluation,
@@ -184,7 +192,7 @@ namespace auxfem
                                   const TangentFactors &factors,
                                   TangentMatrix        &matrix) const
   {
-    const double factor = factors.stiffness * evaluation.to.load_factor;
+    const double factor = factors.stiffness;
     std::size_t  number = first_block;
     for (const Load &load : loads)
       {
@@ -239,11 +247,9 @@ namespace auxfem
           {
             if (!numbering.layout().is_owned(joint[0]))
               continue;
-            const Quaternion  P = rotation(joint, stage.to);
-            const SpaceVector force =
-                                stage.to.load_factor * rotated(P, now.force),
-                              moment =
-                                stage.to.load_factor * rotated(P, now.moment);
+            const Quaternion  P      = rotation(joint, stage.to);
+            const SpaceVector force  = rotated(P, now.force),
+                              moment = rotated(P, now.moment);
             for (unsigned int c = 0; c < n_motion_components; ++c)
               if (joint[c] >= 0)
                 account.add_power(load.work_entry,

@@ -57,20 +57,26 @@ TEST(AppliedLoads, ResidualIsMinusTheForceAtTheEndOfTheStep)
     EXPECT_EQ(residual[i], i == 1 ? -4.5 : i == 2 ? 9. - 5. : 0.);
 }
 
-TEST(AppliedLoads, TheLoadFactorMultipliesAllLoads)
+TEST(AppliedLoads, OnAPathTheyAreThoseOfTheLoadFactor)
 {
   LoadsAlone applied;
-  Evaluation evaluation     = Evaluation::step(applied.from, applied.to, 1.);
-  evaluation.to.load_factor = 0.25;
-  const std::vector<double> residual =
-    EvaluatedAlone(applied.loads, evaluation).residual;
-  std::vector<double> derivative(residual.size(), 0.);
-  applied.loads.add_load_derivative(evaluation, derivative.data());
-  for (unsigned int i = 0; i < residual.size(); ++i)
-    {
-      EXPECT_EQ(derivative[i], i == 1 ? -4.5 : i == 2 ? 9. - 5. : 0.);
-      EXPECT_EQ(residual[i], 0.25 * derivative[i]);
-    }
+  applied.to.path.emplace();
+  const auto residual = [&](const double load_factor) {
+    applied.to.path->load_factor = load_factor;
+    return EvaluatedAlone(applied.loads,
+                          Evaluation::step(applied.from, applied.to, 1.))
+      .residual;
+  };
+  const std::vector<double> less = residual(0.25), more = residual(1.25);
+  applied.to.path->load_factor = 0.75;
+  std::vector<double> derivative(less.size(), 0.);
+  applied.loads.add_load_derivative(Evaluation::step(applied.from,
+                                                     applied.to,
+                                                     1.),
+                                    derivative.data());
+  for (unsigned int i = 0; i < less.size(); ++i)
+    EXPECT_NEAR(derivative[i], more[i] - less[i], 1e-14);
+  EXPECT_NE(derivative[1], 0);
 }
 
 TEST(AppliedLoads, WorkIsTheMeanForceTimesTheDisplacement)

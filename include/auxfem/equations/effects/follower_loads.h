@@ -89,9 +89,9 @@ namespace auxfem
                        const Evaluation &step) const;
     /** Of a step between two states: such that moments too do their work. */
     void add_mean_loads(const Evaluation &step, double *residual) const;
-    /** Subtracts force and moment of all loads, times @p factor. */
-    void
-    subtract(double factor, const Evaluation &evaluation, double *forces) const;
+    /** Subtracts force and moment of all loads; @p value as for values(). */
+    template <class Value>
+    void subtract(const Value &value, const State &state, double *forces) const;
     Quaternion rotation(const Joint &joint, const State &state) const;
 
     const bool          is_planar;

@@ -1,0 +1,58 @@
+#ifndef auxfem_output_singular_point_files_h
+#define auxfem_output_singular_point_files_h
+
+#include <auxfem/equations/equations.h>
+#include <auxfem/equations/solution.h>
+#include <auxfem/output/csv_table.h>
+#include <auxfem/output/output_folder.h>
+#include <auxfem/output/singular_point.h>
+#include <auxfem/output/vtu_writer.h>
+
+#include <optional>
+
+namespace auxfem
+{
+  /** What a path of equilibria writes beside the files of other runs. */
+  FolderContents path_contents();
+
+  /** The kind in words, e.g. `limit point`. */
+  std::string text_of(SingularPoint::Kind kind);
+
+  /** One line for the screen on singular point @p number (from 1 on). */
+  std::string
+  text_of(const State &at, const SingularPoint &point, unsigned int number);
+
+  /**
+   * singular_points.csv with its reference, and the series `singular_...` for
+   * ParaView: at the time n the lattice at singular point n, displaced by its
+   * null vector. All functions but series() are collective.
+   */
+  class SingularPointFiles
+  {
+  public:
+    /** Throws InputError as the files do. @p scene, equations must outlive the
+     * object. */
+    SingularPointFiles(const Scene     &scene,
+                       const Equations &equations,
+                       MPI_Comm         communicator);
+
+    /** Adds a point, at @p at. */
+    void write(const State &at, const SingularPoint &point);
+
+    /** How many there are. */
+    unsigned int number() const;
+
+    /** Names of the series for ParaView. */
+    std::vector<std::string> series() const;
+
+  private:
+    const Scene             &scene;
+    const Equations         &equations;
+    MPI_Comm                 communicator;
+    std::optional<CsvTable>  table; ///< on rank 0
+    std::optional<VtuWriter> graphics;
+    unsigned int             n_written = 0;
+  };
+} // namespace auxfem
+
+#endif

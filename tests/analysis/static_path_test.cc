@@ -1,0 +1,203 @@
+#include <auxfem/parameters/errors.h>
+
+#include <gtest/gtest.h>
+#include <support/followed_path.h>
+#include <support/scene_text.h>
+
+#include <cmath>
+
+#include <support/messages.h>
+
+using namespace auxfem;
+using namespace auxfem::testing_support;
+
+namespace
+{
+  constexpr double bar_stiffness = 1e6, half_span = 10, rise = 1;
+
+  /** Two bars that meet at joint 1: a von Mises truss. */
+  SceneText truss()
+  {
+    return static_frame(text(-half_span) + " 0; 0 " + text(rise) + "; " +
+                          text(half_span) + " 0",
+                        "0 1; 1 2")
+      .section({bar_stiffness, 1e5, 1e6})
+      .hinge("apex", "1")
+      .support("left", "0", "pin")
+      .support("right", "2", "pin")
+      .mesh(1, 0)
+      .time(1, 0.1);
+  }
+
+  SceneText pressed_truss(const double force = 600)
+  {
+    return truss().load("weight", "1", {"0", text(-force) + " * t", "0"});
+  }
+
+  /** Force on the apex that has gone down by @p v. */
+  double truss_force(const double v)
+  {
+    return 2 * bar_stiffness * (rise - v) *
+      (1 / std::hypot(half_span, rise - v) - 1 / std::hypot(half_span, rise));
+  }
+
+  double truss_limit()
+  {
+    return 2 * bar_stiffness *
+      std::pow(1 - std::pow(half_span / std::hypot(half_span, rise), 2. / 3),
+               1.5);
+  }
+
+  double deflection(const FollowedPath::Point &point)
+  {
+    return -point.motions[1][1];
+  }
+} // namespace
+
+TEST(StaticPath, PassesTheLimitPointsOfATruss)
+{
+  const double       force = 600;
+  const FollowedPath path(pressed_truss(force).str());
+  EXPECT_EQ(path.result.exit_state, "completed");
+  for (const FollowedPath::Point &point : path.points)
+    {
+      const double v = deflection(point);
+      EXPECT_NEAR(force * point.load_factor, truss_force(v), 1e-8 * force);
+      // Stable before the first and after the last limit point.
+      const double unstable_from = 0.4236074652,
+                   until         = 2 * rise - unstable_from;
+      EXPECT_EQ(point.n_negative, v > unstable_from && v < until ? 1 : 0) << v;
+    }
+  EXPECT_EQ(path.points.back().load_factor, 1.);
+  ASSERT_EQ(path.singular_points.size(), 2u);
+  const auto limits = path.limits();
+  ASSERT_EQ(limits.size(), 2u);
+  EXPECT_NEAR(force * limits[0].load_factor, truss_limit(), 1e-9 * force);
+  EXPECT_NEAR(force * limits[1].load_factor, -truss_limit(), 1e-9 * force);
+  EXPECT_NEAR(deflection(limits[0]), 0.4236074652, 1e-6);
+  EXPECT_EQ(limits[0].singular.n_negative_after, 1u);
+  EXPECT_EQ(limits[1].singular.n_negative_after, 0u);
+}
+
+TEST(StaticPath, EnergiesBalanceAlongIt)
+{
+  const auto error = [](const double resolution) {
+    const FollowedPath path(pressed_truss().str(),
+                            {"Path/Resolution=" + text(resolution),
+                             "Path/First load increment=" + text(resolution)});
+    double             largest = 0, energy = 0;
+    for (const FollowedPath::Point &point : path.points)
+      {
+        largest = std::max(largest, std::abs(point.energies.balance(0)));
+        energy  = std::max(energy, point.energies.total());
+      }
+    EXPECT_GT(energy, 100);
+    return largest / energy;
+  };
+  // Steps go with the square root of the resolution, their error at least with
+  // the second power of their length.
+  const double coarse = error(0.02), fine = error(0.002);
+  EXPECT_LE(coarse, 2e-3);
+  EXPECT_LE(fine, 0.1 * coarse);
+}
+
+TEST(StaticPath, ReversedLoadsPullTheOtherWay)
+{
+  const FollowedPath path(pressed_truss().str(), {"Path/Reversed loads=true"});
+  EXPECT_EQ(path.points.back().load_factor, -1.);
+  EXPECT_TRUE(path.singular_points.empty());
+  EXPECT_LT(deflection(path.points.back()), 0);
+}
+
+TEST(StaticPath, SupportsMayDriveIt)
+{
+  // A soft bar pushes the apex; its upper end goes back while the truss snaps.
+  const double    stiffness = 300, way = 5;
+  const SceneText scene =
+    static_frame(text(-half_span) + " 0; 0 " + text(rise) + "; " +
+                   text(half_span) + " 0; 0 " + text(rise + 10),
+                 "0 1; 1 2; 1 3")
+      .section({bar_stiffness, 1e5, 1e6}, "0, 1")
+      .section({10 * stiffness, 1e5, 1e6}, "2")
+      .hinge("apex", "1")
+      .support("left", "0", "pin")
+      .support("right", "2", "pin")
+      .prescribe("pusher", "3", {"0", text(-way) + " * t", "free"})
+      .mesh(1, 0)
+      .time(1, 0.1);
+  const FollowedPath path(scene.str());
+  EXPECT_EQ(path.result.exit_state, "completed");
+  for (const FollowedPath::Point &point : path.points)
+    {
+      const double v = deflection(point);
+      EXPECT_NEAR(way * point.load_factor,
+                  v + truss_force(v) / stiffness,
+                  1e-8);
+      EXPECT_NEAR(-point.motions[3][1], way * point.load_factor, 1e-12);
+    }
+  EXPECT_EQ(path.limits().size(), 2u);
+  for (const FollowedPath::Singular &limit : path.limits())
+    {
+      // dP/dv = -stiffness
+      const double v = deflection(limit), step = 1e-4;
+      EXPECT_NEAR((truss_force(v + step) - truss_force(v - step)) / (2 * step),
+                  -stiffness,
+                  1e-3 * stiffness);
+    }
+}
+
+TEST(StaticPath, DeadLoadsOfAStaticStartStay)
+{
+  const double    dead  = 200;
+  const SceneText scene = truss()
+                            .load("weight", "1", {"0", text(-dead), "0"})
+                            .load("push", "1", {"0", "-100 * t", "0"})
+                            .set("Time/Start from", "static equilibrium");
+  const FollowedPath path(scene.str(), {"Path/Largest load factor=6"});
+  const auto         limits = path.limits();
+  ASSERT_EQ(limits.size(), 2u);
+  EXPECT_NEAR(dead + 100 * limits[0].load_factor, truss_limit(), 1e-6);
+  EXPECT_NEAR(dead + 100 * path.points[3].load_factor,
+              truss_force(deflection(path.points[3])),
+              1e-5);
+}
+
+TEST(StaticPath, EndsWhereItIsTold)
+{
+  const FollowedPath by_motion(pressed_truss().str(),
+                               {"Path/Largest displacement=0.5"});
+  EXPECT_GE(deflection(by_motion.points.back()), 0.5);
+  EXPECT_LT(deflection(by_motion.points[by_motion.points.size() - 2]), 0.5);
+  const FollowedPath by_points(pressed_truss().str(), {"Path/Points=7"});
+  EXPECT_EQ(by_points.points.size(), 8u);
+  ASSERT_EQ(by_points.result.findings.size(), 1u);
+  EXPECT_NE(by_points.result.findings[0].text.find("Path/Points = 7"),
+            std::string::npos);
+}
+
+TEST(StaticPath, PointsLieAsNearAsTheResolutionSays)
+{
+  const auto n = [](const double resolution) {
+    return FollowedPath(pressed_truss().str(),
+                        {"Path/Resolution=" + text(resolution)})
+      .points.size();
+  };
+  // Deviations go with the square of the distance.
+  EXPECT_NEAR(double(n(0.001)) / n(0.016), 4, 1.2);
+}
+
+TEST(StaticPath, WhatCannotBeFollowedIsRefused)
+{
+  expect_parts(input_error_of([] { FollowedPath(truss().str()); }),
+               {"no load and no prescribed motion", "Path/Time of the loads"});
+  expect_parts(input_error_of([] {
+                 FollowedPath(pressed_truss().str(),
+                              {"Effects/Large rotation=off"});
+               }),
+               {"Effects/Large rotation = off", "static path"});
+  expect_parts(input_error_of([] {
+                 FollowedPath(pressed_truss().str(),
+                              {"Discretization/Order=auto"});
+               }),
+               {"Discretization/Order = auto", "static path"});
+}

@@ -1,0 +1,215 @@
+#include <support/followed_path.h>
+#include <support/scene_text.h>
+#include <verification/result_table.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <support/pi.h>
+
+using namespace auxfem;
+using namespace auxfem::testing_support;
+
+// Singular points of published problems, found by Analysis = static path, which
+// is not told where they are. References: closed forms, and the exact rod
+// equation by shooting.
+
+namespace
+{
+  using Singular = FollowedPath::Singular;
+
+  /** A straight-sided frame with shear flexibility that leaves some 1e-7. */
+  constexpr double shear_rigid = 1000;
+
+  SceneText
+  frame_under(SceneText scene, const std::string &joint, const double force)
+  {
+    return scene.load("weight", joint, {"0", text(-force) + " * t", "0"})
+      .time(1, 1);
+  }
+
+  /** Lee, Manuel & Rossow 1968, as in lee_frame_test.cc. */
+  SceneText lee_path(const bool follows)
+  {
+    constexpr double axial = 7.2e6 * 6;
+    SceneText        scene =
+      static_frame("0 0; 0 120; 24 120; 120 120", "0 1; 1 2; 2 3");
+    scene.section({axial, shear_rigid * axial, 7.2e6 * 2})
+      .support("hinges", "0, 3", "pin")
+      .mesh(4, 3);
+    scene = frame_under(scene, "2", 40000);
+    if (follows)
+      scene.set("Loads/weight/Direction", "follows the joint");
+    return scene;
+  }
+
+  void compare_lee(const bool follows, const double upper, const double lower)
+  {
+    const FollowedPath path(lee_path(follows).str());
+    const auto         limits = path.limits();
+    ASSERT_EQ(limits.size(), 2u);
+    ComparisonTable table(
+      std::string("Lee's frame, limit loads of a ") +
+      (follows ? "load that turns with the frame" : "dead load") +
+      ", rod equation by shooting");
+    table.relative("upper", 40000 * limits[0].load_factor, upper, 1e-6);
+    // What shear leaves there.
+    table.relative("lower", 40000 * limits[1].load_factor, lower, 4e-6);
+  }
+
+  TEST(EquilibriumPath, LeesFrame)
+  {
+    compare_lee(false, 18556.7275, -9414.4316);
+  }
+
+  TEST(EquilibriumPath, LeesFrameWithAFollowerLoad)
+  {
+    compare_lee(true, 35437.9945, -13908.4117);
+  }
+
+  TEST(EquilibriumPath, WilliamsToggle)
+  {
+    constexpr double E = 10.3e6, height = 0.243, area = 0.753 * height;
+    SceneText scene = static_frame("-12.943 0; 0 0.386; 12.943 0", "0 1; 1 2");
+    scene
+      .section(
+        {E * area, shear_rigid * E * area, E * area * height * height / 12})
+      .support("feet", "0, 2", "clamp")
+      .mesh(4, 3);
+    const FollowedPath path(frame_under(scene, "1", 80).str());
+    const auto         limits = path.limits();
+    ASSERT_EQ(limits.size(), 2u);
+    ComparisonTable table(
+      "Williams' toggle frame, limit loads, rod equation by "
+      "shooting");
+    table.relative("upper", 80 * limits[0].load_factor, 33.8703852, 1e-6);
+    table.relative("lower", 80 * limits[1].load_factor, 31.2817745, 1e-6);
+    table.relative("upper: v", -limits[0].motions[1][1], 0.2321568, 1e-5);
+    table.relative("lower: v", -limits[1].motions[1][1], 0.3915942, 1e-5);
+  }
+
+  // DaDeppo & Schmidt 1975: 215 degrees, clamp left, hinge right.
+  TEST(EquilibriumPath, DeepArch)
+  {
+    constexpr double radius = 100;
+    const double     half = 107.5 / 180 * pi, x = radius * std::sin(half),
+                 y    = radius * std::cos(half),
+                 rise = radius * (1 - std::cos(half / 2));
+    SceneText scene   = static_frame(text(-x) + " " + text(y) + "; 0 100; " +
+                                     text(x) + " " + text(y),
+                                   "0 1 " + text(rise) + "; 1 2 " + text(rise));
+    scene.section({1e8, 1e8, 1e6})
+      .support("clamp", "0", "clamp")
+      .support("hinge", "2", "pin")
+      .mesh(4, 3)
+      .set("Lattice/Struts may cross", "true");
+    const FollowedPath path(frame_under(scene, "1", 1000).str());
+    const auto         limits = path.limits();
+    ASSERT_EQ(limits.size(), 2u);
+    ComparisonTable table("Deep circular arch, limit loads, rod equation by "
+                          "shooting");
+    table.relative("upper, extensible with shear",
+                   1000 * limits[0].load_factor,
+                   897.289134,
+                   2e-7);
+    // The reference is inextensible and without shear: 2e-5 in the upper one.
+    table.relative("lower", 1000 * limits[1].load_factor, -73.055131, 2e-4);
+  }
+
+  /** Argyris et al. 1979: legs of 240 mm, section 30 x 0.6, J = h t^3 / 3. */
+  TEST(EquilibriumPath, LateralBucklingOfARightAngleFrame)
+  {
+    struct Case
+    {
+      const char *name, *force_x, *force_y;
+      double      force;
+    };
+    ComparisonTable table("Right-angle cantilever frame, force at which it "
+                          "leaves its plane, rod equation by shooting");
+    const double    axial = 71240 * 30 * 0.6, shear = axial / 2.62 * 5 / 6;
+    for (const Case &one : std::vector<Case>{{"+x", "2 * t", "0", 1.08751784},
+                                             {"-x", "-2 * t", "0", 0.68042736},
+                                             {"+y", "0", "2 * t", 0.65076516}})
+      {
+        SceneText scene =
+          static_space_frame("0 0; 240 0; 240 -240", "0 1; 1 2");
+        scene.space_section({axial, shear, shear, 58732.21, 38469.6, 9.6174e7})
+          .load("end", "2", {one.force_x, one.force_y, "0"})
+          .support("clamp", "0", "clamp")
+          .mesh(4, 3)
+          .time(1, 1);
+        const FollowedPath path(scene.str(), {"Path/Largest load factor=0.6"});
+        const auto         found = path.bifurcations();
+        ASSERT_FALSE(found.empty());
+        table.relative(one.name, 2 * found[0].load_factor, one.force, 1e-6);
+      }
+  }
+
+  // Euler's column, clamped below: the branch that leans to a side.
+  TEST(EquilibriumPath, ElasticaAfterBuckling)
+  {
+    const double critical = pi * pi / 4, axial = 1e6;
+    SceneText    scene = static_frame("0 0; 0 1", "0 1");
+    scene.section({axial, axial, 1}).support("clamp", "0", "clamp").mesh(4, 3);
+    scene = frame_under(scene, "1", 4 * critical);
+    const FollowedPath path(scene.str(),
+                            {"Path/Branch=stable",
+                             "Path/Resolution=1e-3",
+                             "Path/Largest load factor=0.8"});
+    ASSERT_FALSE(path.bifurcations().empty());
+    ComparisonTable table("Euler's column after buckling, elastica");
+    table.relative("P / Pcr at the bifurcation",
+                   4 * path.bifurcations()[0].load_factor,
+                   1,
+                   1e-5);
+    struct Row
+    {
+      double degrees, force, x, y;
+    };
+    for (const Row &row :
+         std::vector<Row>{{20, 1.015396866, 0.9697309074, 0.2194130424},
+                          {60, 1.151719620, 0.7410196061, 0.5932076462},
+                          {90, 1.393203930, 0.4569465810, 0.7627597635},
+                          {120, 1.884800869, 0.1231599724, 0.8031709900},
+                          {150, 3.105361984, -0.2222683829, 0.6979073638}})
+      {
+        // Between two points, by a cubic in the tip's angle.
+        const double angle = row.degrees / 180 * pi;
+        const auto   value = [&](const auto &of_point) {
+          std::vector<FollowedPath::Point> near = path.points;
+          std::sort(near.begin(),
+                    near.end(),
+                    [&](const auto &a, const auto &b) {
+                      return std::abs(std::abs(a.motions[1][5]) - angle) <
+                        std::abs(std::abs(b.motions[1][5]) - angle);
+                    });
+          double sum = 0;
+          for (unsigned int i = 0; i < 4; ++i)
+            {
+              double weight = of_point(near[i]);
+              for (unsigned int j = 0; j < 4; ++j)
+                if (j != i)
+                  weight *= (angle - std::abs(near[j].motions[1][5])) /
+                    (std::abs(near[i].motions[1][5]) -
+                     std::abs(near[j].motions[1][5]));
+              sum += weight;
+            }
+          return sum;
+        };
+        const std::string at = text(row.degrees) + " degrees: ";
+        table.relative(at + "P / Pcr",
+                       value([](const auto &p) { return 4 * p.load_factor; }),
+                       row.force,
+                       2e-5);
+        table.row(at + "x / L",
+                  value([](const auto &p) { return 1 + p.motions[1][1]; }),
+                  row.x,
+                  2e-5);
+        table.row(at + "y / L",
+                  value(
+                    [](const auto &p) { return std::abs(p.motions[1][0]); }),
+                  row.y,
+                  2e-5);
+      }
+  }
+} // namespace
