@@ -21,11 +21,9 @@ namespace auxfem
       scene.time.scheme             = std::make_shared<QuasiStatic>();
       scene.time.relative_tolerance = std::nullopt;
       // Few iterations a point are what lets steps be long.
-      scene.newton.keep_factorization   = false;
-      scene.effects.inertia             = Switch::automatic;
-      scene.effects.large_rotation      = Switch::on;
-      scene.effects.connector_viscosity = Switch::off;
-      scene.effects.strut_damping       = Switch::off;
+      scene.newton.keep_factorization = false;
+      scene.effects.inertia           = Switch::automatic;
+      scene.effects.large_rotation    = Switch::on;
       scene.initial_velocities.clear();
       return scene;
     }

@@ -234,6 +234,39 @@ TEST(NaturalModes, OfIterativeSolutionsAreNotCounted)
                 1e-7);
 }
 
+// The blocks of bent struts in space are not symmetric; their sum is.
+TEST(NaturalModes, OfALoadedFrameInSpaceAreThoseInItsPlane)
+{
+  const auto frequencies = [](const unsigned int dimension) {
+    SceneText scene;
+    scene.dimension(dimension)
+      .frame("0 0; 0 1; 1 1", "0 1; 1 2")
+      .circle("all", 0.01, {1e9, 1000, 0.3})
+      .support("foot", "0", "clamp")
+      .mesh(3, 1)
+      .time(1, 0.1, "newmark")
+      .set("Time/Start from", "static equilibrium");
+    if (dimension == 2)
+      scene.load("weight", "2", {"0", "-1", "0"});
+    else
+      scene.load("weight", "2", {"0", "-1", "0"}, {{"0", "0", "0"}});
+    std::vector<double> found;
+    for (const NaturalMode &mode : modes_of(scene, 6).modes)
+      found.push_back(mode.angular_frequency());
+    return found;
+  };
+  const std::vector<double> in_plane = frequencies(2),
+                            in_space = frequencies(3);
+  for (unsigned int i = 0; i < 2; ++i)
+    EXPECT_TRUE(std::any_of(in_space.begin(),
+                            in_space.end(),
+                            [&](const double frequency) {
+                              return std::abs(frequency - in_plane[i]) <
+                                1e-6 * in_plane[i];
+                            }))
+      << in_plane[i];
+}
+
 TEST(NaturalModes, LoadsThatFollowTheirJointAreRefused)
 {
   const SceneText followed =

@@ -201,3 +201,71 @@ TEST(StaticPath, WhatCannotBeFollowedIsRefused)
                }),
                {"Discretization/Order = auto", "static path"});
 }
+
+TEST(StaticPath, ViscousProcessesHaveComeToRest)
+{
+  // A standard linear solid holds the apex by its long-time spring alone.
+  const double    force = 600, stiffness = 150;
+  const SceneText scene = pressed_truss(force).connector(
+    "damper",
+    "standard-linear-solid",
+    "Between = ground: 1 | Geometry = direction | Direction = 0 1 | "
+    "Long-time stiffness = " +
+      text(stiffness) +
+      " | Spring stiffness = 1000 | Damping coefficient = 10");
+  const FollowedPath path(scene.str());
+  for (const FollowedPath::Point &point : path.points)
+    EXPECT_NEAR(force * point.load_factor,
+                truss_force(deflection(point)) + stiffness * deflection(point),
+                1e-7 * force);
+  EXPECT_LE(std::abs(path.points.back().energies.dissipated()), 1e-12);
+}
+
+TEST(StaticPath, LeavesABranchToEitherSide)
+{
+  const SceneText scene = static_frame("0 0; 0 1", "0 1")
+                            .section({1e5, 1e5, 1})
+                            .support("clamp", "0", "clamp")
+                            .load("weight", "1", {"0", "-5 * t", "0"})
+                            .mesh(4, 2)
+                            .time(1, 1);
+  const auto sway = [&](const char *branch, const char *opposite) {
+    const FollowedPath path(scene.str(),
+                            {std::string("Path/Branch=") + branch,
+                             std::string("Path/Opposite side=") + opposite});
+    EXPECT_EQ(path.points.back().load_factor, 1.);
+    EXPECT_EQ(path.points.back().n_negative, branch[0] == '0' ? 1u : 0u);
+    return path.points.back().motions[1][0];
+  };
+  EXPECT_NEAR(sway("0", "false"), 0, 1e-6);
+  const double to_one = sway("stable", "false"), to_other = sway("1", "true");
+  EXPECT_GT(std::abs(to_one), 0.5);
+  EXPECT_NEAR(to_one, -to_other, 1e-6);
+}
+
+TEST(StaticPath, IsTheSameOnAllRanks)
+{
+  const SceneText scene = static_scene()
+                            .cells("star", 3, 2)
+                            .set("Lattice/Strut length", 0.01)
+                            .set("Lattice/Opening angle", "60 deg")
+                            .rectangle("all", 4e-4, 4e-4, {70e9})
+                            .support("foot", "bottom", "clamp")
+                            .load("weight", "top", {"0", "-3 * t", "0"})
+                            .time(1, 1);
+  const std::vector<std::string> settings = {"Path/Branch=1", "Path/Points=12"};
+  const FollowedPath             alone(scene.str(), settings),
+    together(scene.str(), settings, MPI_COMM_WORLD);
+  ASSERT_EQ(alone.points.size(), together.points.size());
+  for (unsigned int i = 0; i < alone.points.size(); ++i)
+    {
+      EXPECT_NEAR(alone.points[i].load_factor,
+                  together.points[i].load_factor,
+                  1e-7);
+      EXPECT_EQ(alone.points[i].n_negative, together.points[i].n_negative);
+    }
+  ASSERT_GE(alone.bifurcations().size(), 1u);
+  EXPECT_NEAR(alone.bifurcations()[0].load_factor,
+              together.bifurcations().at(0).load_factor,
+              1e-8);
+}

@@ -12,6 +12,10 @@ namespace auxfem
     std::string reason;
   };
 
+  /** Why what resists rates is left out of paths of equilibria. */
+  inline const std::string no_rates_on_paths =
+    "a path of equilibria has no rates";
+
   /** Of effects without which a run takes as long (measured, doc/effects.md).
    */
   std::string saves_nothing(const SimulatedEffects &before);

@@ -66,6 +66,8 @@ namespace auxfem
             &EffectSwitches::connector_viscosity,
             &SimulatedEffects::connector_viscosity,
             [](const Scene &scene) -> EffectCause {
+              if (scene.analysis == Analysis::static_path)
+                return {false, no_rates_on_paths};
               return {std::any_of(scene.connectors.begin(),
                                   scene.connectors.end(),
                                   [](const ConnectorDefinition &c) {

@@ -43,6 +43,8 @@ namespace auxfem
             &EffectSwitches::strut_damping,
             &SimulatedEffects::strut_damping,
             [](const Scene &scene) -> EffectCause {
+              if (scene.analysis == Analysis::static_path)
+                return {false, no_rates_on_paths};
               const bool given =
                 std::any_of(scene.sections.begin(),
                             scene.sections.end(),
