@@ -467,9 +467,10 @@ def draw_curves(arguments):
         title = " / ".join(sorted(units))
         if arguments.panels:
             title = f"{columns[0]} ({title})" if title else columns[0]
+        unit = unit_of(arguments.run, arguments.over)
         label_axes(chart, {
             vtk.vtkAxis.BOTTOM:
-                f"{arguments.over} ({unit_of(arguments.run, arguments.over)})",
+                f"{arguments.over} ({unit})" if unit else arguments.over,
             vtk.vtkAxis.LEFT: title})
         if i == 0:
             place_legend(chart, arguments.legend)

@@ -1,8 +1,8 @@
 #include <auxfem/analysis/first_frequency.h>
+#include <auxfem/analysis/imperfect_lattice.h>
 #include <auxfem/analysis/inverse_iteration.h>
 #include <auxfem/analysis/lattice_run.h>
 #include <auxfem/analysis/saved_state.h>
-#include <auxfem/model/build_lattice.h>
 #include <auxfem/model/load_course.h>
 #include <auxfem/parameters/errors.h>
 #include <auxfem/parameters/out_of_memory.h>
@@ -50,7 +50,7 @@ namespace auxfem
   LatticeRun::LatticeRun(const Scene &scene, const MPI_Comm communicator)
     : set_up_watch(std::in_place, work_done.wall.setup)
     , scene(scene)
-    , lattice(build_lattice(scene))
+    , lattice(imperfect_lattice(scene, communicator))
     , model(scene, lattice, communicator)
     , equations(scene, model)
     , solution(equations.initial_solution())

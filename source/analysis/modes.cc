@@ -20,21 +20,6 @@ namespace auxfem
 {
   namespace
   {
-    /** The scene at t = 0 at rest, as it is looked at. */
-    Scene still(Scene scene)
-    {
-      scene.time.static_start = scene.modes.about_equilibrium;
-      scene.initial_velocities.clear();
-      if (scene.analysis == Analysis::buckling)
-        {
-          scene.time.scheme             = std::make_shared<QuasiStatic>();
-          scene.time.relative_tolerance = std::nullopt;
-          scene.effects.inertia         = Switch::automatic;
-          scene.effects.large_rotation  = Switch::on;
-        }
-      return scene;
-    }
-
     /** What is told of modes, of whatever kind they are. */
     struct ToldModes
     {
@@ -131,16 +116,6 @@ namespace auxfem
       return told;
     }
 
-    BucklingModes buckling_modes_of(LatticeRun &run)
-    {
-      const ModesDefinition &modes = run.scene.modes;
-      return buckling_modes(run.solver(),
-                            run.solution.state,
-                            {modes.load_time.value_or(run.scene.time.end_time),
-                             modes.reversed_loads},
-                            modes.number);
-    }
-
     std::string summary_text(const Scene        &scene,
                              const ToldModes    &told,
                              const LatticeModel &model)
@@ -222,6 +197,30 @@ namespace auxfem
     }
   } // namespace
 
+  Scene scene_of_modes(Scene scene)
+  {
+    scene.time.static_start = scene.modes.about_equilibrium;
+    scene.initial_velocities.clear();
+    if (scene.analysis == Analysis::buckling)
+      {
+        scene.time.scheme             = std::make_shared<QuasiStatic>();
+        scene.time.relative_tolerance = std::nullopt;
+        scene.effects.inertia         = Switch::automatic;
+        scene.effects.large_rotation  = Switch::on;
+      }
+    return scene;
+  }
+
+  BucklingModes buckling_modes_of(LatticeRun &run)
+  {
+    const ModesDefinition &modes = run.scene.modes;
+    return buckling_modes(run.solver(),
+                          run.solution.state,
+                          {modes.load_time.value_or(run.scene.time.end_time),
+                           modes.reversed_loads},
+                          modes.number);
+  }
+
   std::vector<std::string> modes_files()
   {
     return mode_contents().names();
@@ -231,7 +230,7 @@ namespace auxfem
                       const MPI_Comm   communicator,
                       const FileRules &rules)
   {
-    const Scene scene = still(given);
+    const Scene scene = scene_of_modes(given);
     if (scene.analysis == Analysis::buckling)
       return run_modes_by(buckling_modes_of, scene, communicator, rules);
     return run_modes_by(
@@ -247,7 +246,7 @@ namespace auxfem
 
   void check_modes(const Scene &given, const MPI_Comm communicator)
   {
-    const Scene scene = still(given);
+    const Scene scene = scene_of_modes(given);
     LatticeRun  run(scene, communicator);
     run.prepare();
     print_overview(scene, run.equations);

@@ -1,101 +1,26 @@
 #include <auxfem/mesh/condition.h>
-#include <auxfem/parameters/errors.h>
-#include <auxfem/parameters/expression.h>
-
-#include <algorithm>
-#include <cmath>
 
 namespace auxfem
 {
-  std::array<dealii::Point<3>, 2> bounding_box(const Lattice &lattice)
-  {
-    dealii::Point<3> low = lattice.joints.front(), high = low;
-    for (const auto &joint : lattice.joints)
-      for (unsigned int d = 0; d < 3; ++d)
-        {
-          low[d]  = std::min(low[d], joint[d]);
-          high[d] = std::max(high[d], joint[d]);
-        }
-    return {{low, high}};
-  }
-
   bool is_condition(const std::string &text)
   {
     return text.find_first_of("<>=!&|()?") != std::string::npos;
   }
 
-  class Condition::Implementation
-  {
-  public:
-    Implementation(const std::string  &text,
-                   const Lattice      &lattice,
-                   const SceneContext &context,
-                   const std::string  &path)
-      : text(text)
-      , path(path)
-      , expression(read(bounding_box(lattice), context))
-    {}
-
-    bool holds_at(const dealii::Point<3> &at)
-    {
-      position           = at;
-      const double value = expression.value();
-      if (std::isnan(value))
-        fail("its value at (" + std::to_string(at[0]) + ", " +
-             std::to_string(at[1]) + ", " + std::to_string(at[2]) +
-             ") m is not a number.");
-      return value != 0.;
-    }
-
-  private:
-    Expression read(const std::array<dealii::Point<3>, 2> &box,
-                    const SceneContext                    &context)
-    {
-      std::vector<Expression::Variable> coordinates;
-      std::vector<Expression::Constant> bounds;
-      for (unsigned int d = 0; d < 3; ++d)
-        {
-          const std::string axis(1, "xyz"[d]);
-          coordinates.emplace_back(axis, &position[d]);
-          bounds.emplace_back(axis + "min", box[0][d]);
-          bounds.emplace_back(axis + "max", box[1][d]);
-        }
-      try
-        {
-          return Expression(text, coordinates, bounds, context.constants);
-        }
-      catch (const ExpressionError &error)
-        {
-          fail(error.what() + ("\n" + error.allowed));
-        }
-    }
-
-    [[noreturn]] void fail(const std::string &problem) const
-    {
-      throw InputError(
-        path + ": the condition \"" + text + "\" cannot be used: " + problem +
-        "\nKnown in conditions are also x, y, z (m). Positions are "
-        "best compared by \"abs(y - ymax) < 1e-6\".");
-    }
-
-    const std::string text;
-    const std::string path;
-    dealii::Point<3>  position;
-    Expression        expression;
-  };
-
   Condition::Condition(const std::string  &text,
                        const Lattice      &lattice,
                        const SceneContext &context,
                        const std::string  &path)
-    : implementation(
-        std::make_unique<Implementation>(text, lattice, context, path))
+    : function(text,
+               "condition",
+               "Positions are best compared by \"abs(y - ymax) < 1e-6\".",
+               lattice,
+               context,
+               path)
   {}
-
-  Condition::~Condition() = default;
 
   bool Condition::holds_at(const dealii::Point<3> &position)
   {
-    return implementation->holds_at(position);
+    return function.value_at(position) != 0.;
   }
 } // namespace auxfem

@@ -31,6 +31,11 @@ namespace auxfem
       return names;
     }
 
+    const Lattice &as_designed(const Lattice &lattice)
+    {
+      return lattice.as_designed ? *lattice.as_designed : lattice;
+    }
+
     std::string quoted(const std::string &text)
     {
       return "\"" + text + "\"";
@@ -318,12 +323,13 @@ namespace auxfem
                                           const SceneContext &context,
                                           const std::string  &path)
   {
+    const Lattice &designed = as_designed(lattice);
     return Selector(
              "joint",
              lattice.joint_sets,
              lattice.joints.size(),
-             [&](const unsigned int i) { return lattice.joints[i]; },
-             lattice,
+             [&](const unsigned int i) { return designed.joints[i]; },
+             designed,
              context,
              path)
       .select(text);
@@ -334,17 +340,18 @@ namespace auxfem
                                           const SceneContext &context,
                                           const std::string  &path)
   {
-    const auto middle = [&](const unsigned int i) {
+    const Lattice &designed = as_designed(lattice);
+    const auto     middle   = [&](const unsigned int i) {
       dealii::Point<3>     position;
       dealii::Tensor<1, 3> tangent;
-      lattice.axis(lattice.struts[i], 0.5, position, tangent);
+      designed.axis(designed.struts[i], 0.5, position, tangent);
       return position;
     };
     return Selector("strut",
                     lattice.strut_sets,
                     lattice.struts.size(),
                     middle,
-                    lattice,
+                    designed,
                     context,
                     path)
       .select(text);

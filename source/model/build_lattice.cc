@@ -1,6 +1,7 @@
 #include <auxfem/mesh/position_text.h>
 #include <auxfem/mesh/sets.h>
 #include <auxfem/model/build_lattice.h>
+#include <auxfem/model/imperfections.h>
 #include <auxfem/model/rigid_parts.h>
 #include <auxfem/parameters/errors.h>
 
@@ -120,7 +121,8 @@ namespace auxfem
     }
   } // namespace
 
-  Lattice build_lattice(const Scene &scene)
+  Lattice build_lattice(const Scene                 &scene,
+                        const GeometryOffsets *const offsets)
   {
     Lattice lattice =
       make_array(scene.lattice.cell->build(), scene.lattice.n_cells);
@@ -128,6 +130,9 @@ namespace auxfem
     for (const auto &definition : scene.sets)
       add_set(definition, scene.context, lattice);
     assign_sections(scene, lattice);
+    if (!scene.imperfections.empty())
+      disturb(offsets != nullptr ? *offsets : given_offsets(scene, lattice),
+              lattice);
     make_rigid_parts(scene, lattice);
     check_sections(lattice, scene.context.dimension);
     return lattice;

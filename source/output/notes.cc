@@ -47,6 +47,23 @@ namespace auxfem
       return shortest;
     }
 
+    void add_imperfections(const Lattice            &lattice,
+                           std::vector<std::string> &notes)
+    {
+      if (!lattice.as_designed)
+        return;
+      double largest = 0;
+      for (unsigned int i = 0; i < lattice.joints.size(); ++i)
+        largest =
+          std::max(largest,
+                   lattice.joints[i].distance(lattice.as_designed->joints[i]));
+      std::ostringstream text;
+      text << "By Imperfections joints of the stress-free lattice are off the "
+              "designed one by up to "
+           << largest << " m.";
+      notes.push_back(text.str());
+    }
+
     void add_thick_sections(const Scene              &scene,
                             const LatticeModel       &model,
                             std::vector<std::string> &notes)
@@ -87,6 +104,7 @@ namespace auxfem
       notes.push_back(*on_scheme);
     for (const std::string &note : time_function_notes(scene))
       notes.push_back(note);
+    add_imperfections(model.lattice, notes);
     add_thick_sections(scene, model, notes);
     return notes;
   }

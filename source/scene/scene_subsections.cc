@@ -59,6 +59,7 @@ namespace auxfem
       {reduced_cell_schema(), set<&Scene::reduced_cell, read_reduced_cell>},
       {lattice_schema(), set<&Scene::lattice, read_lattice>},
       {sets_schema(), add<&Scene::sets, read_set>},
+      {imperfections_schema(), add<&Scene::imperfections, read_imperfection>},
       {sections_schema(), add<&Scene::sections, read_section>},
       {rigid_parts_schema(), add<&Scene::rigid_parts, read_rigid_part>},
       {joints_schema(), add<&Scene::joints, read_joint>},

@@ -127,6 +127,9 @@ namespace
                                     "set Columns at",
                                     "set Directory",
                                     "set File",
+                                    "set Displacement x = 0",
+                                    "set Displacement y = 0",
+                                    "set Displacement z = 0",
                                     "set Schemes",
                                     "set NAME = TEXT"};
     std::istringstream stream(run.output);

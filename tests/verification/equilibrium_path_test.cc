@@ -212,4 +212,69 @@ namespace
                   2e-5);
       }
   }
+
+  // A 5 x 4 star lattice that buckles, with imperfections in its first mode. By
+  // Southwell (1932) the sway w over the load P is a straight line over w, the
+  // slope of which is 1 / (the load of the perfect lattice), wherever motions
+  // are small: the more so the smaller the imperfection.
+  TEST(EquilibriumPath, StarLatticeWithImperfections)
+  {
+    SceneText star = static_scene();
+    star.cells("star", 5, 4)
+      .set("Lattice/Strut length", 0.01)
+      .set("Lattice/Opening angle", "60 deg")
+      .rectangle("all", 4e-4, 4e-4, {70e9, "", 0.33})
+      .support("foot", "bottom", "clamp")
+      .connector("springs",
+                 "spring",
+                 "Between = in-cell | Spring stiffness = 200")
+      .load("weight", "top", {"0", "-2 * t", "0"})
+      .mesh(3)
+      .time(1, 1);
+    const std::vector<std::string> settings = {
+      "Path/Branch=stable",
+      "Path/Resolution=0.002",
+      "Path/Largest displacement=0.02"};
+    const FollowedPath perfect(star.str(), settings);
+    ASSERT_EQ(perfect.bifurcations().size(), 1u);
+    const double buckling = 2 * perfect.bifurcations()[0].load_factor;
+    EXPECT_NEAR(buckling, 1.28385, 1e-4);
+    // Mean over the joints: what is alike on both sides has no part in it.
+    const auto sway_of = [](const FollowedPath::Point &point) {
+      double sum = 0;
+      for (const auto &motion : point.motions)
+        sum += motion[0];
+      return std::abs(sum) / point.motions.size();
+    };
+    const auto load_at = [&](const FollowedPath &path, const double sway) {
+      for (unsigned int i = 1; i < path.points.size(); ++i)
+        if (const double now = sway_of(path.points[i]); now >= sway)
+          {
+            const double before = sway_of(path.points[i - 1]),
+                         part   = (sway - before) / (now - before);
+            return 2 *
+              ((1 - part) * path.points[i - 1].load_factor +
+               part * path.points[i].load_factor);
+          }
+      return 0.;
+    };
+    ComparisonTable table(
+      "Star lattice, buckling load from Southwell's plots of "
+      "imperfect ones, that of the perfect one");
+    for (const double amplitude : {4e-6, 2e-5, 1e-4})
+      {
+        SceneText imperfect = star;
+        imperfect.set("Imperfections/lean/Type", "buckling mode")
+          .set("Imperfections/lean/Amplitude", amplitude);
+        const FollowedPath path(imperfect.str(), settings);
+        EXPECT_TRUE(path.singular_points.empty());
+        const double less = 1e-4, more = 4e-4;
+        table.relative(text(1e3 * amplitude) + " mm",
+                       (more - less) /
+                         (more / load_at(path, more) -
+                          less / load_at(path, less)),
+                       buckling,
+                       1e-3);
+      }
+  }
 } // namespace

@@ -1,6 +1,8 @@
 #ifndef auxfem_analysis_modes_h
 #define auxfem_analysis_modes_h
 
+#include <auxfem/analysis/buckling_modes.h>
+#include <auxfem/analysis/lattice_run.h>
 #include <auxfem/output/output_folder.h>
 #include <auxfem/output/recorder.h>
 #include <auxfem/scene/scene.h>
@@ -20,6 +22,13 @@ namespace auxfem
 
   /** The dry run: builds everything, prints counts and effects. Collective. */
   void check_modes(const Scene &scene, MPI_Comm communicator);
+
+  /** @p scene as modes look at it: at t = 0 and at rest. */
+  Scene scene_of_modes(Scene scene);
+
+  /** Those that the scene of @p run asks for, which has started. Throws as
+   * buckling_modes(). Collective. */
+  BucklingModes buckling_modes_of(LatticeRun &run);
 
   /** Names of files that tell of modes, of any number of them. */
   std::vector<std::string> modes_files();

@@ -6,6 +6,7 @@
 #include <array>
 #include <limits>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -141,6 +142,10 @@ namespace auxfem
 
     /** Number of unit cells. */
     unsigned int n_cells = 1;
+
+    /** The same without its imperfections, for whoever selects by position;
+     * nullptr: there are none. */
+    std::shared_ptr<const Lattice> as_designed;
 
     /** Number of struts that are no part of a rigid body. */
     unsigned int n_elastic_struts() const;

@@ -1,7 +1,7 @@
 #ifndef auxfem_model_build_lattice_h
 #define auxfem_model_build_lattice_h
 
-#include <auxfem/mesh/lattice.h>
+#include <auxfem/mesh/imperfection.h>
 #include <auxfem/scene/scene.h>
 
 namespace auxfem
@@ -9,9 +9,12 @@ namespace auxfem
   /**
    * Builds the scene's lattice: the array, the user's sets, a section for every
    * strut (later definitions win; a strut without section is an InputError
-   * naming it).
+   * naming it), and its imperfections.
+   * @param offsets all of these, if they have been found already; nullptr:
+   *   given_offsets()
    */
-  Lattice build_lattice(const Scene &scene);
+  Lattice build_lattice(const Scene           &scene,
+                        const GeometryOffsets *offsets = nullptr);
 } // namespace auxfem
 
 #endif

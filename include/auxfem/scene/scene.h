@@ -7,6 +7,7 @@
 #include <auxfem/elements/section_definition.h>
 #include <auxfem/loads/load_definitions.h>
 #include <auxfem/loads/support_definition.h>
+#include <auxfem/mesh/imperfection_definition.h>
 #include <auxfem/mesh/joint_definition.h>
 #include <auxfem/mesh/lattice_definition.h>
 #include <auxfem/mesh/rigid_part_definition.h>
@@ -41,6 +42,7 @@ namespace auxfem
     std::vector<std::string>               input_files;
     LatticeDefinition                      lattice;
     std::vector<SetDefinition>             sets;
+    std::vector<ImperfectionDefinition>    imperfections;
     std::vector<SectionDefinition>         sections;
     std::vector<JointDefinition>           joints;
     std::vector<RigidPartDefinition>       rigid_parts;

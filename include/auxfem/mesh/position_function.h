@@ -1,0 +1,43 @@
+#ifndef auxfem_mesh_position_function_h
+#define auxfem_mesh_position_function_h
+
+#include <auxfem/mesh/lattice.h>
+#include <auxfem/parameters/registry.h>
+
+#include <memory>
+
+namespace auxfem
+{
+  /** Lowest and highest coordinates of all joints of @p lattice (m). */
+  std::array<dealii::Point<3>, 2> bounding_box(const Lattice &lattice);
+
+  /**
+   * A number that depends on a position: an Expression of `x`, `y`, `z` (m) and
+   * the bounding box of the joints as `xmin`, `xmax`, ....
+   */
+  class PositionFunction
+  {
+  public:
+    /**
+     * Throws InputError naming @p path and @p text if it cannot be parsed.
+     * @param noun what the text is called in messages, e.g. `condition`
+     * @param hint sentence that ends these
+     */
+    PositionFunction(const std::string  &text,
+                     const std::string  &noun,
+                     const std::string  &hint,
+                     const Lattice      &lattice,
+                     const SceneContext &context,
+                     const std::string  &path);
+    ~PositionFunction();
+
+    /** Throws InputError if it is not a number. */
+    double value_at(const dealii::Point<3> &position);
+
+  private:
+    class Implementation;
+    std::unique_ptr<Implementation> implementation;
+  };
+} // namespace auxfem
+
+#endif

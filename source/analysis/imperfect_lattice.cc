@@ -1,0 +1,115 @@
+#include <auxfem/analysis/buckling_modes.h>
+#include <auxfem/analysis/imperfect_lattice.h>
+#include <auxfem/analysis/lattice_run.h>
+#include <auxfem/analysis/modes.h>
+#include <auxfem/equations/strut_motion.h>
+#include <auxfem/model/build_lattice.h>
+#include <auxfem/model/imperfections.h>
+#include <auxfem/parameters/errors.h>
+
+#include <algorithm>
+
+namespace auxfem
+{
+  namespace
+  {
+    bool is_mode(const ImperfectionDefinition &definition)
+    {
+      return definition.type == ImperfectionDefinition::Type::buckling_mode;
+    }
+
+    /** @p scene such that its buckling modes can be computed. */
+    Scene designed(Scene scene, const unsigned int n_modes)
+    {
+      scene.imperfections.clear();
+      scene.analysis                = Analysis::buckling;
+      scene.modes.number            = n_modes;
+      scene.modes.about_equilibrium = scene.time.static_start;
+      return scene_of_modes(scene);
+    }
+
+    /** Displacements of joints and middles of struts in @p shape, on all ranks. */
+    GeometryOffsets offsets_of(const Vector &shape, const LatticeRun &run)
+    {
+      const DofNumbering  &numbering = run.model.numbering;
+      const UnknownLayout &layout    = numbering.layout();
+      const unsigned int   dimension = run.lattice.dimension,
+                         n_joints    = run.lattice.joints.size();
+      std::vector<double> values(dimension *
+                                   (n_joints + run.lattice.struts.size()),
+                                 0.);
+      for (unsigned int joint = 0; joint < n_joints; ++joint)
+        for (unsigned int c = 0; c < dimension; ++c)
+          if (const int i = numbering.joint_unknown(joint, c);
+              layout.is_owned(i))
+            values[dimension * joint + c] = shape[i];
+      State moved        = run.solution.state;
+      moved.displacement = shape;
+      for (unsigned int e = 0; e < numbering.elements().size(); ++e)
+        {
+          const DofNumbering::Element &element = numbering.elements()[e];
+          if (!element.is_owned || element.interval.begin != 0)
+            continue;
+          const StrutMotion of_strut =
+            interpolated(motion_of_strut(numbering, moved, e), 2, 1);
+          for (unsigned int c = 0; c < dimension; ++c)
+            values[dimension * (n_joints + element.interval.strut) + c] =
+              of_strut.displacement[numbering.n_components() + c];
+        }
+      values = layout.sum(values);
+      GeometryOffsets offsets(run.lattice);
+      for (unsigned int i = 0; i < n_joints; ++i)
+        for (unsigned int c = 0; c < dimension; ++c)
+          offsets.joints[i][c] = values[dimension * i + c];
+      for (unsigned int i = 0; i < run.lattice.struts.size(); ++i)
+        if (run.lattice.struts[i].is_rigid())
+          offsets.middles[i] = offsets.mean_of_ends(run.lattice.struts[i]);
+        else
+          for (unsigned int c = 0; c < dimension; ++c)
+            offsets.middles[i][c] = values[dimension * (n_joints + i) + c];
+      return offsets;
+    }
+
+    void add_modes(const Scene     &scene,
+                   const MPI_Comm   communicator,
+                   GeometryOffsets &offsets)
+    {
+      unsigned int n_modes = 0;
+      for (const ImperfectionDefinition &definition : scene.imperfections)
+        if (is_mode(definition))
+          n_modes = std::max(n_modes, definition.mode);
+      const Scene perfect = designed(scene, n_modes);
+      LatticeRun  run(perfect, communicator);
+      run.prepare();
+      if (perfect.time.static_start)
+        run.start();
+      const BucklingModes found = buckling_modes_of(run);
+      for (const ImperfectionDefinition &definition : scene.imperfections)
+        {
+          if (!is_mode(definition))
+            continue;
+          if (definition.mode > found.modes.size())
+            throw InputError(
+              definition.path + "/Mode = " + std::to_string(definition.mode) +
+              ": the lattice has only " + std::to_string(found.modes.size()) +
+              " buckling modes with this mesh and these loads");
+          const GeometryOffsets of_mode =
+            offsets_of(found.modes[definition.mode - 1].shape, run);
+          offsets.add(definition.amplitude / of_mode.largest(), of_mode);
+        }
+    }
+  } // namespace
+
+  Lattice imperfect_lattice(const Scene &scene, const MPI_Comm communicator)
+  {
+    if (std::none_of(scene.imperfections.begin(),
+                     scene.imperfections.end(),
+                     is_mode))
+      return build_lattice(scene);
+    Scene with_others = scene;
+    with_others.imperfections.clear();
+    GeometryOffsets offsets = given_offsets(scene, build_lattice(with_others));
+    add_modes(scene, communicator, offsets);
+    return build_lattice(scene, &offsets);
+  }
+} // namespace auxfem

@@ -1,0 +1,105 @@
+#include <auxfem/mesh/position_function.h>
+#include <auxfem/parameters/errors.h>
+#include <auxfem/parameters/expression.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace auxfem
+{
+  std::array<dealii::Point<3>, 2> bounding_box(const Lattice &lattice)
+  {
+    dealii::Point<3> low = lattice.joints.front(), high = low;
+    for (const auto &joint : lattice.joints)
+      for (unsigned int d = 0; d < 3; ++d)
+        {
+          low[d]  = std::min(low[d], joint[d]);
+          high[d] = std::max(high[d], joint[d]);
+        }
+    return {{low, high}};
+  }
+
+  class PositionFunction::Implementation
+  {
+  public:
+    Implementation(const std::string  &text,
+                   const std::string  &noun,
+                   const std::string  &hint,
+                   const Lattice      &lattice,
+                   const SceneContext &context,
+                   const std::string  &path)
+      : text(text)
+      , noun(noun)
+      , hint(hint)
+      , path(path)
+      , expression(read(bounding_box(lattice), context))
+    {}
+
+    double value_at(const dealii::Point<3> &at)
+    {
+      position           = at;
+      const double value = expression.value();
+      if (std::isnan(value))
+        fail("its value at (" + std::to_string(at[0]) + ", " +
+             std::to_string(at[1]) + ", " + std::to_string(at[2]) +
+             ") m is not a number.");
+      return value;
+    }
+
+  private:
+    Expression read(const std::array<dealii::Point<3>, 2> &box,
+                    const SceneContext                    &context)
+    {
+      std::vector<Expression::Variable> coordinates;
+      std::vector<Expression::Constant> bounds;
+      for (unsigned int d = 0; d < 3; ++d)
+        {
+          const std::string axis(1, "xyz"[d]);
+          coordinates.emplace_back(axis, &position[d]);
+          bounds.emplace_back(axis + "min", box[0][d]);
+          bounds.emplace_back(axis + "max", box[1][d]);
+        }
+      try
+        {
+          return Expression(text, coordinates, bounds, context.constants);
+        }
+      catch (const ExpressionError &error)
+        {
+          fail(error.what() + ("\n" + error.allowed));
+        }
+    }
+
+    [[noreturn]] void fail(const std::string &problem) const
+    {
+      throw InputError(path + ": the " + noun + " \"" + text +
+                       "\" cannot be used: " + problem + "\nKnown in " + noun +
+                       "s are also x, y, z (m)." + (hint.empty() ? "" : " ") +
+                       hint);
+    }
+
+    const std::string text, noun, hint, path;
+    dealii::Point<3>  position;
+    Expression        expression;
+  };
+
+  PositionFunction::PositionFunction(const std::string  &text,
+                                     const std::string  &noun,
+                                     const std::string  &hint,
+                                     const Lattice      &lattice,
+                                     const SceneContext &context,
+                                     const std::string  &path)
+    : implementation(std::make_unique<Implementation>(text,
+                                                      noun,
+                                                      hint,
+                                                      lattice,
+                                                      context,
+                                                      path))
+  {}
+
+  PositionFunction::~PositionFunction() = default;
+
+  double PositionFunction::value_at(const dealii::Point<3> &position)
+  {
+    return implementation->value_at(position);
+  }
+} // namespace auxfem
