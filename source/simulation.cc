@@ -1,4 +1,5 @@
 #include <auxfem/analysis/analysis.h>
+#include <auxfem/analysis/frequency_response.h>
 #include <auxfem/analysis/modes.h>
 #include <auxfem/output/first_rank.h>
 #include <auxfem/output/run_output.h>
@@ -34,6 +35,8 @@ namespace auxfem
         files.end());
     };
     add(study_files());
+    if (scene.analysis != Analysis::frequency_response)
+      add(frequency_response_contents().names());
     if (is_of_modes(scene))
       {
         add(path_contents().names());
@@ -42,6 +45,8 @@ namespace auxfem
     add(modes_files());
     if (scene.analysis != Analysis::static_path)
       add(path_contents().names());
+    if (scene.analysis == Analysis::frequency_response)
+      return run_frequency_response(scene, communicator, with_others);
     if (scene.context.model == Model::reduced_cell)
       {
         CellOutput folder(scene, start, with_others);
@@ -75,6 +80,8 @@ namespace auxfem
   {
     if (is_of_modes(scene))
       return check_modes(scene, communicator);
+    if (scene.analysis == Analysis::frequency_response)
+      return check_frequency_response(scene, communicator);
     analysis_of(scene).check(scene, communicator);
     if (scene.analysis == Analysis::study)
       check_study(scene, communicator);

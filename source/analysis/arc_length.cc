@@ -11,16 +11,23 @@ namespace auxfem
       value *= factor;
   }
 
+  Vector load_direction(const Equations  &equations,
+                        const Evaluation &evaluation)
+  {
+    Vector loads = equations.load_derivative(evaluation);
+    multiply(-1., loads);
+    const Unknowns &unknowns = equations.unknowns();
+    for (unsigned int i = 0; i < unknowns.layout.n_owned(); ++i)
+      if (unknowns.kinds[i] == UnknownKind::prescribed)
+        loads[i] = 0;
+    find_motion_derivative(equations.model(), evaluation, loads.data());
+    return loads;
+  }
+
   std::optional<Vector> load_response(TangentSolver    &solver,
                                       const Evaluation &evaluation)
   {
-    Vector response = solver.equations().load_derivative(evaluation);
-    multiply(-1., response);
-    const Unknowns &unknowns = solver.equations().unknowns();
-    for (unsigned int i = 0; i < unknowns.layout.n_owned(); ++i)
-      if (unknowns.kinds[i] == UnknownKind::prescribed)
-        response[i] = 0;
-    find_motion_derivative(solver.model(), evaluation, response.data());
+    Vector response = load_direction(solver.equations(), evaluation);
     if (!solver.solve(response))
       return std::nullopt;
     return response;

@@ -51,29 +51,6 @@ namespace auxfem
         }
     }
 
-    /** Makes what constraints have in @p matrix zero. */
-    void leave_out_constraints(TangentMatrix &matrix)
-    {
-      const TangentPattern &pattern = matrix.pattern();
-      const auto           &kinds   = pattern.unknowns().kinds;
-      std::vector<double>   values;
-      for (std::size_t block = 0; block < pattern.n_blocks(); ++block)
-        {
-          const unsigned int n             = pattern.size(block);
-          const int *const   first         = pattern.begin(block);
-          const auto         is_multiplier = [&](const unsigned int i) {
-            return first[i] >= 0 && kinds[first[i]] == UnknownKind::multiplier;
-          };
-          values.assign(matrix.values(block),
-                        matrix.values(block) + std::size_t(n) * n);
-          for (unsigned int i = 0; i < n; ++i)
-            for (unsigned int j = 0; j < n; ++j)
-              if (is_multiplier(i) || is_multiplier(j))
-                values[i * n + j] = 0;
-          matrix.set(block, values.data());
-        }
-    }
-
     /** K and K' of an equilibrium, and what is done with them. */
     class Buckling
     {

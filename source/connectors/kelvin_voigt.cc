@@ -88,6 +88,12 @@ namespace auxfem
         return stiffness;
       }
 
+      std::complex<double>
+      dynamic_stiffness(const std::complex<double> s) const override
+      {
+        return stiffness + s * damping;
+      }
+
     private:
       const double stiffness; ///< K (N/m)
       const double damping;   ///< C (N s/m)

@@ -221,6 +221,15 @@ namespace auxfem
         return stiffness;
       }
 
+      std::complex<double>
+      dynamic_stiffness(const std::complex<double> s) const override
+      {
+        std::complex<double> sum = stiffness;
+        for (const MaxwellElement &element : elements)
+          sum += element.dynamic_stiffness(s);
+        return sum;
+      }
+
     private:
       /** Adds force and tangent of one element to those of all connectors. */
       void add_element(const unsigned int     element,

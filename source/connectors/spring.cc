@@ -68,6 +68,12 @@ namespace auxfem
         return stiffness;
       }
 
+      std::complex<double>
+      dynamic_stiffness(const std::complex<double> /*s*/) const override
+      {
+        return stiffness;
+      }
+
     private:
       const double stiffness; ///< K (N/m)
     };

@@ -235,6 +235,23 @@ namespace auxfem
       effects[i]->add_geometric_tangent(change, i, matrix);
   }
 
+  void Equations::dynamic_stiffness(const Evaluation          &evaluation,
+                                    const EvaluationResults   &results,
+                                    const std::complex<double> s,
+                                    TangentMatrix             &real,
+                                    TangentMatrix             &imaginary) const
+  {
+    const std::complex<double> square = s * s;
+    tangent(evaluation, results, {1., s.real(), square.real()}, real);
+    tangent(evaluation, results, {0., s.imag(), square.imag()}, imaginary);
+    for (unsigned int i = 0; i < n_internal; ++i)
+      effects[i]->add_viscous_stiffness(evaluation,
+                                        results.of_effects[i].get(),
+                                        s,
+                                        real,
+                                        imaginary);
+  }
+
   Vector Equations::load_derivative(const Evaluation &evaluation) const
   {
     Vector derivative(unknowns().layout.n_local(), 0.);

@@ -6,6 +6,7 @@
 #include <auxfem/equations/make_struts.h>
 #include <auxfem/equations/prescribed_motion.h>
 #include <auxfem/model/initial_velocities.h>
+#include <auxfem/model/proportional_loads.h>
 #include <auxfem/parameters/errors.h>
 
 #include <algorithm>
@@ -20,7 +21,7 @@ namespace auxfem
     {
       StateLayout layout;
       layout.velocity = layout.acceleration = model.simulated.inertia;
-      layout.path = scene.analysis == Analysis::static_path;
+      layout.path                           = has_load_factor(scene);
       layout.algorithmic_acceleration =
         scene.time.implicit_scheme().uses_algorithmic_acceleration();
       layout.n_rotations = model.n_large_rotations();

@@ -27,6 +27,13 @@ namespace auxfem
             }
       }
 
+      /** Makes the derivatives zero, which by a load factor are no rates. */
+      void stand_still()
+      {
+        for (std::array<double, 3> &jet : jets)
+          jet[1] = jet[2] = 0;
+      }
+
       /** Derivative number @p derivative of the rotation vector. */
       SpaceVector rotation(const unsigned int derivative) const
       {
@@ -148,7 +155,9 @@ namespace auxfem
     State              &state = evaluation.to;
     for (const Support &support : model.supports)
       {
-        const SupportMotion moved(support, evaluation);
+        SupportMotion moved(support, evaluation);
+        if (state.path)
+          moved.stand_still();
         for (const Support::PrescribedUnknown &prescribed : support.unknowns)
           {
             if (support.moves_as_rotation(prescribed))

@@ -169,7 +169,7 @@ namespace auxfem
               rotation_vectors.choose(unknown);
           }
       }
-    sums.push_back(std::move(sum));
+    unknown_sums.push_back(std::move(sum));
     column_list.push_back(
       {probe.name + "." + column.name,
        column.unit,
@@ -186,7 +186,7 @@ namespace auxfem
           if (prescribed.component == component &&
               numbering.layout().is_owned(prescribed.unknown))
             sum.unknowns.push_back(prescribed.unknown);
-        sums.push_back(std::move(sum));
+        unknown_sums.push_back(std::move(sum));
         column_list.push_back(
           reaction_column(support.name,
                           component,
@@ -207,7 +207,7 @@ namespace auxfem
   unsigned int History::add_unknown_sums(const State &state,
                                          unsigned int column)
   {
-    for (const UnknownSum &sum : sums)
+    for (const UnknownSum &sum : unknown_sums)
       {
         double total = 0;
         for (const int unknown : sum.unknowns)
@@ -306,6 +306,33 @@ namespace auxfem
       std::max(rotation_so_far,
                largest_of_nodes(state, equations.model().numbering));
     return row;
+  }
+
+  std::vector<Column> History::sum_columns() const
+  {
+    std::vector<Column> columns;
+    for (unsigned int i = 0; i < unknown_sums.size(); ++i)
+      if (unknown_sums[i].quantity != Quantity::velocity)
+        columns.push_back(column_list[n_of_position + i]);
+    return columns;
+  }
+
+  std::vector<double> History::sums(const Vector &displacements,
+                                    const Vector &reactions) const
+  {
+    std::vector<double> values;
+    for (const UnknownSum &sum : unknown_sums)
+      {
+        if (sum.quantity == Quantity::velocity)
+          continue;
+        const Vector &of_all =
+          sum.quantity == Quantity::residual ? reactions : displacements;
+        double total = 0;
+        for (const int unknown : sum.unknowns)
+          total += of_all[unknown];
+        values.push_back(sum.factor * total);
+      }
+    return equations.model().numbering.layout().sum(values);
   }
 
   void History::note(const State &state)

@@ -270,12 +270,15 @@ namespace auxfem
                              name,
                              " is one of lattices. Set Model = lattice, or "
                              "Analysis = simulation"));
-      else if (scene.analysis != Analysis::modes)
+      else if (scene.analysis == Analysis::static_path ||
+               scene.analysis == Analysis::buckling)
         check_stability_analysis(scene, mistakes);
       else if (!scene.time.scheme->is_dynamic() ||
                scene.effects.inertia == Switch::off)
         mistakes.add(message(scene,
-                             "Analysis = modes needs inertia. Set Time/Scheme "
+                             "Analysis = ",
+                             name,
+                             " needs inertia. Set Time/Scheme "
                              "= newmark and leave Effects/Inertia = auto"));
       if (scene.discretization.tolerance)
         mistakes.add(message(scene,

@@ -36,6 +36,7 @@ namespace auxfem
       {"static path", Analysis::static_path},
       {"modes", Analysis::modes},
       {"buckling", Analysis::buckling},
+      {"frequency response", Analysis::frequency_response},
       {"study", Analysis::study}};
 
     const Choice analysis = {
@@ -45,12 +46,14 @@ namespace auxfem
        analyses[1].first,
        analyses[2].first,
        analyses[3].first,
-       analyses[4].first},
+       analyses[4].first,
+       analyses[5].first},
       "What is computed. simulation: the scene, by Time/Scheme; static path: "
       "equilibria of a lattice by arc length, through limit points and "
       "bifurcations, see Path; modes: natural "
       "frequencies and modes of a lattice, buckling: factors of its loads at "
-      "which it buckles, with their modes, see Modes; study: the scene again and "
+      "which it buckles, with their modes, see Modes; frequency response: steady vibrations under harmonic "
+      "loads, see Frequency response; study: the scene again and "
       "again with other parameters, see Study."};
     const Text constants = {
       "Constants",

@@ -80,6 +80,8 @@ namespace auxfem
       {probes_schema(), add_probe},
       {modes_schema(), set<&Scene::modes, read_modes>},
       {path_schema(), set<&Scene::path, read_path>},
+      {frequency_response_schema(),
+       set<&Scene::frequency_response, read_frequency_response>},
       {study_schema(), set<&Scene::study, read_study>},
       {quantities_schema(), add_quantity}};
     return all;

@@ -54,6 +54,9 @@ namespace auxfem
     const UnknownLayout &layout;
   };
 
+  /** Makes what constraints have in @p matrix zero. */
+  void leave_out_constraints(TangentMatrix &matrix);
+
   /** Further modes, between which a gap is looked for to count them. */
   inline constexpr unsigned int n_guard_modes = 4;
 

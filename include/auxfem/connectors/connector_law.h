@@ -3,6 +3,8 @@
 
 #include <auxfem/parameters/registry.h>
 
+#include <complex>
+
 namespace auxfem
 {
   /** What happens to one connector in a step, as its law needs it (SI). */
@@ -147,6 +149,14 @@ namespace auxfem
      * spring that remains (N/m). Used when the scene leaves viscosity out.
      */
     virtual double long_time_stiffness() const = 0;
+
+    /**
+     * Force over extension (N/m) where both go as e^(s t), s in 1/s: the
+     * complex stiffness at s = i omega. About rest, of a law that is not
+     * linear.
+     */
+    virtual std::complex<double>
+    dynamic_stiffness(std::complex<double> s) const = 0;
   };
 
   /** All laws the program knows (connectors/register.cc). */

@@ -66,6 +66,13 @@ namespace auxfem
     /** Mean force over a step of length @p dt (s) at a constant rate. */
     Mean mean(double dt) const;
 
+    /** Force over extension (N/m) where both go as e^(s t):
+     * k s tau / (1 + s tau). */
+    std::complex<double> dynamic_stiffness(std::complex<double> s) const
+    {
+      return stiffness * s * relaxation_time / (1. + s * relaxation_time);
+    }
+
     /** Energy in the spring (J) under @p force (N): F^2 / (2 k). */
     double stored_energy(double force) const;
 

@@ -6,6 +6,7 @@
 #include <auxfem/time/time_scheme.h>
 
 #include <algorithm>
+#include <complex>
 #include <string>
 
 namespace auxfem
@@ -104,7 +105,20 @@ namespace auxfem
                                        TangentMatrix & /*matrix*/) const
     {}
 
-    /** Adds the derivative of the residual by the load factor (n_local
+    /**
+     * Adds what the stiffness for small motions that go as e^(s t), s in 1/s,
+     * has beside that of very slow ones, damping and inertia: real and
+     * imaginary part.
+     * @param results of add_residual() in the same evaluation
+     */
+    virtual void add_viscous_stiffness(const Evaluation & /*evaluation*/,
+                                       const EffectResults * /*results*/,
+                                       const std::complex<double> /*s*/,
+                                       TangentMatrix & /*real*/,
+                                       TangentMatrix & /*imaginary*/) const
+    {}
+
+    /** Adds the derivative of the residual by time_of_loads() (n_local
      * entries). */
     virtual void add_load_derivative(const Evaluation & /*evaluation*/,
                                      double * /*derivative*/) const

@@ -104,6 +104,19 @@ namespace auxfem
     void add_geometric_tangent(const ForceChange &change,
                                TangentMatrix     &matrix) const;
 
+    /**
+     * Fills @p real and @p imaginary with the two parts of the stiffness for
+     * small motions about evaluation.to, an equilibrium, that go as e^(s t), s
+     * in 1/s: K + s C + s^2 M and the complex stiffness of connectors.
+     * Constraints are in both.
+     * @param results of residual() in the same evaluation
+     */
+    void dynamic_stiffness(const Evaluation        &evaluation,
+                           const EvaluationResults &results,
+                           std::complex<double>     s,
+                           TangentMatrix           &real,
+                           TangentMatrix           &imaginary) const;
+
     /** Derivative of the residual by time_of_loads() of evaluation.to through
      * the loads, of local unknowns. */
     Vector load_derivative(const Evaluation &evaluation) const;

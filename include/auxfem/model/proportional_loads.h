@@ -5,11 +5,15 @@
 
 namespace auxfem
 {
+  /** Whether the analysis of @p scene takes loads as functions of a load factor
+   * (State::path). */
+  bool has_load_factor(const Scene &scene);
+
   /**
    * A load or prescribed motion as the analysis of @p scene takes it: as it is
-   * given, or on a path of equilibria a function of the load factor: 0 at 0 or,
-   * if the path starts from static equilibrium, what it is at t = 0; at 1 what
-   * it is at PathDefinition::load_time.
+   * given, or a function of the load factor: at 0 it is 0 or, with a start from
+   * static equilibrium, what it is at t = 0; at 1 what it is at the time of the
+   * loads that the analysis has been given.
    */
   TimeFunction proportional(const TimeFunction &history, const Scene &scene);
 } // namespace auxfem

@@ -50,6 +50,17 @@ namespace auxfem
      */
     const std::vector<double> &values(const Solution &solution);
 
+    /** @name Columns that are linear in displacements and reactions: of probes on
+     * joints, and of supports. */
+    ///@{
+    std::vector<Column> sum_columns() const;
+
+    /** Their values for small @p displacements, rotations as vectors in the
+     * global frame, and @p reactions, of all local unknowns. Collective. */
+    std::vector<double> sums(const Vector &displacements,
+                             const Vector &reactions) const;
+    ///@}
+
     /** Energies up to the last row. */
     const EnergyRecord &energies() const;
 
@@ -116,7 +127,7 @@ namespace auxfem
     std::vector<Column> column_list;
     /** Columns that say where on the way a row lies. */
     unsigned int                n_of_position = 1;
-    std::vector<UnknownSum>     sums;
+    std::vector<UnknownSum>     unknown_sums;
     RigidPartRotations          part_rotations;
     std::vector<RigidPartProbe> rigid_part_probes;
     RotationVectors             rotation_vectors;

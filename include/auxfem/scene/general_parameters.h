@@ -17,7 +17,9 @@ namespace auxfem
     static_path, ///< equilibria by arc length
     modes,       ///< natural frequencies and modes
     buckling,    ///< factors of the loads at which the lattice buckles
-    study        ///< many simulations with other parameters
+    /** Steady vibrations under harmonic loads. */
+    frequency_response,
+    study ///< many simulations with other parameters
   };
 
   /** The top level of the parameter file, outside all subsections. */

@@ -13,6 +13,7 @@
 #include <auxfem/mesh/rigid_part_definition.h>
 #include <auxfem/mesh/set_definition.h>
 #include <auxfem/scene/effect_switches.h>
+#include <auxfem/scene/frequency_response_definition.h>
 #include <auxfem/scene/general_parameters.h>
 #include <auxfem/scene/modes_definition.h>
 #include <auxfem/scene/output_parameters.h>
@@ -61,6 +62,7 @@ namespace auxfem
     OutputParameters                       output;
     ModesDefinition                        modes;
     PathDefinition                         path;
+    FrequencyResponseDefinition            frequency_response;
     StudyDefinition                        study;
     /** All parameters with the values used, in .prm syntax, for parameters.prm.
      */

@@ -415,6 +415,31 @@ namespace auxfem
     matrix.add(first_block + i, block);
   }
 
+  void ConnectorForces::add_viscous_stiffness(const Evaluation & /*evaluation*/,
+                                              const EffectResults *results,
+                                              const std::complex<double> s,
+                                              TangentMatrix             &real,
+                                              TangentMatrix &imaginary) const
+  {
+    if (!law->is_viscous())
+      return;
+    const auto &of_group = static_cast<const ConnectorResults &>(*results);
+    const std::complex<double> stiffness =
+      law->dynamic_stiffness(s) - law->long_time_stiffness();
+    for (unsigned int i = 0; i < connectors.size(); ++i)
+      for (const auto &[part, matrix] :
+           {std::pair(stiffness.real(), &real),
+            std::pair(stiffness.imag(), &imaginary)})
+        {
+          const auto &n = of_group.direction[i];
+          double      D[3][3];
+          for (unsigned int a = 0; a < 3; ++a)
+            for (unsigned int b = 0; b < 3; ++b)
+              D[a][b] = part * n[a] * n[b];
+          add_block(i, D, *matrix);
+        }
+  }
+
   void ConnectorForces::account(const Evaluation    &evaluation,
                                 const EffectResults *results,
                                 EnergyAccount       &account) const

@@ -443,6 +443,12 @@ namespace
       return 0;
     }
 
+    std::complex<double>
+    dynamic_stiffness(const std::complex<double> /*s*/) const override
+    {
+      return 0;
+    }
+
   private:
     const double stiffness;
   };

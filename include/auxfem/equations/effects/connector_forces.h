@@ -72,6 +72,11 @@ namespace auxfem
     void        add_geometric_tangent(const ForceChange &change,
                                       unsigned int       effect,
                                       TangentMatrix     &matrix) const override;
+    void        add_viscous_stiffness(const Evaluation    &evaluation,
+                                      const EffectResults *results,
+                                      std::complex<double> s,
+                                      TangentMatrix       &real,
+                                      TangentMatrix       &imaginary) const override;
     void        account(const Evaluation    &evaluation,
                         const EffectResults *results,
                         EnergyAccount       &account) const override;
