@@ -31,11 +31,7 @@ namespace auxfem
     {
       scene.time.static_start = scene.frequency_response.about_equilibrium;
       scene.initial_velocities.clear();
-      for (Switch EffectSwitches::*damping :
-           {&EffectSwitches::connector_viscosity,
-            &EffectSwitches::strut_damping})
-        if (scene.effects.*damping == Switch::automatic)
-          scene.effects.*damping = Switch::on;
+      include_damping(scene);
       return scene;
     }
 

@@ -1,5 +1,6 @@
 #include <auxfem/analysis/mesh_error_recorder.h>
 #include <auxfem/output/summary.h>
+#include <auxfem/time/runge_kutta.h>
 
 #include <deal.II/base/mpi.h>
 

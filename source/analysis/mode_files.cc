@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
+#include <limits>
 #include <sstream>
 
 #include <nlohmann/json.hpp>
@@ -42,7 +43,11 @@ namespace auxfem
          "1/s2",
          "square of the angular frequency; negative of an unstable mode"},
         {"growth_rate", "1/s", "of an unstable mode, which grows as exp(s t)"},
-        {"residual", "1", "what is left of the equations of motion"}};
+        {"residual", "1", "what is left of the equations of motion"},
+        {"damped_frequency",
+         "Hz",
+         "with damping; nan: not asked for, or no oscillation was found"},
+        {"damping_ratio", "1", "damping over the critical one"}};
       for (const char *axis : {"x", "y", "z"})
         {
           all.push_back({std::string("participation_") + axis,
@@ -58,6 +63,7 @@ namespace auxfem
 
     std::vector<double> row(const NaturalMode &mode, const unsigned int number)
     {
+      constexpr double    nan       = std::numeric_limits<double>::quiet_NaN();
       const double        frequency = mode.angular_frequency() / (2 * PI);
       std::vector<double> values    = {double(number),
                                        frequency,
@@ -65,7 +71,14 @@ namespace auxfem
                                        1 / frequency,
                                        mode.eigenvalue,
                                        mode.growth_rate(),
-                                       mode.residual};
+                                       mode.residual,
+                                       nan,
+                                       nan};
+      if (mode.damped)
+        {
+          values[7] = mode.damped->angular_frequency / (2 * PI);
+          values[8] = mode.damped->ratio();
+        }
       for (const double participation : mode.participation)
         {
           values.push_back(participation);
@@ -127,6 +140,11 @@ namespace auxfem
   std::string mode_table_text(const NaturalModes &found,
                               const unsigned int  dimension)
   {
+    const bool         is_damped = std::any_of(found.modes.begin(),
+                                       found.modes.end(),
+                                       [](const NaturalMode &mode) {
+                                         return mode.damped.has_value();
+                                       });
     std::ostringstream text;
     text << "  mode   frequency      period    residual   effective mass along "
          << (dimension == 2 ? "x, y" : "x, y, z") << '\n'
@@ -148,6 +166,12 @@ namespace auxfem
           text << ' ' << std::setprecision(2) << std::setw(10)
                << std::pow(mode.participation[d], 2);
         text << std::defaultfloat;
+        if (mode.damped)
+          text << std::setprecision(6) << "   damped "
+               << mode.damped->angular_frequency / (2 * PI) << " Hz, ratio "
+               << std::setprecision(3) << mode.damped->ratio();
+        else if (is_damped && mode.eigenvalue > 0)
+          text << "   overdamped";
       }
     return text.str();
   }
@@ -156,11 +180,18 @@ namespace auxfem
   {
     Json modes = Json::array();
     for (const NaturalMode &mode : found.modes)
-      modes.push_back({{"eigenvalue", mode.eigenvalue},
-                       {"frequency_hertz", mode.angular_frequency() / (2 * PI)},
-                       {"growth_rate", mode.growth_rate()},
-                       {"residual", mode.residual},
-                       {"participation", mode.participation}});
+      {
+        modes.push_back(
+          {{"eigenvalue", mode.eigenvalue},
+           {"frequency_hertz", mode.angular_frequency() / (2 * PI)},
+           {"growth_rate", mode.growth_rate()},
+           {"residual", mode.residual},
+           {"participation", mode.participation}});
+        if (mode.damped)
+          modes.back()["damped"] = {{"frequency_hertz",
+                                     mode.damped->angular_frequency / (2 * PI)},
+                                    {"ratio", mode.damped->ratio()}};
+      }
     return modes;
   }
 

@@ -1,3 +1,5 @@
+#include <auxfem/analysis/damped_modes.h>
+#include <auxfem/analysis/dynamic_stiffness.h>
 #include <auxfem/analysis/lattice_analysis.h>
 #include <auxfem/analysis/mode_files.h>
 #include <auxfem/analysis/modes.h>
@@ -201,6 +203,8 @@ namespace auxfem
   {
     scene.time.static_start = scene.modes.about_equilibrium;
     scene.initial_velocities.clear();
+    if (scene.modes.damped)
+      include_damping(scene);
     if (scene.analysis == Analysis::buckling)
       {
         scene.time.scheme             = std::make_shared<QuasiStatic>();
@@ -235,9 +239,12 @@ namespace auxfem
       return run_modes_by(buckling_modes_of, scene, communicator, rules);
     return run_modes_by(
       [](LatticeRun &run) {
-        return natural_modes(run.solver(),
-                             run.solution.state,
-                             run.scene.modes.number);
+        NaturalModes found = natural_modes(run.solver(),
+                                           run.solution.state,
+                                           run.scene.modes.number);
+        if (run.scene.modes.damped)
+          add_damped_modes(run.solver(), run.solution.state, found);
+        return found;
       },
       scene,
       communicator,

@@ -31,6 +31,11 @@ namespace auxfem
       "Reversed loads",
       false,
       "Of Analysis = buckling: whether the opposite of the loads is multiplied."};
+    const Boolean damped = {
+      "Damped",
+      false,
+      "Of Analysis = modes: whether frequency and damping ratio of each mode are "
+      "computed with connectors and damping of struts, too."};
     const Quantity amplitude = {
       "Amplitude",
       "0.05",
@@ -52,7 +57,7 @@ namespace auxfem
       SubsectionSchema::Form::fixed,
       "With Analysis = modes: natural frequencies and modes; with Analysis "
       "= buckling: factors of the loads and buckling modes.",
-      {number, about, load_time, reversed_loads, amplitude, pictures},
+      {number, about, load_time, reversed_loads, damped, amplitude, pictures},
       "",
       {},
       {Model::lattice}};
@@ -66,6 +71,7 @@ namespace auxfem
     if (!values.is_word(load_time))
       modes.load_time = values[load_time];
     modes.reversed_loads = values[reversed_loads];
+    modes.damped         = values[damped];
     modes.amplitude      = values[amplitude];
     modes.pictures       = values[pictures];
     return modes;

@@ -73,6 +73,33 @@ namespace
       }
   }
 
+  TEST_F(ModesProgram, DampingIsToldWhereItIsAskedFor)
+  {
+    const ProgramRun plain =
+      run_modes({"Modes/Number=2", "Output/Graphics=false"});
+    ASSERT_EQ(plain.exit_code, 0) << plain.errors;
+    EXPECT_TRUE(std::isnan(Table(path("out/modes.csv"))["damping_ratio"][0]));
+    const ProgramRun damped =
+      run_modes({"Modes/Number=2",
+                 "Output/Graphics=false",
+                 "Modes/Damped=true",
+                 "Sections/aluminium/Stiffness-proportional damping=1e-4"});
+    ASSERT_EQ(damped.exit_code, 0) << damped.errors;
+    const Table table(path("out/modes.csv"));
+    for (unsigned int i = 0; i < 2; ++i)
+      {
+        // Struts alone would have beta omega / 2; springs and loads take a
+        // part.
+        const double of_struts = 1e-4 * M_PI * table["frequency"][i];
+        EXPECT_LT(table["damping_ratio"][i], 1.6 * of_struts);
+        EXPECT_GT(table["damping_ratio"][i], 0.6 * of_struts);
+        EXPECT_NEAR(table["damped_frequency"][i] / table["frequency"][i],
+                    std::sqrt(1 - std::pow(table["damping_ratio"][i], 2)),
+                    1e-3);
+      }
+    EXPECT_NE(damped.output.find("Hz, ratio"), std::string::npos);
+  }
+
   TEST_F(ModesProgram, StaticsHaveNone)
   {
     const ProgramRun run = run_modes({"Time/Scheme=static"});

@@ -1,9 +1,7 @@
 #ifndef auxfem_analysis_harmonic_response_h
 #define auxfem_analysis_harmonic_response_h
 
-#include <auxfem/analysis/mode_space.h>
-
-#include <complex>
+#include <auxfem/analysis/dynamic_stiffness.h>
 
 namespace auxfem
 {
@@ -44,25 +42,12 @@ namespace auxfem
     HarmonicVibration at(double omega);
 
   private:
-    void find_matrices(double omega);
-    void multiply(const double *x, double *y) const;
-    /** Of a matrix, in owned rows of all kinds, prescribed ones with their
-     * blocks. */
-    void add_forces(double               factor,
-                    const TangentMatrix &matrix,
-                    const Vector        &values,
-                    Vector              &forces) const;
-
     TangentSolver       &solver;
-    const Equations     &equations;
     const UnknownLayout &layout;
     const ModeSpace      space;
-    const State          at_rest;
-    State                now;
-    EvaluationResults    results;
+    DynamicStiffness     stiffness;
     /** Owned rows; amplitudes in prescribed ones. */
-    Vector        loads;
-    TangentMatrix imaginary;
+    Vector loads;
   };
 } // namespace auxfem
 

@@ -25,6 +25,21 @@ namespace auxfem
      * too (kg^1/2). Its square is the effective mass (kg). */
     std::array<double, 3> participation;
 
+    /** What damping makes of it: it goes as e^(-decay t) cos(omega t). */
+    struct Damped
+    {
+      double growth;            ///< minus the decay (1/s)
+      double angular_frequency; ///< omega (rad/s)
+
+      /** Damping over the critical one. */
+      double ratio() const
+      {
+        return -growth / std::hypot(growth, angular_frequency);
+      }
+    };
+    /** If asked for (add_damped_modes()) and found. */
+    std::optional<Damped> damped = {};
+
     /** Angular frequency (rad/s); 0 of an unstable mode. */
     double angular_frequency() const;
 

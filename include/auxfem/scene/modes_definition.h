@@ -19,6 +19,8 @@ namespace auxfem
     std::optional<double> load_time;
     /** Whether it buckles under the opposite loads. */
     bool reversed_loads = false;
+    /** Whether natural modes with damping are computed, too. */
+    bool damped = false;
     /** Largest displacement in the files for ParaView, over the size of the
      * lattice. */
     double amplitude = 0.05;
