@@ -1,6 +1,6 @@
 #include <auxfem/analysis/analysis.h>
-#include <auxfem/analysis/frequency_response.h>
-#include <auxfem/analysis/modes.h>
+#include <auxfem/analysis/small_motions/frequency_response.h>
+#include <auxfem/analysis/small_motions/modes.h>
 #include <auxfem/output/first_rank.h>
 #include <auxfem/output/run_output.h>
 #include <auxfem/output/singular_point_files.h>

@@ -1,7 +1,7 @@
-#include <auxfem/analysis/buckling_modes.h>
 #include <auxfem/analysis/imperfect_lattice.h>
 #include <auxfem/analysis/lattice_run.h>
-#include <auxfem/analysis/modes.h>
+#include <auxfem/analysis/small_motions/buckling_modes.h>
+#include <auxfem/analysis/small_motions/modes.h>
 #include <auxfem/equations/strut_motion.h>
 #include <auxfem/model/build_lattice.h>
 #include <auxfem/model/imperfections.h>

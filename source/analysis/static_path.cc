@@ -1,7 +1,7 @@
 #include <auxfem/analysis/analysis.h>
 #include <auxfem/analysis/lattice_run.h>
-#include <auxfem/analysis/path_step_length.h>
-#include <auxfem/analysis/singular_points.h>
+#include <auxfem/analysis/paths/path_step_length.h>
+#include <auxfem/analysis/paths/singular_points.h>
 #include <auxfem/output/run_output.h>
 #include <auxfem/parameters/errors.h>
 #include <auxfem/time/interruption.h>

@@ -1,0 +1,89 @@
+#ifndef auxfem_analysis_paths_arc_length_h
+#define auxfem_analysis_paths_arc_length_h
+
+#include <auxfem/analysis/newton.h>
+#include <auxfem/analysis/paths/path_metric.h>
+
+#include <optional>
+
+namespace auxfem
+{
+  /** Direction of a path of equilibria at one of its points. */
+  struct PathTangent
+  {
+    /** Of all local unknowns, of unit length; rotations as vectors in the
+     * global frame. */
+    Vector direction;
+    /** Change of the load factor on the way (1/m). */
+    double load_rate;
+
+    /** @name By how much both change on the way, as far as is known; empty: not
+     * at all (1/m, 1/m2). */
+    ///@{
+    Vector bend      = {};
+    double load_bend = 0;
+    ///@}
+
+    /** What the bend adds to the tangent on the way @p length (m); of the
+     * load factor. */
+    ///@{
+    Vector deviation(double length) const;
+    double deviation_of_load(double length) const;
+    ///@}
+  };
+
+  /** Scales @p values. */
+  void multiply(double factor, Vector &values);
+
+  /**
+   * Loads in free rows (N, N m) and motions of supports in prescribed ones, of
+   * local unknowns, by which both grow with the load factor at evaluation.to.
+   */
+  Vector load_direction(const Equations  &equations,
+                        const Evaluation &evaluation);
+
+  /**
+   * Increment of all local unknowns with which equilibrium at evaluation.to is
+   * kept when the load factor grows by one, by linear theory; rotations as
+   * vectors in the global frame. Nothing if @p solver, which has the stiffness
+   * factorized, fails. Collective.
+   */
+  std::optional<Vector> load_response(TangentSolver    &solver,
+                                      const Evaluation &evaluation);
+
+  /**
+   * The load factor as an unknown, with the condition that what is added to the
+   * prediction of a step is normal to its direction (Riks 1972, Journal of
+   * Applied Mechanics 39, 1060; Ramm 1981): the arc length of the step,
+   * measured along the direction, is given. Solved by elimination, with one
+   * solution more for the tangent (Batoz and Dhatt 1979, International Journal
+   * for Numerical Methods in Engineering 14, 1262).
+   */
+  class ArcLength : public AddedEquation
+  {
+  public:
+    /** @param metric, tangent must outlive the object
+     * @param length of the step (m), predicted by the tangent and its bend */
+    ArcLength(const PathMetric  &metric,
+              const PathTangent &tangent,
+              double             length);
+
+    bool complete(TangentSolver    &solver,
+                  const Evaluation &evaluation,
+                  Vector           &increment) override;
+
+    /** @name How far the point lies off the tangent. */
+    ///@{
+    double deviation() const; ///< m
+    double deviation_of_load() const;
+    ///@}
+
+  private:
+    const PathMetric &metric;
+    const Vector     &direction;
+    Vector            off_tangent;
+    double            load_off_tangent;
+  };
+} // namespace auxfem
+
+#endif

@@ -1,0 +1,112 @@
+#ifndef auxfem_analysis_paths_path_stepper_h
+#define auxfem_analysis_paths_path_stepper_h
+
+#include <auxfem/analysis/paths/arc_length.h>
+#include <auxfem/analysis/small_motions/mode_space.h>
+#include <auxfem/equations/solution.h>
+#include <auxfem/time/static.h>
+
+#include <optional>
+#include <string>
+
+namespace auxfem
+{
+  /** A point on a path of equilibria with what the way on from it needs. */
+  struct PathPoint
+  {
+    Solution    solution;
+    PathTangent tangent;
+
+    double load_factor() const
+    {
+      return solution.state.path->load_factor;
+    }
+
+    double arc_length() const
+    {
+      return solution.state.time;
+    }
+
+    /** As PathPosition::n_negative. */
+    std::optional<unsigned long> n_negative() const
+    {
+      return solution.state.path->n_negative;
+    }
+  };
+
+  /** What came of one step along the path. */
+  struct PathStep
+  {
+    /** Nothing: the step has failed. */
+    std::optional<PathPoint> point;
+    std::string              why_failed;
+    unsigned int             iterations        = 0;
+    double                   relative_residual = 0;
+    /** How far the point lies off the tangent (m, 1). */
+    double deviation = 0, deviation_of_load = 0;
+  };
+
+  /**
+   * Steps from one equilibrium to another on a path. All functions are
+   * collective.
+   */
+  class PathStepper
+  {
+  public:
+    /** @p solver must outlive the object. */
+    PathStepper(TangentSolver &solver, const NewtonParameters &parameters);
+
+    /**
+     * The point at @p solution, an equilibrium, from which the path goes on with
+     * rising load factor or, if @p is_reversed, with falling one. Throws
+     * InputError where no load acts, ComputationError where there is no
+     * tangent.
+     */
+    PathPoint start(const Solution &solution, bool is_reversed);
+
+    /** The point at the distance @p length (m) along @p prediction of @p from. */
+    PathStep
+    step(const PathPoint &from, const PathTangent &prediction, double length);
+
+    /** The point with @p load_factor, which lies about @p length (m) from
+     * @p from. */
+    PathStep
+    step_to_load(const PathPoint &from, double length, double load_factor);
+
+    /**
+     * The direction that the stiffness at @p point resists least, of unit length
+     * and with its largest entry positive, and its eigenvalue's size (N/m);
+     * nothing where the stiffness is singular to the last digit.
+     */
+    std::optional<std::pair<Vector, double>> softest(const PathPoint &point);
+
+    const PathMetric &metric() const;
+
+  private:
+    /** Puts the first guess of a step into its end. */
+    void predict(const Evaluation  &step,
+                 const PathTangent &prediction,
+                 double             length) const;
+    /** Of the equilibrium at evaluation.to, in the sense of @p way; also finds
+     * PathPosition::n_negative. Nothing if that fails. */
+    std::optional<PathTangent> find_tangent(const Evaluation        &evaluation,
+                                            const EvaluationResults &results,
+                                            const Vector            *way);
+    /** Solves the step that has been predicted. @param end of it, is moved from
+     * @param way in whose sense the path goes on */
+    PathStep solve(const Evaluation &step,
+                   Solution         &end,
+                   const Vector     &way,
+                   AddedEquation    *arc_length);
+
+    TangentSolver      &solver;
+    const Equations    &equations;
+    Newton              newton;
+    ModeSpace           space;
+    const PathMetric    of_path;
+    const NodeRotations rotations;
+    const QuasiStatic   rule;
+  };
+} // namespace auxfem
+
+#endif

@@ -1,0 +1,19 @@
+#ifndef auxfem_analysis_small_motions_damped_modes_h
+#define auxfem_analysis_small_motions_damped_modes_h
+
+#include <auxfem/analysis/small_motions/natural_modes.h>
+
+namespace auxfem
+{
+  /**
+   * Gives each mode of @p found that swings, about @p state without damping, the
+   * damped one that it becomes: a solution of A(s) x = 0 near it, with the
+   * dynamic stiffness A of all connectors and damping. None where the search
+   * leads to no oscillation. Collective.
+   */
+  void add_damped_modes(TangentSolver &solver,
+                        const State   &state,
+                        NaturalModes  &found);
+} // namespace auxfem
+
+#endif

@@ -1,0 +1,70 @@
+#ifndef auxfem_analysis_small_motions_dynamic_stiffness_h
+#define auxfem_analysis_small_motions_dynamic_stiffness_h
+
+#include <auxfem/analysis/small_motions/mode_space.h>
+#include <auxfem/scene/scene.h>
+
+#include <complex>
+
+namespace auxfem
+{
+  /**
+   * The equations of small motions about an equilibrium that go as e^(s t),
+   * with all damping: A(s) x = b, A = W + i T with real W and T. Vectors are
+   * real parts of owned rows, then imaginary ones; in prescribed rows A is the
+   * identity. What computes is collective.
+   */
+  class DynamicStiffness
+  {
+  public:
+    using Values = std::vector<double>;
+
+    /** @param solver must outlive the object; its matrix becomes W. */
+    DynamicStiffness(TangentSolver &solver, const State &equilibrium);
+
+    /** The evaluation at the equilibrium. */
+    Evaluation evaluation();
+
+    /** Finds A at @p s (1/s). */
+    void set(std::complex<double> s);
+
+    /** @p y = A x. */
+    void multiply(const double *x, double *y) const;
+
+    /** Factorizes W for solve(); false if it is singular, solver.why(). */
+    bool factorize();
+
+    /** Solves A x = b to round-off, the first guess in @p x. Returns an empty
+     * text or why that failed. */
+    std::string solve(const Values &b, Values &x);
+
+    /** x.A x, without conjugation. */
+    std::complex<double> form(const Values &x) const;
+
+    /** A of all owned rows times local @p real and @p imaginary values,
+     * prescribed rows with their forces. */
+    std::pair<Vector, Vector> forces(const Vector &real,
+                                     const Vector &imaginary) const;
+
+  private:
+    void add_forces(double               factor,
+                    const TangentMatrix &matrix,
+                    const Vector        &values,
+                    Vector              &forces) const;
+
+    TangentSolver       &solver;
+    const Equations     &equations;
+    const UnknownLayout &layout;
+    const ModeSpace      space;
+    const State          at_rest;
+    State                now;
+    EvaluationResults    results;
+    TangentMatrix        imaginary;
+  };
+
+  /** Turns on what of damping is `auto` in @p scene: how fast loads are tells
+   * nothing of vibrations. */
+  void include_damping(Scene &scene);
+} // namespace auxfem
+
+#endif

@@ -1,0 +1,51 @@
+#ifndef auxfem_analysis_small_motions_mode_files_h
+#define auxfem_analysis_small_motions_mode_files_h
+
+#include <auxfem/analysis/lattice_run.h>
+#include <auxfem/analysis/small_motions/buckling_modes.h>
+#include <auxfem/analysis/small_motions/natural_modes.h>
+#include <auxfem/output/output_folder.h>
+
+namespace auxfem
+{
+  /** What runs of modes of any kind write beside log.txt and summary.json. */
+  FolderContents mode_contents();
+
+  /** modes.csv or buckling.csv with its reference. On the first rank. */
+  ///@{
+  void write_mode_table(const NaturalModes &found, const std::string &folder);
+  void write_mode_table(const BucklingModes &found, const std::string &folder);
+  ///@}
+
+  /** The modes as lines for the screen, without the last line break. */
+  ///@{
+  std::string mode_table_text(const NaturalModes &found,
+                              unsigned int        dimension);
+  std::string mode_table_text(const BucklingModes &found);
+  ///@}
+
+  /** What summary.json says of modes. */
+  ///@{
+  Json json_of(const NaturalModes &found);
+  Json json_of(const BucklingModes &found);
+  ///@}
+
+  /** A mode as it is seen. */
+  struct ModePicture
+  {
+    const Vector &shape;
+    /** Of the vibration (rad/s); 0: it does not vibrate. */
+    double angular_frequency = 0;
+  };
+
+  /**
+   * Writes pictures of one period of mode @p number (from 1 on) about the
+   * solution of @p run; their times are parts of the period. Returns the names
+   * of the series. Collective.
+   */
+  std::vector<std::string> write_mode_pictures(const LatticeRun  &run,
+                                               const ModePicture &mode,
+                                               unsigned int       number);
+} // namespace auxfem
+
+#endif

@@ -1,0 +1,37 @@
+#ifndef auxfem_analysis_small_motions_modes_h
+#define auxfem_analysis_small_motions_modes_h
+
+#include <auxfem/analysis/lattice_run.h>
+#include <auxfem/analysis/small_motions/buckling_modes.h>
+#include <auxfem/output/output_folder.h>
+#include <auxfem/output/recorder.h>
+#include <auxfem/scene/scene.h>
+
+#include <mpi.h>
+
+namespace auxfem
+{
+  /**
+   * `Analysis = modes`: natural frequencies and modes into Output/Directory
+   * (modes.csv, summary.json, `mode_1_solution.pvd`, ...) and onto the screen.
+   * `Analysis = buckling`: factors of loads and buckling modes (buckling.csv).
+   * Throws InputError, ComputationError. Collective.
+   */
+  RunResult
+  run_modes(const Scene &scene, MPI_Comm communicator, const FileRules &rules);
+
+  /** The dry run: builds everything, prints counts and effects. Collective. */
+  void check_modes(const Scene &scene, MPI_Comm communicator);
+
+  /** @p scene as modes look at it: at t = 0 and at rest. */
+  Scene scene_of_modes(Scene scene);
+
+  /** Those that the scene of @p run asks for, which has started. Throws as
+   * buckling_modes(). Collective. */
+  BucklingModes buckling_modes_of(LatticeRun &run);
+
+  /** Names of files that tell of modes, of any number of them. */
+  std::vector<std::string> modes_files();
+} // namespace auxfem
+
+#endif

@@ -1,0 +1,76 @@
+#ifndef auxfem_analysis_small_motions_natural_modes_h
+#define auxfem_analysis_small_motions_natural_modes_h
+
+#include <auxfem/analysis/tangent_solver.h>
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace auxfem
+{
+  /** A solution x of K x = omega^2 M x with x.M x = 1. */
+  struct NaturalMode
+  {
+    double eigenvalue; ///< omega^2 (1/s2); negative: the state is unstable
+    /**
+     * |K x - omega^2 M x| over |(omega^2 - sigma) M x|, with the shift sigma of
+     * the eigenproblem.
+     */
+    double residual;
+    /** Of all local unknowns; rotations as vectors in the global frame. */
+    Vector shape;
+    /** x.M r with r a unit translation along x, y, z of all nodes, supports
+     * too (kg^1/2). Its square is the effective mass (kg). */
+    std::array<double, 3> participation;
+
+    /** What damping makes of it: it goes as e^(-decay t) cos(omega t). */
+    struct Damped
+    {
+      double growth;            ///< minus the decay (1/s)
+      double angular_frequency; ///< omega (rad/s)
+
+      /** Damping over the critical one. */
+      double ratio() const
+      {
+        return -growth / std::hypot(growth, angular_frequency);
+      }
+    };
+    /** If asked for (add_damped_modes()) and found. */
+    std::optional<Damped> damped = {};
+
+    /** Angular frequency (rad/s); 0 of an unstable mode. */
+    double angular_frequency() const;
+
+    /** Of an unstable mode, at which rate it grows (1/s); else 0. */
+    double growth_rate() const;
+  };
+
+  /** Modes by rising eigenvalue. */
+  struct NaturalModes
+  {
+    std::vector<NaturalMode> modes;
+    /** Sigma (1/s2). */
+    double shift;
+    /** Whether an inertia of the tangent (Sylvester) tells that there are no
+     * others below the last; nothing where none is known (iterative solvers).
+     */
+    bool is_counted = false;
+    /** More negative eigenvalues than are among the modes. */
+    unsigned long n_further_negative = 0;
+  };
+
+  /**
+   * The @p n lowest natural modes of small vibrations about @p state, at rest
+   * there, without damping: K is the stiffness of the equilibrium, with Maxwell
+   * elements relaxed, M the mass matrix. Fewer where the mesh has not
+   * so many. Throws ComputationError if they are not
+   * found, and InputError where K is not symmetric (loads that follow their
+   * joint). Collective.
+   */
+  NaturalModes
+  natural_modes(TangentSolver &solver, const State &state, unsigned int n);
+} // namespace auxfem
+
+#endif

@@ -1,0 +1,230 @@
+#include <auxfem/analysis/paths/singular_points.h>
+
+#include <boost/math/tools/toms748_solve.hpp>
+
+#include <cmath>
+
+namespace auxfem
+{
+  namespace
+  {
+    /** Of the step: how narrowly a singular point is enclosed. */
+    constexpr double narrow = 1e-8;
+    /** How near the points are that a bifurcation is interpolated from. */
+    constexpr double beside = 2e-3;
+    /** Closer ones are not told apart. */
+    constexpr double indistinguishable = 1e-4;
+
+    /** What is seen of the path at some distance from the start of a step. */
+    struct Look
+    {
+      double                       length; ///< m
+      double                       load_rate;
+      std::optional<unsigned long> n_negative;
+    };
+
+    bool has_limit(const Look &begin, const Look &end)
+    {
+      return begin.load_rate * end.load_rate < 0;
+    }
+
+    /** How many eigenvalues have changed their sign, as far as is known. */
+    unsigned long n_changes(const Look &begin, const Look &end)
+    {
+      if (!begin.n_negative || !end.n_negative)
+        return has_limit(begin, end) ? 1 : 0;
+      return SingularPoint{SingularPoint::Kind::bifurcation,
+                           begin.n_negative,
+                           end.n_negative,
+                           {}}
+        .multiplicity();
+    }
+
+    class SingularPointSearch
+    {
+    public:
+      SingularPointSearch(PathStepper     &stepper,
+                          const PathPoint &from,
+                          const double     length)
+        : stepper(stepper)
+        , from(from)
+        , length(length)
+      {}
+
+      /** Finds those between two looks. */
+      void search(const Look &begin, const Look &end)
+      {
+        const bool          limit   = has_limit(begin, end);
+        const unsigned long changes = n_changes(begin, end);
+        if (!limit && changes == 0)
+          return;
+        if (changes == 1)
+          {
+            enclose(begin, end);
+            return;
+          }
+        const auto middle =
+          end.length - begin.length > indistinguishable * length
+          ? at((begin.length + end.length) / 2)
+          : std::nullopt;
+        if (!middle)
+          {
+            enclose(begin, end);
+            return;
+          }
+        const Look look = look_at(*middle);
+        search(begin, look);
+        search(look, end);
+      }
+
+      static Look look_at(const PathPoint &point, const double length)
+      {
+        return {length, point.tangent.load_rate, point.n_negative()};
+      }
+
+      std::vector<LocatedPoint> found;
+
+    private:
+      std::optional<PathPoint> at(const double distance)
+      {
+        return stepper.step(from, from.tangent, distance).point;
+      }
+
+      Look look_at(const PathPoint &point) const
+      {
+        return look_at(point, point.arc_length() - from.arc_length());
+      }
+
+      /** Enclosed by what changes its sign there. */
+      void enclose(const Look &begin, const Look &end)
+      {
+        if (has_limit(begin, end))
+          {
+            const auto rate = [](const PathPoint &point) {
+              return point.tangent.load_rate;
+            };
+            add(begin, end, root(begin, end, rate, narrow));
+            return;
+          }
+        const auto is_before = [&](const PathPoint &point) {
+          return point.n_negative() == begin.n_negative ? 1. : -1.;
+        };
+        // Several at once have no eigenvalue of their own.
+        if (n_changes(begin, end) > 1)
+          add(begin, end, root(begin, end, is_before, narrow));
+        else
+          add_bifurcation(begin, end, [&](const PathPoint &point) {
+            const auto softest = stepper.softest(point);
+            return softest ? is_before(point) * softest->second : 0.;
+          });
+      }
+
+      /** Distance at which @p value of a point is zero, up to @p width of the
+       * step. */
+      template <class Value>
+      double root(const Look  &begin,
+                  const Look  &end,
+                  const Value &value,
+                  const double width)
+      {
+        const auto at_distance = [&](const double distance) {
+          const auto point = at(distance);
+          // Where the stiffness is singular to the last digit.
+          return point ? value(*point) : 0.;
+        };
+        const double first    = begin.length + narrow * length;
+        const double at_begin = at_distance(first),
+                     at_end   = at_distance(end.length);
+        if (at_begin * at_end >= 0)
+          return std::abs(at_begin) < std::abs(at_end) ? first : end.length;
+        std::uintmax_t most_looks = 60;
+        const auto [lower, upper] = boost::math::tools::toms748_solve(
+          at_distance,
+          first,
+          end.length,
+          at_begin,
+          at_end,
+          [&](const double one, const double other) {
+            return std::abs(other - one) <= width * length;
+          },
+          most_looks);
+        return (lower + upper) / 2;
+      }
+
+      /**
+       * At a bifurcation round-off moves points along the branch that crosses;
+       * load factor and distance are interpolated from points beside it, as
+       * functions of the eigenvalue that vanishes.
+       */
+      template <class Value>
+      void
+      add_bifurcation(const Look &begin, const Look &end, const Value &value)
+      {
+        const double        near = root(begin, end, value, beside);
+        std::vector<double> eigenvalues, distances, load_factors;
+        for (const double part : {-2., -1., 1., 2.})
+          if (const auto point = at(near + part * beside * length))
+            {
+              eigenvalues.push_back(value(*point));
+              distances.push_back(look_at(*point).length);
+              load_factors.push_back(point->load_factor());
+            }
+        const double distance = value_at_zero(eigenvalues, distances);
+        const bool is_sound = std::abs(distance - near) <= 2 * beside * length;
+        add(begin, end, is_sound ? distance : near);
+        if (is_sound && !found.empty())
+          found.back().point.solution.state.path->load_factor =
+            value_at_zero(eigenvalues, load_factors);
+      }
+
+      /** Of the polynomial through @p values at @p places (Lagrange). */
+      static double value_at_zero(const std::vector<double> &places,
+                                  const std::vector<double> &values)
+      {
+        double sum = 0;
+        for (unsigned int i = 0; i < places.size(); ++i)
+          {
+            double weight = 1;
+            for (unsigned int j = 0; j < places.size(); ++j)
+              if (j != i)
+                weight *= places[j] / (places[j] - places[i]);
+            sum += weight * values[i];
+          }
+        return sum;
+      }
+
+      void add(const Look &begin, const Look &end, const double distance)
+      {
+        auto point = at(distance);
+        // Nearest to it the stiffness may be too singular to solve with.
+        for (double part = narrow; !point && part <= beside; part *= 10)
+          point = at(distance - part * length);
+        if (!point)
+          return;
+        auto softest = stepper.softest(*point);
+        found.push_back(
+          {std::move(*point),
+           {has_limit(begin, end) ? SingularPoint::Kind::limit
+                                  : SingularPoint::Kind::bifurcation,
+            begin.n_negative,
+            end.n_negative,
+            softest ? std::move(softest->first) : Vector()}});
+      }
+
+      PathStepper     &stepper;
+      const PathPoint &from;
+      const double     length;
+    };
+  } // namespace
+
+  std::vector<LocatedPoint> find_singular_points(PathStepper     &stepper,
+                                                 const PathPoint &from,
+                                                 const PathPoint &to,
+                                                 const double     length)
+  {
+    SingularPointSearch search(stepper, from, length);
+    search.search(SingularPointSearch::look_at(from, 0.),
+                  SingularPointSearch::look_at(to, length));
+    return std::move(search.found);
+  }
+} // namespace auxfem

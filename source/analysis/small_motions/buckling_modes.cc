@@ -1,0 +1,453 @@
+#include <auxfem/analysis/small_motions/buckling_modes.h>
+#include <auxfem/analysis/small_motions/mode_space.h>
+#include <auxfem/equations/displaced_state.h>
+#include <auxfem/equations/prescribed_motion.h>
+#include <auxfem/parameters/errors.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace auxfem
+{
+  namespace
+  {
+    /** Largest rotation (rad), or displacement over the mean length of struts,
+     * of the states whose forces differ by those of the linear answer. What the
+     * difference of fourth order misses, and round-off, then are about 1e-12.
+     */
+    constexpr double size_of_difference = 1e-3;
+
+    /** Rows of K' below this part of the largest are round-off. */
+    constexpr double no_entry = 1e-8;
+
+    /** Asymmetry that is round-off of K'. */
+    constexpr double symmetric_change = 1e-6;
+
+    [[noreturn]] void refuse(const std::string &why)
+    {
+      throw InputError("Analysis = buckling: " + why);
+    }
+
+    [[noreturn]] void fail_to_buckle(const std::string &why)
+    {
+      throw ComputationError("Analysis = buckling: " + why + '.');
+    }
+
+    /** Adds @p factor times @p other to @p matrix, of the same pattern. */
+    void add_multiple(const double         factor,
+                      const TangentMatrix &other,
+                      TangentMatrix       &matrix)
+    {
+      std::vector<double> values;
+      for (std::size_t block = 0; block < matrix.pattern().n_blocks(); ++block)
+        {
+          const double *const first = other.values(block);
+          const unsigned int  n     = matrix.pattern().size(block);
+          values.assign(first, first + std::size_t(n) * n);
+          for (double &value : values)
+            value *= factor;
+          matrix.add(block, values.data());
+        }
+    }
+
+    /** K and K' of an equilibrium, and what is done with them. */
+    class Buckling
+    {
+    public:
+      Buckling(TangentSolver       &solver,
+               const State         &state,
+               const BucklingLoads &loads)
+        : solver(solver)
+        , space(solver)
+        , equations(solver.equations())
+        , layout(equations.unknowns().layout)
+        , state(state)
+        , results(equations.make_results())
+        , stiffness(equations.pattern())
+        , change(equations.pattern())
+      {
+        find_tangent(state, stiffness);
+        refuse_loads_that_follow(loads.time);
+        if (!factorize(0))
+          refuse("the stiffness is singular: " + solver.why() + '.');
+        if (const auto n_negative = space.n_negative();
+            n_negative && *n_negative > 0)
+          refuse(
+            "the state without the loads is not stable: its stiffness has " +
+            std::to_string(*n_negative) +
+            " negative modes. Take smaller loads at t = 0, or Modes/About "
+            "= rest.");
+        find_change(linear_answer(loads.time), loads.is_reversed ? -1. : 1.);
+        refuse_asymmetry();
+      }
+
+      /** K + factor K' becomes the matrix of the solver. Returns whether it can
+       * be factorized. */
+      bool factorize(const double factor)
+      {
+        TangentMatrix &matrix = solver.matrix();
+        matrix.reset();
+        add_multiple(1., stiffness, matrix);
+        if (factor != 0)
+          add_multiple(factor, change, matrix);
+        return solver.factorize();
+      }
+
+      /** How many factors there are between 0 and @p factor, after which
+       * factorize(0) is due; nothing where that is not known. */
+      std::optional<unsigned long> n_until(const double factor)
+      {
+        if (!factorize(factor))
+          return std::nullopt;
+        return space.n_negative();
+      }
+
+      /** Those nearest to zero above it, after factorize(0). */
+      Eigenpairs lowest(const unsigned int n)
+      {
+        return nearest_eigenpairs({layout,
+                                   /*shift=*/0.,
+                                   [this](const double *x, double *y) {
+                                     multiply_change(x, y);
+                                   },
+                                   [this](double *x) { return solve_free(x); },
+                                   n_with_change(),
+                                   [this](const double *x, double *y) {
+                                     space.multiply(stiffness, x, y);
+                                   },
+                                   /*only_above=*/true},
+                                  n);
+      }
+
+      /** Modes that there can be at most. Collective. */
+      unsigned int n_with_change() const
+      {
+        const std::vector<double> sizes = change.row_sizes();
+        double                    mine  = 0;
+        for (unsigned int i = 0; i < sizes.size(); ++i)
+          if (space.is_free(i))
+            mine = std::max(mine, sizes[i]);
+        const double largest = layout.largest(mine);
+        double       n       = 0;
+        for (unsigned int i = 0; i < sizes.size(); ++i)
+          if (space.is_free(i) && sizes[i] > no_entry * largest)
+            ++n;
+        return std::min<unsigned int>(space.n_free(), layout.sum(n));
+      }
+
+      /** A factor far below the lowest: the smallest K_ii / |K'_ii|. */
+      double small_factor() const
+      {
+        const std::vector<double> springs = stiffness.diagonal(),
+                                  changes = change.diagonal();
+        double largest                    = 0;
+        for (unsigned int i = 0; i < springs.size(); ++i)
+          if (space.is_free(i) && springs[i] > 0)
+            largest = std::max(largest, std::abs(changes[i]) / springs[i]);
+        largest = layout.largest(largest);
+        return largest > 0 ? 1e-6 / largest : 1.;
+      }
+
+      /** After factorize(0). */
+      BucklingMode mode(const Eigenpair &pair)
+      {
+        // Once more, for the forces of constraints.
+        std::vector<double> x(layout.n_owned());
+        multiply_change(pair.vector.data(), x.data());
+        if (!space.solve(x.data()))
+          fail_to_buckle(solver.why());
+        BucklingMode        mode{0., 0., space.shape(x)};
+        std::vector<double> forces(layout.n_owned()), changes(layout.n_owned()),
+          of_free(layout.n_owned());
+        stiffness.multiply(mode.shape.data(), forces.data());
+        space.multiply(stiffness, mode.shape.data(), of_free.data());
+        multiply_change(mode.shape.data(), changes.data());
+        std::vector<double> sums = {0., 0., 0., 0.};
+        for (unsigned int i = 0; i < layout.n_owned(); ++i)
+          {
+            sums[0] += mode.shape[i] * of_free[i];
+            sums[1] += mode.shape[i] * changes[i];
+          }
+        sums        = layout.sum(sums);
+        mode.factor = sums[0] / sums[1];
+        double left = 0, all = 0;
+        for (unsigned int i = 0; i < layout.n_owned(); ++i)
+          if (!space.is_prescribed(i))
+            {
+              left += std::pow(forces[i] - mode.factor * changes[i], 2);
+              all += std::pow(mode.factor * changes[i], 2);
+            }
+        mode.residual = std::sqrt(layout.sum(left) / layout.sum(all));
+        for (double &value : mode.shape)
+          value /= std::sqrt(sums[0]);
+        return mode;
+      }
+
+      /** BucklingModes::motion. */
+      double motion_of_answer() const
+      {
+        return motion;
+      }
+
+    private:
+      void find_tangent(const State &at, TangentMatrix &matrix)
+      {
+        State            now        = at;
+        const Evaluation evaluation = Evaluation::equilibrium(at, now);
+        solver.residual(evaluation, results);
+        equations.tangent(evaluation, results, {1, 0, 0}, matrix);
+      }
+
+      State with_loads_of(const double time) const
+      {
+        State loaded = state;
+        loaded.time  = time;
+        return loaded;
+      }
+
+      /** Of loads that keep their directions the tangent knows nothing. */
+      void refuse_loads_that_follow(const double time)
+      {
+        TangentMatrix loaded(equations.pattern());
+        find_tangent(with_loads_of(time), loaded);
+        add_multiple(-1., stiffness, loaded);
+        const auto largest = [this](const TangentMatrix &matrix) {
+          const std::vector<double> sizes = matrix.row_sizes();
+          double                    mine  = 0;
+          for (unsigned int i = 0; i < sizes.size(); ++i)
+            if (space.is_free(i))
+              mine = std::max(mine, sizes[i]);
+          return layout.largest(mine);
+        };
+        constexpr double round_off = 1e-13;
+        if (!stiffness.is_symmetric() ||
+            largest(loaded) > round_off * largest(stiffness))
+          refuse(
+            "the stiffness depends on loads that follow their joints. "
+            "Buckling loads are computed for loads that keep their "
+            "directions: set Direction = fixed, or leave these loads out.");
+      }
+
+      /** To what the loads of @p time change, after factorize(0). */
+      Vector linear_answer(const double time)
+      {
+        State      loaded      = with_loads_of(time);
+        Evaluation evaluation  = Evaluation::equilibrium(state, loaded);
+        evaluation.event_at_to = {time, TimeSide::before};
+        solver.residual(evaluation, results);
+        Vector answer(layout.n_local(), 0.);
+        find_right_side(solver.model(), evaluation, answer.data());
+        double mine = 0;
+        for (unsigned int i = 0; i < layout.n_owned(); ++i)
+          mine = std::max(mine, std::abs(answer[i]));
+        if (layout.largest(mine) == 0)
+          {
+            std::ostringstream why;
+            why << "no load and no prescribed motion acts at t = " << time
+                << " s"
+                << (state.time == time ? ""
+                                       : " other than in the state that is "
+                                         "looked at")
+                << ". Set Modes/Time of the loads to a time at which there is "
+                   "one.";
+            refuse(why.str());
+          }
+        if (!solver.solve(answer))
+          fail_to_buckle(solver.why());
+        return answer;
+      }
+
+      void find_change(const Vector &answer, const double sign)
+      {
+        const LatticeModel &model           = solver.model();
+        const auto [displacement, rotation] = largest_motion(model, answer);
+        motion = std::max(rotation, displacement / model.mean_strut_length);
+        find_multiplier_change(answer, sign);
+        if (motion > 0)
+          add_strut_and_connector_change(answer,
+                                         sign * size_of_difference / motion);
+        leave_out_constraints(change);
+      }
+
+      /** @param part of the answer by which states differ from the given one. */
+      void add_strut_and_connector_change(const Vector &answer,
+                                          const double  part)
+      {
+        const DofNumbering     &numbering = solver.model().numbering;
+        State                   base      = state;
+        const EvaluationResults at_base   = results_at(base);
+        for (const auto &[steps, weight] :
+             {std::pair(1, 8.), std::pair(2, -1.)})
+          {
+            State before = displaced(state, numbering, answer, -steps * part),
+                  after  = displaced(state, numbering, answer, steps * part);
+            const EvaluationResults at_before = results_at(before),
+                                    at_after  = results_at(after);
+            equations.add_geometric_tangent({base,
+                                             before,
+                                             after,
+                                             at_base,
+                                             at_before,
+                                             at_after,
+                                             weight / (12 * std::abs(part))},
+                                            change);
+          }
+      }
+
+      EvaluationResults results_at(State &at)
+      {
+        EvaluationResults of_state = equations.make_results();
+        const State       before   = at;
+        solver.residual(Evaluation::equilibrium(before, at), of_state);
+        return of_state;
+      }
+
+      /** What the forces of constraints add: tangents are linear in them. */
+      void find_multiplier_change(const Vector &answer, const double sign)
+      {
+        State       forced = state;
+        const auto &multipliers =
+          solver.model().numbering.constraints().multipliers();
+        for (const int i : multipliers)
+          forced.displacement[i] += sign * answer[i];
+        change.reset();
+        if (layout.largest(double(multipliers.size())) == 0)
+          return;
+        find_tangent(forced, change);
+        add_multiple(-1., stiffness, change);
+      }
+
+      /** Of moments that keep their axes in space, say. */
+      void refuse_asymmetry() const
+      {
+        Vector x(layout.n_local()), y(layout.n_local());
+        for (unsigned int i = 0; i < layout.n_owned(); ++i)
+          {
+            x[i] = space.is_free(i) ? std::sin(1. + layout.global(i)) : 0.;
+            y[i] = space.is_free(i) ? std::cos(3. * layout.global(i)) : 0.;
+          }
+        std::vector<double> of_x(layout.n_owned()), of_y(layout.n_owned());
+        multiply_change(x.data(), of_x.data());
+        multiply_change(y.data(), of_y.data());
+        std::vector<double> sums = {0., 0., 0., 0.};
+        for (unsigned int i = 0; i < layout.n_owned(); ++i)
+          {
+            sums[0] += y[i] * of_x[i];
+            sums[1] += x[i] * of_y[i];
+            sums[2] += of_x[i] * of_x[i] + of_y[i] * of_y[i];
+            sums[3] += x[i] * x[i] + y[i] * y[i];
+          }
+        sums = layout.sum(sums);
+        if (std::abs(sums[0] - sums[1]) >
+            symmetric_change * std::sqrt(sums[2] * sums[3]))
+          refuse("the stiffness under the loads is not symmetric, as that of "
+                 "moments in space is not. Buckling loads are computed for "
+                 "forces that keep their directions.");
+      }
+
+      /** @p y = -K' x between free unknowns. */
+      void multiply_change(const double *x, double *y) const
+      {
+        space.multiply(change, x, y);
+        for (unsigned int i = 0; i < layout.n_owned(); ++i)
+          y[i] = -y[i];
+      }
+
+      /** K^-1 between free unknowns. */
+      bool solve_free(double *x)
+      {
+        const auto take_free = [this](double *values) {
+          for (unsigned int i = 0; i < layout.n_owned(); ++i)
+            if (!space.is_free(i))
+              values[i] = 0;
+        };
+        take_free(x);
+        const bool is_solved = space.solve(x);
+        take_free(x);
+        return is_solved;
+      }
+
+      TangentSolver       &solver;
+      ModeSpace            space;
+      const Equations     &equations;
+      const UnknownLayout &layout;
+      const State         &state;
+      double               motion = 0;
+      EvaluationResults    results;
+      TangentMatrix        stiffness, change;
+    };
+
+    /**
+     * How many factors there are up to far beyond the lowest. Refuses loads
+     * that make nothing buckle; nothing where that cannot be told.
+     */
+    std::optional<unsigned long> n_factors(Buckling &buckling)
+    {
+      constexpr double       factor_of_growth = 100, far_beyond = 1e4;
+      constexpr unsigned int n_looks = 16;
+      double                 factor  = buckling.small_factor();
+      for (unsigned int i = 0; i < n_looks; ++i, factor *= factor_of_growth)
+        {
+          const auto n = buckling.n_until(factor);
+          if (!n)
+            return std::nullopt;
+          if (*n > 0)
+            return buckling.n_until(far_beyond * factor);
+        }
+      refuse("the loads make nothing buckle. Try Modes/Reversed loads = true.");
+    }
+
+    /** Whether there are as many factors below the widest gap among the last
+     * pairs, at least @p n, as were found. */
+    bool are_all_found(Buckling                     &buckling,
+                       const std::vector<Eigenpair> &pairs,
+                       const unsigned int            n)
+    {
+      const unsigned int counted = before_widest_gap(pairs, n, 0.);
+      const auto         n_all =
+        buckling.n_until((pairs[counted - 1].value + pairs[counted].value) / 2);
+      return n_all && *n_all == counted;
+    }
+  } // namespace
+
+  BucklingModes buckling_modes(TangentSolver       &solver,
+                               const State         &state,
+                               const BucklingLoads &loads,
+                               const unsigned int   n)
+  {
+    Buckling           buckling(solver, state, loads);
+    const auto         n_all = n_factors(buckling);
+    const unsigned int n_possible =
+      std::min<unsigned long>(buckling.n_with_change(),
+                              n_all.value_or(buckling.n_with_change()));
+    const unsigned int wanted = std::min(n, n_possible);
+    for (unsigned int attempt = 0; attempt < n_attempts_to_find_all; ++attempt)
+      {
+        if (!buckling.factorize(0))
+          fail_to_buckle(solver.why());
+        const unsigned int n_asked =
+          std::min((wanted << attempt) + n_guard_modes, n_possible);
+        const Eigenpairs near = buckling.lowest(n_asked);
+        if (near.pairs.empty() || !near.why.empty())
+          fail_to_buckle(near.why.empty() ? "no mode was found" : near.why);
+        const unsigned int n_modes =
+          std::min<std::size_t>(wanted, near.pairs.size());
+        const bool can_count = n_all && n_modes < near.pairs.size();
+        if (can_count && !are_all_found(buckling, near.pairs, n_modes))
+          continue;
+        if (!buckling.factorize(0))
+          fail_to_buckle(solver.why());
+        BucklingModes found;
+        found.motion = buckling.motion_of_answer();
+        // All there are need no count.
+        found.is_counted = can_count || (n_all && near.pairs.size() == *n_all);
+        for (unsigned int i = 0; i < n_modes; ++i)
+          found.modes.push_back(buckling.mode(near.pairs[i]));
+        return found;
+      }
+    fail_to_buckle(
+      "the count of modes by the inertia of the stiffness is another than "
+      "the number that was found");
+  }
+} // namespace auxfem

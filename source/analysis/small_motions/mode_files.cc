@@ -1,0 +1,238 @@
+#include <auxfem/analysis/small_motions/mode_files.h>
+#include <auxfem/equations/displaced_state.h>
+#include <auxfem/output/csv_table.h>
+#include <auxfem/output/shape_amplitude.h>
+#include <auxfem/output/vtu_writer.h>
+
+#include <deal.II/base/numbers.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <limits>
+#include <sstream>
+
+#include <nlohmann/json.hpp>
+
+namespace auxfem
+{
+  namespace
+  {
+    using dealii::numbers::PI;
+
+    constexpr unsigned int most_modes = 1000;
+
+    std::string prefix(const unsigned int number)
+    {
+      return "mode_" + std::to_string(number) + "_";
+    }
+
+    const std::vector<Column> buckling_columns = {
+      {"mode", "", "number, by rising factor"},
+      {"factor", "1", "of the loads with which the lattice buckles"},
+      {"residual", "1", "what is left of the equations of equilibrium"}};
+
+    std::vector<Column> columns()
+    {
+      std::vector<Column> all = {
+        {"mode", "", "number, by rising frequency"},
+        {"frequency", "Hz", "natural frequency; 0 of an unstable mode"},
+        {"angular_frequency", "rad/s", "the same times 2 pi"},
+        {"period", "s", "1 / frequency; inf of motions without stiffness"},
+        {"eigenvalue",
+         "1/s2",
+         "square of the angular frequency; negative of an unstable mode"},
+        {"growth_rate", "1/s", "of an unstable mode, which grows as exp(s t)"},
+        {"residual", "1", "what is left of the equations of motion"},
+        {"damped_frequency",
+         "Hz",
+         "with damping; nan: not asked for, or no oscillation was found"},
+        {"damping_ratio", "1", "damping over the critical one"}};
+      for (const char *axis : {"x", "y", "z"})
+        {
+          all.push_back({std::string("participation_") + axis,
+                         "kg^1/2",
+                         "product of the mode, with modal mass 1 kg, and the "
+                         "inertia of a unit translation of everything"});
+          all.push_back({std::string("effective_mass_") + axis,
+                         "kg",
+                         "square of the participation"});
+        }
+      return all;
+    }
+
+    std::vector<double> row(const NaturalMode &mode, const unsigned int number)
+    {
+      constexpr double    nan       = std::numeric_limits<double>::quiet_NaN();
+      const double        frequency = mode.angular_frequency() / (2 * PI);
+      std::vector<double> values    = {double(number),
+                                       frequency,
+                                       mode.angular_frequency(),
+                                       1 / frequency,
+                                       mode.eigenvalue,
+                                       mode.growth_rate(),
+                                       mode.residual,
+                                       nan,
+                                       nan};
+      if (mode.damped)
+        {
+          values[7] = mode.damped->angular_frequency / (2 * PI);
+          values[8] = mode.damped->ratio();
+        }
+      for (const double participation : mode.participation)
+        {
+          values.push_back(participation);
+          values.push_back(participation * participation);
+        }
+      return values;
+    }
+
+    void set_velocity(const Vector &shape, const double factor, State &state)
+    {
+      if (!state.velocity)
+        return;
+      *state.velocity = shape;
+      for (double &value : *state.velocity)
+        value *= factor;
+    }
+  } // namespace
+
+  FolderContents mode_contents()
+  {
+    FolderContents contents{
+      {"modes.csv", "modes.units.csv", "buckling.csv", "buckling.units.csv"},
+      {}};
+    for (unsigned int number = 1; number <= most_modes; ++number)
+      for (const char *series : {"solution", "rigid_parts", "connectors"})
+        contents.series.push_back(prefix(number) + series);
+    return contents;
+  }
+
+  void write_mode_table(const NaturalModes &found, const std::string &folder)
+  {
+    CsvTable table(folder + "/modes.csv", columns());
+    for (unsigned int i = 0; i < found.modes.size(); ++i)
+      table.append(row(found.modes[i], i + 1));
+    write_column_reference(folder + "/modes.units.csv", columns());
+  }
+
+  void write_mode_table(const BucklingModes &found, const std::string &folder)
+  {
+    CsvTable table(folder + "/buckling.csv", buckling_columns);
+    for (unsigned int i = 0; i < found.modes.size(); ++i)
+      table.append(
+        {double(i + 1), found.modes[i].factor, found.modes[i].residual});
+    write_column_reference(folder + "/buckling.units.csv", buckling_columns);
+  }
+
+  std::string mode_table_text(const BucklingModes &found)
+  {
+    std::ostringstream text;
+    text << "  mode   factor of loads    residual";
+    for (unsigned int i = 0; i < found.modes.size(); ++i)
+      text << '\n'
+           << std::setw(6) << i + 1 << std::defaultfloat << std::setprecision(8)
+           << std::setw(18) << found.modes[i].factor << std::scientific
+           << std::setprecision(1) << std::setw(12) << found.modes[i].residual;
+    return text.str();
+  }
+
+  std::string mode_table_text(const NaturalModes &found,
+                              const unsigned int  dimension)
+  {
+    const bool         is_damped = std::any_of(found.modes.begin(),
+                                       found.modes.end(),
+                                       [](const NaturalMode &mode) {
+                                         return mode.damped.has_value();
+                                       });
+    std::ostringstream text;
+    text << "  mode   frequency      period    residual   effective mass along "
+         << (dimension == 2 ? "x, y" : "x, y, z") << '\n'
+         << "                Hz           s                kg";
+    for (unsigned int i = 0; i < found.modes.size(); ++i)
+      {
+        const NaturalMode &mode      = found.modes[i];
+        const double       frequency = mode.angular_frequency() / (2 * PI);
+        text << '\n' << std::setw(6) << i + 1;
+        if (mode.eigenvalue < 0)
+          text << "  grows as exp(" << std::setprecision(4)
+               << mode.growth_rate() << " t)";
+        else
+          text << std::setprecision(6) << std::setw(12) << frequency
+               << std::setprecision(4) << std::setw(12) << 1 / frequency;
+        text << std::setprecision(1) << std::scientific << std::setw(12)
+             << mode.residual << "   ";
+        for (unsigned int d = 0; d < dimension; ++d)
+          text << ' ' << std::setprecision(2) << std::setw(10)
+               << std::pow(mode.participation[d], 2);
+        text << std::defaultfloat;
+        if (mode.damped)
+          text << std::setprecision(6) << "   damped "
+               << mode.damped->angular_frequency / (2 * PI) << " Hz, ratio "
+               << std::setprecision(3) << mode.damped->ratio();
+        else if (is_damped && mode.eigenvalue > 0)
+          text << "   overdamped";
+      }
+    return text.str();
+  }
+
+  Json json_of(const NaturalModes &found)
+  {
+    Json modes = Json::array();
+    for (const NaturalMode &mode : found.modes)
+      {
+        modes.push_back(
+          {{"eigenvalue", mode.eigenvalue},
+           {"frequency_hertz", mode.angular_frequency() / (2 * PI)},
+           {"growth_rate", mode.growth_rate()},
+           {"residual", mode.residual},
+           {"participation", mode.participation}});
+        if (mode.damped)
+          modes.back()["damped"] = {{"frequency_hertz",
+                                     mode.damped->angular_frequency / (2 * PI)},
+                                    {"ratio", mode.damped->ratio()}};
+      }
+    return modes;
+  }
+
+  Json json_of(const BucklingModes &found)
+  {
+    Json modes = Json::array();
+    for (const BucklingMode &mode : found.modes)
+      modes.push_back({{"factor", mode.factor}, {"residual", mode.residual}});
+    return modes;
+  }
+
+  std::vector<std::string> write_mode_pictures(const LatticeRun  &run,
+                                               const ModePicture &mode,
+                                               const unsigned int number)
+  {
+    const Equations &equations = run.equations;
+    VtuWriter        writer(run.scene,
+                     equations,
+                     run.scene.output.directory,
+                     equations.unknowns().layout.communicator(),
+                     prefix(number));
+    const double     factor = shape_amplitude(run.scene, equations, mode.shape);
+    for (unsigned int i = 0; i < run.scene.modes.pictures; ++i)
+      {
+        const double part  = double(i) / run.scene.modes.pictures,
+                     phase = 2 * PI * part;
+        State before       = displaced(run.solution.state,
+                                 run.model.numbering,
+                                 mode.shape,
+                                 factor * std::cos(phase));
+        set_velocity(mode.shape,
+                     -factor * mode.angular_frequency * std::sin(phase),
+                     before);
+        Solution solution{before, equations.make_results()};
+        equations.residual(Evaluation::equilibrium(before, solution.state),
+                           solution.results);
+        solution.state.time = part;
+        writer.write_struts(solution.state);
+        writer.write_rigid_parts(solution.state);
+        writer.write_connectors(solution);
+      }
+    return writer.series();
+  }
+} // namespace auxfem

@@ -1,0 +1,147 @@
+#include <auxfem/analysis/small_motions/mode_space.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace auxfem
+{
+  ModeSpace::ModeSpace(TangentSolver &solver)
+    : solver(solver)
+    , unknowns(solver.equations().unknowns())
+    , layout(unknowns.layout)
+  {}
+
+  bool ModeSpace::is_prescribed(const unsigned int i) const
+  {
+    return unknowns.kinds[i] == UnknownKind::prescribed;
+  }
+
+  bool ModeSpace::is_free(const unsigned int i) const
+  {
+    return !is_prescribed(i) && unknowns.kinds[i] != UnknownKind::multiplier;
+  }
+
+  unsigned int ModeSpace::n_free() const
+  {
+    double n = 0;
+    for (unsigned int i = 0; i < layout.n_owned(); ++i)
+      if (is_free(i))
+        ++n;
+    const double n_constraints =
+      solver.model().numbering.constraints().n_multipliers();
+    return std::max(0., layout.sum(n) - n_constraints);
+  }
+
+  void ModeSpace::multiply(const TangentMatrix &matrix,
+                           const double        *x,
+                           double              *y) const
+  {
+    Vector all(layout.n_local(), 0.);
+    for (unsigned int i = 0; i < layout.n_owned(); ++i)
+      if (is_free(i))
+        all[i] = x[i];
+    layout.update_ghosts(all.data());
+    matrix.multiply(all.data(), y);
+    for (unsigned int i = 0; i < layout.n_owned(); ++i)
+      if (!is_free(i))
+        y[i] = 0;
+  }
+
+  bool ModeSpace::solve(double *x)
+  {
+    Vector values(layout.n_local(), 0.);
+    std::copy_n(x, layout.n_owned(), values.begin());
+    if (!solver.solve(values))
+      return false;
+    std::copy_n(values.begin(), layout.n_owned(), x);
+    return true;
+  }
+
+  std::optional<unsigned long> ModeSpace::n_negative()
+  {
+    const std::optional<Inertia> inertia = solver.new_inertia();
+    if (!inertia)
+      return std::nullopt;
+    const unsigned long of_constraints =
+      solver.model().numbering.constraints().n_multipliers();
+    return inertia->negative - std::min(inertia->negative, of_constraints);
+  }
+
+  Vector ModeSpace::shape(const std::vector<double> &owned) const
+  {
+    Vector shape(layout.n_local(), 0.);
+    std::copy(owned.begin(), owned.end(), shape.begin());
+    layout.update_ghosts(shape.data());
+    turn_up(shape);
+    return shape;
+  }
+
+  void ModeSpace::turn_up(Vector &shape) const
+  {
+    constexpr double as_large = 1 - 1e-6;
+    double           mine     = 0;
+    for (unsigned int i = 0; i < layout.n_owned(); ++i)
+      mine = std::max(mine, std::abs(shape[i]));
+    const double largest = layout.largest(mine);
+    double       first   = 0;
+    for (unsigned int i = layout.n_owned(); i-- > 0;)
+      if (std::abs(shape[i]) >= as_large * largest)
+        first = 1 + layout.n_global() - layout.global(i);
+    const double of_all = layout.largest(first);
+    double       sign   = 0;
+    for (unsigned int i = 0; i < layout.n_owned(); ++i)
+      if (1. + layout.n_global() - layout.global(i) == of_all)
+        sign = shape[i] < 0 ? -1 : 1;
+    sign = layout.sum(sign);
+    for (double &value : shape)
+      value *= sign;
+  }
+
+  unsigned int before_widest_gap(const std::vector<Eigenpair> &pairs,
+                                 const unsigned int            n,
+                                 const double                  shift)
+  {
+    unsigned int best   = n;
+    double       widest = 0;
+    for (unsigned int i = n; i < pairs.size(); ++i)
+      if (const double gap = (pairs[i].value - pairs[i - 1].value) /
+            std::abs(pairs[i].value - shift);
+          gap > widest)
+        {
+          widest = gap;
+          best   = i;
+        }
+    return best;
+  }
+
+  unsigned long n_below(const std::vector<Eigenpair> &pairs, const double limit)
+  {
+    return std::count_if(pairs.begin(),
+                         pairs.end(),
+                         [limit](const Eigenpair &pair) {
+                           return pair.value < limit;
+                         });
+  }
+
+  void leave_out_constraints(TangentMatrix &matrix)
+  {
+    const TangentPattern &pattern = matrix.pattern();
+    const auto           &kinds   = pattern.unknowns().kinds;
+    std::vector<double>   values;
+    for (std::size_t block = 0; block < pattern.n_blocks(); ++block)
+      {
+        const unsigned int n             = pattern.size(block);
+        const int *const   first         = pattern.begin(block);
+        const auto         is_multiplier = [&](const unsigned int i) {
+          return first[i] >= 0 && kinds[first[i]] == UnknownKind::multiplier;
+        };
+        values.assign(matrix.values(block),
+                      matrix.values(block) + std::size_t(n) * n);
+        for (unsigned int i = 0; i < n; ++i)
+          for (unsigned int j = 0; j < n; ++j)
+            if (is_multiplier(i) || is_multiplier(j))
+              values[i * n + j] = 0;
+        matrix.set(block, values.data());
+      }
+  }
+} // namespace auxfem

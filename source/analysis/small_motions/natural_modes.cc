@@ -1,0 +1,273 @@
+#include <auxfem/analysis/small_motions/mode_space.h>
+#include <auxfem/analysis/small_motions/natural_modes.h>
+#include <auxfem/parameters/errors.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace auxfem
+{
+  namespace
+  {
+    /**
+     * Shifts below the lowest eigenvalue, over
+     * Vibration::scale(): of what
+     * flies freely K itself is singular. The first is so small that it costs no
+     * digits; rigid parts that hardly anything holds need a larger one.
+     */
+    constexpr std::array<double, 4> relative_shifts = {
+      {1e-10, 1e-7, 1e-4, 1e-1}};
+
+    /** Of eigenvalues, over the shift; what lies below has no stiffness. */
+    constexpr double round_off = 1e-4;
+
+    /** Matrices of a state at rest, and what is done with them. */
+    class Vibration
+    {
+    public:
+      Vibration(TangentSolver &solver, const State &state)
+        : solver(solver)
+        , space(solver)
+        , equations(solver.equations())
+        , layout(equations.unknowns().layout)
+        , at_rest(state)
+        , now(state)
+        , evaluation(Evaluation::equilibrium(at_rest, now))
+        , results(equations.make_results())
+        , mass(equations.pattern())
+        , stiffness(equations.pattern())
+      {
+        solver.residual(evaluation, results);
+        equations.tangent(evaluation, results, {0, 0, 1}, mass);
+        equations.tangent(evaluation, results, {1, 0, 0}, stiffness);
+        if (!stiffness.is_symmetric())
+          throw InputError(
+            "Analysis = modes: the stiffness is not symmetric, since loads "
+            "follow their joints. Natural modes are computed for loads that "
+            "keep their directions: set Direction = fixed, or leave these loads "
+            "out.");
+      }
+
+      /** K - sigma M becomes the matrix of the solver. Returns whether it can
+       * be factorized. */
+      bool factorize(const double shift)
+      {
+        solver.assemble(evaluation, results, {1, 0, -shift});
+        return solver.factorize();
+      }
+
+      /** Eigenvalues below the shift of factorize(). */
+      std::optional<unsigned long> n_below()
+      {
+        return space.n_negative();
+      }
+
+      /** Those nearest to the shift of factorize(). */
+      Eigenpairs nearest(const double shift, const unsigned int n)
+      {
+        const ShiftedEigenproblem problem = {
+          layout,
+          shift,
+          [this](const double *x, double *y) { space.multiply(mass, x, y); },
+          [this](double *x) { return space.solve(x); },
+          n_with_mass()};
+        return nearest_eigenpairs(problem, n);
+      }
+
+      /** How many finite eigenvalues there are, at most. Collective. */
+      unsigned int n_with_mass() const
+      {
+        const std::vector<double> masses = mass.diagonal();
+        double                    n      = 0;
+        for (unsigned int i = 0; i < masses.size(); ++i)
+          if (space.is_free(i) && masses[i] > 0)
+            ++n;
+        return std::min<unsigned int>(space.n_free(), layout.sum(n));
+      }
+
+      /**
+       * Size of eigenvalues (1/s2): the largest K_ii / M_ii, where no row has
+       * both the largest entry over the largest mass; 1 without stiffness.
+       * Collective.
+       */
+      double scale() const
+      {
+        const std::vector<double> masses  = mass.diagonal(),
+                                  springs = stiffness.diagonal();
+        double ratio = 0, spring = 0, of_masses = 0;
+        for (const int i : solver.model().rows.free_translations)
+          {
+            spring    = std::max(spring, springs[i]);
+            of_masses = std::max(of_masses, masses[i]);
+            if (masses[i] > 0)
+              ratio = std::max(ratio, springs[i] / masses[i]);
+          }
+        ratio     = layout.largest(ratio);
+        spring    = layout.largest(spring);
+        of_masses = layout.largest(of_masses);
+        return ratio > 0           ? ratio
+          : spring * of_masses > 0 ? spring / of_masses
+                                   : 1.;
+      }
+
+      NaturalMode mode(const Eigenpair &pair, const double shift) const
+      {
+        NaturalMode         mode{0., 0., space.shape(pair.vector), {}};
+        std::vector<double> forces(layout.n_owned()), inertia(layout.n_owned());
+        stiffness.multiply(mode.shape.data(), forces.data());
+        space.multiply(mass, mode.shape.data(), inertia.data());
+        // Rayleigh's quotient: the solution has lost digits, which count twice.
+        double energy = 0;
+        for (unsigned int i = 0; i < layout.n_owned(); ++i)
+          energy += mode.shape[i] * forces[i];
+        mode.eigenvalue = layout.sum(energy);
+        if (std::abs(mode.eigenvalue) <= round_off * -shift)
+          mode.eigenvalue = 0;
+        double left = 0, all = 0;
+        for (unsigned int i = 0; i < layout.n_owned(); ++i)
+          if (!space.is_prescribed(i))
+            {
+              left += std::pow(forces[i] - mode.eigenvalue * inertia[i], 2);
+              all += std::pow((mode.eigenvalue - shift) * inertia[i], 2);
+            }
+        mode.residual = std::sqrt(layout.sum(left) / layout.sum(all));
+        for (unsigned int d = 0; d < 3; ++d)
+          mode.participation[d] = participation(mode.shape, d);
+        return mode;
+      }
+
+    private:
+      /** x.M r in free rows. Collective. */
+      double participation(const Vector &shape, const unsigned int d) const
+      {
+        const Vector        along = translation(d);
+        std::vector<double> inertia(layout.n_owned());
+        mass.multiply(along.data(), inertia.data());
+        double sum = 0;
+        for (unsigned int i = 0; i < layout.n_owned(); ++i)
+          if (space.is_free(i))
+            sum += shape[i] * inertia[i];
+        return layout.sum(sum);
+      }
+
+      /** All local unknowns, supports too. */
+      Vector translation(const unsigned int d) const
+      {
+        const DofNumbering &numbering = solver.model().numbering;
+        const Unknowns     &unknowns  = equations.unknowns();
+        Vector              values(layout.n_local(), 0.);
+        for (unsigned int i = 0; i < values.size(); ++i)
+          if (!unknowns.strut[i] && unknowns.component[i] == d &&
+              unknowns.kinds[i] != UnknownKind::multiplier)
+            values[i] = 1;
+        if (d < solver.model().lattice.dimension)
+          for (unsigned int e = 0; e < numbering.elements().size(); ++e)
+            for (unsigned int a = 0; a <= numbering.elements()[e].order; ++a)
+              values[numbering.element_unknowns(
+                e)[a * numbering.n_components() + d]] = 1;
+        layout.update_ghosts(values.data());
+        return values;
+      }
+
+      TangentSolver       &solver;
+      ModeSpace            space;
+      const Equations     &equations;
+      const UnknownLayout &layout;
+      const State          at_rest;
+      State                now;
+      const Evaluation     evaluation;
+      EvaluationResults    results;
+      TangentMatrix        mass, stiffness;
+    };
+
+    [[noreturn]] void fail(const std::string &why)
+    {
+      throw ComputationError("Analysis = modes: " + why + '.');
+    }
+
+    /**
+     * Whether there are as many eigenvalues between the shift and the widest
+     * gap among the last pairs as were found.
+     * @param n at least so many lie before the gap
+     * @param n_below_shift of all eigenvalues
+     */
+    bool are_all_found(Vibration                    &vibration,
+                       const std::vector<Eigenpair> &pairs,
+                       const unsigned int            n,
+                       const double                  shift,
+                       const unsigned long           n_below_shift)
+    {
+      const unsigned int counted = before_widest_gap(pairs, n, shift);
+      const double       limit =
+        (pairs[counted - 1].value + pairs[counted].value) / 2;
+      if (!vibration.factorize(limit))
+        return false;
+      const auto n_all = vibration.n_below();
+      return n_all && *n_all - n_below_shift == counted - n_below(pairs, shift);
+    }
+
+    /** The smallest shift with which a factorization succeeds, that is done. */
+    double factorized_shift(Vibration &vibration, const TangentSolver &solver)
+    {
+      const double scale = vibration.scale();
+      for (const double relative : relative_shifts)
+        if (vibration.factorize(-relative * scale))
+          return -relative * scale;
+      fail("the stiffness cannot be factorized: " + solver.why());
+    }
+  } // namespace
+
+  double NaturalMode::angular_frequency() const
+  {
+    return eigenvalue > 0 ? std::sqrt(eigenvalue) : 0.;
+  }
+
+  double NaturalMode::growth_rate() const
+  {
+    return eigenvalue < 0 ? std::sqrt(-eigenvalue) : 0.;
+  }
+
+  NaturalModes
+  natural_modes(TangentSolver &solver, const State &state, const unsigned int n)
+  {
+    Vibration          vibration(solver, state);
+    const unsigned int n_with_mass = vibration.n_with_mass(),
+                       wanted      = std::min(n, n_with_mass);
+    if (n_with_mass == 0)
+      fail("nothing that can move has a mass");
+    NaturalModes found;
+    found.shift = factorized_shift(vibration, solver);
+    for (unsigned int attempt = 0; attempt < n_attempts_to_find_all; ++attempt)
+      {
+        if (attempt > 0 && !vibration.factorize(found.shift))
+          fail(solver.why());
+        const auto         n_below_shift = vibration.n_below();
+        const unsigned int n_asked =
+          std::min((wanted << attempt) + n_guard_modes, n_with_mass);
+        const Eigenpairs near = vibration.nearest(found.shift, n_asked);
+        if (near.pairs.empty() || !near.why.empty())
+          fail(near.why.empty() ? "no motion has a mass" : near.why);
+        const unsigned int n_modes =
+          std::min<std::size_t>(wanted, near.pairs.size());
+        const bool can_count = n_below_shift && n_modes < near.pairs.size();
+        if (can_count &&
+            !are_all_found(vibration,
+                           near.pairs,
+                           n_modes,
+                           found.shift,
+                           *n_below_shift))
+          continue;
+        // All there are need no count.
+        found.is_counted = can_count || n_asked == n_with_mass;
+        for (unsigned int i = 0; i < n_modes; ++i)
+          found.modes.push_back(vibration.mode(near.pairs[i], found.shift));
+        if (n_below_shift)
+          found.n_further_negative =
+            *n_below_shift - n_below(near.pairs, found.shift);
+        return found;
+      }
+    fail("the count of modes by the inertia of the stiffness is another than "
+         "the number that was found");
+  }
+} // namespace auxfem

@@ -1,0 +1,164 @@
+#include <auxfem/analysis/lattice_run.h>
+#include <auxfem/analysis/small_motions/damped_modes.h>
+
+#include <gtest/gtest.h>
+#include <support/scene_text.h>
+
+#include <cmath>
+#include <complex>
+#include <functional>
+
+#include <support/pi.h>
+
+using namespace auxfem;
+using namespace auxfem::testing_support;
+
+namespace
+{
+  using Number = std::complex<double>;
+
+  // A bar of 1 m, held at its left end, that swings along itself.
+  constexpr double rod_EA = 4, rod_mass = 2, rod_beta = 0.03;
+
+  SceneText held_rod(const double beta = rod_beta)
+  {
+    SceneText scene;
+    scene.frame("0 0; 1 0", "0 1")
+      .section({rod_EA, 1e6, 1e6})
+      .set("Sections/section 0/Density", rod_mass / rod_EA)
+      .set("Sections/section 0/Stiffness-proportional damping", beta)
+      .support("wall", "0", "clamp")
+      .support("guide", "1", "roller x")
+      .mesh(4, 4)
+      .set("Effects/Rotary inertia", "off")
+      .set("Effects/Strut damping", "on")
+      .set("Effects/Connector viscosity", "on");
+    return scene.time(1, 0.1, "newmark");
+  }
+
+  std::vector<NaturalMode>
+  damped_modes_of(const SceneText   &text,
+                  const unsigned int n,
+                  const MPI_Comm     communicator = MPI_COMM_SELF)
+  {
+    const Scene scene = read_scene_from_text(text.str(), "test.prm");
+    LatticeRun  run(scene, communicator);
+    run.prepare();
+    NaturalModes found = natural_modes(run.solver(), run.solution.state, n);
+    add_damped_modes(run.solver(), run.solution.state, found);
+    return found.modes;
+  }
+
+  Number value_of(const NaturalMode::Damped &damped)
+  {
+    return {damped.growth, damped.angular_frequency};
+  }
+
+  /**
+   * Zero where s is an eigenvalue of the rod with a connector of dynamic
+   * stiffness @p at_end to the ground at its end, over its size.
+   */
+  double left_of_equation(const Number                         s,
+                          const double                         beta,
+                          const std::function<Number(Number)> &at_end)
+  {
+    const Number stiffness = rod_EA * (1. + s * beta),
+                 wave      = s * std::sqrt(rod_mass / stiffness),
+                 of_rod    = stiffness * wave / std::tanh(wave);
+    return std::abs(of_rod + at_end(s)) / std::abs(stiffness * wave);
+  }
+} // namespace
+
+TEST(DampedModes, OfADampedRod)
+{
+  // s^2 + beta omega^2 s + omega^2 = 0 with omega of the undamped one.
+  const auto modes = damped_modes_of(held_rod(), 4);
+  for (unsigned int i = 0; i < 4; ++i)
+    {
+      const double omega = (i + 0.5) * pi * std::sqrt(rod_EA / rod_mass);
+      const double decay = rod_beta * omega * omega / 2;
+      ASSERT_TRUE(modes[i].damped) << i;
+      EXPECT_NEAR(modes[i].damped->growth, -decay, 1e-7 * omega);
+      EXPECT_NEAR(modes[i].damped->angular_frequency,
+                  std::sqrt(omega * omega - decay * decay),
+                  1e-7 * omega);
+      EXPECT_NEAR(modes[i].damped->ratio(), decay / omega, 1e-7);
+    }
+}
+
+TEST(DampedModes, OverdampedOnesDoNotSwing)
+{
+  // The third has 1.2 times its critical damping.
+  const auto modes = damped_modes_of(held_rod(0.22), 3);
+  EXPECT_TRUE(modes[0].damped);
+  EXPECT_TRUE(modes[1].damped);
+  EXPECT_FALSE(modes[2].damped);
+}
+
+TEST(DampedModes, UndampedOnesStayWhatTheyAre)
+{
+  const auto modes = damped_modes_of(held_rod(0), 3);
+  for (const NaturalMode &mode : modes)
+    {
+      ASSERT_TRUE(mode.damped);
+      EXPECT_NEAR(mode.damped->ratio(), 0, 1e-9);
+      EXPECT_NEAR(mode.damped->angular_frequency,
+                  mode.angular_frequency(),
+                  1e-9 * mode.angular_frequency());
+    }
+}
+
+TEST(DampedModes, ConnectorsHaveTheirDynamicStiffness)
+{
+  struct Law
+  {
+    std::string                   name, entries;
+    std::function<Number(Number)> stiffness;
+  };
+  const auto maxwell = [](const double k, const double tau, const Number s) {
+    return k * s * tau / (1. + s * tau);
+  };
+  const std::vector<Law> laws = {
+    {"kelvin-voigt",
+     "Spring stiffness = 3 | Damping coefficient = 0.7",
+     [](const Number s) { return 3. + 0.7 * s; }},
+    {"maxwell",
+     "Spring stiffness = 3 | Damping coefficient = 0.6",
+     [&](const Number s) { return maxwell(3, 0.2, s); }},
+    {"generalized-maxwell",
+     "Long-time stiffness = 1 | Stiffnesses = 3, 2 | Relaxation times = 0.1, "
+     "0.9",
+     [&](const Number s) {
+       return 1. + maxwell(3, 0.1, s) + maxwell(2, 0.9, s);
+     }}};
+  for (const Law &law : laws)
+    {
+      SceneText scene = held_rod(0.01);
+      scene.connector(
+        "damper",
+        law.name,
+        "Between = ground: 1 | Geometry = direction | Direction = "
+        "1 0 | " +
+          law.entries);
+      for (const NaturalMode &mode : damped_modes_of(scene, 3))
+        {
+          ASSERT_TRUE(mode.damped) << law.name;
+          EXPECT_GT(mode.damped->ratio(), 0.01);
+          EXPECT_LT(left_of_equation(value_of(*mode.damped),
+                                     0.01,
+                                     law.stiffness),
+                    1e-7)
+            << law.name << ' ' << mode.angular_frequency();
+        }
+    }
+}
+
+TEST(DampedModes, AreTheSameOnAllRanks)
+{
+  const auto alone    = damped_modes_of(held_rod(), 2),
+             together = damped_modes_of(held_rod(), 2, MPI_COMM_WORLD);
+  for (unsigned int i = 0; i < 2; ++i)
+    EXPECT_LT(std::abs(value_of(*alone[i].damped) -
+                       value_of(*together[i].damped)),
+              1e-8);
+}
