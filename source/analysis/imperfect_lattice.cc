@@ -1,11 +1,14 @@
 #include <auxfem/analysis/imperfect_lattice.h>
 #include <auxfem/analysis/lattice_run.h>
+#include <auxfem/analysis/saved_state.h>
 #include <auxfem/analysis/small_motions/buckling_modes.h>
 #include <auxfem/analysis/small_motions/modes.h>
 #include <auxfem/equations/strut_motion.h>
 #include <auxfem/model/build_lattice.h>
 #include <auxfem/model/imperfections.h>
+#include <auxfem/output/run_checkpoints.h>
 #include <auxfem/parameters/errors.h>
+#include <auxfem/parameters/parameter_file.h>
 
 #include <algorithm>
 
@@ -13,9 +16,22 @@ namespace auxfem
 {
   namespace
   {
+    using Type = ImperfectionDefinition::Type;
+
     bool is_mode(const ImperfectionDefinition &definition)
     {
-      return definition.type == ImperfectionDefinition::Type::buckling_mode;
+      return definition.type == Type::buckling_mode;
+    }
+
+    bool is_result(const ImperfectionDefinition &definition)
+    {
+      return definition.type == Type::result;
+    }
+
+    /** Those that the equations of the designed lattice are needed for. */
+    bool is_computed(const ImperfectionDefinition &definition)
+    {
+      return is_mode(definition) || is_result(definition);
     }
 
     /** @p scene such that its buckling modes can be computed. */
@@ -98,18 +114,72 @@ namespace auxfem
           offsets.add(definition.amplitude / of_mode.largest(), of_mode);
         }
     }
+    /** What decides which unknowns there are. */
+    std::string numbering_text(const std::string &parameters,
+                               const std::string &file)
+    {
+      const ParameterSubsection root = parse_parameter_text(parameters, file);
+      std::string               text =
+        "Dimension = " + root.find_entry("Dimension")->value + '\n';
+      for (const char *name :
+           {"Lattice", "Discretization", "Joints", "Rigid parts"})
+        if (const ParameterSubsection *const found = root.find_subsection(name))
+          text += values_text(*found, std::string(name) + "/");
+      return text;
+    }
+
+    void add_result(const ImperfectionDefinition &definition,
+                    const LatticeRun             &run,
+                    const MPI_Comm                communicator,
+                    GeometryOffsets              &offsets)
+    {
+      const RunToResume other =
+        find_run_to_resume(definition.folder, communicator);
+      if (numbering_text(other.parameters, definition.folder) !=
+          numbering_text(run.scene.all_parameters, run.scene.file))
+        throw InputError(definition.path + "/Folder = " + definition.folder +
+                         ": that run has another lattice, other joints, rigid "
+                         "parts or another mesh. Compute it again with those "
+                         "of this scene");
+      const GeometryOffsets displacements =
+        offsets_of(saved_displacement(run.equations, other.records), run);
+      const double largest = displacements.largest();
+      if (largest == 0)
+        throw InputError(definition.path + "/Folder = " + definition.folder +
+                         ": nothing has moved in that run");
+      offsets.add(definition.amplitude / largest, displacements);
+    }
+
+    void add_results(const Scene     &scene,
+                     const MPI_Comm   communicator,
+                     GeometryOffsets &offsets)
+    {
+      Scene designed_scene = scene;
+      designed_scene.imperfections.clear();
+      const LatticeRun run(designed_scene, communicator);
+      for (const ImperfectionDefinition &definition : scene.imperfections)
+        if (is_result(definition))
+          add_result(definition, run, communicator, offsets);
+    }
   } // namespace
 
   Lattice imperfect_lattice(const Scene &scene, const MPI_Comm communicator)
   {
-    if (std::none_of(scene.imperfections.begin(),
-                     scene.imperfections.end(),
-                     is_mode))
+    const auto has = [&scene](bool (*kind)(const ImperfectionDefinition &)) {
+      return std::any_of(scene.imperfections.begin(),
+                         scene.imperfections.end(),
+                         kind);
+    };
+    if (!has(is_computed))
       return build_lattice(scene);
-    Scene with_others = scene;
-    with_others.imperfections.clear();
-    GeometryOffsets offsets = given_offsets(scene, build_lattice(with_others));
-    add_modes(scene, communicator, offsets);
+    Scene designed_scene = scene;
+    designed_scene.imperfections.clear();
+    GeometryOffsets offsets =
+      given_offsets(scene, build_lattice(designed_scene));
+    if (has(is_mode))
+      add_modes(scene, communicator, offsets);
+    if (has(is_result))
+      add_results(scene, communicator, offsets);
     return build_lattice(scene, &offsets);
   }
 } // namespace auxfem

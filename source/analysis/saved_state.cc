@@ -195,6 +195,12 @@ namespace auxfem
     return state;
   }
 
+  Vector saved_displacement(const Equations &equations, const Records &records)
+  {
+    return UnknownRecords(equations.model().numbering)
+      .values(record + displacement, records);
+  }
+
   double time_of_saved_state(const Records &records)
   {
     return records.values(record, 4)[0];

@@ -7,7 +7,7 @@ namespace auxfem
     const Choice imperfection_type = {
       "Type",
       "random",
-      {"random", "expression", "buckling mode"},
+      {"random", "expression", "buckling mode", "result"},
       "What the stress-free lattice is off the designed one by."};
     const Quantity deviation = {
       "Standard deviation",
@@ -46,6 +46,12 @@ namespace auxfem
       1000,
       "Number of the buckling mode, by linear theory, under the loads of "
       "Modes/Time of the loads; 1 for the lowest factor."};
+    const Text result_folder = {
+      "Folder",
+      "",
+      "Output folder of a run of the same lattice with the same mesh, whose last "
+      "checkpoint has the displacements.",
+      true};
   } // namespace
 
   SubsectionSchema imperfections_schema()
@@ -68,7 +74,11 @@ namespace auxfem
        {"buckling mode",
         "Joints and the middles of struts are displaced by a buckling "
         "mode of the designed lattice.",
-        {largest_offset, mode_number}}},
+        {largest_offset, mode_number}},
+       {"result",
+        "Joints and the middles of struts are displaced as at the end of "
+        "another run.",
+        {largest_offset, result_folder}}},
       {Model::lattice}};
   }
 
@@ -90,6 +100,12 @@ namespace auxfem
         for (unsigned int c = 0; c < 3; ++c)
           imperfection.displacement[c] = values[disturbances[c]];
         require_space(values, disturbances[2]);
+      }
+    else if (type == "result")
+      {
+        imperfection.type      = ImperfectionDefinition::Type::result;
+        imperfection.amplitude = values[largest_offset];
+        imperfection.folder    = values[result_folder];
       }
     else
       {

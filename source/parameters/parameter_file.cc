@@ -245,6 +245,17 @@ namespace auxfem
 
 
 
+  std::string values_text(const ParameterSubsection &subsection,
+                          const std::string         &path)
+  {
+    std::string text;
+    for (const ParameterEntry &entry : subsection.entries)
+      text += path + entry.name + " = " + entry.value + '\n';
+    for (const ParameterSubsection &inner : subsection.subsections)
+      text += values_text(inner, path + inner.name + "/");
+    return text;
+  }
+
   ParameterSubsection read_parameter_file(const std::string &file)
   {
     Scanner scanner;

@@ -22,17 +22,20 @@ namespace auxfem
                                                           "Study",
                                                           "Quantities"};
 
-    void add_values(const ParameterSubsection &subsection,
-                    const std::string         &path,
-                    std::string               &text)
+    /** Without what does not change a run. */
+    std::string influential_values(ParameterSubsection root)
     {
-      for (const ParameterEntry &entry : subsection.entries)
-        text += path + entry.name + " = " + entry.value + '\n';
-      for (const ParameterSubsection &inner : subsection.subsections)
-        if (std::find(without_influence.begin(),
-                      without_influence.end(),
-                      path + inner.name) == without_influence.end())
-          add_values(inner, path + inner.name + "/", text);
+      root.subsections.erase(
+        std::remove_if(root.subsections.begin(),
+                       root.subsections.end(),
+                       [](const ParameterSubsection &subsection) {
+                         return std::find(without_influence.begin(),
+                                          without_influence.end(),
+                                          subsection.name) !=
+                           without_influence.end();
+                       }),
+        root.subsections.end());
+      return values_text(root, "");
     }
 
     std::string hash_of(const std::string &text)
@@ -63,9 +66,8 @@ namespace auxfem
   {
     std::string text = "auxfem " + version_text() + " on " +
       std::to_string(n_ranks) + " ranks\n";
-    add_values(parse_parameter_text(scene.all_parameters, scene.file),
-               "",
-               text);
+    text += influential_values(
+      parse_parameter_text(scene.all_parameters, scene.file));
     for (const std::string &file : scene.input_files)
       if (file != scene.file)
         text += file + " " + hash_of(contents(file)) + '\n';

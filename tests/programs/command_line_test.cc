@@ -127,6 +127,7 @@ namespace
                                     "set Columns at",
                                     "set Directory",
                                     "set File",
+                                    "set Folder",
                                     "set Displacement x = 0",
                                     "set Displacement y = 0",
                                     "set Displacement z = 0",

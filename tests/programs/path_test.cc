@@ -11,8 +11,8 @@ namespace
     ProgramRun run_path(const Words &overrides = {}) const
     {
       Words arguments = {std::string(AUXFEM_PRM_DIRECTORY) + "/path.prm",
-                         "--output",
-                         "out"};
+                         "--set",
+                         "Output/Directory=out"};
       for (const std::string &text : overrides)
         {
           arguments.push_back("--set");
@@ -81,6 +81,34 @@ namespace
     const std::string singular = read_text(path("out/singular_points.csv"));
     EXPECT_EQ(std::count(singular.begin(), singular.end(), '\n'), 1);
     EXPECT_GT(std::abs(Table(path("out/history.csv"))["top.ux"].back()), 5e-3);
+  }
+
+  TEST_F(PathProgram, ResultsOfOtherRunsMayBeImperfections)
+  {
+    const ProgramRun leaning = run_path({"Analysis=simulation",
+                                         "Output/Directory=leaning",
+                                         "Output/Graphics=false",
+                                         "Loads/pressure/Force x=0.01 * t",
+                                         "Loads/pressure/Force y=0"});
+    ASSERT_EQ(leaning.exit_code, 0) << leaning.errors;
+    const Words      imperfect = {"Imperfections/lean/Type=result",
+                                  "Imperfections/lean/Folder=leaning",
+                                  "Imperfections/lean/Amplitude=0.1 mm",
+                                  "Output/Graphics=false"};
+    const ProgramRun run       = run_path(imperfect);
+    ASSERT_EQ(run.exit_code, 0) << run.errors;
+    EXPECT_NE(run.output.find("off the designed one by up to 0.0001"),
+              std::string::npos)
+      << run.output;
+    // It leans on to the side that it leant to.
+    EXPECT_GT(Table(path("out/history.csv"))["top.ux"].back(), 5e-3);
+
+    Words other_mesh = imperfect;
+    other_mesh.push_back("Discretization/Order=2");
+    const ProgramRun refused = run_path(other_mesh);
+    EXPECT_EQ(refused.exit_code, 1);
+    EXPECT_NE(refused.errors.find("another mesh"), std::string::npos)
+      << refused.errors;
   }
 
   TEST_F(PathProgram, ACheckComputesNothing)

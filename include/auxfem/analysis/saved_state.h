@@ -16,6 +16,9 @@ namespace auxfem
    */
   State saved_state(const Equations &equations, const Records &records);
 
+  /** Its displacements alone. Throws as saved_state(). Collective. */
+  Vector saved_displacement(const Equations &equations, const Records &records);
+
   /** When that was (s). */
   double time_of_saved_state(const Records &records);
 } // namespace auxfem

@@ -17,19 +17,21 @@ namespace auxfem
     {
       random,
       expression,
-      buckling_mode
+      buckling_mode,
+      result
     };
     std::string name;
     std::string path; ///< for messages
     Type        type = Type::random;
-    /** Of random ones the standard deviation of each coordinate, of a mode the
-     * largest displacement (m). */
+    /** Of random ones the standard deviation of each coordinate, of modes and
+     * results the largest displacement (m). */
     double       amplitude = 0;
     std::string  joints; ///< random ones, as written
     unsigned int seed = 0;
     /** By expressions in x, y, z (m). */
     std::array<std::string, 3> displacement;
     unsigned int               mode = 1; ///< from 1 on
+    std::string                folder;   ///< of a result
   };
 
   SubsectionSchema imperfections_schema();

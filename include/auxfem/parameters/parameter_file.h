@@ -43,6 +43,11 @@ namespace auxfem
     ParameterSubsection       *find_subsection(const std::string &name);
   };
 
+  /** All values in @p subsection and those below it, one line each, as `@p path
+   * NAME = VALUE`, subsections as parts of the path. */
+  std::string values_text(const ParameterSubsection &subsection,
+                          const std::string         &path);
+
   /**
    * Reads the parameter file @p file (deal.II's .prm syntax: `subsection NAME`,
    * `set NAME = VALUE`, `end`, `include FILE` relative to the including file,
