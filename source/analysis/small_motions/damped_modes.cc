@@ -59,35 +59,48 @@ namespace auxfem
         std::copy_n(undamped.shape.begin(), layout.n_owned(), x.begin());
       }
 
+      /**
+       * With damping that grows to its full size in @p n_stages. Nothing if that
+       * fails, or if what it leads to does not swing.
+       */
+      std::optional<NaturalMode::Damped> find(const unsigned int n_stages)
+      {
+        for (unsigned int stage = 1; stage <= n_stages; ++stage)
+          {
+            damping = double(stage) / n_stages;
+            if (!find_with_damping())
+              return std::nullopt;
+          }
+        // What has come to the real axis does not swing.
+        if (std::abs(s.imag()) <= no_swing * std::abs(s))
+          return std::nullopt;
+        return NaturalMode::Damped{s.real(), std::abs(s.imag())};
+      }
+
+    private:
       /** Residual inverse iteration (Neumaier 1985) with the quotient of
-       * Rayleigh for symmetric A(s), x.A(s) x = 0. Nothing if that fails. */
-      std::optional<NaturalMode::Damped> find()
+       * Rayleigh for symmetric A(s), x.A(s) x = 0. */
+      bool find_with_damping()
       {
         Settling settling;
         for (unsigned int i = 0; i < most_refinements; ++i)
           {
             const Complex before = s;
             if (!find_root())
-              return std::nullopt;
+              return false;
             if (settling.has_settled(std::abs(s - before) / std::abs(s)))
-              {
-                // What has come to the real axis does not swing.
-                if (std::abs(s.imag()) <= no_swing * std::abs(s))
-                  return std::nullopt;
-                return NaturalMode::Damped{s.real(), std::abs(s.imag())};
-              }
+              return true;
             if (!improve())
-              return std::nullopt;
+              return false;
           }
-        return std::nullopt;
+        return false;
       }
 
-    private:
       /** The root s of x.A(s) x near the last, by secants. */
       bool find_root()
       {
         const auto form = [this](const Complex at) {
-          stiffness.set(at);
+          stiffness.set(at, damping);
           return stiffness.form(x);
         };
         Settling settling;
@@ -114,9 +127,9 @@ namespace auxfem
       bool improve()
       {
         Values left(x.size()), change(x.size(), 0.);
-        stiffness.set(s);
+        stiffness.set(s, damping);
         stiffness.multiply(x.data(), left.data());
-        stiffness.set(s * (1. + shift));
+        stiffness.set(s * (1. + shift), damping);
         if (!stiffness.factorize() || !stiffness.solve(left, change).empty())
           return false;
         for (std::size_t i = 0; i < x.size(); ++i)
@@ -133,18 +146,58 @@ namespace auxfem
       const UnknownLayout &layout;
       Complex              s;
       Values               x;
+      double               damping = 1;
     };
+
+    bool are_near(const double one, const double other)
+    {
+      constexpr double near = 1e-6;
+      return std::abs(one - other) <= near * std::abs(one);
+    }
+
+    /** Whether two different modes have led to the same damped one. */
+    bool have_met(const NaturalMode &one, const NaturalMode &other)
+    {
+      return one.damped && other.damped &&
+        !are_near(one.eigenvalue, other.eigenvalue) &&
+        are_near(one.damped->angular_frequency,
+                 other.damped->angular_frequency) &&
+        are_near(one.damped->growth, other.damped->growth);
+    }
+
+    /** Calls @p action for each pair that has met. */
+    template <class Action>
+    void for_each_meeting(std::vector<NaturalMode> &modes, const Action &action)
+    {
+      for (std::size_t i = 0; i < modes.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+          if (have_met(modes[i], modes[j]))
+            action(modes[i], modes[j]);
+    }
   } // namespace
 
   void add_damped_modes(TangentSolver &solver,
                         const State   &state,
                         NaturalModes  &found)
   {
-    DynamicStiffness stiffness(solver, state);
+    constexpr unsigned int n_stages = 16;
+    DynamicStiffness       stiffness(solver, state);
+    const auto             find = [&](NaturalMode &mode, const unsigned int n) {
+      mode.damped =
+        DampedMode(stiffness, solver.equations().unknowns().layout, mode)
+          .find(n);
+    };
     for (NaturalMode &mode : found.modes)
       if (mode.eigenvalue > 0)
-        mode.damped =
-          DampedMode(stiffness, solver.equations().unknowns().layout, mode)
-            .find();
+        find(mode, 1);
+    for_each_meeting(found.modes, [&](NaturalMode &one, NaturalMode &other) {
+      find(one, n_stages);
+      find(other, n_stages);
+    });
+    // Which of them it is cannot be told.
+    for_each_meeting(found.modes, [](NaturalMode &one, NaturalMode &other) {
+      one.damped.reset();
+      other.damped.reset();
+    });
   }
 } // namespace auxfem

@@ -24,13 +24,14 @@ namespace auxfem
     return Evaluation::equilibrium(at_rest, now);
   }
 
-  void DynamicStiffness::set(const std::complex<double> s)
+  void DynamicStiffness::set(const std::complex<double> s, const double damping)
   {
     equations.dynamic_stiffness(evaluation(),
                                 results,
                                 s,
                                 solver.matrix(),
-                                imaginary);
+                                imaginary,
+                                damping);
     leave_out_constraints(imaginary);
   }
 

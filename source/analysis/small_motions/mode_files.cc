@@ -46,7 +46,7 @@ namespace auxfem
         {"residual", "1", "what is left of the equations of motion"},
         {"damped_frequency",
          "Hz",
-         "with damping; nan: not asked for, or no oscillation was found"},
+         "with damping; nan: not asked for or not found"},
         {"damping_ratio", "1", "damping over the critical one"}};
       for (const char *axis : {"x", "y", "z"})
         {
@@ -171,7 +171,7 @@ namespace auxfem
                << mode.damped->angular_frequency / (2 * PI) << " Hz, ratio "
                << std::setprecision(3) << mode.damped->ratio();
         else if (is_damped && mode.eigenvalue > 0)
-          text << "   overdamped";
+          text << "   no damped one found";
       }
     return text.str();
   }

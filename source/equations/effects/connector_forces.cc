@@ -418,6 +418,7 @@ namespace auxfem
   void ConnectorForces::add_viscous_stiffness(const Evaluation & /*evaluation*/,
                                               const EffectResults *results,
                                               const std::complex<double> s,
+                                              const double               part,
                                               TangentMatrix             &real,
                                               TangentMatrix &imaginary) const
   {
@@ -425,9 +426,9 @@ namespace auxfem
       return;
     const auto &of_group = static_cast<const ConnectorResults &>(*results);
     const std::complex<double> stiffness =
-      law->dynamic_stiffness(s) - law->long_time_stiffness();
+      part * (law->dynamic_stiffness(s) - law->long_time_stiffness());
     for (unsigned int i = 0; i < connectors.size(); ++i)
-      for (const auto &[part, matrix] :
+      for (const auto &[value, matrix] :
            {std::pair(stiffness.real(), &real),
             std::pair(stiffness.imag(), &imaginary)})
         {
@@ -435,7 +436,7 @@ namespace auxfem
           double      D[3][3];
           for (unsigned int a = 0; a < 3; ++a)
             for (unsigned int b = 0; b < 3; ++b)
-              D[a][b] = part * n[a] * n[b];
+              D[a][b] = value * n[a] * n[b];
           add_block(i, D, *matrix);
         }
   }

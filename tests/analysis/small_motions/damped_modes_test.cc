@@ -23,12 +23,12 @@ namespace
   SceneText held_rod(const double beta = rod_beta)
   {
     SceneText scene;
-    scene.frame("0 0; 1 0", "0 1")
+    scene.frame("0 0; 1 0; 0.5 0", "0 2; 2 1")
       .section({rod_EA, 1e6, 1e6})
       .set("Sections/section 0/Density", rod_mass / rod_EA)
       .set("Sections/section 0/Stiffness-proportional damping", beta)
       .support("wall", "0", "clamp")
-      .support("guide", "1", "roller x")
+      .support("guide", "1, 2", "roller x")
       .mesh(4, 4)
       .set("Effects/Rotary inertia", "off")
       .set("Effects/Strut damping", "on")
@@ -149,6 +149,46 @@ TEST(DampedModes, ConnectorsHaveTheirDynamicStiffness)
                                      law.stiffness),
                     1e-7)
             << law.name << ' ' << mode.angular_frequency();
+        }
+    }
+}
+
+// Two equal rods that a dashpot ties together: the modes in which they swing
+// alike stay undamped, the others do not.
+TEST(DampedModes, ModesOfOneFrequencyArePartedByADamper)
+{
+  SceneText scene;
+  scene.frame("0 0; 1 0; 0 1; 1 1", "0 1; 2 3")
+    .section({rod_EA, 1e6, 1e6})
+    .set("Sections/section 0/Density", rod_mass / rod_EA)
+    .support("walls", "0, 2", "clamp")
+    .support("guides", "1, 3", "roller x")
+    .mesh(4, 3)
+    .set("Effects/Rotary inertia", "off")
+    .set("Effects/Connector viscosity", "on")
+    .connector("tie",
+               "dashpot",
+               "Between = 1 3 | Geometry = direction | Direction = 1 0 | "
+               "Damping coefficient = 0.2")
+    .time(1, 0.1, "newmark");
+  const double omega = pi / 2 * std::sqrt(rod_EA / rod_mass);
+  for (const NaturalMode &mode : damped_modes_of(scene, 2))
+    {
+      // Never a mode that is not there.
+      if (!mode.damped)
+        continue;
+      const bool   swings_alike = mode.damped->ratio() < 1e-6;
+      const Number s            = value_of(*mode.damped);
+      if (swings_alike)
+        {
+          EXPECT_NEAR(s.imag(), omega, 1e-6 * omega);
+        }
+      else
+        {
+          EXPECT_LT(left_of_equation(s,
+                                     0,
+                                     [](const Number at) { return 0.4 * at; }),
+                    1e-6);
         }
     }
 }

@@ -26,7 +26,7 @@ namespace
   {
     SceneText scene;
     scene.dimension(dimension)
-      .frame("0 0; 1 0", "0 1")
+      .frame("0 0; 1 0; 0.5 0", "0 2; 2 1")
       .set("Analysis", "frequency response");
     if (dimension == 2)
       scene.section({bar_EA, 1, 1});
