@@ -9,7 +9,8 @@ namespace auxfem
    * Gives each mode of @p found that swings, about @p state without damping, the
    * damped one that it becomes: a solution of A(s) x = 0 near it, with the
    * dynamic stiffness A of all connectors and damping. None where the search
-   * leads to no oscillation, or from different modes to the same one. Collective.
+   * leads to no oscillation, or from different modes to the same one.
+   * Collective.
    */
   void add_damped_modes(TangentSolver &solver,
                         const State   &state,
