@@ -9,16 +9,7 @@ namespace
   protected:
     ProgramRun run_response(const Words &overrides = {}) const
     {
-      Words arguments = {std::string(AUXFEM_PRM_DIRECTORY) +
-                           "/frequency-response.prm",
-                         "--output",
-                         "out"};
-      for (const std::string &text : overrides)
-        {
-          arguments.push_back("--set");
-          arguments.push_back(text);
-        }
-      return run_auxfem(arguments);
+      return run_shipped("frequency-response.prm", overrides);
     }
   };
 

@@ -10,15 +10,7 @@ namespace
   protected:
     ProgramRun run_path(const Words &overrides = {}) const
     {
-      Words arguments = {std::string(AUXFEM_PRM_DIRECTORY) + "/path.prm",
-                         "--set",
-                         "Output/Directory=out"};
-      for (const std::string &text : overrides)
-        {
-          arguments.push_back("--set");
-          arguments.push_back(text);
-        }
-      return run_auxfem(arguments);
+      return run_shipped("path.prm", overrides);
     }
   };
 

@@ -224,6 +224,22 @@ namespace auxfem
         return {exit_code, read_text(output), read_text(errors)};
       }
 
+      /** run_auxfem() of prm/@p file into the folder `out`, unless @p overrides
+       * say otherwise. */
+      ProgramRun run_shipped(const std::string &file,
+                             const Words       &overrides) const
+      {
+        Words arguments = {std::string(AUXFEM_PRM_DIRECTORY) + "/" + file,
+                           "--set",
+                           "Output/Directory=out"};
+        for (const std::string &text : overrides)
+          {
+            arguments.push_back("--set");
+            arguments.push_back(text);
+          }
+        return run_auxfem(arguments);
+      }
+
       /** The same as a process of its own, as users start it. */
       ProgramRun start_auxfem(const Words &arguments) const
       {
