@@ -18,6 +18,18 @@ namespace auxfem
       return scene.analysis == Analysis::modes ||
         scene.analysis == Analysis::buckling;
     }
+
+    /** What runs of some kinds write beside the files of simulations. */
+    std::vector<std::string> files_of_all_kinds()
+    {
+      std::vector<std::string> all;
+      for (const auto &files : {study_files(),
+                                modes_files(),
+                                path_contents().names(),
+                                frequency_response_contents().names()})
+        all.insert(all.end(), files.begin(), files.end());
+      return all;
+    }
   } // namespace
 
   RunResult run(const Scene      &scene,
@@ -27,24 +39,10 @@ namespace auxfem
   {
     if (scene.analysis == Analysis::study)
       return run_study(scene, communicator, rules);
-    FileRules  with_others = rules;
-    const auto add = [&with_others](const std::vector<std::string> &files) {
-      with_others.results_of_other_kinds.insert(
-        with_others.results_of_other_kinds.end(),
-        files.begin(),
-        files.end());
-    };
-    add(study_files());
-    if (scene.analysis != Analysis::frequency_response)
-      add(frequency_response_contents().names());
+    FileRules with_others              = rules;
+    with_others.results_of_other_kinds = files_of_all_kinds();
     if (is_of_modes(scene))
-      {
-        add(path_contents().names());
-        return run_modes(scene, communicator, with_others);
-      }
-    add(modes_files());
-    if (scene.analysis != Analysis::static_path)
-      add(path_contents().names());
+      return run_modes(scene, communicator, with_others);
     if (scene.analysis == Analysis::frequency_response)
       return run_frequency_response(scene, communicator, with_others);
     if (scene.context.model == Model::reduced_cell)

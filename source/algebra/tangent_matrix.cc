@@ -118,9 +118,9 @@ namespace auxfem
     return sizes;
   }
 
-  void TangentMatrix::multiply(const double  *x,
-                               double        *y,
-                               const Symmetry symmetry) const
+  void TangentMatrix::multiply_blocks(const double  *x,
+                                      double        *y,
+                                      const Symmetry symmetry) const
   {
     const Unknowns     &unknowns = of_pattern.unknowns();
     const int           n_owned  = unknowns.layout.n_owned();
@@ -161,11 +161,19 @@ namespace auxfem
             y[in_block[i]] += sum;
           }
       });
-    for (int i = 0; i < n_owned; ++i)
+    for (std::size_t i = 0; i < further_diagonal.size(); ++i)
+      y[i] += further_diagonal[i] * x[i];
+  }
+
+  void TangentMatrix::multiply(const double  *x,
+                               double        *y,
+                               const Symmetry symmetry) const
+  {
+    multiply_blocks(x, y, symmetry);
+    const Unknowns &unknowns = of_pattern.unknowns();
+    for (unsigned int i = 0; i < unknowns.layout.n_owned(); ++i)
       if (unknowns.kinds[i] == UnknownKind::prescribed)
         y[i] = x[i];
-      else if (!further_diagonal.empty())
-        y[i] += further_diagonal[i] * x[i];
   }
 
   double TangentMatrix::asymmetry() const

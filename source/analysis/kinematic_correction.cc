@@ -279,8 +279,7 @@ namespace auxfem
     const double part = size_of_motion > 0
       ? std::min(1., std::pow(size / size_of_motion, 2))
       : 0.;
-    for (double &value : error)
-      value *= part;
+    scale(part, error);
     size_of_motion = size;
   }
 

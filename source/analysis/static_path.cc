@@ -184,7 +184,7 @@ namespace auxfem
       {
         PathTangent across{singular.null_vector, 0.};
         if (path.opposite_side)
-          multiply(-1., across.direction);
+          scale(-1., across.direction);
         // Shorter ways would be lost in the round-off of a soft direction.
         constexpr double       least_part = 1e-3;
         constexpr unsigned int n_attempts = 8;

@@ -11,8 +11,7 @@ namespace auxfem
     const NodeRotations rotations(numbering);
     State               moved = state;
     Vector              added = shape;
-    for (double &value : added)
-      value *= factor;
+    scale(factor, added);
     for (unsigned int i = 0; i < moved.rotations.size(); ++i)
       moved.rotations[i] = normalized(exponential(rotations.values(added, i)) *
                                       moved.rotations[i]);

@@ -1,3 +1,4 @@
+#include <auxfem/mesh/position_function.h>
 #include <auxfem/output/shape_amplitude.h>
 
 #include <algorithm>
@@ -10,14 +11,8 @@ namespace auxfem
     /** Largest extension of the lattice along an axis (m). */
     double extension(const Lattice &lattice)
     {
-      dealii::Point<3> lower = lattice.joints.front(), upper = lower;
-      for (const dealii::Point<3> &joint : lattice.joints)
-        for (unsigned int d = 0; d < 3; ++d)
-          {
-            lower[d] = std::min(lower[d], joint[d]);
-            upper[d] = std::max(upper[d], joint[d]);
-          }
-      double largest = 0;
+      const auto [lower, upper] = bounding_box(lattice);
+      double largest            = 0;
       for (unsigned int d = 0; d < 3; ++d)
         largest = std::max(largest, upper[d] - lower[d]);
       return largest;

@@ -96,6 +96,15 @@ namespace auxfem
                   double       *y,
                   Symmetry      symmetry = Symmetry::none) const;
 
+    /**
+     * @p y = the sum of all blocks and the added diagonal times x in owned
+     * rows, those of prescribed unknowns too: forces of supports, say.
+     * @param x, symmetry as for multiply()
+     */
+    void multiply_blocks(const double *x,
+                         double       *y,
+                         Symmetry      symmetry = Symmetry::none) const;
+
     /** An asymmetry() below this is the round-off of sums of symmetric terms.
      */
     static constexpr double symmetric_to_round_off = 1e-13;

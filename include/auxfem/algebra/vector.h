@@ -17,6 +17,13 @@ namespace auxfem
       y[i] += factor * x[i];
   }
 
+  /** Multiplies all @p values by @p factor. */
+  inline void scale(const double factor, Vector &values)
+  {
+    for (double &value : values)
+      value *= factor;
+  }
+
   /** Largest |value|; zero if there are none. */
   inline double largest_size(const Vector &x)
   {

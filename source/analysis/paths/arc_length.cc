@@ -1,29 +1,10 @@
 #include <auxfem/analysis/paths/arc_length.h>
-#include <auxfem/equations/prescribed_motion.h>
+#include <auxfem/equations/load_direction.h>
 
 #include <cmath>
 
 namespace auxfem
 {
-  void multiply(const double factor, Vector &values)
-  {
-    for (double &value : values)
-      value *= factor;
-  }
-
-  Vector load_direction(const Equations  &equations,
-                        const Evaluation &evaluation)
-  {
-    Vector loads = equations.load_derivative(evaluation);
-    multiply(-1., loads);
-    const Unknowns &unknowns = equations.unknowns();
-    for (unsigned int i = 0; i < unknowns.layout.n_owned(); ++i)
-      if (unknowns.kinds[i] == UnknownKind::prescribed)
-        loads[i] = 0;
-    find_motion_derivative(equations.model(), evaluation, loads.data());
-    return loads;
-  }
-
   std::optional<Vector> load_response(TangentSolver    &solver,
                                       const Evaluation &evaluation)
   {
@@ -37,7 +18,7 @@ namespace auxfem
   {
     Vector deviation = bend;
     deviation.resize(direction.size(), 0.);
-    multiply(length * length / 2, deviation);
+    scale(length * length / 2, deviation);
     return deviation;
   }
 

@@ -44,7 +44,7 @@ namespace auxfem
         "Path/Time of the loads. Set it to a time at which there is one.");
     if (is_reversed)
       {
-        multiply(-1., tangent->direction);
+        scale(-1., tangent->direction);
         tangent->load_rate *= -1;
       }
     return {std::move(at), std::move(*tangent)};
@@ -67,7 +67,7 @@ namespace auxfem
     PathTangent &tangent     = result.point->tangent;
     tangent.bend             = tangent.direction;
     add_multiple(-1., prediction.direction, tangent.bend);
-    multiply(1 / length, tangent.bend);
+    scale(1 / length, tangent.bend);
     tangent.load_bend = (tangent.load_rate - prediction.load_rate) / length;
     return result;
   }
@@ -139,21 +139,15 @@ namespace auxfem
     double rate = 1 / of_path.length(*response);
     if (way != nullptr && of_path.product(*response, *way) < 0)
       rate *= -1;
-    multiply(rate, *response);
+    scale(rate, *response);
     return PathTangent{std::move(*response), rate};
   }
 
-  std::optional<std::pair<Vector, double>>
-  PathStepper::softest(const PathPoint &point)
+  std::optional<std::pair<Vector, double>> PathStepper::softest()
   {
     constexpr unsigned int n_iterations = 12;
-    Solution               at{point.solution.state, equations.make_results()};
-    const Evaluation       instant =
-      Evaluation::equilibrium(point.solution.state, at.state);
-    solver.residual(instant, at.results);
-    solver.assemble(instant, at.results, stiffness_alone);
-    Vector     mode;
-    const auto growth = inverse_iteration(
+    Vector                 mode;
+    const auto             growth = inverse_iteration(
       solver,
       of_path.weights(),
       [this](const unsigned int i) { return space.is_free(i); },
@@ -163,7 +157,7 @@ namespace auxfem
       return std::nullopt;
     mode = space.shape(
       {mode.begin(), mode.begin() + equations.unknowns().layout.n_owned()});
-    multiply(1 / of_path.length(mode), mode);
+    scale(1 / of_path.length(mode), mode);
     return std::pair(std::move(mode), 1 / *growth);
   }
 } // namespace auxfem

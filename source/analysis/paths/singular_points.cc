@@ -114,7 +114,7 @@ namespace auxfem
           add(begin, end, root(begin, end, is_before, narrow));
         else
           add_bifurcation(begin, end, [&](const PathPoint &point) {
-            const auto softest = stepper.softest(point);
+            const auto softest = stepper.softest();
             return softest ? is_before(point) * softest->second : 0.;
           });
       }
@@ -201,7 +201,7 @@ namespace auxfem
           point = at(distance - part * length);
         if (!point)
           return;
-        auto softest = stepper.softest(*point);
+        auto softest = stepper.softest();
         found.push_back(
           {std::move(*point),
            {has_limit(begin, end) ? SingularPoint::Kind::limit

@@ -45,8 +45,7 @@ namespace auxfem
           const double *const first = other.values(block);
           const unsigned int  n     = matrix.pattern().size(block);
           values.assign(first, first + std::size_t(n) * n);
-          for (double &value : values)
-            value *= factor;
+          scale(factor, values);
           matrix.add(block, values.data());
         }
     }

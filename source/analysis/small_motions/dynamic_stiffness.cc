@@ -101,36 +101,16 @@ namespace auxfem
   DynamicStiffness::forces(const Vector &real,
                            const Vector &imaginary_part) const
   {
-    Vector of_real(layout.n_local(), 0.), of_imaginary(layout.n_local(), 0.);
-    add_forces(1., solver.matrix(), real, of_real);
-    add_forces(-1., imaginary, imaginary_part, of_real);
-    add_forces(1., imaginary, real, of_imaginary);
-    add_forces(1., solver.matrix(), imaginary_part, of_imaginary);
+    const auto product = [this](const TangentMatrix &matrix, const Vector &x) {
+      Vector y(layout.n_owned());
+      matrix.multiply_blocks(x.data(), y.data());
+      return y;
+    };
+    Vector of_real      = product(solver.matrix(), real),
+           of_imaginary = product(solver.matrix(), imaginary_part);
+    add_multiple(-1., product(imaginary, imaginary_part), of_real);
+    add_multiple(1., product(imaginary, real), of_imaginary);
     return {of_real, of_imaginary};
-  }
-
-  void DynamicStiffness::add_forces(const double         factor,
-                                    const TangentMatrix &matrix,
-                                    const Vector        &values,
-                                    Vector              &forces) const
-  {
-    const TangentPattern &pattern = matrix.pattern();
-    const int             n_owned = layout.n_owned();
-    for (std::size_t block = 0; block < pattern.n_blocks(); ++block)
-      {
-        const unsigned int  n       = pattern.size(block);
-        const int *const    first   = pattern.begin(block);
-        const double *const entries = matrix.values(block);
-        for (unsigned int i = 0; i < n; ++i)
-          if (first[i] >= 0 && first[i] < n_owned)
-            for (unsigned int j = 0; j < n; ++j)
-              if (first[j] >= 0)
-                forces[first[i]] +=
-                  factor * entries[i * n + j] * values[first[j]];
-      }
-    const std::vector<double> &diagonal = matrix.added_diagonal();
-    for (std::size_t i = 0; i < diagonal.size(); ++i)
-      forces[i] += factor * diagonal[i] * values[i];
   }
 
   void include_damping(Scene &scene)

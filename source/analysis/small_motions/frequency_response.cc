@@ -1,21 +1,17 @@
 #include <auxfem/analysis/lattice_run.h>
 #include <auxfem/analysis/small_motions/frequency_response.h>
 #include <auxfem/analysis/small_motions/harmonic_response.h>
-#include <auxfem/output/console.h>
 #include <auxfem/output/csv_table.h>
 #include <auxfem/output/first_rank.h>
 #include <auxfem/output/history.h>
-#include <auxfem/output/notes.h>
-#include <auxfem/output/run_folder.h>
 #include <auxfem/output/run_output.h>
-#include <auxfem/output/summary.h>
+#include <auxfem/output/run_report.h>
 #include <auxfem/time/interruption.h>
 
 #include <deal.II/base/numbers.h>
 
 #include <cmath>
 #include <iomanip>
-#include <iostream>
 #include <sstream>
 
 #include <nlohmann/json.hpp>
@@ -118,19 +114,6 @@ namespace auxfem
       row.push_back(vibration.residual);
       return row;
     }
-
-    std::string summary_text(const Scene        &scene,
-                             const Peaks        &peaks,
-                             const LatticeModel &model)
-    {
-      Json json = json_of_run(scene, "completed", 0);
-      add_verdict(json, {});
-      json["largest_amplitudes"]           = peaks.json();
-      const std::vector<std::string> notes = notes_on(scene, model);
-      if (!notes.empty())
-        json["notes"] = notes;
-      return json.dump(2) + '\n';
-    }
   } // namespace
 
   FolderContents frequency_response_contents()
@@ -153,22 +136,13 @@ namespace auxfem
     const History             history(scene, run.equations, communicator);
     const std::vector<Column> quantities = history.sum_columns();
     const SignalsWaitForStep  signals;
-    std::optional<RunFolder>  files;
-    std::optional<Console>    console;
+    RunReport                 report(scene,
+                     run.equations,
+                     rules,
+                     frequency_response_contents());
     std::optional<CsvTable>   table;
-    const Counts              counts = count(run.equations);
     const std::string        &folder = scene.output.directory;
     on_first_rank(communicator, [&]() {
-      files.emplace(scene, rules, frequency_response_contents());
-      console.emplace(std::cout,
-                      terminal_width(
-                        dealii::Utilities::MPI::n_mpi_processes(communicator)),
-                      files->log());
-      console->print(overview_text(scene,
-                                   counts,
-                                   run.model.simulated.decisions,
-                                   notes_on(scene, run.model)) +
-                     '\n');
       table.emplace(folder + "/" + table_name, columns_of(quantities));
       write_column_reference(folder + "/frequency_response.units.csv",
                              columns_of(quantities));
@@ -190,15 +164,13 @@ namespace auxfem
     result.exit_state = "completed";
     result.work       = run.work();
     on_first_rank(communicator, [&]() {
-      console->print(peaks.text());
+      report.print(peaks.text());
       std::ostringstream work;
       work << "  " << run.work().factorizations << " factorizations, "
            << run.work().linear_solutions << " solutions by "
-           << run.work().linear_solver << "\n  Results are in " << folder;
-      console->print(work.str());
-      replace_file(folder + "/summary.json",
-                   summary_text(scene, peaks, run.model));
-      console->print(verdict_text(result.findings));
+           << run.work().linear_solver;
+      report.print(work.str());
+      report.finish({{"largest_amplitudes", peaks.json()}}, result.findings);
     });
     return result;
   }

@@ -1,5 +1,5 @@
-#include <auxfem/analysis/paths/arc_length.h>
 #include <auxfem/analysis/small_motions/harmonic_response.h>
+#include <auxfem/equations/load_direction.h>
 #include <auxfem/parameters/errors.h>
 
 #include <deal.II/base/numbers.h>

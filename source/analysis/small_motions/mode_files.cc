@@ -92,8 +92,7 @@ namespace auxfem
       if (!state.velocity)
         return;
       *state.velocity = shape;
-      for (double &value : *state.velocity)
-        value *= factor;
+      scale(factor, *state.velocity);
     }
   } // namespace
 

@@ -3,17 +3,13 @@
 #include <auxfem/analysis/small_motions/dynamic_stiffness.h>
 #include <auxfem/analysis/small_motions/mode_files.h>
 #include <auxfem/analysis/small_motions/modes.h>
-#include <auxfem/output/console.h>
 #include <auxfem/output/first_rank.h>
-#include <auxfem/output/notes.h>
-#include <auxfem/output/run_folder.h>
 #include <auxfem/output/run_output.h>
-#include <auxfem/output/summary.h>
+#include <auxfem/output/run_report.h>
 #include <auxfem/parameters/errors.h>
 #include <auxfem/time/interruption.h>
 #include <auxfem/time/static.h>
 
-#include <iostream>
 #include <sstream>
 
 #include <nlohmann/json.hpp>
@@ -118,20 +114,12 @@ namespace auxfem
       return told;
     }
 
-    std::string summary_text(const Scene        &scene,
-                             const ToldModes    &told,
-                             const LatticeModel &model)
+    Json json_of(const Scene &scene, const ToldModes &told)
     {
-      Json json = json_of_run(scene, "completed", 0);
-      add_verdict(json, told.findings);
-      json["modes"]       = told.json;
-      json["are_counted"] = told.is_counted;
-      json["about"] =
-        scene.modes.about_equilibrium ? "static equilibrium" : "rest";
-      const std::vector<std::string> notes = notes_on(scene, model);
-      if (!notes.empty())
-        json["notes"] = notes;
-      return json.dump(2) + '\n';
+      return {{"modes", told.json},
+              {"are_counted", told.is_counted},
+              {"about",
+               scene.modes.about_equilibrium ? "static equilibrium" : "rest"}};
     }
 
     /**
@@ -148,21 +136,7 @@ namespace auxfem
       // Mistakes it finds must not cost the results of an earlier run.
       run.prepare();
       const SignalsWaitForStep signals;
-      std::optional<RunFolder> files;
-      std::optional<Console>   console;
-      const Counts             counts = count(run.equations);
-      on_first_rank(communicator, [&]() {
-        files.emplace(scene, rules, mode_contents());
-        console.emplace(std::cout,
-                        terminal_width(dealii::Utilities::MPI::n_mpi_processes(
-                          communicator)),
-                        files->log());
-        console->print(overview_text(scene,
-                                     counts,
-                                     run.model.simulated.decisions,
-                                     notes_on(scene, run.model)) +
-                       '\n');
-      });
+      RunReport report(scene, run.equations, rules, mode_contents());
       if (scene.time.static_start)
         run.start();
       const auto      found      = compute(run);
@@ -172,11 +146,10 @@ namespace auxfem
       result.work       = run.work();
       result.findings   = told_modes.findings;
 
-      const std::string &folder = scene.output.directory;
       on_first_rank(communicator, [&]() {
-        write_mode_table(found, folder);
-        console->print(told_modes.table);
-        console->print(told_modes.closing_words);
+        write_mode_table(found, scene.output.directory);
+        report.print(told_modes.table);
+        report.print(told_modes.closing_words);
       });
       if (scene.output.graphics)
         for (unsigned int i = 0; i < told_modes.pictures.size(); ++i)
@@ -184,16 +157,10 @@ namespace auxfem
             end_if_interrupted(communicator);
             const auto series =
               write_mode_pictures(run, told_modes.pictures[i], i + 1);
-            on_first_rank(communicator, [&]() {
-              for (const std::string &name : series)
-                files->claim_series(name);
-            });
+            on_first_rank(communicator, [&]() { report.claim_series(series); });
           }
       on_first_rank(communicator, [&]() {
-        replace_file(folder + "/summary.json",
-                     summary_text(scene, told_modes, run.model));
-        console->print("  Results are in " + folder);
-        console->print(verdict_text(result.findings));
+        report.finish(json_of(scene, told_modes), result.findings);
       });
       return result;
     }

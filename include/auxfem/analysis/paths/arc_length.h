@@ -32,16 +32,6 @@ namespace auxfem
     ///@}
   };
 
-  /** Scales @p values. */
-  void multiply(double factor, Vector &values);
-
-  /**
-   * Loads in free rows (N, N m) and motions of supports in prescribed ones, of
-   * local unknowns, by which both grow with the load factor at evaluation.to.
-   */
-  Vector load_direction(const Equations  &equations,
-                        const Evaluation &evaluation);
-
   /**
    * Increment of all local unknowns with which equilibrium at evaluation.to is
    * kept when the load factor grows by one, by linear theory; rotations as

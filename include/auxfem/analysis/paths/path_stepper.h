@@ -74,11 +74,11 @@ namespace auxfem
     step_to_load(const PathPoint &from, double length, double load_factor);
 
     /**
-     * The direction that the stiffness at @p point resists least, of unit length
-     * and with its largest entry positive, and its eigenvalue's size (N/m);
-     * nothing where the stiffness is singular to the last digit.
+     * The direction that the stiffness at the point last found resists least,
+     * of unit length and with its largest entry positive, and its eigenvalue's
+     * size (N/m); nothing where the stiffness is singular to the last digit.
      */
-    std::optional<std::pair<Vector, double>> softest(const PathPoint &point);
+    std::optional<std::pair<Vector, double>> softest();
 
     const PathMetric &metric() const;
 

@@ -41,17 +41,12 @@ namespace auxfem
     /** x.A x, without conjugation. */
     std::complex<double> form(const Values &x) const;
 
-    /** A of all owned rows times local @p real and @p imaginary values,
-     * prescribed rows with their forces. */
+    /** A times local @p real and @p imaginary values, of owned rows; prescribed
+     * ones have the forces of supports. */
     std::pair<Vector, Vector> forces(const Vector &real,
                                      const Vector &imaginary) const;
 
   private:
-    void add_forces(double               factor,
-                    const TangentMatrix &matrix,
-                    const Vector        &values,
-                    Vector              &forces) const;
-
     TangentSolver       &solver;
     const Equations     &equations;
     const UnknownLayout &layout;
