@@ -50,7 +50,7 @@ namespace auxfem
       const DofNumbering  &numbering = run.model.numbering;
       const UnknownLayout &layout    = numbering.layout();
       const unsigned int   dimension = run.lattice.dimension,
-                         n_joints    = run.lattice.joints.size();
+                         n_joints    = run.lattice.n_structural_joints();
       std::vector<double> values(dimension *
                                    (n_joints + run.lattice.struts.size()),
                                  0.);

@@ -28,6 +28,7 @@ namespace auxfem
       return scene.effects.large_rotation == Switch::automatic &&
         exact.unknowns().n_free() > 0 && !exact.is_linear() &&
         exact.reporting().constraints.empty() &&
+        exact.reporting().plates == nullptr &&
         !scene.time.implicit_scheme().balances_means();
     }
 

@@ -105,6 +105,7 @@ namespace auxfem
 
   void TimeStepper::save(Records &records) const
   {
+    equations.save(records);
     control->save(records);
     if (error)
       error->save(records);
@@ -120,6 +121,7 @@ namespace auxfem
 
   void TimeStepper::resume(Solution &solution, const Records &records)
   {
+    take_ghosts(equations.resume(solution.state, records));
     control->resume(records);
     if (error)
       error->resume(records);
@@ -138,6 +140,7 @@ namespace auxfem
   void TimeStepper::start(Solution &solution)
   {
     State &state = solution.state;
+    take_ghosts(equations.update_couplings(state));
     if (parameters.static_start)
       find_static_equilibrium(state);
     if (!scheme.is_dynamic())
@@ -213,14 +216,7 @@ namespace auxfem
     const double end = parameters.time_at(state.step + 1);
     while (state.time < end)
       {
-        if (equations.update_couplings(state))
-          {
-            trial.state.take_ghosts(equations.unknowns().layout);
-            if (stages)
-              stages->forget();
-            if (error)
-              error->forget();
-          }
+        take_ghosts(equations.update_couplings(state));
         const bool is_jump = pass_events(solution, report, recorder);
         take_step(solution, next_target(state.time, end), report, recorder);
         if (is_jump)
@@ -229,6 +225,17 @@ namespace auxfem
     ++state.step;
     ++work.steps;
     return report;
+  }
+
+  void TimeStepper::take_ghosts(const bool are_more)
+  {
+    if (!are_more)
+      return;
+    trial.state.take_ghosts(equations.unknowns().layout);
+    if (stages)
+      stages->forget();
+    if (error)
+      error->forget();
   }
 
   void TimeStepper::take_step(Solution    &solution,
@@ -447,6 +454,9 @@ namespace auxfem
     if (const std::string what = what_is_not_finite(equations.model(), step.to);
         !what.empty())
       return reject(what + " is not a finite number");
+    if (const std::string why = equations.why_not_acceptable(step);
+        !why.empty())
+      return reject(why);
     if (creates_energy(step))
       return reject(
         "the step would create energy (more than Time/Largest energy error)");

@@ -316,6 +316,28 @@ namespace auxfem
     std::vector<int> wanted;
     for (const auto &effect : effects)
       changed = effect->update_couplings(accepted, wanted) || changed;
+    return couple(changed, wanted, accepted);
+  }
+
+  void Equations::save(Records &records) const
+  {
+    for (const auto &effect : effects)
+      effect->save(records);
+  }
+
+  bool Equations::resume(State &accepted, const Records &records)
+  {
+    bool             changed = false;
+    std::vector<int> wanted;
+    for (const auto &effect : effects)
+      changed = effect->resume(records, wanted) || changed;
+    return couple(changed, wanted, accepted);
+  }
+
+  bool Equations::couple(const bool              changed,
+                         const std::vector<int> &wanted,
+                         State                  &accepted)
+  {
     if (unknowns().layout.largest(changed || !wanted.empty()) == 0)
       return false;
     auto       more = std::make_unique<Unknowns>(unknowns());
@@ -378,6 +400,15 @@ namespace auxfem
        largest(sizes.data(), rows.free_rotations) / structure.mean_strut_length,
        largest(sizes.data(), rows.prescribed_rotations) /
          structure.mean_strut_length}));
+  }
+
+  std::string Equations::why_not_acceptable(const Evaluation &step) const
+  {
+    if (reporting_effects.plates == nullptr)
+      return "";
+    return text_of_lowest_rank(structure.numbering.layout(),
+                               reporting_effects.plates->why_not_acceptable(
+                                 step));
   }
 
   std::string Equations::why_not_finite(const Evaluation        &evaluation,

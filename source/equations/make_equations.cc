@@ -48,6 +48,7 @@ namespace auxfem
     , tangent_pattern(model.numbering.unknowns())
   {
     make_internal_forces(scene);
+    make_contact(scene);
     make_constraints(scene);
     std::move(further.begin(), further.end(), std::back_inserter(effects));
     n_internal = effects.size();
@@ -139,6 +140,16 @@ namespace auxfem
           {forces.get(), static_cast<unsigned int>(effects.size())});
         effects.push_back(std::move(forces));
       }
+  }
+
+  void Equations::make_contact(const Scene &scene)
+  {
+    if (scene.plates.empty())
+      return;
+    auto contact = std::make_unique<PlateContact>(scene, structure);
+    reporting_effects.plates        = contact.get();
+    reporting_effects.plates_effect = effects.size();
+    effects.push_back(std::move(contact));
   }
 
   void Equations::make_constraints(const Scene &scene)

@@ -33,7 +33,7 @@ namespace auxfem
   } // namespace
 
   GeometryOffsets::GeometryOffsets(const Lattice &lattice)
-    : joints(lattice.joints.size())
+    : joints(lattice.n_structural_joints())
     , middles(lattice.struts.size())
   {}
 

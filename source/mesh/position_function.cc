@@ -10,11 +10,11 @@ namespace auxfem
   std::array<dealii::Point<3>, 2> bounding_box(const Lattice &lattice)
   {
     dealii::Point<3> low = lattice.joints.front(), high = low;
-    for (const auto &joint : lattice.joints)
+    for (unsigned int i = 0; i < lattice.n_structural_joints(); ++i)
       for (unsigned int d = 0; d < 3; ++d)
         {
-          low[d]  = std::min(low[d], joint[d]);
-          high[d] = std::max(high[d], joint[d]);
+          low[d]  = std::min(low[d], lattice.joints[i][d]);
+          high[d] = std::max(high[d], lattice.joints[i][d]);
         }
     return {{low, high}};
   }

@@ -327,7 +327,7 @@ namespace auxfem
     return Selector(
              "joint",
              lattice.joint_sets,
-             lattice.joints.size(),
+             lattice.n_structural_joints(),
              [&](const unsigned int i) { return designed.joints[i]; },
              designed,
              context,

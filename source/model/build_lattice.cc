@@ -15,9 +15,11 @@ namespace auxfem
 {
   namespace
   {
-    void check_name(const SetDefinition &definition, const Lattice &lattice)
+    /** @param path of what gives a set this name. */
+    void check_name(const std::string &name,
+                    const std::string &path,
+                    const Lattice     &lattice)
     {
-      const std::string &name = definition.name;
       // Else a selection could not tell the name from a list or a condition.
       const bool starts_well =
         !name.empty() && std::isalpha(static_cast<unsigned char>(name[0]));
@@ -28,7 +30,7 @@ namespace auxfem
         });
       if (!starts_well || !is_plain)
         throw InputError(
-          definition.path + ": \"" + name +
+          path + ": \"" + name +
           "\" cannot name a set. Begin with a letter and go on "
           "with letters, digits, blanks, \"_\", \"-\" or \".\".");
 
@@ -37,8 +39,8 @@ namespace auxfem
         : lattice.pair_sets.count(name)                 ? "joint pairs"
                                                         : nullptr;
       if (kind)
-        throw InputError(definition.path + ": the lattice has a set of " +
-                         kind + " named \"" + name +
+        throw InputError(path + ": the lattice has a set of " + kind +
+                         " named \"" + name +
                          "\" already. Choose another name.");
     }
 
@@ -46,7 +48,7 @@ namespace auxfem
                  const SceneContext  &context,
                  Lattice             &lattice)
     {
-      check_name(definition, lattice);
+      check_name(definition.name, definition.path, lattice);
       const std::string &text  = definition.selection;
       const auto         colon = text.find(':');
       const std::string  kind  = dealii::Utilities::trim(text.substr(0, colon));
@@ -119,6 +121,15 @@ namespace auxfem
         " no section. Add a section whose struts include them (\"all\" means "
         "every strut), or make them Rigid parts.");
     }
+
+    void add_plate(const PlateDefinition &plate, Lattice &lattice)
+    {
+      check_name(plate.name, plate.path, lattice);
+      lattice.joint_sets[plate.name] = {
+        static_cast<unsigned int>(lattice.joints.size())};
+      lattice.joints.push_back(plate.position);
+      ++lattice.n_plates;
+    }
   } // namespace
 
   Lattice build_lattice(const Scene                 &scene,
@@ -135,6 +146,8 @@ namespace auxfem
               lattice);
     make_rigid_parts(scene, lattice);
     check_sections(lattice, scene.context.dimension);
+    for (const PlateDefinition &plate : scene.plates)
+      add_plate(plate, lattice);
     return lattice;
   }
 } // namespace auxfem

@@ -13,7 +13,8 @@ namespace auxfem
 {
   namespace
   {
-    const std::string rotation_record = "history: largest rotation";
+    const std::string rotation_record    = "history: largest rotation",
+                      penetration_record = "history: largest penetration";
 
     const std::vector<Column> path_columns = {
       {"arc_length",
@@ -106,6 +107,8 @@ namespace auxfem
         for (const Column &column : strains->columns())
           column_list.push_back(column);
       }
+    if (const PlateContact *plates = equations.reporting().plates)
+      define_plates(*plates);
     for (const Column &column : energy_columns(equations.layout().energies))
       column_list.push_back(column);
     row.resize(column_list.size());
@@ -204,6 +207,28 @@ namespace auxfem
       {group.name() + ".extension", "m", "sum of the connectors' extensions"});
   }
 
+  void History::define_plates(const PlateContact &plates)
+  {
+    const unsigned int dimension = equations.model().lattice.dimension;
+    for (unsigned int i = 0; i < plates.n_plates(); ++i)
+      {
+        for (unsigned int c = 0; c < dimension; ++c)
+          column_list.push_back(
+            {plates.name(i) + ".u" + axis_name(c),
+             "m",
+             "displacement of the plate along " + axis_name(c)});
+        for (unsigned int c = 0; c < dimension; ++c)
+          column_list.push_back(
+            {plates.name(i) + ".f" + axis_name(c),
+             "N",
+             "force of the struts on the plate along " + axis_name(c)});
+        column_list.push_back({plates.name(i) + ".penetration",
+                               "1",
+                               "largest depth to which a strut has gone into "
+                               "the plate, over its thickness"});
+      }
+  }
+
   unsigned int History::add_unknown_sums(const State &state,
                                          unsigned int column)
   {
@@ -241,6 +266,28 @@ namespace auxfem
           }
         row[column++] = force;
         row[column++] = extension;
+      }
+    return column;
+  }
+
+  unsigned int History::add_plates(const Solution &solution,
+                                   unsigned int    column)
+  {
+    const PlateContact *plates = equations.reporting().plates;
+    if (plates == nullptr)
+      return column;
+    const unsigned int dimension = equations.model().lattice.dimension;
+    for (const PlateReport &report :
+         plates->reports(equations.plate_results(solution.results),
+                         solution.state))
+      {
+        for (unsigned int c = 0; c < dimension; ++c)
+          row[column++] = report.displacement[c];
+        for (unsigned int c = 0; c < dimension; ++c)
+          row[column++] = report.force[c];
+        row[column++] = report.largest_penetration;
+        penetration_so_far =
+          std::max(penetration_so_far, report.largest_penetration);
       }
     return column;
   }
@@ -298,6 +345,7 @@ namespace auxfem
       strain_so_far.add(state.time,
                         strains->axes(),
                         &row[column - strains->axes().size()]);
+    column = add_plates(solution, column);
     for (const double energy : energy_values(record))
       row[column++] = energy;
     AssertDimension(column, row.size());
@@ -353,6 +401,7 @@ namespace auxfem
     strain_so_far.save(records);
     records.keep(rotation_record,
                  {dealii::Utilities::MPI::max(rotation_so_far, communicator)});
+    records.keep(penetration_record, {penetration_so_far});
   }
 
   void History::resume(const State &state, const Records &records)
@@ -361,7 +410,8 @@ namespace auxfem
     part_rotations.resume(records);
     rotation_vectors.resume(state, records);
     strain_so_far.resume(records);
-    rotation_so_far = records.values(rotation_record, 1)[0];
+    rotation_so_far    = records.values(rotation_record, 1)[0];
+    penetration_so_far = records.values(penetration_record, 1)[0];
   }
 
   const std::vector<Column> &History::columns() const
@@ -377,6 +427,12 @@ namespace auxfem
   double History::largest_rotation() const
   {
     return rotation_so_far;
+  }
+
+  std::optional<double> History::largest_penetration() const
+  {
+    return equations.reporting().plates ? std::optional(penetration_so_far)
+                                        : std::nullopt;
   }
 
   const LargestStrain &History::largest_strain() const

@@ -53,7 +53,7 @@ namespace auxfem
       if (!lattice.as_designed)
         return;
       double largest = 0;
-      for (unsigned int i = 0; i < lattice.joints.size(); ++i)
+      for (unsigned int i = 0; i < lattice.n_structural_joints(); ++i)
         largest =
           std::max(largest,
                    lattice.joints[i].distance(lattice.as_designed->joints[i]));

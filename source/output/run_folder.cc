@@ -24,17 +24,18 @@ namespace auxfem
     FolderContents contents_of(const Scene          &scene,
                                const FolderContents &further)
     {
-      FolderContents contents{{"log.txt",
-                               "parameters.prm",
-                               "history.csv",
-                               "history.units.csv",
-                               "summary.json",
-                               "summary.json.part",
-                               "checkpoint_a",
-                               "checkpoint_a.part",
-                               "checkpoint_b",
-                               "checkpoint_b.part"},
-                              {"solution", "rigid_parts", "connectors"}};
+      FolderContents contents{
+        {"log.txt",
+         "parameters.prm",
+         "history.csv",
+         "history.units.csv",
+         "summary.json",
+         "summary.json.part",
+         "checkpoint_a",
+         "checkpoint_a.part",
+         "checkpoint_b",
+         "checkpoint_b.part"},
+        {"solution", "rigid_parts", "connectors", "contacts", "plates"}};
       if (is_copied(scene))
         contents.files.emplace_back("original.prm");
       contents.files.insert(contents.files.end(),

@@ -253,6 +253,7 @@ namespace auxfem
     graphics->write_struts(solution.state);
     graphics->write_rigid_parts(solution.state);
     graphics->write_connectors(solution);
+    graphics->write_contacts(solution);
   }
 
   void RunOutput::Implementation::start_series(const Solution &solution)
@@ -392,6 +393,7 @@ namespace auxfem
     summary.strain             = history->largest_strain();
     summary.largest_rotation =
       dealii::Utilities::MPI::max(history->largest_rotation(), communicator);
+    summary.largest_penetration      = history->largest_penetration();
     summary.time                     = result.time;
     summary.path                     = last.state.path;
     summary.time_error               = result.time_error;

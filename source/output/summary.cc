@@ -134,7 +134,7 @@ namespace auxfem
                   numbering.layout().communicator());
 
     Counts counts;
-    counts.joints     = equations.model().lattice.joints.size();
+    counts.joints     = equations.model().lattice.n_structural_joints();
     counts.struts     = equations.model().lattice.struts.size();
     counts.elements   = mine[0];
     counts.connectors = mine[1];
@@ -321,6 +321,8 @@ namespace auxfem
                                        {"all_ranks", summary.resources.memory}};
     json["energies_joule"]          = json_of_energies(summary.energies);
     json["largest_rotation_radian"] = summary.largest_rotation;
+    if (summary.largest_penetration)
+      json["largest_penetration_over_thickness"] = *summary.largest_penetration;
     json["effects"] = json_of(summary.decisions, scene.effects.tolerance);
     if (!summary.notes.empty())
       json["notes"] = summary.notes;
@@ -414,6 +416,9 @@ namespace auxfem
     if (summary.orders)
       stream << order_search_text(*summary.orders) << '\n'
              << mesh_error_text(*summary.orders) << '\n';
+    if (summary.largest_penetration)
+      stream << "Largest penetration " << 100 * *summary.largest_penetration
+             << " % of the thickness\n";
     stream << poissons_ratio_text(summary.strain)
            << closing_energies_text(summary.energies, folder) << '\n'
            << verdict_text(summary.findings);

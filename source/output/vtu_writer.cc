@@ -96,6 +96,8 @@ namespace auxfem
       rigid_part_series.emplace(folder, prefix + "rigid_parts", communicator);
     if (!equations.reporting().connectors.empty())
       connector_series.emplace(folder, prefix + "connectors", communicator);
+    if (equations.reporting().plates)
+      contacts.emplace(equations, folder, communicator, prefix);
   }
 
   std::vector<std::string> VtuWriter::series() const
@@ -105,6 +107,9 @@ namespace auxfem
          {&strut_series, &rigid_part_series, &connector_series})
       if (*series)
         names.push_back((*series)->series_name());
+    if (contacts)
+      for (const std::string &name : contacts->series())
+        names.push_back(name);
     return names;
   }
 
@@ -300,12 +305,20 @@ namespace auxfem
     connector_series->write(graphics, solution.state.time);
   }
 
+  void VtuWriter::write_contacts(const Solution &solution)
+  {
+    if (contacts)
+      contacts->write(solution);
+  }
+
   void VtuWriter::save(Records &records) const
   {
     for (const auto *series :
          {&strut_series, &rigid_part_series, &connector_series})
       if (*series)
         (*series)->save(records);
+    if (contacts)
+      contacts->save(records);
   }
 
   void VtuWriter::resume(const Records &records)
@@ -313,5 +326,7 @@ namespace auxfem
     for (auto *series : {&strut_series, &rigid_part_series, &connector_series})
       if (*series)
         (*series)->resume(records);
+    if (contacts)
+      contacts->resume(records);
   }
 } // namespace auxfem

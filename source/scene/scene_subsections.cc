@@ -24,6 +24,18 @@ namespace auxfem
         scene.line_loads.push_back(std::get<LineLoadDefinition>(load));
     }
 
+    void add_plate(ParameterValues &values, Scene &scene)
+    {
+      const PlateDefinition plate = read_plate(values);
+      if (plate.support)
+        scene.supports.push_back(*plate.support);
+      if (plate.mass)
+        scene.masses.push_back(*plate.mass);
+      if (plate.initial_velocity)
+        scene.initial_velocities.push_back(*plate.initial_velocity);
+      scene.plates.push_back(plate);
+    }
+
     void add_probe(ParameterValues &values, Scene &scene)
     {
       scene.output.probes.push_back(read_probe(values));
@@ -70,6 +82,8 @@ namespace auxfem
       {gravity_schema(), set<&Scene::gravity, read_gravity>},
       {initial_velocities_schema(),
        add<&Scene::initial_velocities, read_initial_velocity>},
+      {plates_schema(), add_plate},
+      {contact_schema(), set<&Scene::contact, read_contact>},
       {discretization_schema(),
        set<&Scene::discretization, read_discretization>},
       {effects_schema(), set<&Scene::effects, read_effects>},

@@ -65,6 +65,8 @@ namespace auxfem
 
   private:
     void find_static_equilibrium(State &state);
+    /** Whatever keeps states or results makes room if ghosts @p are_more. */
+    void take_ghosts(bool are_more);
     /** Where the next step must end at the latest (s). */
     double next_target(double time, double end_of_scene_step) const;
     using StepEnds = std::vector<StepEnd>;

@@ -69,6 +69,20 @@ namespace auxfem
       return false;
     }
 
+    /** @name What of the couplings does not follow from the state at which a
+     * run is resumed. */
+    ///@{
+    virtual void save(Records & /*records*/) const
+    {}
+
+    /** As update_couplings(). */
+    virtual bool resume(const Records & /*records*/,
+                        std::vector<int> & /*wanted*/)
+    {
+      return false;
+    }
+    ///@}
+
     /** Room for the results of an evaluation; nullptr: there are none. */
     virtual std::unique_ptr<EffectResults> make_results() const
     {
@@ -188,6 +202,16 @@ namespace auxfem
                                         double *forces) const
     {
       raise_forces(evaluation, results, forces);
+    }
+
+    /**
+     * Why a step that is solved must not be accepted but repeated in shorter
+     * ones, in words for users; empty: it may. Words of one rank are enough.
+     * Collective.
+     */
+    virtual std::string why_not_acceptable(const Evaluation & /*step*/) const
+    {
+      return "";
     }
 
     /**

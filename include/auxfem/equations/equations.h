@@ -2,6 +2,7 @@
 #define auxfem_equations_equations_h
 
 #include <auxfem/equations/effects/connector_forces.h>
+#include <auxfem/equations/effects/plate_contact.h>
 #include <auxfem/equations/effects/rigid_part_constraints.h>
 #include <auxfem/equations/effects/struts.h>
 #include <auxfem/equations/solution.h>
@@ -40,6 +41,9 @@ namespace auxfem
     /** nullptr if the scene has no rigid parts. */
     const RigidPartConstraints *rigid_parts = nullptr;
     std::vector<ConnectorGroup> connectors;
+    /** nullptr if the scene has no plates. */
+    const PlateContact *plates        = nullptr;
+    unsigned int        plates_effect = 0; ///< index of its results
     /** All constraints with multipliers: of rigid parts, of revolute hinges. */
     std::vector<const Constraints *> constraints;
   };
@@ -72,6 +76,12 @@ namespace auxfem
 
     /** Whether one tangent serves all states (for a constant step). */
     bool is_linear() const;
+
+    /** Those of the contact with plates, of a scene that has some. */
+    const EffectResults &plate_results(const EvaluationResults &results) const
+    {
+      return *results.of_effects[reporting_effects.plates_effect];
+    }
 
     /** The state at t = 0: at rest or with the scene's initial velocities. */
     State initial_state() const;
@@ -155,6 +165,12 @@ namespace auxfem
      */
     bool update_couplings(State &accepted);
 
+    /** Keeps the couplings there are. */
+    void save(Records &records) const;
+
+    /** Goes on with the couplings that were saved; as update_couplings(). */
+    bool resume(State &accepted, const Records &records);
+
     /**
      * Raises @p forces (n_local entries) to those that all effects exert in each
      * row, as Effect::raise_forces(), and to the loads.
@@ -176,6 +192,12 @@ namespace auxfem
                            const EvaluationResults &results) const;
 
     /**
+     * Why a solved step must be repeated in shorter ones, in words; empty: it
+     * need not. The same on all ranks; collective.
+     */
+    std::string why_not_acceptable(const Evaluation &step) const;
+
+    /**
      * Why the residual of an evaluation is not finite, in words, where an
      * effect knows it. The same on all ranks; collective.
      */
@@ -184,6 +206,7 @@ namespace auxfem
 
   private:
     void make_internal_forces(const Scene &scene);
+    void make_contact(const Scene &scene);
     void make_constraints(const Scene &scene);
     void make_inertia(const Scene &scene);
     void make_loads(const Scene &scene);
@@ -191,6 +214,8 @@ namespace auxfem
     void refuse_unknown_errors(const Scene &scene) const;
     void enter_energies();
     void register_blocks();
+    /** As update_couplings(), for what effects have changed and want. */
+    bool couple(bool changed, const std::vector<int> &wanted, State &accepted);
 
     const LatticeModel                  &structure;
     std::vector<std::unique_ptr<Effect>> effects;

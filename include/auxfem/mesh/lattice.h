@@ -123,6 +123,10 @@ namespace auxfem
     /** Positions at rest (m). */
     std::vector<dealii::Point<3>> joints;
 
+    /** The last joints are points of reference of rigid plates: they belong to
+     * no set but their own, and have no part in the size of the lattice. */
+    unsigned int n_plates = 0;
+
     std::vector<Strut> struts;
 
     /** Filled from the scene's rigid part definitions. */
@@ -146,6 +150,18 @@ namespace auxfem
     /** The same without its imperfections, for whoever selects by position;
      * nullptr: there are none. */
     std::shared_ptr<const Lattice> as_designed;
+
+    /** Number of joints without those of plates. */
+    unsigned int n_structural_joints() const
+    {
+      return joints.size() - n_plates;
+    }
+
+    /** Joint of a plate, in the order of the scene. */
+    unsigned int joint_of_plate(const unsigned int plate) const
+    {
+      return n_structural_joints() + plate;
+    }
 
     /** Number of struts that are no part of a rigid body. */
     unsigned int n_elastic_struts() const;

@@ -22,9 +22,10 @@ namespace auxfem
    * `S.m`, force and moment of the support on the lattice summed over its
    * joints (forces have no part in `S.m`); for a group of connectors C
    * `C.force`, `C.extension`, sums over the group; if wanted
-   * those of EffectiveStrains; those of energy_columns(), with `balance`, which
-   * should be zero. Units and meaning are in
-   * `history.units.csv`.
+   * those of EffectiveStrains; for a plate P `P.ux`, `P.uy`, its displacement,
+   * `P.fx`, `P.fy`, the force of the struts on it, and `P.penetration`; those
+   * of energy_columns(), with `balance`, which should be zero. Units and
+   * meaning are in `history.units.csv`.
    *
    * In space probes have also `P.uz` and `P.vz`, and for `P.phi` the mean
    * rotation vector `P.phi_x`, `P.phi_y`, `P.phi_z`, which counts on past whole
@@ -83,6 +84,10 @@ namespace auxfem
      */
     double largest_rotation() const;
 
+    /** Largest penetration in all rows so far, over the thickness of the strut;
+     * none without plates. */
+    std::optional<double> largest_penetration() const;
+
     /** Effective strains in all rows so far; none unless they are wanted. */
     const LargestStrain &largest_strain() const;
 
@@ -113,12 +118,15 @@ namespace auxfem
                      unsigned int                     component);
     void define_support(const Support &support);
     void define_connectors(const ConnectorForces &group);
+    void define_plates(const PlateContact &plates);
 
     /** Sums of this rank from column @p column on; returns the column after them. */
     unsigned int add_unknown_sums(const State &state, unsigned int column);
     unsigned int add_rigid_part_values(const State &state, unsigned int column);
     unsigned int add_connector_sums(const Solution &solution,
                                     unsigned int    column);
+    /** Of all ranks already. */
+    unsigned int add_plates(const Solution &solution, unsigned int column);
     unsigned int add_strains(const State &state, unsigned int column);
     double value(Quantity quantity, const State &state, int unknown) const;
 
@@ -136,7 +144,8 @@ namespace auxfem
     LargestStrain                   strain_so_far;
     std::vector<double>             row;
     EnergyRecord                    record;
-    double                          rotation_so_far = 0;
+    double                          rotation_so_far    = 0;
+    double                          penetration_so_far = 0;
   };
 
   /**

@@ -71,7 +71,9 @@ namespace auxfem
     EnergyRecord  energies;
     LargestStrain strain;               ///< if effective strains are wanted
     double        largest_rotation = 0; ///< rad
-    double        time             = 0; ///< reached (s)
+    /** Over the thickness of the strut; only with plates. */
+    std::optional<double> largest_penetration;
+    double                time = 0; ///< reached (s)
     /** Reached, on a path of equilibria; `time` is the arc length (m) then. */
     std::optional<PathPosition> path;
     /** See RunResult. */

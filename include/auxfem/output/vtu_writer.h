@@ -3,7 +3,7 @@
 
 #include <auxfem/equations/equations.h>
 #include <auxfem/equations/solution.h>
-#include <auxfem/output/line_graphics.h>
+#include <auxfem/output/contact_graphics.h>
 #include <auxfem/scene/scene.h>
 
 #include <optional>
@@ -64,6 +64,10 @@ namespace auxfem
     /** As write_struts(), for connectors; nothing without any. */
     void write_connectors(const Solution &solution);
 
+    /** As write_struts(), for plates and what touches them; see
+     * ContactGraphics. */
+    void write_contacts(const Solution &solution);
+
     /** Keeps the numbers of files so far. */
     void save(Records &records) const;
 
@@ -86,11 +90,12 @@ namespace auxfem
     const Equations   &equations;
     const unsigned int n_segments;
 
-    std::vector<std::string>      set_names;
-    std::vector<SetMembers>       sets;
-    std::optional<GraphicsSeries> strut_series;
-    std::optional<GraphicsSeries> rigid_part_series;
-    std::optional<GraphicsSeries> connector_series;
+    std::vector<std::string>       set_names;
+    std::vector<SetMembers>        sets;
+    std::optional<GraphicsSeries>  strut_series;
+    std::optional<GraphicsSeries>  rigid_part_series;
+    std::optional<GraphicsSeries>  connector_series;
+    std::optional<ContactGraphics> contacts;
   };
 } // namespace auxfem
 

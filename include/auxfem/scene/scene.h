@@ -3,6 +3,8 @@
 
 #include <auxfem/algebra/solver_parameters.h>
 #include <auxfem/connectors/connector_definition.h>
+#include <auxfem/contact/contact_parameters.h>
+#include <auxfem/contact/plate_definition.h>
 #include <auxfem/elements/discretization_parameters.h>
 #include <auxfem/elements/section_definition.h>
 #include <auxfem/loads/load_definitions.h>
@@ -54,16 +56,20 @@ namespace auxfem
     std::vector<LineLoadDefinition>        line_loads;
     std::vector<InitialVelocityDefinition> initial_velocities;
     dealii::Tensor<1, 3>                   gravity; ///< m/s2
-    EffectSwitches                         effects;
-    DiscretizationParameters               discretization;
-    TimeParameters                         time;
-    NewtonParameters                       newton;
-    SolverParameters                       solver;
-    OutputParameters                       output;
-    ModesDefinition                        modes;
-    PathDefinition                         path;
-    FrequencyResponseDefinition            frequency_response;
-    StudyDefinition                        study;
+    /** What holds, moves and loads their joints is among `supports`, `masses`
+     * and `initial_velocities`. */
+    std::vector<PlateDefinition> plates;
+    ContactParameters            contact;
+    EffectSwitches               effects;
+    DiscretizationParameters     discretization;
+    TimeParameters               time;
+    NewtonParameters             newton;
+    SolverParameters             solver;
+    OutputParameters             output;
+    ModesDefinition              modes;
+    PathDefinition               path;
+    FrequencyResponseDefinition  frequency_response;
+    StudyDefinition              study;
     /** All parameters with the values used, in .prm syntax, for parameters.prm.
      */
     std::string all_parameters;

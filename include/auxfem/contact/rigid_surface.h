@@ -1,0 +1,86 @@
+#ifndef auxfem_contact_rigid_surface_h
+#define auxfem_contact_rigid_surface_h
+
+#include <deal.II/base/tensor.h>
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace auxfem
+{
+  /** Where a point lies to a surface. */
+  struct SurfaceDistance
+  {
+    /** m, negative inside the body behind the surface. */
+    double distance;
+    /** Its gradient by the point: unit normal, out of the body. */
+    dealii::Tensor<1, 3> normal;
+    /** Its second derivative (1/m). */
+    dealii::Tensor<2, 3> curvature;
+  };
+
+  /** The same in a step between two positions of the point. */
+  struct MeanDistance
+  {
+    /** The product with the motion is the change of the distance. */
+    dealii::Tensor<1, 3> direction;
+    /** Derivative of the direction by the second position (1/m). */
+    dealii::Tensor<2, 3> change;
+  };
+
+  /**
+   * The surface of a rigid body that does not turn. Positions are relative to a
+   * point of reference of the body (m). Pure geometry.
+   */
+  class RigidSurface
+  {
+  public:
+    using Vector = dealii::Tensor<1, 3>;
+
+    virtual ~RigidSurface() = default;
+
+    /** m, as SurfaceDistance::distance; changes by at most the length of a
+     * motion. */
+    virtual double distance(const Vector &position) const = 0;
+
+    virtual SurfaceDistance at(const Vector &position) const = 0;
+
+    virtual MeanDistance between(const Vector &from,
+                                 const Vector &to) const = 0;
+
+    /** Least distance(), or a bound for it, on the straight way between two
+     * positions. */
+    virtual double least_distance(const Vector &from,
+                                  const Vector &to) const = 0;
+
+    /**
+     * Lines that show the body (m), each through points: relative to the point
+     * of reference.
+     * @param size what extends without end is shown as far as this (m)
+     * @param dimension of space
+     */
+    virtual std::vector<std::vector<Vector>>
+    outline(double size, unsigned int dimension) const = 0;
+  };
+
+  /** @name Surfaces */
+  ///@{
+  /** Everything behind a plane through the point of reference.
+   * @param normal unit vector out of the body */
+  std::shared_ptr<const RigidSurface>
+  make_plane_surface(const dealii::Tensor<1, 3> &normal);
+
+  /** A ball about the point of reference, in the plane a disc.
+   * @param radius m */
+  std::shared_ptr<const RigidSurface> make_sphere_surface(double radius);
+
+  /** A cylinder without ends, its axis through the point of reference.
+   * @param axis unit vector
+   * @param radius m */
+  std::shared_ptr<const RigidSurface>
+  make_cylinder_surface(const dealii::Tensor<1, 3> &axis, double radius);
+  ///@}
+} // namespace auxfem
+
+#endif

@@ -1,0 +1,53 @@
+#ifndef auxfem_output_contact_graphics_h
+#define auxfem_output_contact_graphics_h
+
+#include <auxfem/equations/equations.h>
+#include <auxfem/equations/solution.h>
+#include <auxfem/output/line_graphics.h>
+
+namespace auxfem
+{
+  /**
+   * Files for ParaView of a scene with plates: `plates.pvd` with their outlines
+   * and `contacts.pvd` with a short line, from the axis to the face of the
+   * strut, at every point that touches. The geometry is that at rest, as in
+   * `solution.pvd`; `displacement` is the vector for Warp By Vector.
+   *
+   * Fields of contacts: displacement (m), force of the plate on the strut (N),
+   * gap (m, negative: penetration), numbers of strut and plate. Fields of
+   * plates: displacement (m), force of the struts on the plate (N), number of
+   * the plate.
+   */
+  class ContactGraphics
+  {
+  public:
+    /** Makes the subfolders of @p folder; see VtuWriter. Collective. */
+    ContactGraphics(const Equations   &equations,
+                    const std::string &folder,
+                    MPI_Comm           communicator,
+                    const std::string &prefix);
+
+    /** Names of the series that are written. */
+    std::vector<std::string> series() const;
+
+    /** Throws ComputationError if the disk takes no more. Collective. */
+    void write(const Solution &solution);
+
+    /** Keeps the numbers of files so far. */
+    void save(Records &records) const;
+
+    /** Numbers files on from where @p records were saved. */
+    void resume(const Records &records);
+
+  private:
+    void write_contacts(const Solution &solution);
+    void write_plates(const Solution &solution);
+
+    const Equations    &equations;
+    const PlateContact &plates;
+    const double        size; ///< of the lattice (m)
+    GraphicsSeries      contact_series, plate_series;
+  };
+} // namespace auxfem
+
+#endif

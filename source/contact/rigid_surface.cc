@@ -1,0 +1,187 @@
+#include <auxfem/contact/rigid_surface.h>
+
+#include <deal.II/base/numbers.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace auxfem
+{
+  namespace
+  {
+    using Vector = RigidSurface::Vector;
+    using Lines  = std::vector<std::vector<Vector>>;
+
+    Vector unit_vector(const unsigned int direction)
+    {
+      Vector result;
+      result[direction] = 1;
+      return result;
+    }
+
+    /** Two unit vectors across @p normal; in the plane the first lies in it. */
+    std::array<Vector, 2> across(const Vector &normal)
+    {
+      const unsigned int least = std::abs(normal[2]) < 0.9 ? 2 : 0;
+      Vector first = dealii::cross_product_3d(unit_vector(least), normal);
+      first /= first.norm();
+      return {{first, dealii::cross_product_3d(normal, first)}};
+    }
+
+    std::vector<Vector> circle(const double  radius,
+                               const Vector &first,
+                               const Vector &second,
+                               const Vector &centre = Vector())
+    {
+      constexpr unsigned int n = 48;
+      std::vector<Vector>    points;
+      for (unsigned int i = 0; i <= n; ++i)
+        {
+          const double angle = 2 * dealii::numbers::PI * i / n;
+          points.push_back(
+            centre +
+            radius * (std::cos(angle) * first + std::sin(angle) * second));
+        }
+      return points;
+    }
+
+    class PlaneSurface : public RigidSurface
+    {
+    public:
+      explicit PlaneSurface(const Vector &normal) : normal(normal)
+      {}
+
+      double distance(const Vector &position) const override
+      {
+        return normal * position;
+      }
+
+      SurfaceDistance at(const Vector &position) const override
+      {
+        return {normal * position, normal, {}};
+      }
+
+      MeanDistance between(const Vector & /*from*/,
+                           const Vector & /*to*/) const override
+      {
+        return {normal, {}};
+      }
+
+      double least_distance(const Vector &from, const Vector &to) const override
+      {
+        return std::min(distance(from), distance(to));
+      }
+
+      Lines outline(const double       size,
+                    const unsigned int dimension) const override
+      {
+        const auto [a, b] = across(normal);
+        const double r    = size / 2;
+        if (dimension == 2)
+          return {{-r * a, r * a}};
+        return {
+          {r * (-a - b), r * (a - b), r * (a + b), r * (b - a), r * (-a - b)}};
+      }
+
+    private:
+      const Vector normal;
+    };
+
+    /** Everything nearer than a radius to a point or, across an axis, to a
+     * line. */
+    class RoundSurface : public RigidSurface
+    {
+    public:
+      /** @param axis zero: a ball */
+      RoundSurface(const Vector &axis, const double radius)
+        : axis(axis)
+        , radius(radius)
+      {
+        for (unsigned int i = 0; i < 3; ++i)
+          for (unsigned int j = 0; j < 3; ++j)
+            projection[i][j] = (i == j ? 1. : 0.) - axis[i] * axis[j];
+      }
+
+      double distance(const Vector &position) const override
+      {
+        return (projection * position).norm() - radius;
+      }
+
+      SurfaceDistance at(const Vector &position) const override
+      {
+        const Vector    r = projection * position;
+        const double    l = r.norm();
+        SurfaceDistance result{l - radius, r / l, {}};
+        for (unsigned int i = 0; i < 3; ++i)
+          for (unsigned int j = 0; j < 3; ++j)
+            result.curvature[i][j] =
+              (projection[i][j] - result.normal[i] * result.normal[j]) / l;
+        return result;
+      }
+
+      MeanDistance between(const Vector &from, const Vector &to) const override
+      {
+        // r1^2 - r0^2 over r0 + r1, as for the length of a connector.
+        const Vector r0 = projection * from, r1 = projection * to;
+        const double sum = r0.norm() + r1.norm();
+        const Vector now = r1 / r1.norm();
+        MeanDistance result{(r0 + r1) / sum, {}};
+        for (unsigned int i = 0; i < 3; ++i)
+          for (unsigned int j = 0; j < 3; ++j)
+            result.change[i][j] =
+              (projection[i][j] - result.direction[i] * now[j]) / sum;
+        return result;
+      }
+
+      double least_distance(const Vector &from, const Vector &to) const override
+      {
+        const Vector start = projection * from, way = projection * (to - from);
+        const double square = way.norm_square();
+        const double part =
+          square > 0 ? std::clamp(-(start * way) / square, 0., 1.) : 0.;
+        return (start + part * way).norm() - radius;
+      }
+
+      Lines outline(const double       size,
+                    const unsigned int dimension) const override
+      {
+        const Vector x = unit_vector(0), y = unit_vector(1), z = unit_vector(2);
+        if (dimension == 2)
+          return {circle(radius, x, y)};
+        if (axis.norm_square() == 0)
+          return {circle(radius, x, y),
+                  circle(radius, y, z),
+                  circle(radius, z, x)};
+        const auto [a, b]  = across(axis);
+        const Vector along = size / 2 * axis;
+        Lines        lines = {circle(radius, a, b, along),
+                              circle(radius, a, b, -along)};
+        for (const Vector &side : {a, -a, b, -b})
+          lines.push_back({radius * side - along, radius * side + along});
+        return lines;
+      }
+
+    private:
+      const Vector         axis;
+      const double         radius;
+      dealii::Tensor<2, 3> projection; ///< across the axis
+    };
+  } // namespace
+
+  std::shared_ptr<const RigidSurface>
+  make_plane_surface(const dealii::Tensor<1, 3> &normal)
+  {
+    return std::make_shared<PlaneSurface>(normal);
+  }
+
+  std::shared_ptr<const RigidSurface> make_sphere_surface(const double radius)
+  {
+    return std::make_shared<RoundSurface>(Vector(), radius);
+  }
+
+  std::shared_ptr<const RigidSurface>
+  make_cylinder_surface(const dealii::Tensor<1, 3> &axis, const double radius)
+  {
+    return std::make_shared<RoundSurface>(axis, radius);
+  }
+} // namespace auxfem

@@ -1,0 +1,109 @@
+#include <auxfem/mesh/position_function.h>
+#include <auxfem/output/contact_graphics.h>
+
+namespace auxfem
+{
+  namespace
+  {
+    void append_vector(std::vector<float>         &values,
+                       const dealii::Tensor<1, 3> &vector)
+    {
+      for (unsigned int d = 0; d < 3; ++d)
+        values.push_back(vector[d]);
+    }
+
+    double size_of(const Lattice &lattice)
+    {
+      const auto [low, high] = bounding_box(lattice);
+      return low.distance(high);
+    }
+
+    const std::vector<GraphicsField> contact_fields = {{"displacement", 3, "m"},
+                                                       {"force", 3, "N"},
+                                                       {"gap", 1, "m"},
+                                                       {"strut", 1, ""},
+                                                       {"plate", 1, ""}};
+
+    const std::vector<GraphicsField> plate_fields = {{"displacement", 3, "m"},
+                                                     {"force", 3, "N"},
+                                                     {"plate", 1, ""}};
+  } // namespace
+
+  ContactGraphics::ContactGraphics(const Equations   &equations,
+                                   const std::string &folder,
+                                   const MPI_Comm     communicator,
+                                   const std::string &prefix)
+    : equations(equations)
+    , plates(*equations.reporting().plates)
+    , size(size_of(equations.model().lattice))
+    , contact_series(folder, prefix + "contacts", communicator)
+    , plate_series(folder, prefix + "plates", communicator)
+  {}
+
+  std::vector<std::string> ContactGraphics::series() const
+  {
+    return {contact_series.series_name(), plate_series.series_name()};
+  }
+
+  void ContactGraphics::write(const Solution &solution)
+  {
+    write_contacts(solution);
+    write_plates(solution);
+  }
+
+  void ContactGraphics::write_contacts(const Solution &solution)
+  {
+    LineGraphics       graphics(contact_fields);
+    std::vector<float> values;
+    for (const ContactReport &report :
+         plates.contacts(equations.plate_results(solution.results),
+                         solution.state))
+      {
+        values.clear();
+        for (unsigned int end = 0; end < 2; ++end)
+          {
+            append_vector(values, report.displacement);
+            append_vector(values, report.force);
+            values.push_back(-report.depth);
+            values.push_back(report.strut);
+            values.push_back(report.plate);
+          }
+        graphics.add_line({report.rest, report.rest - report.to_face}, values);
+      }
+    contact_series.write(graphics, solution.state.time);
+  }
+
+  void ContactGraphics::write_plates(const Solution &solution)
+  {
+    LineGraphics                   graphics(plate_fields);
+    std::vector<float>             values;
+    const std::vector<PlateReport> reports =
+      plates.reports(equations.plate_results(solution.results), solution.state);
+    const bool writes = equations.model().numbering.layout().rank() == 0;
+    for (unsigned int i = 0; i < reports.size() && writes; ++i)
+      for (const auto &line : plates.outline(i, size))
+        {
+          values.clear();
+          for (std::size_t k = 0; k < line.size(); ++k)
+            {
+              append_vector(values, reports[i].displacement);
+              append_vector(values, reports[i].force);
+              values.push_back(i);
+            }
+          graphics.add_line(line, values);
+        }
+    plate_series.write(graphics, solution.state.time);
+  }
+
+  void ContactGraphics::save(Records &records) const
+  {
+    contact_series.save(records);
+    plate_series.save(records);
+  }
+
+  void ContactGraphics::resume(const Records &records)
+  {
+    contact_series.resume(records);
+    plate_series.resume(records);
+  }
+} // namespace auxfem
