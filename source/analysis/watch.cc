@@ -47,7 +47,8 @@ namespace auxfem
       {
         watches.push_back(make_strain_watch(equations));
         watches.push_back(make_local_buckling_watch(scene, equations));
-        if (!scene.lattice.struts_may_cross)
+        if (!scene.lattice.struts_may_cross &&
+            equations.reporting().strut_contact == nullptr)
           watches.push_back(make_crossing_watch(scene, equations));
       }
   }

@@ -1,5 +1,4 @@
 #include <auxfem/equations/contact_axes.h>
-#include <auxfem/parameters/errors.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
@@ -134,10 +133,10 @@ namespace auxfem
             const Section &section = model.sections[strut.section];
             axis.half_thickness =
               half_thickness(section, model.lattice.dimension);
-            axis.stiffness = stiffness(section, axis.half_thickness);
+            axis.stiffness = axis.half_thickness > 0
+              ? stiffness(section, axis.half_thickness)
+              : 0.;
           }
-        if (!(axis.stiffness > 0) || !std::isfinite(axis.stiffness))
-          refuse(axis.strut);
       }
 
     private:
@@ -145,16 +144,6 @@ namespace auxfem
       double stiffness(const Section &section, const double h) const
       {
         return factor * section.axial_stiffness() / (2 * h * h);
-      }
-
-      [[noreturn]] static void refuse(const unsigned int strut)
-      {
-        throw InputError(
-          "Plates: strut " + std::to_string(strut) +
-          " has no thickness that could touch a plate, since its section is "
-          "given by its stiffnesses, or it is rigid and there is no section. "
-          "Give the section by its shape (`Type = rectangle`, `circle`, "
-          "`tube`), or remove the plates.");
       }
 
       const LatticeModel &model;
@@ -218,6 +207,8 @@ namespace auxfem
         const Strut &strut = lattice.struts[element.strut];
         ContactAxis  axis;
         axis.strut    = element.strut;
+        axis.begin    = element.begin;
+        axis.end      = element.end;
         axis.unknowns = std::move(element.unknowns);
         axis.is_owned = element.is_owned;
         sections.set(axis);

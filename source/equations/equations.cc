@@ -404,11 +404,12 @@ namespace auxfem
 
   std::string Equations::why_not_acceptable(const Evaluation &step) const
   {
-    if (reporting_effects.plates == nullptr)
-      return "";
-    return text_of_lowest_rank(structure.numbering.layout(),
-                               reporting_effects.plates->why_not_acceptable(
-                                 step));
+    std::string mine;
+    for (const auto &effect : effects)
+      if (const std::string why = effect->why_not_acceptable(step);
+          mine.empty())
+        mine = why;
+    return text_of_lowest_rank(structure.numbering.layout(), mine);
   }
 
   std::string Equations::why_not_finite(const Evaluation        &evaluation,

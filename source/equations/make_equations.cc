@@ -144,12 +144,23 @@ namespace auxfem
 
   void Equations::make_contact(const Scene &scene)
   {
-    if (scene.plates.empty())
+    if (!structure.simulated.contact)
       return;
-    auto contact = std::make_unique<PlateContact>(scene, structure);
-    reporting_effects.plates        = contact.get();
-    reporting_effects.plates_effect = effects.size();
-    effects.push_back(std::move(contact));
+    if (!scene.plates.empty())
+      {
+        auto contact = std::make_unique<PlateContact>(scene, structure);
+        reporting_effects.plates        = contact.get();
+        reporting_effects.plates_effect = effects.size();
+        effects.push_back(std::move(contact));
+      }
+    // Struts that turn little do not come near each other.
+    if (structure.simulated.large_rotation && !scene.lattice.struts_may_cross)
+      {
+        auto contact = std::make_unique<StrutContact>(scene, structure);
+        reporting_effects.strut_contact        = contact.get();
+        reporting_effects.strut_contact_effect = effects.size();
+        effects.push_back(std::move(contact));
+      }
   }
 
   void Equations::make_constraints(const Scene &scene)

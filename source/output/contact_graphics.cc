@@ -34,42 +34,58 @@ namespace auxfem
                                    const MPI_Comm     communicator,
                                    const std::string &prefix)
     : equations(equations)
-    , plates(*equations.reporting().plates)
+    , plates(equations.reporting().plates)
+    , struts(equations.reporting().strut_contact)
     , size(size_of(equations.model().lattice))
     , contact_series(folder, prefix + "contacts", communicator)
-    , plate_series(folder, prefix + "plates", communicator)
-  {}
+  {
+    if (plates)
+      plate_series.emplace(folder, prefix + "plates", communicator);
+  }
 
   std::vector<std::string> ContactGraphics::series() const
   {
-    return {contact_series.series_name(), plate_series.series_name()};
+    std::vector<std::string> names = {contact_series.series_name()};
+    if (plate_series)
+      names.push_back(plate_series->series_name());
+    return names;
   }
 
   void ContactGraphics::write(const Solution &solution)
   {
     write_contacts(solution);
-    write_plates(solution);
+    if (plate_series)
+      write_plates(solution);
   }
 
   void ContactGraphics::write_contacts(const Solution &solution)
   {
-    LineGraphics       graphics(contact_fields);
-    std::vector<float> values;
-    for (const ContactReport &report :
-         plates.contacts(equations.plate_results(solution.results),
-                         solution.state))
-      {
-        values.clear();
-        for (unsigned int end = 0; end < 2; ++end)
-          {
-            append_vector(values, report.displacement);
-            append_vector(values, report.force);
-            values.push_back(-report.depth);
-            values.push_back(report.strut);
-            values.push_back(report.plate);
-          }
-        graphics.add_line({report.rest, report.rest - report.to_face}, values);
-      }
+    LineGraphics graphics(contact_fields);
+    const auto   add = [&graphics](const auto  &report,
+                                 const double plate,
+                                 const double other_strut) {
+      std::vector<float> values;
+      for (unsigned int end = 0; end < 2; ++end)
+        {
+          append_vector(values, report.displacement);
+          append_vector(values, report.force);
+          for (const double value :
+               {-report.depth, double(report.strut), plate, other_strut})
+            values.push_back(value);
+        }
+      graphics.add_line({report.rest, report.rest - report.to_face}, values);
+    };
+    constexpr double none = -1;
+    if (plates)
+      for (const ContactReport &report :
+           plates->contacts(equations.plate_results(solution.results),
+                            solution.state))
+        add(report, report.plate, none);
+    if (struts)
+      for (const StrutContactReport &report :
+           struts->contacts(equations.strut_contact_results(solution.results),
+                            solution.state))
+        add(report, none, report.other);
     contact_series.write(graphics, solution.state.time);
   }
 
@@ -78,10 +94,11 @@ namespace auxfem
     LineGraphics                   graphics(plate_fields);
     std::vector<float>             values;
     const std::vector<PlateReport> reports =
-      plates.reports(equations.plate_results(solution.results), solution.state);
+      plates->reports(equations.plate_results(solution.results),
+                      solution.state);
     const bool writes = equations.model().numbering.layout().rank() == 0;
     for (unsigned int i = 0; i < reports.size() && writes; ++i)
-      for (const auto &line : plates.outline(i, size))
+      for (const auto &line : plates->outline(i, size))
         {
           values.clear();
           for (std::size_t k = 0; k < line.size(); ++k)
@@ -92,18 +109,20 @@ namespace auxfem
             }
           graphics.add_line(line, values);
         }
-    plate_series.write(graphics, solution.state.time);
+    plate_series->write(graphics, solution.state.time);
   }
 
   void ContactGraphics::save(Records &records) const
   {
     contact_series.save(records);
-    plate_series.save(records);
+    if (plate_series)
+      plate_series->save(records);
   }
 
   void ContactGraphics::resume(const Records &records)
   {
     contact_series.resume(records);
-    plate_series.resume(records);
+    if (plate_series)
+      plate_series->resume(records);
   }
 } // namespace auxfem

@@ -292,6 +292,15 @@ namespace auxfem
     return column;
   }
 
+  void History::note_penetration(const Solution &solution)
+  {
+    if (const StrutContact *struts = equations.reporting().strut_contact)
+      for (const StrutContactReport &report :
+           struts->contacts(equations.strut_contact_results(solution.results),
+                            solution.state))
+        penetration_so_far = std::max(penetration_so_far, report.penetration);
+  }
+
   unsigned int History::add_strains(const State &state, unsigned int column)
   {
     if (strains)
@@ -346,6 +355,7 @@ namespace auxfem
                         strains->axes(),
                         &row[column - strains->axes().size()]);
     column = add_plates(solution, column);
+    note_penetration(solution);
     for (const double energy : energy_values(record))
       row[column++] = energy;
     AssertDimension(column, row.size());
@@ -401,7 +411,9 @@ namespace auxfem
     strain_so_far.save(records);
     records.keep(rotation_record,
                  {dealii::Utilities::MPI::max(rotation_so_far, communicator)});
-    records.keep(penetration_record, {penetration_so_far});
+    records.keep(penetration_record,
+                 {dealii::Utilities::MPI::max(penetration_so_far,
+                                              communicator)});
   }
 
   void History::resume(const State &state, const Records &records)
@@ -431,8 +443,9 @@ namespace auxfem
 
   std::optional<double> History::largest_penetration() const
   {
-    return equations.reporting().plates ? std::optional(penetration_so_far)
-                                        : std::nullopt;
+    return equations.reporting().plates || equations.reporting().strut_contact
+      ? std::optional(penetration_so_far)
+      : std::nullopt;
   }
 
   const LargestStrain &History::largest_strain() const

@@ -393,7 +393,9 @@ namespace auxfem
     summary.strain             = history->largest_strain();
     summary.largest_rotation =
       dealii::Utilities::MPI::max(history->largest_rotation(), communicator);
-    summary.largest_penetration      = history->largest_penetration();
+    if (const auto penetration = history->largest_penetration())
+      summary.largest_penetration =
+        dealii::Utilities::MPI::max(*penetration, communicator);
     summary.time                     = result.time;
     summary.path                     = last.state.path;
     summary.time_error               = result.time_error;

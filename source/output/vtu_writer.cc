@@ -96,7 +96,7 @@ namespace auxfem
       rigid_part_series.emplace(folder, prefix + "rigid_parts", communicator);
     if (!equations.reporting().connectors.empty())
       connector_series.emplace(folder, prefix + "connectors", communicator);
-    if (equations.reporting().plates)
+    if (equations.reporting().plates || equations.reporting().strut_contact)
       contacts.emplace(equations, folder, communicator, prefix);
   }
 

@@ -40,7 +40,13 @@ namespace auxfem
       effect("Gravity", &EffectSwitches::gravity, "Weight."),
       effect("Hinges",
              &EffectSwitches::hinges,
-             "Hinges and rotational springs; off: all joints are rigid.")};
+             "Hinges and rotational springs; off: all joints are rigid."),
+      effect(
+        "Contact",
+        &EffectSwitches::contact,
+        "Contact of struts with plates and with each other; off: they pass "
+        "through each other. auto: on where plates are given, else struts "
+        "that touch are told.")};
 
     const Quantity effects_tolerance = {
       "Tolerance",

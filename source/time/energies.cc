@@ -49,6 +49,20 @@ namespace auxfem
             "energy in the springs of connectors"};
   }
 
+  EnergyEntry contact_energy_entry()
+  {
+    return {EnergyKind::stored,
+            "contact",
+            "energy of the faces of struts that are pressed on something"};
+  }
+
+  EnergyEntry friction_energy_entry()
+  {
+    return {EnergyKind::dissipated,
+            "friction.dissipated",
+            "energy lost by friction since the start"};
+  }
+
   EnergyEntry numerical_energy_entry()
   {
     return {EnergyKind::numerical,

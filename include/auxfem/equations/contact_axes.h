@@ -20,15 +20,18 @@ namespace auxfem
     using Shape = dealii::Table<2, double>;
 
     unsigned int strut;
+    double       begin, end; ///< fractions of the strut's length
     /** Global numbers of the displacements, dimension of space at each node. */
     std::vector<int> unknowns;
     /** Whether this rank counts its energy. */
     bool                            is_owned;
     double                          length; ///< at rest (m)
     std::array<dealii::Point<3>, 2> ends;   ///< at rest (m)
-    /** Of the strut, half of it (m). */
+    /** Of the strut, half of it (m); zero of rigid ones and of sections that
+     * are given by their stiffnesses. */
     double half_thickness;
-    /** Force per length and penetration of the face against the axis (N/m2). */
+    /** Force per length and penetration of the face against the axis (N/m2);
+     * zero if the section has no thickness. */
     double stiffness;
     /** By point, then node. */
     std::shared_ptr<const Shape>  shape;
@@ -52,8 +55,7 @@ namespace auxfem
    * of struts stand for half the thickness more, the caps of the ends.
    *
    * Rigid struts have no thickness, and the stiffness of the stiffest section.
-   * Throws InputError if a section has no thickness, being given by its
-   * stiffnesses. Collective.
+   * Collective.
    * @param stiffness_factor of ContactParameters
    */
   std::vector<ContactAxis> make_contact_axes(const LatticeModel &model,

@@ -4,6 +4,7 @@
 #include <auxfem/equations/effects/connector_forces.h>
 #include <auxfem/equations/effects/plate_contact.h>
 #include <auxfem/equations/effects/rigid_part_constraints.h>
+#include <auxfem/equations/effects/strut_contact.h>
 #include <auxfem/equations/effects/struts.h>
 #include <auxfem/equations/solution.h>
 #include <auxfem/model/lattice_model.h>
@@ -44,6 +45,9 @@ namespace auxfem
     /** nullptr if the scene has no plates. */
     const PlateContact *plates        = nullptr;
     unsigned int        plates_effect = 0; ///< index of its results
+    /** nullptr if struts may cross. */
+    const StrutContact *strut_contact        = nullptr;
+    unsigned int        strut_contact_effect = 0; ///< index of its results
     /** All constraints with multipliers: of rigid parts, of revolute hinges. */
     std::vector<const Constraints *> constraints;
   };
@@ -81,6 +85,13 @@ namespace auxfem
     const EffectResults &plate_results(const EvaluationResults &results) const
     {
       return *results.of_effects[reporting_effects.plates_effect];
+    }
+
+    /** Those of the contact between struts, of a scene that has it. */
+    const EffectResults &
+    strut_contact_results(const EvaluationResults &results) const
+    {
+      return *results.of_effects[reporting_effects.strut_contact_effect];
     }
 
     /** The state at t = 0: at rest or with the scene's initial velocities. */

@@ -42,7 +42,7 @@ namespace auxfem
   struct SimulatedEffects
   {
     bool large_rotation, shear_flexibility, inertia, rotary_inertia,
-      connector_viscosity, strut_damping, gravity, hinges;
+      connector_viscosity, strut_damping, gravity, hinges, contact;
 
     /** The same in words, in the order of the `Effects` subsection. */
     std::vector<EffectDecision> decisions;

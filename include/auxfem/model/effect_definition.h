@@ -59,6 +59,7 @@ namespace auxfem
   EffectDefinition strut_damping_effect();
   EffectDefinition gravity_effect();
   EffectDefinition hinges_effect();
+  EffectDefinition contact_effect();
   ///@}
 
   /** All of them, in the order of the `Effects` subsection. */

@@ -5,16 +5,20 @@
 #include <auxfem/equations/solution.h>
 #include <auxfem/output/line_graphics.h>
 
+#include <optional>
+
 namespace auxfem
 {
   /**
-   * Files for ParaView of a scene with plates: `plates.pvd` with their outlines
-   * and `contacts.pvd` with a short line, from the axis to the face of the
-   * strut, at every point that touches. The geometry is that at rest, as in
-   * `solution.pvd`; `displacement` is the vector for Warp By Vector.
+   * Files for ParaView of a scene with contact: `plates.pvd` with the outlines
+   * of plates, if there are any, and `contacts.pvd` with a short line, from the
+   * axis to the face of the strut, at every point that touches. The geometry is
+   * that at rest, as in `solution.pvd`; `displacement` is the vector for Warp
+   * By Vector.
    *
-   * Fields of contacts: displacement (m), force of the plate on the strut (N),
-   * gap (m, negative: penetration), numbers of strut and plate. Fields of
+   * Fields of contacts: displacement (m), force on the strut (N), gap (m,
+   * negative: penetration), numbers of the strut and of the plate or other
+   * strut that it touches, -1 for none. Fields of
    * plates: displacement (m), force of the struts on the plate (N), number of
    * the plate.
    */
@@ -44,9 +48,12 @@ namespace auxfem
     void write_plates(const Solution &solution);
 
     const Equations    &equations;
-    const PlateContact &plates;
-    const double        size; ///< of the lattice (m)
-    GraphicsSeries      contact_series, plate_series;
+    const PlateContact *plates; ///< nullptr: none
+    const StrutContact *struts; ///< nullptr: they may cross
+    const double        size;   ///< of the lattice (m)
+    GraphicsSeries      contact_series;
+    /** If there are any. */
+    std::optional<GraphicsSeries> plate_series;
   };
 } // namespace auxfem
 

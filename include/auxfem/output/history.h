@@ -84,8 +84,8 @@ namespace auxfem
      */
     double largest_rotation() const;
 
-    /** Largest penetration in all rows so far, over the thickness of the strut;
-     * none without plates. */
+    /** Largest penetration in all rows so far, over the thickness of the strut,
+     * on this rank; none without contact. */
     std::optional<double> largest_penetration() const;
 
     /** Effective strains in all rows so far; none unless they are wanted. */
@@ -125,6 +125,8 @@ namespace auxfem
     unsigned int add_rigid_part_values(const State &state, unsigned int column);
     unsigned int add_connector_sums(const Solution &solution,
                                     unsigned int    column);
+    /** Of contacts between struts. */
+    void note_penetration(const Solution &solution);
     /** Of all ranks already. */
     unsigned int add_plates(const Solution &solution, unsigned int column);
     unsigned int add_strains(const State &state, unsigned int column);

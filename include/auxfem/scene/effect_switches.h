@@ -24,6 +24,7 @@ namespace auxfem
     Switch strut_damping       = Switch::automatic;
     Switch gravity             = Switch::automatic;
     Switch hinges              = Switch::automatic;
+    Switch contact             = Switch::automatic;
     /** Relative change of the answer that may be given away. */
     double tolerance = 1e-3;
     /** Whether the analysis itself looks at what small displacements leave out

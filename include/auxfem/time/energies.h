@@ -54,6 +54,8 @@ namespace auxfem
   EnergyEntry strain_energy_entry();
   EnergyEntry stored_energy_entry();
   EnergyEntry numerical_energy_entry();
+  EnergyEntry contact_energy_entry();
+  EnergyEntry friction_energy_entry();
   ///@}
 
   /** Energies at one time (J), an amount for each entry of a ledger. */

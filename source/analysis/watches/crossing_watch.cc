@@ -280,8 +280,9 @@ namespace auxfem
                    << crossed.pair.second << " have passed into each other";
             crossed.write_time(equations.layout().path, text);
           }
-        text << ": contact is not modelled. What the lattice does from there "
-                "on holds only if its struts can pass each other.";
+        text << ": contact is left out. What the lattice does from there on "
+                "holds only if its struts can pass each other; set "
+                "Effects/Contact = on if they cannot.";
         const FirstPair &first = is_told_by_touch ? touched : crossed;
         return {{Verdict::doubtful,
                  text.str(),

@@ -57,6 +57,14 @@ namespace auxfem
     // Those that touch at rest may do so by round-off.
     constexpr double tolerance = 1e-6;
     for (const ContactAxis &axis : axes)
+      if (axis.stiffness == 0)
+        throw InputError(
+          "Plates: strut " + std::to_string(axis.strut) +
+          " has no thickness that could touch a plate, since its section is "
+          "given by its stiffnesses, or it is rigid and there is no section. "
+          "Give the section by its shape (`Shape = rectangle`, `circle`, "
+          "`tube`), or remove the plates.");
+    for (const ContactAxis &axis : axes)
       for (const Plate &plate : plates)
         for (const dealii::Point<3> &point : axis.rest)
           {
@@ -82,16 +90,10 @@ namespace auxfem
 
   void PlateContact::register_in(StateLayout &layout)
   {
-    contact_entry = layout.energies.enter(
-      {EnergyKind::stored,
-       "contact",
-       "energy of the faces of struts that are pressed on plates"});
+    contact_entry = layout.energies.enter(contact_energy_entry());
     if (parameters.friction == 0)
       return;
-    friction_entry  = layout.energies.enter({EnergyKind::dissipated,
-                                             "friction.dissipated",
-                                             "energy lost by friction on plates "
-                                              "since the start"});
+    friction_entry  = layout.energies.enter(friction_energy_entry());
     numerical_entry = layout.energies.enter(numerical_energy_entry());
   }
 

@@ -12,7 +12,8 @@ namespace auxfem
       connector_viscosity_effect(),
       strut_damping_effect(),
       gravity_effect(),
-      hinges_effect()};
+      hinges_effect(),
+      contact_effect()};
     return definitions;
   }
 } // namespace auxfem
