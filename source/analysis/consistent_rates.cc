@@ -16,7 +16,6 @@ namespace auxfem
     : solver(solver)
     , model(solver.model())
     , results(solver.equations().make_results())
-    , increment(model.numbering.layout().n_local())
   {}
 
   State ConsistentRates::start(State &state, const double dt)
@@ -67,7 +66,8 @@ namespace auxfem
     mark_damped(kinds, now);
     state.is_massless.emplace(state.displacement.size(), 0.);
     std::copy(kinds.begin(), kinds.end(), state.is_massless->begin());
-    model.numbering.layout().update_ghosts(state.is_massless->data());
+    solver.equations().unknowns().layout.update_ghosts(
+      state.is_massless->data());
     leave_to_equilibrium(state);
   }
 
@@ -165,7 +165,7 @@ namespace auxfem
                                      std::vector<double> &rates) const
   {
     const DofNumbering &numbering = model.numbering;
-    rates.assign(numbering.layout().n_local(), 0.);
+    rates.assign(solver.equations().unknowns().layout.n_local(), 0.);
     for (const Constraints *of_kind :
          solver.equations().reporting().constraints)
       of_kind->find_rates(state, rates.data());
@@ -202,6 +202,7 @@ namespace auxfem
     impulses_of_supports.clear();
     std::vector<double> rates;
     find_rates(instant.from, rates);
+    increment.assign(solver.equations().unknowns().layout.n_local(), 0.);
     for (unsigned int i = 0; i < model.numbering.layout().n_owned(); ++i)
       increment[i] = -rates[i];
     const bool strikes =
@@ -248,6 +249,7 @@ namespace auxfem
   void ConsistentRates::find_accelerations(const Evaluation &evaluation)
   {
     State &state = evaluation.to;
+    increment.assign(solver.equations().unknowns().layout.n_local(), 0.);
     for (unsigned int i = 0; i < model.numbering.layout().n_owned(); ++i)
       increment[i] = -state.residual[i];
     hold_prescribed();

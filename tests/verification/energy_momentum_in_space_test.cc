@@ -1,5 +1,6 @@
 #include <support/scene_text.h>
 #include <verification/result_table.h>
+#include <verification/space_frame.h>
 #include <verification/space_momenta.h>
 
 using namespace auxfem;
@@ -9,10 +10,6 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  const std::string rod_of_frame =
-    "Shape = rectangle | Width = 0.12 | Height = 0.05 | "
-    "Young's modulus = 3e4 | Poisson's ratio = 0.3 | Density = 100";
-
   const std::string space_throw =
     "Joints = 2 | Velocity x = 0.5 | Velocity y = -2 | Velocity z = 2";
 

@@ -11,6 +11,11 @@ namespace auxfem
 {
   namespace testing_support
   {
+    /** Section of a frame that bends and twists by more than a radian. */
+    inline const std::string rod_of_frame =
+      "Shape = rectangle | Width = 0.12 | Height = 0.05 | "
+      "Young's modulus = 3e4 | Poisson's ratio = 0.3 | Density = 100";
+
     /** A rigid part of struts with a rotation of its own, whatever its shape.
      */
     inline SceneText body(const std::string &struts,
