@@ -1,6 +1,7 @@
 #include <auxfem/contact/axis_curve.h>
 
 #include <cmath>
+#include <limits>
 
 namespace auxfem
 {
@@ -39,6 +40,27 @@ namespace auxfem
         }
       return at;
     }
+
+    /** The nearest point between @p low and @p high, one of them at least, of a
+     * part of the curve. */
+    NearestPoint minimum_between(const AxisCurve         &curve,
+                                 const AxisCurve::Vector &point,
+                                 const double             low,
+                                 const double             high,
+                                 const double             begin,
+                                 const double             end)
+    {
+      const auto found = [&](const double parameter, const bool is_inside) {
+        return NearestPoint{parameter,
+                            (curve.at(parameter) - point).norm(),
+                            is_inside};
+      };
+      if (slope_at(curve, point, low) >= 0)
+        return found(low, low > begin);
+      if (slope_at(curve, point, high) <= 0)
+        return found(high, high < end);
+      return found(root_of_slope(curve, point, low, high), true);
+    }
   } // namespace
 
   NearestPoint nearest_point(const AxisCurve         &curve,
@@ -46,32 +68,31 @@ namespace auxfem
                              const double             begin,
                              const double             end)
   {
-    // A polynomial of the degree n has at most 2 n - 1 extrema of the distance.
-    const unsigned int n =
-      curve.degree == 1 ? 1 : std::min(2 * curve.degree + 2, 12u);
-    unsigned int best   = 0;
-    double       square = 0;
-    const auto   at     = [&](const unsigned int i) {
-      return begin + (end - begin) * i / n;
+    // Between neighbouring ones of these there is hardly more than one minimum.
+    constexpr unsigned int most = 12;
+    const unsigned int     n =
+      curve.degree == 1 ? 1 : std::min(2 * curve.degree + 2, most);
+    const auto at = [&](const unsigned int i) {
+      return i == n ? end : begin + (end - begin) * i / n;
     };
+    std::array<double, most + 1> squares;
     for (unsigned int i = 0; i <= n; ++i)
-      if (const double d = (curve.at(at(i)) - point).norm_square();
-          i == 0 || d < square)
-        {
-          best   = i;
-          square = d;
-        }
-    const double low  = at(best > 0 ? best - 1 : 0),
-                 high = at(std::min(best + 1, n));
-    const auto found  = [&](const double parameter, const bool is_inside) {
-      return NearestPoint{parameter,
-                          (curve.at(parameter) - point).norm(),
-                          is_inside};
-    };
-    if (slope_at(curve, point, low) >= 0)
-      return found(low, low > begin);
-    if (slope_at(curve, point, high) <= 0)
-      return found(high, high < end);
-    return found(root_of_slope(curve, point, low, high), true);
+      squares[i] = (curve.at(at(i)) - point).norm_square();
+    NearestPoint nearest{begin, std::numeric_limits<double>::infinity(), false};
+    for (unsigned int i = 0; i <= n; ++i)
+      {
+        if ((i > 0 && squares[i - 1] < squares[i]) ||
+            (i < n && squares[i + 1] < squares[i]))
+          continue;
+        const NearestPoint found = minimum_between(curve,
+                                                   point,
+                                                   at(i > 0 ? i - 1 : 0),
+                                                   at(std::min(i + 1, n)),
+                                                   begin,
+                                                   end);
+        if (found.distance < nearest.distance)
+          nearest = found;
+      }
+    return nearest;
   }
 } // namespace auxfem

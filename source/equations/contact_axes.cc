@@ -151,28 +151,34 @@ namespace auxfem
       double              stiffest = 0;
     };
 
-    /** Shape functions of order p at n Gauss-Lobatto points, made once. */
+    /** Shape functions of order p at n Gauss-Lobatto points, and these, made
+     * once. */
     class ShapeTables
     {
     public:
+      const dealii::QGaussLobatto<1> &points(const unsigned int n)
+      {
+        return rules.try_emplace(n, n).first->second;
+      }
+
       std::shared_ptr<const ContactAxis::Shape> get(const unsigned int order,
                                                     const unsigned int n)
       {
         auto &table = tables[{order, n}];
         if (!table)
           {
-            const dealii::FE_Q<1>          element(order);
-            const dealii::QGaussLobatto<1> points(n);
-            ContactAxis::Shape             values(n, order + 1);
+            const dealii::FE_Q<1> element(order);
+            ContactAxis::Shape    values(n, order + 1);
             for (unsigned int i = 0; i < n; ++i)
               for (unsigned int a = 0; a <= order; ++a)
-                values(i, a) = element.shape_value(a, points.point(i));
+                values(i, a) = element.shape_value(a, points(n).point(i));
             table = std::make_shared<const ContactAxis::Shape>(values);
           }
         return table;
       }
 
     private:
+      std::map<unsigned int, dealii::QGaussLobatto<1>> rules;
       std::map<std::pair<unsigned int, unsigned int>,
                std::shared_ptr<const ContactAxis::Shape>>
         tables;
@@ -214,11 +220,11 @@ namespace auxfem
         sections.set(axis);
         const double length =
           (element.end - element.begin) * lattice.length(strut);
-        const dealii::QGaussLobatto<1> points(
-          n_points(element,
-                   length,
-                   axis.half_thickness,
-                   strut.is_rigid() && strut.sagitta != 0));
+        const dealii::QGaussLobatto<1> &points =
+          shapes.points(n_points(element,
+                                 length,
+                                 axis.half_thickness,
+                                 strut.is_rigid() && strut.sagitta != 0));
         axis.length = length;
         axis.shape  = shapes.get(element.order, points.size());
         for (unsigned int i = 0; i < points.size(); ++i)

@@ -231,8 +231,9 @@ namespace auxfem
   ParameterRanges StrutCurves::find_free_ranges(const unsigned int axis,
                                                 const unsigned int other) const
   {
-    // Neighbours come apart as far as half their thickness before they count.
-    constexpr double apart = 1.5;
+    // Neighbours come apart as far as they are thick before they count: at a
+    // joint they bend.
+    constexpr double apart = 2;
     if (axes[axis].strut == axes[other].strut)
       return {{{0., 1.}}};
     const unsigned int strut = axes[other].strut;

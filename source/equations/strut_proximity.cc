@@ -45,7 +45,7 @@ namespace auxfem
     }
 
     /** How far a pair is near before it touches, of half its thickness. */
-    constexpr double near_part = 0.2;
+    constexpr double near_part = 0.3;
 
     /** By which the tangents of an element turn before its neighbours are
      * looked at again (rad). */
@@ -309,43 +309,61 @@ namespace auxfem
   bool StrutProximity::has_turned(const unsigned int axis,
                                   const AxisCurve   &now) const
   {
-    const double       length = curves.list()[axis].length;
-    const unsigned int n      = now.degree;
-    for (unsigned int i = 0; i <= n; ++i)
-      if ((now.tangent(double(i) / n) - references[axis].tangent(double(i) / n))
-            .norm() > turn_between_looks * length)
+    const double allowed =
+      std::pow(turn_between_looks * curves.list()[axis].length, 2);
+    AxisCurve change = references[axis];
+    change.degree    = std::max(now.degree, change.degree);
+    for (unsigned int k = 1; k <= change.degree; ++k)
+      change.coefficients[k] -= now.coefficients[k];
+    for (unsigned int i = 0; i <= change.degree; ++i)
+      if (change.tangent(double(i) / change.degree).norm_square() > allowed)
         return true;
     return false;
   }
 
+  double StrutProximity::unseen_motion() const
+  {
+    // Twice this is half of what is left between pairs that are not near.
+    return near_part * thinnest / 2;
+  }
+
   std::vector<unsigned int>
-  StrutProximity::turned_neighbours(const std::vector<double> &u) const
+  StrutProximity::turned_axes(const std::vector<double> &u) const
   {
     std::vector<unsigned int> turned;
     for (unsigned int a = 0; a < references.size(); ++a)
       if (!pairs_of_axis[a].empty() && has_turned(a, curve(a, u)))
-        turned.insert(turned.end(),
-                      pairs_of_axis[a].begin(),
-                      pairs_of_axis[a].end());
-    std::sort(turned.begin(), turned.end());
-    turned.erase(std::unique(turned.begin(), turned.end()), turned.end());
+        turned.push_back(a);
     return turned;
+  }
+
+  std::vector<unsigned int>
+  StrutProximity::neighbours_of(const std::vector<unsigned int> &turned) const
+  {
+    std::vector<unsigned int> pairs;
+    for (const unsigned int axis : turned)
+      pairs.insert(pairs.end(),
+                   pairs_of_axis[axis].begin(),
+                   pairs_of_axis[axis].end());
+    std::sort(pairs.begin(), pairs.end());
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    return pairs;
   }
 
   void StrutProximity::look_at_neighbours(const std::vector<double> &u)
   {
     // Until they are looked at again their turning may close the gap by this
     // part of their distance from the joint, where that is some thicknesses.
-    constexpr double closing = 6 * turn_between_looks;
-    for (const unsigned int i : turned_neighbours(u))
+    constexpr double                closing = 6 * turn_between_looks;
+    const std::vector<unsigned int> turned  = turned_axes(u);
+    for (const unsigned int i : neighbours_of(turned))
       {
         const AxisPair &pair = curves.neighbours()[i];
         neighbour_is_near[i] = gap(pair, u) <
           margin(pair) + closing * curves.thickness(pair[0], pair[1]);
       }
-    for (unsigned int a = 0; a < references.size(); ++a)
-      if (const AxisCurve now = curve(a, u); has_turned(a, now))
-        references[a] = now;
+    for (const unsigned int axis : turned)
+      references[axis] = curve(axis, u);
   }
 
   bool StrutProximity::collect_near()
@@ -374,8 +392,7 @@ namespace auxfem
     step_travel        = is_first ? 0. : motion(last, u);
     last               = u;
     const double since = motion(looked, u);
-    // Margins are several times this.
-    if (!is_first && since < near_part * thinnest / 4)
+    if (!is_first && since < unseen_motion())
       return false;
     travelled += since;
     looked = u;
@@ -520,7 +537,7 @@ namespace auxfem
                          -allowed * curves.thickness(pair[0], pair[1])))
         return pair;
     const double since = motion(looked, to);
-    if (since < near_part * thinnest / 4)
+    if (since < unseen_motion())
       return {};
     const auto is_bad = [&](const AxisPair &pair) {
       return !std::binary_search(near_pairs.begin(), near_pairs.end(), pair) &&
@@ -536,7 +553,7 @@ namespace auxfem
       for (const Reach &pair : in_reach)
         if (travelled + since >= pair.due && is_bad(pair.pair))
           return pair.pair;
-    for (const unsigned int i : turned_neighbours(to))
+    for (const unsigned int i : neighbours_of(turned_axes(to)))
       if (is_bad(curves.neighbours()[i]))
         return curves.neighbours()[i];
     return {};

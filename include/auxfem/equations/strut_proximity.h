@@ -91,10 +91,16 @@ namespace auxfem
     void                  find_pairs_in_reach(const std::vector<double> &u);
     void                  look_at_pairs(const std::vector<double> &u);
     void                  look_at_neighbours(const std::vector<double> &u);
-    /** Pairs of neighbours one of which has turned since they were looked at.
-     */
+    /** Motion of nodes that no pair need be looked at for (m). */
+    double unseen_motion() const;
+
+    /** Axes that have turned since their neighbours were looked at, and the
+     * pairs of neighbours that these are in. */
+    ///@{
+    std::vector<unsigned int> turned_axes(const std::vector<double> &u) const;
     std::vector<unsigned int>
-         turned_neighbours(const std::vector<double> &u) const;
+    neighbours_of(const std::vector<unsigned int> &turned) const;
+    ///@}
     bool has_turned(unsigned int axis, const AxisCurve &now) const;
     bool collect_near();
 

@@ -1,0 +1,106 @@
+#include <auxfem/equations/strut_proximity.h>
+
+#include <equations/equations_on_ranks.h>
+#include <gtest/gtest.h>
+#include <support/scene_text.h>
+
+#include <random>
+
+using namespace auxfem;
+using namespace auxfem::testing_support;
+
+namespace
+{
+  /** A star lattice of thin struts; on one rank. */
+  struct Stars
+  {
+    Stars()
+      : of_scene(SceneText()
+                   .add("Lattice",
+                        "Cell = star | Cells x = 3 | Cells y = 3 | "
+                        "Strut length = 1 | Opening angle = 60 deg")
+                   .rectangle("strip", "1", "0.05", {"1", 1, 0})
+                   .set("Lattice/Struts may cross", "true")
+                   .mesh(2)
+                   .str(),
+                 {},
+                 MPI_COMM_SELF)
+      , axes(make_contact_axes(of_scene.model, 1))
+      , curves(of_scene.model, axes)
+      , proximity(of_scene.model, curves)
+    {}
+
+    /** Least distance (m) of two axes, by many points of both. */
+    double distance(const AxisPair &pair, const std::vector<double> &u) const
+    {
+      constexpr unsigned int n     = 30;
+      double                 least = 1e9;
+      const AxisCurve        other =
+        curves.curve(pair[1], axes[pair[1]].unknowns.data(), u.data());
+      const AxisCurve one =
+        curves.curve(pair[0], axes[pair[0]].unknowns.data(), u.data());
+      for (unsigned int i = 0; i <= n; ++i)
+        least =
+          std::min(least, nearest_point(other, one.at(double(i) / n)).distance);
+      return least;
+    }
+
+    EquationsOnRanks         of_scene;
+    std::vector<ContactAxis> axes;
+    StrutCurves              curves;
+    StrutProximity           proximity;
+  };
+} // namespace
+
+TEST(StrutProximity, AllThatTouchAreNearHoweverTheLatticeMoves)
+{
+  Stars               stars;
+  std::mt19937        generator(3);
+  std::vector<double> u(stars.of_scene.dofs().layout().n_global(), 0.),
+    velocity(u.size());
+  for (double &value : velocity)
+    value = std::uniform_real_distribution<double>(-0.03, 0.03)(generator);
+  unsigned int n_touching = 0;
+  for (unsigned int step = 0; step < 20; ++step)
+    {
+      stars.proximity.follow(u);
+      const auto &near = stars.proximity.near();
+      for (unsigned int a = 0; a < stars.axes.size(); ++a)
+        for (unsigned int b = a + 1; b < stars.axes.size(); ++b)
+          {
+            const AxisPair pair{{a, b}};
+            if (stars.curves.are_neighbours(a, b) ||
+                stars.curves.overlap_at_rest(a, b) ||
+                stars.curves.overlap_at_rest(b, a) ||
+                stars.distance(pair, u) > stars.curves.thickness(a, b))
+              continue;
+            ++n_touching;
+            EXPECT_TRUE(std::binary_search(near.begin(), near.end(), pair))
+              << "step " << step << ", axes " << a << " and " << b;
+          }
+      for (std::size_t i = 0; i < u.size(); ++i)
+        u[i] += velocity[i];
+    }
+  EXPECT_GT(n_touching, 20u);
+}
+
+TEST(StrutProximity, WhatPassesThroughInOneStepIsSeen)
+{
+  Stars                     stars;
+  const std::vector<double> rest(stars.of_scene.dofs().layout().n_global(), 0.);
+  stars.proximity.follow(rest);
+  EXPECT_TRUE(stars.proximity.near().empty());
+  EXPECT_FALSE(stars.proximity.first_too_near(rest, rest, 0.5));
+  // All moves on far; nothing comes nearer to anything.
+  std::vector<double> moved = rest;
+  for (const ContactAxis &axis : stars.axes)
+    for (std::size_t i = 0; i < axis.unknowns.size(); i += 2)
+      moved[axis.unknowns[i]] = 50;
+  EXPECT_FALSE(stars.proximity.first_too_near(rest, moved, 0.5));
+  // One strut alone goes through the others, to the other side of them.
+  std::vector<double> thrown = rest;
+  const ContactAxis  &axis   = stars.axes.front();
+  for (std::size_t i = 0; i < axis.unknowns.size(); i += 2)
+    thrown[axis.unknowns[i]] = 50;
+  EXPECT_TRUE(stars.proximity.first_too_near(rest, thrown, 0.5));
+}
