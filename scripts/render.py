@@ -6,7 +6,7 @@ of history.csv.
     scripts/render.py curves  PICTURE.png RUN COLUMN... [options]
 
 RUN is the output folder of a run. Struts are drawn as tubes at their current
-place, rigid parts grey, connectors as thin lines, one panel for each TIME (s,
+place, rigid parts grey, plates brown, connectors as thin lines, one panel for each TIME (s,
 the nearest frame is taken); all frames of the run fit into a panel, so that
 pictures of single times make a film. FIELD is a field of solution.pvd; of vectors the
 magnitude is shown. Curves of several runs come into one picture with --compare
@@ -52,6 +52,7 @@ COLORS = [(31, 119, 180), (214, 39, 40), (44, 160, 44), (148, 103, 189),
 DARK = (0.15, 0.15, 0.15)
 RIGID = (0.35, 0.35, 0.38)
 CONNECTOR = (0.10, 0.55, 0.25)
+PLATE = (0.55, 0.30, 0.10)
 
 # Where the camera is, seen from the lattice, and what is up in the picture.
 VIEWS = {"front": ((0, 0, 1), (0, 1, 0)), "iso": ((2, 1.5, 3), (0, 1, 0))}
@@ -282,9 +283,10 @@ def color_bounds(lines, arguments):
 
 
 def box_of_all_frames(run):
-    """Around the struts and rigid parts of the run at all times."""
+    """Around struts, rigid parts and plates of the run at all times."""
     return box_around([moved_lines(file)
-                       for name in ("solution.pvd", "rigid_parts.pvd")
+                       for name in ("solution.pvd", "rigid_parts.pvd",
+                                    "plates.pvd")
                        if (run / name).exists()
                        for _, file in frames_of(run / name)])
 
@@ -309,7 +311,8 @@ def draw_lattice(arguments):
     times = frame_times(run, arguments.values)
     struts = lines_at(run, "solution", times)
     thin_lines = [(lines_at(run, "rigid_parts", times), RIGID, 2.2),
-                  (lines_at(run, "connectors", times), CONNECTOR, 1.5)]
+                  (lines_at(run, "connectors", times), CONNECTOR, 1.5),
+                  (lines_at(run, "plates", times), PLATE, 2.2)]
     if struts:
         arguments.color = arguments.color or usual_field(struts[0])
         bounds = color_bounds(struts, arguments)

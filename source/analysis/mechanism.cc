@@ -40,7 +40,11 @@ namespace auxfem
         words +
         ".\nStatic equilibrium (Scheme = static, or Start from = static "
         "equilibrium) needs supports, rigid joints or springs that hold every part. "
-        "Check Supports, hinges (Joints) and struts that are connected to nothing.");
+        "Check Supports, hinges (Joints) and struts that are connected to nothing." +
+        (model.simulated.contact
+           ? " Plates hold nothing until it is pressed on them, nor are they "
+             "held: move them, or use a scheme with inertia."
+           : ""));
     }
   } // namespace
 

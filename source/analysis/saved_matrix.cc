@@ -53,8 +53,8 @@ namespace auxfem
                    const DofNumbering  &numbering,
                    Records             &records)
   {
-    const UnknownRecords  unknowns(numbering);
     const TangentPattern &pattern = matrix.pattern();
+    const UnknownRecords  unknowns(numbering, pattern.unknowns().layout);
     // Blocks that several ranks have are kept by each, as different items.
     const unsigned int first = number_of_blocks_before(pattern, numbering);
     std::map<unsigned int, std::vector<unsigned int>> items;
@@ -80,8 +80,8 @@ namespace auxfem
                      const Records      &records,
                      TangentMatrix      &matrix)
   {
-    const UnknownRecords  unknowns(numbering);
     const TangentPattern &pattern = matrix.pattern();
+    const UnknownRecords  unknowns(numbering, pattern.unknowns().layout);
     matrix.reset();
     std::map<unsigned int, std::vector<double>> values;
     std::map<unsigned int, BlockValues>         blocks;

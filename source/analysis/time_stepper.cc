@@ -200,6 +200,13 @@ namespace auxfem
         result.reason +
         ". Start from rest, or raise the load in steps with "
         "`Scheme = static` to see where it is lost.");
+    if (const std::string why = equations.why_not_acceptable(evaluation);
+        !why.empty())
+      throw ComputationError(
+        "No static equilibrium was found under the loads of t = 0 in one go: " +
+        why +
+        ". Start from rest, or raise the load in steps with `Scheme = "
+        "static`.");
     if (state.velocity)
       {
         *trial.state.velocity = *state.velocity;

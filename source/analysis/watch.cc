@@ -14,6 +14,12 @@ namespace auxfem
                            return definition.section.yield_strain.has_value();
                          });
     }
+
+    bool has_friction(const Scene &scene, const Equations &equations)
+    {
+      return equations.reporting().plates != nullptr &&
+        scene.contact.friction > 0;
+    }
   } // namespace
 
   Watches::Watches(const Scene &scene, const Equations &equations, Work &work)
@@ -34,10 +40,13 @@ namespace auxfem
       watches.push_back(make_step_watch(scene, equations));
     // Time of elastic statics is but a parameter.
     if (!has_inertia &&
-        (simulated.connector_viscosity || simulated.strut_damping))
+        (simulated.connector_viscosity || simulated.strut_damping ||
+         has_friction(scene, equations)))
       watches.push_back(make_load_speed_watch(scene, equations));
     if (!equations.is_linear() && !equations.reporting().connectors.empty())
       watches.push_back(make_connector_watch(equations));
+    if (equations.reporting().plates != nullptr)
+      watches.push_back(make_contact_watch(equations));
     if (has_struts && has_inertia)
       watches.push_back(make_wave_watch(scene, equations));
     if (has_struts && has_yield_strain(scene))

@@ -70,7 +70,11 @@ namespace auxfem
     {
       const std::string shape = values[plate_shape];
       if (shape == "plane")
-        return make_plane_surface(unit_vector_of(values, plane_normal));
+        {
+          // This refuses what leaves the plane.
+          vector_of(values, plane_normal);
+          return make_plane_surface(unit_vector_of(values, plane_normal));
+        }
       if (shape == "sphere")
         return make_sphere_surface(values[body_radius]);
       if (values.context.dimension == 2)

@@ -151,37 +151,34 @@ namespace auxfem
       double              stiffest = 0;
     };
 
-    /** Shape functions of order p at n Gauss-Lobatto points, and these, made
-     * once. */
-    class ShapeTables
+    /** Gauss-Lobatto points and the shape functions there. */
+    struct PointTable
     {
-    public:
-      const dealii::QGaussLobatto<1> &points(const unsigned int n)
+      PointTable(const unsigned int order, const unsigned int n) : points(n)
       {
-        return rules.try_emplace(n, n).first->second;
+        const dealii::FE_Q<1> element(order);
+        ContactAxis::Shape    values(n, order + 1);
+        for (unsigned int i = 0; i < n; ++i)
+          for (unsigned int a = 0; a <= order; ++a)
+            values(i, a) = element.shape_value(a, points.point(i));
+        shape = std::make_shared<const ContactAxis::Shape>(values);
       }
 
-      std::shared_ptr<const ContactAxis::Shape> get(const unsigned int order,
-                                                    const unsigned int n)
+      dealii::QGaussLobatto<1>                  points;
+      std::shared_ptr<const ContactAxis::Shape> shape;
+    };
+
+    /** Those of order p at n points, made once. */
+    class PointTables
+    {
+    public:
+      const PointTable &get(const unsigned int order, const unsigned int n)
       {
-        auto &table = tables[{order, n}];
-        if (!table)
-          {
-            const dealii::FE_Q<1> element(order);
-            ContactAxis::Shape    values(n, order + 1);
-            for (unsigned int i = 0; i < n; ++i)
-              for (unsigned int a = 0; a <= order; ++a)
-                values(i, a) = element.shape_value(a, points(n).point(i));
-            table = std::make_shared<const ContactAxis::Shape>(values);
-          }
-        return table;
+        return tables.try_emplace({order, n}, order, n).first->second;
       }
 
     private:
-      std::map<unsigned int, dealii::QGaussLobatto<1>> rules;
-      std::map<std::pair<unsigned int, unsigned int>,
-               std::shared_ptr<const ContactAxis::Shape>>
-        tables;
+      std::map<std::pair<unsigned int, unsigned int>, PointTable> tables;
     };
 
     /** About one point for each thickness, enough for the shape functions. */
@@ -206,7 +203,7 @@ namespace auxfem
   {
     const Lattice           &lattice = model.lattice;
     const ContactSections    sections(model, stiffness_factor);
-    ShapeTables              shapes;
+    PointTables              tables;
     std::vector<ContactAxis> axes;
     for (AxisElement &element : all_elements(model.numbering))
       {
@@ -220,13 +217,15 @@ namespace auxfem
         sections.set(axis);
         const double length =
           (element.end - element.begin) * lattice.length(strut);
-        const dealii::QGaussLobatto<1> &points =
-          shapes.points(n_points(element,
-                                 length,
-                                 axis.half_thickness,
-                                 strut.is_rigid() && strut.sagitta != 0));
-        axis.length = length;
-        axis.shape  = shapes.get(element.order, points.size());
+        const PointTable &table =
+          tables.get(element.order,
+                     n_points(element,
+                              length,
+                              axis.half_thickness,
+                              strut.is_rigid() && strut.sagitta != 0));
+        const auto &points = table.points;
+        axis.length        = length;
+        axis.shape         = table.shape;
         for (unsigned int i = 0; i < points.size(); ++i)
           {
             const double s = element.begin +

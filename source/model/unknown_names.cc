@@ -65,6 +65,16 @@ namespace auxfem
       return "";
     }
 
+    /** `joint 3`, `plate "table"`. */
+    std::string name_of_joint(const Lattice &lattice, const unsigned int joint)
+    {
+      if (joint >= lattice.n_structural_joints())
+        for (const auto &[name, joints] : lattice.joint_sets)
+          if (joints.size() == 1 && joints.front() == joint)
+            return "plate \"" + name + '"';
+      return "joint " + std::to_string(joint);
+    }
+
     /** Words for an unknown of a joint; empty for others. */
     std::string describe_of_joint(const Lattice      &lattice,
                                   const DofNumbering &numbering,
@@ -75,9 +85,9 @@ namespace auxfem
           if (numbering.global().joints[j][c] == global)
             {
               std::ostringstream words;
-              words << motion_name(c, lattice.dimension) << " of joint " << j
-                    << " at (" << lattice.joints[j][0] << ", "
-                    << lattice.joints[j][1];
+              words << motion_name(c, lattice.dimension) << " of "
+                    << name_of_joint(lattice, j) << " at ("
+                    << lattice.joints[j][0] << ", " << lattice.joints[j][1];
               if (lattice.dimension == 3)
                 words << ", " << lattice.joints[j][2];
               words << ")";

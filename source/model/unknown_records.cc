@@ -104,11 +104,28 @@ namespace auxfem
       count_inside_struts(numbering, serial);
       return serial.of_local;
     }
+
+    /** Also of ghosts that the numbering does not know. */
+    std::vector<unsigned int> serial_numbers(const DofNumbering  &numbering,
+                                             const UnknownLayout &layout)
+    {
+      const std::vector<unsigned int> known = serial_numbers(numbering);
+      Vector                          all(known.begin(), known.end());
+      all.resize(layout.n_local());
+      layout.update_ghosts(all.data());
+      return {all.begin(), all.end()};
+    }
   } // namespace
 
   UnknownRecords::UnknownRecords(const DofNumbering &numbering)
     : layout(numbering.layout())
     , serial(serial_numbers(numbering))
+  {}
+
+  UnknownRecords::UnknownRecords(const DofNumbering  &numbering,
+                                 const UnknownLayout &layout)
+    : layout(layout)
+    , serial(serial_numbers(numbering, layout))
   {}
 
   unsigned int UnknownRecords::serial_number(const unsigned int local) const

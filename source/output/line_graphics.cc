@@ -30,6 +30,21 @@ namespace auxfem
 
     const std::string record_tail = "  </Collection>\n"
                                     "</VTKFile>\n";
+
+    /** deal.II leaves out the points where there are none, which VTK misses. */
+    std::string text_without_lines(const LineGraphics &graphics)
+    {
+      std::ostringstream stream;
+      graphics.write_vtu(stream);
+      std::string       text  = stream.str();
+      const std::string cells = "<Cells>";
+      text.insert(text.find(cells),
+                  "<Points>\n"
+                  "<DataArray type=\"Float32\" NumberOfComponents=\"3\">"
+                  "</DataArray>\n"
+                  "</Points>\n");
+      return text;
+    }
   } // namespace
 
   LineGraphics::LineGraphics(const std::vector<GraphicsField> &fields)
@@ -238,7 +253,10 @@ namespace auxfem
     const std::string file = name + "_" +
       dealii::Utilities::int_to_string(n_written, n_digits) + ".vtu";
     std::ofstream stream(subfolder + file);
-    graphics.write_vtu(stream);
+    if (graphics.empty())
+      stream << text_without_lines(graphics);
+    else
+      graphics.write_vtu(stream);
     stream.close();
     AssertThrow(stream, dealii::ExcIO());
     return file;

@@ -115,12 +115,14 @@ namespace auxfem
                               const QuantityList    &parameter)
   {
     const std::vector<double> numbers = values[parameter];
-    const Tensor<1, 3>        vector({numbers[0], numbers[1], numbers[2]});
+    Tensor<1, 3>              vector;
+    std::copy(numbers.begin(), numbers.end(), vector.begin_raw());
     if (!(vector.norm() > 0))
       values.refuse(parameter,
-                    "the zero vector has no direction. Give three numbers "
-                    "that are not all zero, e.g. set " +
-                      parameter.name + " = 0 0 1");
+                    "the zero vector has no direction. Give numbers that are "
+                    "not all zero, e.g. set " +
+                      parameter.name +
+                      (numbers.size() == 2 ? " = 0 1" : " = 0 0 1"));
     return vector / vector.norm();
   }
 

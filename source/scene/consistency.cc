@@ -288,6 +288,37 @@ namespace auxfem
                              "3"));
     }
 
+    /** What touches depends on the state: some analyses cannot have that. */
+    void check_contact(const Scene &scene, Mistakes &mistakes)
+    {
+      const bool are_plates = !scene.plates.empty();
+      if (scene.effects.contact == Switch::off ||
+          (!are_plates && scene.effects.contact != Switch::on))
+        return;
+      const std::string name = name_of(scene.analysis);
+      if (scene.analysis == Analysis::static_path ||
+          scene.analysis == Analysis::buckling)
+        mistakes.add(message(
+          scene,
+          are_plates ? scene.plates.front().path : "Effects/Contact = on",
+          ": contact begins and ends all of a sudden, which "
+          "Analysis = ",
+          name,
+          " cannot follow. Move or load in steps with "
+          "Analysis = simulation and Scheme = static, or set Effects/Contact = off"));
+      if ((scene.analysis == Analysis::modes ||
+           scene.analysis == Analysis::frequency_response) &&
+          scene.contact.friction > 0)
+        mistakes.add(message(scene,
+                             "Contact/Friction coefficient = ",
+                             scene.contact.friction,
+                             ": whether what touches sticks or slips depends "
+                             "on how far it moves, which Analysis = ",
+                             name,
+                             " does not know. Set it to 0: what touches then "
+                             "slides"));
+    }
+
     void check_rows(const Scene &scene, Mistakes &mistakes)
     {
       const OutputParameters &output = scene.output;
@@ -368,6 +399,12 @@ namespace auxfem
       enter(scene.supports);
       enter(scene.connectors);
       enter(scene.output.probes);
+      // Those that are held are among the supports.
+      std::vector<PlateDefinition> free_plates;
+      for (const PlateDefinition &plate : scene.plates)
+        if (!plate.support)
+          free_plates.push_back(plate);
+      enter(free_plates);
     }
   } // namespace
 
@@ -384,6 +421,7 @@ namespace auxfem
     check_order(scene, mistakes);
     check_chosen_order(scene, mistakes);
     check_analysis(scene, mistakes);
+    check_contact(scene, mistakes);
     check_tolerance(scene, mistakes);
     check_inertia(scene, mistakes);
     check_motions(scene, mistakes);

@@ -32,8 +32,9 @@ TEST(EffectDecisions, AutomaticPutsOnWhatTheSceneGivesCauseFor)
 {
   const SimulatedEffects everything = decide(star_with_everything(1, 1));
   for (const EffectDecision &one : everything.decisions)
-    EXPECT_EQ(one.on, one.name != "rigid parts") << one.name;
-  EXPECT_EQ(everything.decisions.size(), 9u);
+    EXPECT_EQ(one.on, one.name != "rigid parts" && one.name != "contact")
+      << one.name;
+  EXPECT_EQ(everything.decisions.size(), 10u);
 }
 
 TEST(EffectDecisions, AutomaticLeavesOutWhatTheSceneLacks)

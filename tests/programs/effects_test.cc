@@ -90,6 +90,7 @@ namespace
                 {"strut damping", "no section has damping"},
                 {"gravity", "no acceleration given"},
                 {"hinges", "no strut ends are released"},
+                {"contact", "no plates"},
                 {"rigid parts", "no struts or joints are rigid"}}));
   }
 
@@ -102,8 +103,11 @@ namespace
              "Joints/loose/Joints=tips",
              "Rigid parts/plate/Joints=top",
              "Rigid parts/plate/Mass=1 g",
-             "Sections/steel/Stiffness-proportional damping=1 us"});
-    EXPECT_EQ(lists.simulated.size(), 9u);
+             "Sections/steel/Stiffness-proportional damping=1 us",
+             "Plates/floor/Shape=plane",
+             "Plates/floor/Position=0 -1",
+             "Plates/floor/Normal=0 1"});
+    EXPECT_EQ(lists.simulated.size(), 10u);
     EXPECT_TRUE(lists.left_out.empty());
     EXPECT_EQ(lists.simulated.at("gravity"),
               "0.18 % of the loads, above 0.1 %");
@@ -184,7 +188,7 @@ namespace
       nlohmann::json::parse(read_text(path("all/summary.json")));
     for (const nlohmann::json &effect : summary.at("effects"))
       effects[effect.at("name")] = effect;
-    EXPECT_EQ(effects.size(), 9u);
+    EXPECT_EQ(effects.size(), 10u);
     const nlohmann::json &rotary = effects.at("rotary inertia");
     EXPECT_TRUE(rotary.at("on").get<bool>());
     EXPECT_EQ(rotary.at("verdict"), "not called for");
@@ -203,7 +207,11 @@ namespace
     const Words  scene  = {"Time/End time=0.2 ms",
                            "Gravity/Acceleration y=-9.81",
                            "Sections/steel/Stiffness-proportional damping=1 us",
-                           "Joints/loose/Joints=tips"};
+                           "Joints/loose/Joints=tips",
+                           "Plates/press/Shape=plane",
+                           "Plates/press/Position=0 41.19 mm",
+                           "Plates/press/Normal=0 -1",
+                           "Plates/press/Displacement y=-2 * t"};
     const double motion = run("all", scene)["top.uy"].back();
     for (const char *name : {"Large rotation",
                              "Shear flexibility",
@@ -211,7 +219,8 @@ namespace
                              "Connector viscosity",
                              "Strut damping",
                              "Gravity",
-                             "Hinges"})
+                             "Hinges",
+                             "Contact"})
       {
         Words overrides = scene;
         overrides.push_back("Effects/" + std::string(name) + "=off");

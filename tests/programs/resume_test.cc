@@ -1,3 +1,5 @@
+#include <auxfem/algebra/vector.h>
+
 #include <support/run_program.h>
 
 namespace
@@ -138,7 +140,7 @@ namespace
       for (unsigned int i = 0; i < whole.n_rows; ++i)
         EXPECT_NEAR(whole[name][i],
                     resumed[name][i],
-                    1e-10 * largest_size(whole[name]))
+                    1e-10 * auxfem::largest_size(whole[name]))
           << name;
   }
 

@@ -48,6 +48,7 @@ namespace
     EXPECT_GE(n_scenes, 17u);
     for (const char *name : {"lattice",
                              "squeeze",
+                             "drop-weight",
                              "cantilever",
                              "portal",
                              "star-10x10",
@@ -102,6 +103,41 @@ namespace
                     radius,
                     3.2e-3 * radius);
       }
+  }
+
+
+
+  TEST_F(ShippedScenes, TheDropWeightIsThrownBack)
+  {
+    run_scene("drop-weight", {"Output/Graphics=false"});
+    const Table table   = history();
+    double      impulse = 0, at_foot = 0, error = 0;
+    for (unsigned int i = 1; i < table.n_rows; ++i)
+      {
+        // Forces are means of steps, and all of its momentum is from them.
+        impulse += table["weight.fy"][i] * 20e-6;
+        EXPECT_NEAR(table["weight motion.vy"][i], -1 + impulse / 0.2, 1e-7);
+        EXPECT_GE(table["weight.fy"][i], 0);
+        EXPECT_LT(table["weight.penetration"][i], 0.1);
+        at_foot = std::max(at_foot, table["foundation.ry"][i]);
+        error   = std::max(error, std::abs(table["balance"][i]));
+      }
+    // It is off the lattice, without what that and the connectors have kept.
+    EXPECT_EQ(table["weight.fy"].back(), 0);
+    EXPECT_GT(table["weight motion.vy"].back(), 0.5);
+    EXPECT_LT(table["weight motion.vy"].back(), 0.8);
+    EXPECT_LT(error, 1e-9 * 0.1);
+    EXPECT_GT(table["damper.dissipated"].back(), 0.01);
+
+    // Without dashpots it is faster and the foot feels more.
+    const double slowed = table["weight motion.vy"].back();
+    run_scene("drop-weight",
+              {"Output/Graphics=false", "Effects/Connector viscosity=off"});
+    const Table undamped = history();
+    EXPECT_GT(undamped["weight motion.vy"].back(), slowed + 0.1);
+    EXPECT_GT(*std::max_element(undamped["foundation.ry"].begin(),
+                                undamped["foundation.ry"].end()),
+              at_foot + 2);
   }
 
 

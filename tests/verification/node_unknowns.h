@@ -17,7 +17,7 @@ namespace auxfem
       dealii::Point<3> position;  ///< of its node at rest (m)
     };
 
-    /** Nodes of all unknowns of the struts, by local number. */
+    /** Nodes of all unknowns of struts and plates, by local number. */
     inline std::vector<NodeUnknown> node_unknowns(const SceneRun &run)
     {
       const DofNumbering      &numbering = run.model.numbering;
@@ -45,6 +45,16 @@ namespace auxfem
                                                position};
             }
         }
+      // Plates are joints without struts.
+      for (unsigned int i = 0; i < run.lattice.n_plates; ++i)
+        for (unsigned int c = 0; c < 2; ++c)
+          {
+            const unsigned int joint = run.lattice.joint_of_plate(i);
+            result[numbering.joint_unknown(joint, c)] = {
+              c,
+              numbering.joint_unknown(joint, 1 - c),
+              run.lattice.joints[joint]};
+          }
       return result;
     }
   } // namespace testing_support

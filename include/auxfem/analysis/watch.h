@@ -94,6 +94,9 @@ namespace auxfem
   /** Of connectors that are shortened to nothing; the scene has some. */
   std::unique_ptr<Watch> make_connector_watch(const Equations &equations);
 
+  /** Of struts that go deep into plates; the scene has some. */
+  std::unique_ptr<Watch> make_contact_watch(const Equations &equations);
+
   /** Of loads that are too fast to leave inertia out, where time has a meaning.
    */
   std::unique_ptr<Watch> make_load_speed_watch(const Scene     &scene,

@@ -18,6 +18,10 @@ namespace auxfem
     /** @param numbering must outlive the object. */
     explicit UnknownRecords(const DofNumbering &numbering);
 
+    /** With the ghosts of @p layout, which has at least those of @p numbering.
+     * Both must outlive the object. Collective. */
+    UnknownRecords(const DofNumbering &numbering, const UnknownLayout &layout);
+
     /** Serial number of a local unknown. */
     unsigned int serial_number(unsigned int local) const;
 

@@ -28,6 +28,12 @@ namespace auxfem
   public:
     explicit LineGraphics(const std::vector<GraphicsField> &fields);
 
+    /** Whether there is no line. */
+    bool empty() const
+    {
+      return patches.empty();
+    }
+
     /** Numbers stored at each point. */
     unsigned int n_components() const;
 

@@ -100,8 +100,8 @@ namespace auxfem
                                  const QuantityList    &parameter);
 
   /**
-   * The unit vector along the three numbers. Throws InputError if they are
-   * zero.
+   * The unit vector along the two or three numbers. Throws InputError if they
+   * are zero.
    */
   dealii::Tensor<1, 3> unit_vector_of(const ParameterValues &values,
                                       const QuantityList    &parameter);

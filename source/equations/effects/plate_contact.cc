@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace auxfem
@@ -13,6 +14,7 @@ namespace auxfem
   namespace
   {
     using Vector3 = dealii::Tensor<1, 3>;
+    using Tensor  = dealii::Tensor<2, 3>;
 
     const std::string near_record = "plates: struts near them";
 
@@ -49,6 +51,17 @@ namespace auxfem
                                    ? local_numbers(axis.unknowns, layout)
                                    : std::vector<int>());
       }
+    for (const auto &unknowns : owned_unknowns)
+      displacements.insert(displacements.end(),
+                           unknowns.begin(),
+                           unknowns.end());
+    for (const Plate &plate : plates)
+      for (const int global : plate.unknowns)
+        if (const int unknown = layout.local(global); layout.is_owned(unknown))
+          displacements.push_back(unknown);
+    std::sort(displacements.begin(), displacements.end());
+    displacements.erase(std::unique(displacements.begin(), displacements.end()),
+                        displacements.end());
     refuse_plates_in_struts();
   }
 
@@ -64,23 +77,34 @@ namespace auxfem
           "given by its stiffnesses, or it is rigid and there is no section. "
           "Give the section by its shape (`Shape = rectangle`, `circle`, "
           "`tube`), or remove the plates.");
-    for (const ContactAxis &axis : axes)
-      for (const Plate &plate : plates)
-        for (const dealii::Point<3> &point : axis.rest)
-          {
-            const double depth = axis.half_thickness -
-              plate.definition->surface->distance(point -
-                                                  plate.definition->position);
-            if (depth <= tolerance * (axis.half_thickness + thickest))
-              continue;
-            std::ostringstream message;
-            message << plate.definition->path << ": at rest strut "
-                    << axis.strut << " reaches " << depth
-                    << " m into it, half its thickness (" << axis.half_thickness
-                    << " m) included. Move the plate by its Position, or turn "
-                       "its Normal round if the lattice lies behind it.";
-            throw InputError(message.str());
-          }
+    for (const Plate &plate : plates)
+      {
+        const ContactAxis *deepest = nullptr;
+        double             depth   = 0;
+        for (const ContactAxis &axis : axes)
+          for (const dealii::Point<3> &point : axis.rest)
+            {
+              const double here = axis.half_thickness -
+                plate.definition->surface->distance(point -
+                                                    plate.definition->position);
+              if (here >
+                  std::max(depth, tolerance * (axis.half_thickness + thickest)))
+                {
+                  deepest = &axis;
+                  depth   = here;
+                }
+            }
+        if (deepest == nullptr)
+          continue;
+        std::ostringstream message;
+        message << plate.definition->path << ": at rest strut "
+                << deepest->strut << " reaches " << depth
+                << " m into it, half its thickness (" << deepest->half_thickness
+                << " m) included, and no strut deeper. Move the plate by its "
+                   "Position, or turn its Normal round if the lattice lies "
+                   "behind it.";
+        throw InputError(message.str());
+      }
   }
 
   bool PlateContact::is_linear() const
@@ -118,20 +142,20 @@ namespace auxfem
                                  const Vector      &displacement,
                                  const Vector3     &of_plate) const
   {
-    // No point of a line is farther from the middle between its ends than half
-    // its length, here with 10 % of stretch.
-    constexpr double   half = 0.55;
-    const ContactAxis &axis = axes[a];
-    Vector3            middle;
+    const ContactAxis     &axis = axes[a];
+    std::array<Vector3, 2> ends = {{axis.ends[0], axis.ends[1]}};
     for (unsigned int end = 0; end < 2; ++end)
-      {
-        middle += axis.ends[end] / 2;
-        for (unsigned int c = 0; c < dimension; ++c)
-          middle[c] += displacement[owned_unknowns[a][end * dimension + c]] / 2;
-      }
+      for (unsigned int c = 0; c < dimension; ++c)
+        ends[end][c] += displacement[owned_unknowns[a][end * dimension + c]];
+    // No point of a line is farther from the middle between its ends than half
+    // its length, here that at rest with 10 % of uneven stretch, or what the
+    // ends are apart.
+    const double reach =
+      0.55 * std::max(axis.length, (ends[1] - ends[0]).norm());
     const PlateDefinition &plate = *plates[p].definition;
-    return plate.surface->distance(middle - plate.position - of_plate) -
-      half * axis.length - axis.half_thickness;
+    return plate.surface->distance((ends[0] + ends[1]) / 2 - plate.position -
+                                   of_plate) -
+      reach - axis.half_thickness;
   }
 
   double PlateContact::largest_motion(const unsigned int a,
@@ -150,11 +174,44 @@ namespace auxfem
     return std::sqrt(largest);
   }
 
-  std::vector<PlateContact::Near>
-  PlateContact::find_near(const State &accepted) const
+  double PlateContact::largest_displacement(const Vector &values) const
   {
-    // What will come near in the next step counts too, and twice as much.
-    constexpr double steps = 2;
+    double largest = 0;
+    for (const int unknown : displacements)
+      largest = std::max(largest, std::abs(values[unknown]));
+    return std::sqrt(dimension) * largest;
+  }
+
+  double PlateContact::largest_displacement(const Vector &values,
+                                            const Vector &from) const
+  {
+    double largest = 0;
+    for (const int unknown : displacements)
+      largest = std::max(largest, std::abs(values[unknown] - from[unknown]));
+    return std::sqrt(dimension) * largest;
+  }
+
+  bool PlateContact::are_clear(const Vector &now,
+                               const double  further,
+                               const double  margin) const
+  {
+    if (!near.empty() || !last_search)
+      return false;
+    // The gap of least_gap() changes by at most 3.1 times the largest motion
+    // of nodes and plates, and a relative motion is at most twice that.
+    constexpr double most = 4;
+    const double     motion =
+      largest_displacement(now, last_search->displacement) + further;
+    return last_search->clearance >
+      margin + most * model.numbering.layout().largest(motion);
+  }
+
+  std::vector<PlateContact::Near> PlateContact::find_near(const State &accepted)
+  {
+    // What will come near in the next step counts too, and twice as much; what
+    // is near stays so until it is twice as far away, as the pattern of the
+    // tangent is made anew with each change.
+    constexpr double steps = 2, leaving = 2;
     Vector           motion;
     if (step_length > 0)
       {
@@ -171,17 +228,24 @@ namespace auxfem
       ? std::vector<Vector3>(plates.size())
       : plate_values(motion);
     std::vector<Near> mine;
+    double            clearance = std::numeric_limits<double>::infinity();
     for (unsigned int a = 0; a < axes.size(); ++a)
       if (axes[a].is_owned)
         for (unsigned int p = 0; p < plates.size(); ++p)
           {
-            double margin = 4 * thickest;
+            double margin = least_margin();
             if (!motion.empty())
               margin += steps * largest_motion(a, motion, motions[p]);
-            if (least_gap(a, p, accepted.displacement, places[p]) < margin)
+            if (std::binary_search(near.begin(), near.end(), Near{a, p}))
+              margin *= leaving;
+            const double gap =
+              least_gap(a, p, accepted.displacement, places[p]);
+            clearance = std::min(clearance, gap);
+            if (gap < margin)
               mine.push_back({a, p});
           }
     const UnknownLayout &layout = model.numbering.layout();
+    last_search = Search{accepted.displacement, -layout.largest(-clearance)};
     if (layout.n_ranks() == 1)
       return mine;
     std::vector<Near> all;
@@ -207,6 +271,13 @@ namespace auxfem
   bool PlateContact::update_couplings(const State      &accepted,
                                       std::vector<int> &wanted)
   {
+    const double next_way = step_length > 0
+      ? step_length * largest_displacement(*accepted.velocity)
+      : accepted.before ? largest_displacement(accepted.displacement,
+                                               accepted.before->displacement)
+                        : 0;
+    if (are_clear(accepted.displacement, next_way, least_margin()))
+      return false;
     std::vector<Near> now = find_near(accepted);
     if (now == near)
       return false;
@@ -378,7 +449,8 @@ namespace auxfem
   void PlateContact::rub(const Vector3 &velocity, TouchingPoint &touching) const
   {
     const Vector3 n     = touching.normal / touching.normal.norm();
-    touching.slip       = velocity - (velocity * n) * n;
+    touching.recess     = velocity * n;
+    touching.slip       = velocity - touching.recess * n;
     touching.slip_scale = std::sqrt(touching.slip.norm_square() +
                                     std::pow(parameters.slip_velocity, 2));
     touching.friction   = -parameters.friction * touching.force /
@@ -426,24 +498,30 @@ namespace auxfem
                              const double         by_position,
                              const double         by_velocity) const
   {
-    const double         friction = parameters.friction;
-    dealii::Tensor<2, 3> result;
-    const Vector3        n = touching.normal / touching.normal.norm();
-    for (unsigned int a = 0; a < 3; ++a)
-      for (unsigned int b = 0; b < 3; ++b)
-        {
-          result[a][b] = by_position *
-            (touching.slope * touching.normal[a] * touching.now[b] -
-             touching.force * touching.turning[a][b]);
-          if (touching.slip_scale == 0)
-            continue;
-          const Vector3 part = touching.slip / touching.slip_scale;
-          result[a][b] += by_velocity * friction * touching.force /
-              touching.slip_scale *
-              ((a == b ? 1. : 0.) - n[a] * n[b] - part[a] * part[b]) -
-            by_position * friction * touching.slope * part[a] * touching.now[b];
-        }
-    return result;
+    const Tensor of_pressure =
+      touching.slope * dealii::outer_product(touching.normal, touching.now) -
+      touching.force * touching.turning;
+    if (touching.slip_scale == 0)
+      return by_position * of_pressure;
+
+    const double  length = touching.normal.norm();
+    const Vector3 n      = touching.normal / length;
+    const Vector3 part   = touching.slip / touching.slip_scale;
+    const Tensor  along  = dealii::unit_symmetric_tensor<3>() -
+      dealii::symmetrize(dealii::outer_product(n, n));
+    const Tensor of_normal = along * touching.turning / length;
+    const Tensor of_slip   = by_velocity * along -
+      by_position *
+        (dealii::outer_product(n, touching.slip * of_normal) +
+         touching.recess * of_normal);
+    const Tensor of_direction =
+      (of_slip - dealii::outer_product(part, part * of_slip)) /
+      touching.slip_scale;
+    return by_position * of_pressure +
+      parameters.friction *
+      (touching.force * of_direction -
+       by_position * touching.slope *
+         dealii::outer_product(part, touching.now));
   }
 
   void PlateContact::add_tangent(const Evaluation     &evaluation,
@@ -575,7 +653,7 @@ namespace auxfem
                       });
   }
 
-  void PlateContact::raise_uncertain_forces(const Evaluation & /*evaluation*/,
+  void PlateContact::raise_uncertain_forces(const Evaluation    &evaluation,
                                             const EffectResults *results,
                                             const double largest_displacement,
                                             const double /*largest_rotation*/,
@@ -583,20 +661,38 @@ namespace auxfem
   {
     for (const TouchingPoint &touching :
          static_cast<const PlateContactResults &>(*results).points)
-      add_to_unknowns(touching,
-                      [&](const int unknown,
-                          const unsigned int /*component*/,
-                          const double share) {
-                        raise(forces,
-                              unknown,
-                              std::abs(share) *
-                                (touching.force +
-                                 touching.slope * largest_displacement));
-                      });
+      {
+        // Depths are differences of positions, and where they are round-off
+        // themselves the stiffness is none that can be told.
+        const double length = largest_displacement +
+          position(coupled[touching.pair],
+                   touching.point,
+                   evaluation.to.displacement)
+            .norm();
+        const double slope =
+          law(axes[touching.axis], touching.point)
+            .slope(touching.depth +
+                   std::numeric_limits<double>::epsilon() * length);
+        add_to_unknowns(touching,
+                        [&](const int unknown,
+                            const unsigned int /*component*/,
+                            const double share) {
+                          raise(forces,
+                                unknown,
+                                std::abs(share) *
+                                  (touching.force +
+                                   std::max(slope, touching.slope) * length));
+                        });
+      }
   }
 
   std::string PlateContact::why_not_acceptable(const Evaluation &step) const
   {
+    if (are_clear(step.to.displacement,
+                  largest_displacement(step.to.displacement,
+                                       step.from.displacement),
+                  0))
+      return "";
     Vector increment = step.to.displacement;
     add_multiple(-1, step.from.displacement, increment);
     const std::vector<Vector3> places  = plate_values(step.to.displacement),
@@ -604,8 +700,9 @@ namespace auxfem
     for (unsigned int a = 0; a < axes.size(); ++a)
       if (axes[a].is_owned)
         for (unsigned int p = 0; p < plates.size(); ++p)
+          // Between its nodes an axis may move by more than they.
           if (least_gap(a, p, step.to.displacement, places[p]) <
-              largest_motion(a, increment, motions[p]))
+              2 * largest_motion(a, increment, motions[p]))
             if (const std::string why =
                   why_too_deep(a, p, step, places[p], places[p] - motions[p]);
                 !why.empty())
@@ -676,9 +773,7 @@ namespace auxfem
           for (unsigned int c = 0; c < 3; ++c)
             forces[3 * touching.plate + c] -= force[c];
           double &largest = penetrations[touching.plate];
-          largest =
-            std::max(largest,
-                     touching.depth / (2 * thickness_of(axes[touching.axis])));
+          largest         = std::max(largest, penetration(touching));
         }
     const UnknownLayout &layout = model.numbering.layout();
     forces                      = layout.sum(forces);
@@ -689,6 +784,24 @@ namespace auxfem
          Vector3({forces[3 * i], forces[3 * i + 1], forces[3 * i + 2]}),
          layout.largest(penetrations[i])});
     return of_plates;
+  }
+
+  std::optional<DeepestContact>
+  PlateContact::deepest(const EffectResults &results) const
+  {
+    std::optional<DeepestContact> found;
+    for (const TouchingPoint &touching :
+         static_cast<const PlateContactResults &>(results).points)
+      if (const ContactAxis &axis = axes[touching.axis]; axis.is_owned)
+        if (const double part = penetration(touching);
+            part > (found ? found->part : 0.))
+          found = {part, axis.strut, touching.plate};
+    return found;
+  }
+
+  double PlateContact::penetration(const TouchingPoint &touching) const
+  {
+    return touching.depth / (2 * thickness_of(axes[touching.axis]));
   }
 
   std::vector<ContactReport>

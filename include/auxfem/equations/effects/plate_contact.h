@@ -5,6 +5,7 @@
 #include <auxfem/equations/contact_axes.h>
 #include <auxfem/equations/effect.h>
 
+#include <optional>
 
 namespace auxfem
 {
@@ -26,6 +27,7 @@ namespace auxfem
     dealii::Tensor<1, 3> now     = {};
     dealii::Tensor<2, 3> turning = {};   ///< of `normal`, by the position (1/m)
     dealii::Tensor<1, 3> slip    = {};   ///< velocity along the surface (m/s)
+    double               recess  = 0;    ///< velocity across it (m/s)
     double               slip_scale = 0; ///< sqrt(slip^2 + v0^2) (m/s)
     dealii::Tensor<1, 3> friction   = {}; ///< force on the strut (N)
   };
@@ -43,6 +45,13 @@ namespace auxfem
     dealii::Tensor<1, 3> force;        ///< of the struts on the plate (N)
     /** The largest penetration over the thickness of the strut. */
     double largest_penetration = 0;
+  };
+
+  /** Where a strut has gone deepest into a plate. */
+  struct DeepestContact
+  {
+    double       part; ///< of the thickness of the strut
+    unsigned int strut, plate;
   };
 
   /** A point of a strut that touches a plate, for output. */
@@ -66,7 +75,7 @@ namespace auxfem
    * Contact.
    *
    * Only struts near a plate are coupled with it; which these are follows from
-   * the accepted state alone.
+   * accepted states.
    */
   class PlateContact : public Effect
   {
@@ -115,6 +124,9 @@ namespace auxfem
     /** By plate, over all ranks. Collective. */
     std::vector<PlateReport> reports(const EffectResults &results,
                                      const State         &state) const;
+
+    /** Of the struts of this rank, if any touches. */
+    std::optional<DeepestContact> deepest(const EffectResults &results) const;
 
     /** All points that touch, of this rank. */
     std::vector<ContactReport> contacts(const EffectResults &results,
@@ -181,7 +193,24 @@ namespace auxfem
                           const Vector      &increment,
                           const SpaceVector &of_plate) const;
 
-    std::vector<Near> find_near(const State &accepted) const;
+    /** Also keeps how far all others are from all plates. Collective. */
+    std::vector<Near> find_near(const State &accepted);
+
+    /** Whether what the last search has found tells that no strut is nearer to
+     * a plate than @p margin (m) at the displacement @p now, or after moves of
+     * at most @p further (m) that count twice. Collective. */
+    bool are_clear(const Vector &now, double further, double margin) const;
+
+    /** Largest size of the displacements in @p values, or in the change from
+     * @p from, of all nodes and plates of this rank. */
+    double largest_displacement(const Vector &values) const;
+    double largest_displacement(const Vector &values, const Vector &from) const;
+
+    /** Of struts from plates beyond which they are not near (m). */
+    double least_margin() const
+    {
+      return 4 * thickest;
+    }
 
     /** Adds to @p wanted the unknowns of the pairs that this rank has rows of. */
     void want_unknowns(std::vector<int> &wanted) const;
@@ -230,6 +259,9 @@ namespace auxfem
                                       double               by_position,
                                       double               by_velocity) const;
 
+    /** Depth over the thickness of the strut. */
+    double penetration(const TouchingPoint &touching) const;
+
     /** By friction (W). */
     static double lost_power(const TouchingPoint &touching);
 
@@ -249,13 +281,23 @@ namespace auxfem
     std::vector<Plate>       plates;
     /** Of this rank: local unknowns of the axes that it counts. */
     std::vector<std::vector<int>> owned_unknowns;
-    std::vector<Near>             near;                ///< of all ranks
-    std::vector<Coupled>          coupled;             ///< of this rank
-    double                        thickest        = 0; ///< half thickness (m)
-    std::size_t                   first_block     = 0;
-    unsigned int                  contact_entry   = 0;
-    unsigned int                  friction_entry  = 0;
-    unsigned int                  numerical_entry = 0;
+    /** Of this rank: local unknowns of all displacements of struts and plates.
+     */
+    std::vector<int> displacements;
+    /** The last search for what is near. */
+    struct Search
+    {
+      Vector displacement; ///< m
+      double clearance;    ///< least gap of any strut, on all ranks (m)
+    };
+    std::optional<Search> last_search;
+    std::vector<Near>     near;                ///< of all ranks
+    std::vector<Coupled>  coupled;             ///< of this rank
+    double                thickest        = 0; ///< half thickness (m)
+    std::size_t           first_block     = 0;
+    unsigned int          contact_entry   = 0;
+    unsigned int          friction_entry  = 0;
+    unsigned int          numerical_entry = 0;
   };
 } // namespace auxfem
 
