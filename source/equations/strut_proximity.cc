@@ -528,7 +528,8 @@ namespace auxfem
                                  const std::vector<double> &to,
                                  const double               allowed) const
   {
-    if (!(thickest > 0))
+    // Without a state to start from nothing is known.
+    if (!(thickest > 0) || looked.empty())
       return {};
     for (const AxisPair &pair : near_pairs)
       if (comes_too_near(pair,
