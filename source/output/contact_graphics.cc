@@ -22,7 +22,8 @@ namespace auxfem
                                                        {"force", 3, "N"},
                                                        {"gap", 1, "m"},
                                                        {"strut", 1, ""},
-                                                       {"plate", 1, ""}};
+                                                       {"plate", 1, ""},
+                                                       {"other_strut", 1, ""}};
 
     const std::vector<GraphicsField> plate_fields = {{"displacement", 3, "m"},
                                                      {"force", 3, "N"},

@@ -90,7 +90,7 @@ namespace
                 {"strut damping", "no section has damping"},
                 {"gravity", "no acceleration given"},
                 {"hinges", "no strut ends are released"},
-                {"contact", "no plates"},
+                {"contact", "no plates; struts that touch are told"},
                 {"rigid parts", "no struts or joints are rigid"}}));
   }
 

@@ -227,7 +227,7 @@ namespace
     const ProgramRun run = run_auxfem({"frame.prm", "--output", "out"});
     EXPECT_EQ(run.exit_code, 1);
     expect_contains(run.errors,
-                    {"Plates: strut 0 has no thickness", "Type = rectangle"});
+                    {"Plates: strut 0 has no thickness", "Shape = rectangle"});
   }
 
 

@@ -369,7 +369,7 @@ namespace
           !(std::get<0>(names[i].name) &&
             std::get<1>(names[i].name) == of_scene.lattice.joint_of_plate(0)))
         to.displacement[i] = std::get<3>(names[i].name) == 0 ? x : y;
-    return of_scene.equations.why_not_acceptable(
+    return of_scene.equations.reporting().plates->why_not_acceptable(
       Evaluation::step(from, to, dt));
   }
 } // namespace
