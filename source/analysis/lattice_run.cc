@@ -126,7 +126,7 @@ namespace auxfem
     work_done.linear_iterations += before[5];
     solution.state = saved_state(equations, checkpoint);
     // Of a run that has ended between two steps of the scene, and goes on.
-    while (solution.state.step > 0 &&
+    while (!solution.state.path && solution.state.step > 0 &&
            scene.time.time_at(solution.state.step) > solution.state.time)
       --solution.state.step;
     stepper.resume(solution, checkpoint);

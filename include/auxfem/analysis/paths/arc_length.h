@@ -30,6 +30,13 @@ namespace auxfem
     Vector deviation(double length) const;
     double deviation_of_load(double length) const;
     ///@}
+
+    /** @name For paths that are resumed. Collective. */
+    ///@{
+    void save(const DofNumbering &numbering, Records &records) const;
+    static PathTangent saved(const DofNumbering &numbering,
+                             const Records      &records);
+    ///@}
   };
 
   /**
