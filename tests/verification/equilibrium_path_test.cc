@@ -145,6 +145,28 @@ namespace
       }
   }
 
+  // Greenhill 1883 for ends that are clamped but for a turn about the axis and
+  // a motion along it: tan(M L / 2 EI) = M L / 2 EI. Two directions at once.
+  TEST(EquilibriumPath, ShaftUnderATorque)
+  {
+    SceneText scene = static_space_frame("0 0; 1 0", "0 1");
+    scene.space_section({1e6, 1e6, 1e6, 1, 1, 1})
+      .support("clamp", "0", "clamp")
+      .prescribe("bearing", "1", {"free", "0", "0"}, {"free", "0", "0"})
+      .load("torque", "1", {"0", "0", "0"}, {"10 * t", "0", "0"})
+      .mesh(4, 3)
+      .time(1, 1);
+    const FollowedPath path(scene.str());
+    ASSERT_EQ(path.bifurcations().size(), 1u);
+    EXPECT_EQ(path.bifurcations()[0].singular.multiplicity(), 2u);
+    ComparisonTable table("Shaft under a torque, ends clamped but for the turn "
+                          "about its axis: M L / EI, closed form");
+    table.relative("M L / EI",
+                   10 * path.bifurcations()[0].load_factor,
+                   2 * 4.493409457909064,
+                   1e-5);
+  }
+
   // Euler's column, clamped below: the branch that leans to a side.
   TEST(EquilibriumPath, ElasticaAfterBuckling)
   {
