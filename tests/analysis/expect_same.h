@@ -22,6 +22,7 @@ namespace auxfem::testing_support
     EXPECT_EQ(a.iterations, b.iterations);
     EXPECT_EQ(a.factorizations, b.factorizations);
     EXPECT_EQ(a.retries, b.retries);
+    EXPECT_EQ(a.shortened, b.shortened);
     EXPECT_EQ(a.linear_solutions, b.linear_solutions);
     EXPECT_EQ(a.linear_iterations, b.linear_iterations);
   }

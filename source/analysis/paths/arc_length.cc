@@ -80,7 +80,17 @@ namespace auxfem
     evaluation.to.path->load_factor += load;
     add_multiple(1., increment, off_tangent);
     load_off_tangent += load;
+    last_load = load;
     return true;
+  }
+
+  void ArcLength::take_back(const Evaluation &evaluation,
+                            const Vector     &way_back,
+                            const double      part)
+  {
+    evaluation.to.path->load_factor -= part * last_load;
+    add_multiple(1., way_back, off_tangent);
+    load_off_tangent -= part * last_load;
   }
 
   double ArcLength::deviation() const

@@ -69,6 +69,10 @@ namespace auxfem
                   const Evaluation &evaluation,
                   Vector           &increment) override;
 
+    void take_back(const Evaluation &evaluation,
+                   const Vector     &way_back,
+                   double            part) override;
+
     /** @name How far the point lies off the tangent. */
     ///@{
     double deviation() const; ///< m
@@ -80,6 +84,7 @@ namespace auxfem
     const Vector     &direction;
     Vector            off_tangent;
     double            load_off_tangent;
+    double            last_load = 0; ///< by the last complete()
   };
 } // namespace auxfem
 
