@@ -22,8 +22,8 @@ namespace auxfem
    * and moment of the support on the lattice summed over its joints (forces
    * have no part in `S.m`); for a group of connectors C `C.force`,
    * `C.extension`, sums over the group; if wanted those of EffectiveStrains;
-   * for a plate P `P.ux`, `P.uy`, its displacement, `P.fx`, `P.fy`, the force of
-   * the struts on it, and `P.penetration`; those of energy_columns(), with
+   * for a plate P `P.ux`, `P.uy`, its displacement, `P.fx`, `P.fy`, the force
+   * of the struts on it, and `P.penetration`; those of energy_columns(), with
    * `balance`, which should be zero. Units and
    * meaning are in `history.units.csv`.
    *
