@@ -3,6 +3,8 @@
 #include <auxfem/parameters/parameter_file.h>
 #include <auxfem/resumption.h>
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <sstream>
 
@@ -32,10 +34,23 @@ namespace auxfem
       return values;
     }
 
-    /** Whether the results until now are the same with another value. */
-    bool may_change(const std::string &path)
+    /** What may change beside parameters of the output: how far the run goes.
+     */
+    std::vector<std::string> ends_of(const Scene &scene)
     {
-      return path == "Time/End time" ||
+      if (scene.analysis == Analysis::static_path)
+        return {"Path/Largest load factor",
+                "Path/Largest displacement",
+                "Path/Points",
+                "Path/Graphics interval"};
+      return {"Time/End time"};
+    }
+
+    /** Whether the results until now are the same with another value. */
+    bool may_change(const std::string &path, const Scene &scene)
+    {
+      const std::vector<std::string> ends = ends_of(scene);
+      return std::find(ends.begin(), ends.end(), path) != ends.end() ||
         (path.compare(0, 7, "Output/") == 0 && path != "Output/Directory" &&
          path != "Output/Graphics" && path != "Output/Effective strains");
     }
@@ -56,21 +71,45 @@ namespace auxfem
       for (const auto &[path, value] : all)
         if (const std::string then = value_at(path, values),
             wanted                 = value_at(path, new_values);
-            then != wanted && !may_change(path))
+            then != wanted && !may_change(path, now))
           changes +=
             "\n  " + path + ": it was " + then + ", now it is " + wanted;
+      std::string ends;
+      for (const std::string &end : ends_of(now))
+        ends += end + ", ";
       if (!changes.empty())
         throw InputError(
           "A run that goes on keeps its parameters; what it has computed until "
           "now depends on them:" +
-          changes +
-          "\nOnly Time/End time and the parameters of Output but Directory, "
-          "Graphics and Effective strains may change. Leave the others as they "
-          "were, or start from t = 0.");
+          changes + "\nOnly " + ends +
+          "and the parameters of Output but Directory, Graphics and Effective "
+          "strains may change. Leave the others as they were, or start anew.");
     }
 
-    void refuse_end_before(const double reached, const Scene &scene)
+    void refuse_end_of_path_before(const Records &reached, const Scene &scene)
     {
+      const double load_factor = saved_path_position(reached)->load_factor;
+      const auto   n_points    = step_of_saved_state(reached);
+      std::ostringstream message;
+      if (std::abs(load_factor) >= scene.path.largest_load_factor)
+        message << "load factor " << load_factor
+                << ", and Path/Largest load factor is "
+                << scene.path.largest_load_factor;
+      else if (n_points >= scene.path.most_points)
+        message << n_points << " points, and Path/Points is "
+                << scene.path.most_points;
+      else
+        return;
+      throw InputError("The path has got to " + message.str() +
+                       ". Give a larger one, e.g. --set \"Path/Largest load "
+                       "factor=...\".");
+    }
+
+    void refuse_end_before(const Records &records, const Scene &scene)
+    {
+      if (scene.analysis == Analysis::static_path)
+        return refuse_end_of_path_before(records, scene);
+      const double reached = time_of_saved_state(records);
       if (scene.time.end_time > reached)
         return;
       std::ostringstream message;
@@ -96,7 +135,7 @@ namespace auxfem
     };
     Scene scene = with(overrides);
     refuse_changes(with({}), scene);
-    refuse_end_before(time_of_saved_state(run.records), scene);
+    refuse_end_before(run.records, scene);
     return scene;
   }
 } // namespace auxfem

@@ -21,6 +21,22 @@ namespace auxfem
      */
     constexpr double growth_of_kept_pivots = 100;
 
+    /** 1 or -1: of the determinant of a permutation of @p n numbers. */
+    int sign_of_permutation(const int *permutation, const std::size_t n)
+    {
+      std::vector<bool> is_done(n, false);
+      int               sign = 1;
+      for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t k = permutation[i]; !is_done[i] && k != i;
+             k             = permutation[k])
+          {
+                        // A cycle of as many exchanges as it has further members.
+            is_done[k] = true;
+            sign       = -sign;
+          }
+      return sign;
+    }
+
     /**
      * On one rank. KLU goes by columns: it is given the transpose, and solves
      * with the transpose of that.
@@ -37,6 +53,7 @@ namespace auxfem
       FactorizationOutcome   factorize(const SparseMatrix &matrix) override;
       void                   solve(double *x) override;
       std::optional<Inertia> inertia() const override;
+      std::optional<int>     determinant_sign() const override;
       std::size_t            memory() const override;
       std::vector<double>    pivot_entries() const override;
       void take_pivots_of(const std::vector<double> &entries) override;
@@ -212,6 +229,23 @@ namespace auxfem
     std::optional<Inertia> Klu::inertia() const
     {
       return {};
+    }
+
+    /** Of P R^-1 A Q = L U, where scales R are positive, L has ones on its
+     * diagonal. */
+    std::optional<int> Klu::determinant_sign() const
+    {
+      if (n == 0)
+        return 1;
+      if (numeric == nullptr)
+        return {};
+      int sign = sign_of_permutation(numeric->Pnum, n) *
+        sign_of_permutation(symbolic->Q, n);
+      const auto *const pivots = static_cast<const double *>(numeric->Udiag);
+      for (std::size_t i = 0; i < n; ++i)
+        if (pivots[i] < 0)
+          sign = -sign;
+      return sign;
     }
 
     std::size_t Klu::memory() const

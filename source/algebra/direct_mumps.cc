@@ -63,6 +63,7 @@ namespace auxfem
       FactorizationOutcome   factorize(const SparseMatrix &matrix) override;
       void                   solve(double *x) override;
       std::optional<Inertia> inertia() const override;
+      std::optional<int>     determinant_sign() const override;
       std::size_t            memory() const override;
 
     private:
@@ -188,9 +189,10 @@ namespace auxfem
       setting(7)  = 5; // METIS
       setting(13) = 1; // all negative pivots are counted
       setting(14) = initial_room;
-      setting(18) = 3; // each rank gives its entries
-      setting(24) = 1; // finds null pivots
-      setting(28) = 1; // METIS on one rank
+      setting(18) = 3;                    // each rank gives its entries
+      setting(24) = 1;                    // finds null pivots
+      setting(28) = 1;                    // METIS on one rank
+      setting(33) = is_symmetric ? 0 : 1; // the determinant
       id.cntl[2]  = null_pivot;
     }
 
@@ -361,6 +363,18 @@ namespace auxfem
       const unsigned long negative = result_of_all(12),
                           zero     = result_of_all(28);
       return Inertia{negative, zero, id.n - negative - zero};
+    }
+
+    std::optional<int> Mumps::determinant_sign() const
+    {
+      if (id.n == 0)
+        return 1;
+      if (!is_factorized)
+        return {};
+      if (is_symmetric)
+        return auxfem::determinant_sign(*inertia());
+      // A mantissa, of which the exponent is INFOG(34).
+      return id.rinfog[11] < 0 ? -1 : 1;
     }
 
     std::size_t Mumps::memory() const

@@ -63,6 +63,7 @@ namespace auxfem
     rank         = matrix.layout->rank();
     n_ranks      = matrix.layout->n_ranks();
     inertia_of_all.reset();
+    sign_of_all.reset();
     gathered.reset();
     if (n_ranks == 1)
       return guard_memory([&] { return solver->analyse(matrix); });
@@ -143,12 +144,14 @@ namespace auxfem
       ? FactorizationOutcome::done
       : FactorizationOutcome::not_finite;
     inertia_of_all.reset();
+    sign_of_all.reset();
     if (n_ranks == 1)
       {
         if (outcome != FactorizationOutcome::done)
           return outcome;
         outcome = guard_memory([&] { return solver->factorize(matrix); });
         inertia_of_all = solver->inertia();
+        sign_of_all    = solver->determinant_sign();
         return outcome;
       }
 
@@ -167,21 +170,27 @@ namespace auxfem
         outcome =
           guard_memory([&] { return solver->factorize(gathered->matrix); });
         inertia_of_all = solver->inertia();
+        sign_of_all    = solver->determinant_sign();
       }
-    broadcast_inertia();
+    broadcast_signs();
     return agree(outcome, communicator);
   }
 
-  void FirstRankSolver::broadcast_inertia()
+  void FirstRankSolver::broadcast_signs()
   {
     const Inertia mine       = inertia_of_all.value_or(Inertia());
-    unsigned long numbers[4] = {inertia_of_all.has_value(),
-                                mine.negative,
-                                mine.zero,
-                                mine.positive};
-    MPI_Bcast(numbers, 4, MPI_UNSIGNED_LONG, 0, communicator);
+    long          numbers[5] = {inertia_of_all.has_value(),
+                                static_cast<long>(mine.negative),
+                                static_cast<long>(mine.zero),
+                                static_cast<long>(mine.positive),
+                                sign_of_all.value_or(0)};
+    MPI_Bcast(numbers, 5, MPI_LONG, 0, communicator);
     if (numbers[0] != 0)
-      inertia_of_all = Inertia{numbers[1], numbers[2], numbers[3]};
+      inertia_of_all = Inertia{static_cast<unsigned long>(numbers[1]),
+                               static_cast<unsigned long>(numbers[2]),
+                               static_cast<unsigned long>(numbers[3])};
+    if (numbers[4] != 0)
+      sign_of_all = static_cast<int>(numbers[4]);
   }
 
   void FirstRankSolver::solve(double *x)
@@ -225,6 +234,11 @@ namespace auxfem
   std::optional<Inertia> FirstRankSolver::inertia() const
   {
     return inertia_of_all;
+  }
+
+  std::optional<int> FirstRankSolver::determinant_sign() const
+  {
+    return sign_of_all;
   }
 
   std::size_t FirstRankSolver::memory() const

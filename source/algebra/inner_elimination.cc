@@ -199,6 +199,11 @@ namespace auxfem
                 result.is_regular = false;
                 return result;
               }
+            // Of the determinant's sign: of the pivot and of the exchange.
+            if (inner[pivot_row][j] < 0)
+              ++result.n_negative;
+            if (pivot_row != j)
+              ++result.n_negative;
             std::swap_ranges(inner[j], inner[j] + n_inner, inner[pivot_row]);
             std::swap_ranges(right[j], right[j] + n, right[pivot_row]);
             std::swap(row_units[j], row_units[pivot_row]);

@@ -129,6 +129,11 @@ namespace auxfem
     return std::nullopt;
   }
 
+  std::optional<int> IterativeSolver::determinant_sign() const
+  {
+    return std::nullopt;
+  }
+
   FactorizationOutcome IterativeSolver::analyse(const SparseMatrix & /*matrix*/,
                                                 const Unknowns &unknowns)
   {

@@ -184,6 +184,16 @@ namespace auxfem
     return sum;
   }
 
+  std::optional<int> LinearSolver::determinant_sign() const
+  {
+    if (current == nullptr || !why_failed.empty() || !serves_matrix)
+      return std::nullopt;
+    std::optional<int> sign = current->determinant_sign();
+    if (sign)
+      *sign *= condensation.inner_determinant_sign();
+    return sign;
+  }
+
   std::optional<Inertia> LinearSolver::inertia_by_mumps() const
   {
     const std::unique_ptr<LinearSolverMethod> mumps =

@@ -37,6 +37,11 @@ namespace auxfem
         return solver->inertia();
       }
 
+      std::optional<int> determinant_sign() const override
+      {
+        return solver->determinant_sign();
+      }
+
       unsigned long n_iterations() const override
       {
         return 0;

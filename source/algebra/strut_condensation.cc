@@ -42,6 +42,11 @@ namespace auxfem
     return inertia;
   }
 
+  int StrutCondensation::inner_determinant_sign() const
+  {
+    return determinant;
+  }
+
   std::size_t StrutCondensation::memory() const
   {
     return factors.size() * sizeof(double);
@@ -133,14 +138,14 @@ namespace auxfem
           : FactorizationOutcome::singular;
       }
     system->add_others(tangent);
+    const std::vector<double> sums =
+      layout.sum(std::vector<double>{double(n_negative), double(n_inner)});
+    Inertia of_all;
+    of_all.negative = sums[0];
+    of_all.positive = sums[1] - sums[0];
+    determinant     = determinant_sign(of_all);
     if (symmetry != Symmetry::none)
-      {
-        const std::vector<double> sums =
-          layout.sum(std::vector<double>{double(n_negative), double(n_inner)});
-        inertia           = Inertia();
-        inertia->negative = sums[0];
-        inertia->positive = sums[1] - sums[0];
-      }
+      inertia = of_all;
     return FactorizationOutcome::done;
   }
 

@@ -16,7 +16,7 @@ namespace auxfem
   {
     const std::string work_record =
       "work: steps, iterations, factorizations, retries, linear solutions, "
-      "linear iterations";
+      "linear iterations, shortened increments";
 
     double solver_seconds(const PhaseTimes &wall)
     {
@@ -111,22 +111,24 @@ namespace auxfem
                 double(work_done.factorizations),
                 double(work_done.retries),
                 double(work_done.linear_solutions),
-                double(work_done.linear_iterations)});
+                double(work_done.linear_iterations),
+                double(work_done.shortened)});
     return taken;
   }
 
   void LatticeRun::resume(const Records &checkpoint, Recorder &recorder)
   {
-    const std::vector<double> before = checkpoint.values(work_record, 6);
+    const std::vector<double> before = checkpoint.values(work_record, 7);
     work_done.steps += before[0];
     work_done.iterations += before[1];
     work_done.factorizations += before[2];
     work_done.retries += before[3];
     work_done.linear_solutions += before[4];
     work_done.linear_iterations += before[5];
+    work_done.shortened += before[6];
     solution.state = saved_state(equations, checkpoint);
     // Of a run that has ended between two steps of the scene, and goes on.
-    while (solution.state.step > 0 &&
+    while (!solution.state.path && solution.state.step > 0 &&
            scene.time.time_at(solution.state.step) > solution.state.time)
       --solution.state.step;
     stepper.resume(solution, checkpoint);

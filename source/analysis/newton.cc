@@ -23,6 +23,15 @@ namespace auxfem
      */
     constexpr double largest_increment_between = 1;
 
+    /**
+     * Without inertia, of the force scale: below, a residual that does not get
+     * smaller may have come to its round-off.
+     */
+    constexpr double far_from_solution = 1e-6;
+
+    /** How often an increment is halved. */
+    constexpr unsigned int most_halvings = 5;
+
     const std::string newton_record  = "Newton's method",
                       tangent_record = newton_record + ", tangent";
 
@@ -66,6 +75,8 @@ namespace auxfem
     double reduction = std::numeric_limits<double>::infinity();
     // Prescribed unknowns may still have to move to their place.
     bool is_in_place = scheme.is_dynamic();
+    // Where the residual has grown in the iteration before, too.
+    bool grows = false;
     // Of the last iterate; large if its norm was not small.
     double excess_before = std::numeric_limits<double>::infinity();
 
@@ -128,7 +139,12 @@ namespace auxfem
 
         const double before = size;
         solver.residual(evaluation, results);
-        size      = in_force_units(results);
+        size                = in_force_units(results);
+        const bool is_worse = !(size < before);
+        if (is_worse && grows && !scheme.is_dynamic() &&
+            before > far_from_solution * force)
+          size = shorten(scheme, evaluation, results, added, before);
+        grows     = is_worse;
         reduction = before / size;
       }
   }
@@ -217,6 +233,8 @@ namespace auxfem
     if (!is_linear &&
         !(largest_motion(model, increment).second <= half_revolution))
       return "an iteration turned a section by more than half a turn";
+    if (!scheme.is_dynamic())
+      way = increment;
     rotations.rotate(evaluation, increment);
     scheme.correct(evaluation.from, increment, evaluation.dt, evaluation.to);
     if (evaluation.kind == Evaluation::Kind::between &&
@@ -224,6 +242,40 @@ namespace auxfem
       return "the step turns a section by more than 1 rad, too far for mean "
              "forces";
     return "";
+  }
+
+  double Newton::shorten(const ImplicitScheme &scheme,
+                         const Evaluation     &evaluation,
+                         EvaluationResults    &results,
+                         AddedEquation *const  added,
+                         const double          before)
+  {
+    double part = 1;
+    for (unsigned int i = 0; i < most_halvings; ++i)
+      {
+        part /= 2;
+        const double size = take_back(scheme, evaluation, results, added, part);
+        if (size < before)
+          return size;
+      }
+    return take_back(scheme, evaluation, results, added, part - 1);
+  }
+
+  double Newton::take_back(const ImplicitScheme &scheme,
+                           const Evaluation     &evaluation,
+                           EvaluationResults    &results,
+                           AddedEquation *const  added,
+                           const double          part)
+  {
+    solver.count_shortened();
+    increment = way;
+    scale(-part, increment);
+    if (added != nullptr)
+      added->take_back(evaluation, increment, part);
+    rotations.rotate(evaluation, increment);
+    scheme.correct(evaluation.from, increment, evaluation.dt, evaluation.to);
+    solver.residual(evaluation, results);
+    return in_force_units(results);
   }
 
   bool Newton::is_small(const Evaluation        &evaluation,

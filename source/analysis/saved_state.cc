@@ -10,6 +10,7 @@ namespace auxfem
   {
     const std::string record       = "state",
                       before       = record + " before the last step",
+                      position     = record + " on a path",
                       displacement = ": displacement", residual = ": residual";
 
     /** Vectors that a state may have, by name. */
@@ -103,6 +104,15 @@ namespace auxfem
         }
     }
 
+    /** Signs tell what is known. */
+    void save_position(const PathPosition &at, Records &records)
+    {
+      records.keep(position,
+                   {at.load_factor,
+                    at.n_negative ? double(*at.n_negative) : -1.,
+                    double(at.determinant_sign.value_or(0))});
+    }
+
     /** Each rank has its share of them. */
     void
     save_energies(const State &state, const unsigned int rank, Records &records)
@@ -157,6 +167,8 @@ namespace auxfem
                       records);
         unknowns.keep(before + residual, state.before->residual, records);
       }
+    if (state.path)
+      save_position(*state.path, records);
     save_rotations(state, unknowns, numbering, records);
     save_history(state, equations.layout().history, records);
     save_energies(state, numbering.layout().rank(), records);
@@ -189,6 +201,7 @@ namespace auxfem
                         unknowns.values(before + displacement, records),
                         unknowns.values(before + residual, records)});
       }
+    state.path = saved_path_position(records);
     resume_rotations(unknowns, numbering, records, state);
     resume_history(equations.layout().history, records, state);
     resume_energies(numbering.layout(), records, state);
@@ -204,5 +217,24 @@ namespace auxfem
   double time_of_saved_state(const Records &records)
   {
     return records.values(record, 4)[0];
+  }
+
+  unsigned long step_of_saved_state(const Records &records)
+  {
+    return records.values(record, 4)[1];
+  }
+
+  std::optional<PathPosition> saved_path_position(const Records &records)
+  {
+    if (!records.has(position))
+      return std::nullopt;
+    const std::vector<double> saved = records.values(position, 3);
+    PathPosition              at;
+    at.load_factor = saved[0];
+    if (saved[1] >= 0)
+      at.n_negative = saved[1];
+    if (saved[2] != 0)
+      at.determinant_sign = saved[2];
+    return at;
   }
 } // namespace auxfem

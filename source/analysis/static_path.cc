@@ -14,6 +14,13 @@ namespace auxfem
 {
   namespace
   {
+    /** Of the largest load factor: points that lie on a straight path, where
+     * no bifurcation of two close ones shall be missed, are no further apart.
+     */
+    constexpr double part_between_pairs = 0.02;
+
+    const std::string branches_record = "path: bifurcations so far";
+
     /** @p scene with what paths of equilibria are made of: viscous processes
      * have come to rest. */
     Scene at_rest(Scene scene)
@@ -42,14 +49,46 @@ namespace auxfem
                   path.first_increment / std::abs(point.tangent.load_rate))
       {}
 
-      /** To where the scene says that the path ends. */
+      /** Goes on with a run that has been resumed from @p checkpoint. */
+      EquilibriumPath(LatticeRun &run, const Records &checkpoint)
+        : run(run)
+        , path(run.scene.path)
+        , stepper(run.solver(), run.scene.newton)
+        , point{{run.solution.state, run.equations.make_results()},
+                PathTangent::saved(run.model.numbering, checkpoint)}
+        , lengths(path.resolution, 0)
+        , n_bifurcations(checkpoint.values(branches_record, 1)[0])
+      {
+        lengths.resume(checkpoint);
+        State evaluated = point.solution.state;
+        run.solver().residual(Evaluation::equilibrium(point.solution.state,
+                                                      evaluated),
+                              run.solution.results);
+      }
+
+      /** To where the scene says that the path ends; after a signal throws
+       * Interrupted. */
       void follow(Recorder &recorder)
       {
+        const MPI_Comm communicator =
+          run.model.numbering.layout().communicator();
+        // Before the last step, which an end cuts short: a longer path does it
+        // again, and is as if there had been no end.
+        Records here;
         while (!has_ended())
           {
-            end_if_interrupted(run.model.numbering.layout().communicator());
+            const int signal = noted_signal(communicator);
+            if (recorder.keeps_checkpoints())
+              here = checkpoint(recorder);
+            if (signal != 0 ? recorder.keeps_checkpoints()
+                            : recorder.wants_checkpoint())
+              recorder.take(here);
+            if (signal != 0)
+              throw Interrupted(signal);
             advance(recorder);
           }
+        if (recorder.keeps_checkpoints() && here.has(branches_record))
+          recorder.take(here);
       }
 
       /** What is to be said of where it has ended. */
@@ -67,6 +106,15 @@ namespace auxfem
       }
 
     private:
+      Records checkpoint(const Recorder &recorder) const
+      {
+        Records taken = run.checkpoint(recorder);
+        point.tangent.save(run.model.numbering, taken);
+        lengths.save(taken);
+        taken.keep(branches_record, {double(n_bifurcations)});
+        return taken;
+      }
+
       /** One point further, past all singular points on the way, or on to
        * another branch at one of them. */
       void advance(Recorder &recorder)
@@ -92,9 +140,20 @@ namespace auxfem
         accept(std::move(next), report, recorder);
       }
 
+      /** The sign of a determinant does not tell of two changes in one step,
+       * which must not be long then. */
+      void keep_pairs_apart()
+      {
+        const PathPosition &at = point.position();
+        if (at.determinant_sign && !at.n_negative)
+          lengths.limit(part_between_pairs * path.largest_load_factor /
+                        std::abs(point.tangent.load_rate));
+      }
+
       /** The next one that is near enough to the tangent. */
       PathPoint next_point(StepReport &report)
       {
+        keep_pairs_apart();
         while (true)
           {
             report.dt     = lengths.length();
@@ -174,9 +233,7 @@ namespace auxfem
         using Branch = PathDefinition::Branch;
         return path.branch == Branch::numbered
           ? n_bifurcations == path.branch_number
-          : path.branch == Branch::stable && singular.n_negative_before &&
-            singular.n_negative_after &&
-            *singular.n_negative_after > *singular.n_negative_before;
+          : path.branch == Branch::stable && singular.destabilizes();
       }
 
       /** A point on the branch that crosses here. */
@@ -261,9 +318,18 @@ namespace auxfem
       LatticeRun  run(scene, communicator);
       // What is no mechanism is stable at rest.
       if (!scene.time.static_start)
-        run.solution.state.path->n_negative = 0;
-      return run.run(recorder, [&run](Recorder &of_run) {
-        EquilibriumPath path(run);
+        {
+          run.solution.state.path->n_negative       = 0;
+          run.solution.state.path->determinant_sign = 1;
+        }
+      // The recorder has it until the run goes on from it.
+      const Records *const   given_checkpoint = recorder.goes_on_from();
+      std::optional<Records> checkpoint;
+      if (given_checkpoint != nullptr)
+        checkpoint = *given_checkpoint;
+      return run.run(recorder, [&](Recorder &of_run) {
+        EquilibriumPath path =
+          checkpoint ? EquilibriumPath(run, *checkpoint) : EquilibriumPath(run);
         path.follow(of_run);
         return path.findings();
       });

@@ -24,7 +24,11 @@ namespace auxfem
       {"load_factor", "1", "by which loads are multiplied"},
       {"negative_eigenvalues",
        "",
-       "of the stiffness: 0 in stable equilibrium; nan: not known"}};
+       "of the stiffness: 0 in stable equilibrium; nan: not known"},
+      {"determinant",
+       "",
+       "sign of that of the stiffness: 1 in stable equilibrium; nan: not "
+       "known"}};
 
     /** A component of what a support exerts. */
     Column reaction_column(const std::string &support,
@@ -336,6 +340,9 @@ namespace auxfem
         row[1] = state.path->load_factor;
         row[2] = state.path->n_negative
           ? double(*state.path->n_negative)
+          : std::numeric_limits<double>::quiet_NaN();
+        row[3] = state.path->determinant_sign
+          ? double(*state.path->determinant_sign)
           : std::numeric_limits<double>::quiet_NaN();
       }
     unsigned int column = add_unknown_sums(state, n_of_position);

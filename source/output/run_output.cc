@@ -220,7 +220,10 @@ namespace auxfem
     if (scene.output.checkpoint_interval > 0)
       checkpoints.emplace(scene, communicator);
     if (scene.analysis == Analysis::static_path)
-      singular_points.emplace(scene, *equations, communicator);
+      singular_points.emplace(scene,
+                              *equations,
+                              communicator,
+                              goes_on_from ? &*goes_on_from : nullptr);
     if (scene.output.graphics)
       open_graphics();
   }
@@ -271,7 +274,12 @@ namespace auxfem
     if (console)
       {
         std::ostringstream text;
-        text << "Goes on from t = " << begin_time << " s\n";
+        if (solution.state.path)
+          text << "Goes on from load factor "
+               << solution.state.path->load_factor << ", arc length "
+               << begin_time << " m\n";
+        else
+          text << "Goes on from t = " << begin_time << " s\n";
         console->print(text.str());
       }
     history->resume(solution.state, records);
@@ -287,6 +295,8 @@ namespace auxfem
     history->save(records);
     records.keep(row_record, {last_row.value()});
     records.keep(length_record, {table ? double(table->length()) : 0.});
+    if (singular_points)
+      singular_points->save(records);
     if (!graphics)
       return;
     graphics->save(records);
@@ -309,6 +319,9 @@ namespace auxfem
     if (graphics)
       for (const std::string &name : graphics->series())
         written.push_back(folder + "/" + name + ".pvd");
+    if (singular_points)
+      for (const std::string &name : singular_points->files())
+        written.push_back(folder + "/" + name);
     checkpoints->write(checkpoint, written);
     is_last_in_checkpoint = true;
   }

@@ -10,7 +10,9 @@ namespace auxfem
 {
   namespace
   {
-    const std::string prefix = "singular_";
+    const std::string prefix = "singular_", table_name = "singular_points.csv",
+                      files_record = "output: singular points, length of their "
+                                     "table";
 
     const std::vector<Column> singular_columns = {
       {"number", "", "in the order of the path"},
@@ -21,7 +23,17 @@ namespace auxfem
       {"negative_before",
        "",
        "negative eigenvalues of the stiffness before the point; nan: not known"},
-      {"negative_after", "", "those after it"}};
+      {"negative_after", "", "those after it"},
+      {"determinant_before",
+       "",
+       "sign of the determinant of the stiffness before the point, 1 where that "
+       "is stable; nan: not known"},
+      {"determinant_after", "", "that after it"},
+      {"part_of_loads",
+       "",
+       "cosine of the angle between the loads and the null vector of the "
+       "transposed stiffness: 0 at bifurcations, but for round-off; nan: not "
+       "known"}};
 
     std::string number_text(const double value)
     {
@@ -31,7 +43,8 @@ namespace auxfem
       return text.str();
     }
 
-    std::string count_text(const std::optional<unsigned long> &count)
+    template <class Number>
+    std::string count_text(const std::optional<Number> &count)
     {
       return count ? std::to_string(*count) : "nan";
     }
@@ -39,9 +52,7 @@ namespace auxfem
 
   FolderContents path_contents()
   {
-    FolderContents contents{{"singular_points.csv",
-                             "singular_points.units.csv"},
-                            {}};
+    FolderContents contents{{table_name, "singular_points.units.csv"}, {}};
     for (const char *series : {"solution", "rigid_parts", "connectors"})
       contents.series.push_back(prefix + series);
     return contents;
@@ -62,40 +73,60 @@ namespace auxfem
          << at.path->load_factor;
     if (point.multiplicity() > 1)
       text << ", " << point.multiplicity() << " directions at once";
-    if (point.n_negative_before && point.n_negative_after)
-      text << "; negative eigenvalues: " << *point.n_negative_before
-           << " before, " << *point.n_negative_after << " after";
+    if (point.before.n_negative && point.after.n_negative)
+      text << "; negative eigenvalues: " << *point.before.n_negative
+           << " before, " << *point.after.n_negative << " after";
+    else if (point.before.determinant_sign && point.after.determinant_sign)
+      text << "; sign of the determinant: " << *point.before.determinant_sign
+           << " before, " << *point.after.determinant_sign << " after";
     return text.str();
   }
 
   SingularPointFiles::SingularPointFiles(const Scene     &scene,
                                          const Equations &equations,
-                                         const MPI_Comm   communicator)
+                                         const MPI_Comm   communicator,
+                                         const Records   *goes_on_from)
     : scene(scene)
     , equations(equations)
     , communicator(communicator)
   {
-    const std::string &folder = scene.output.directory;
+    const std::string  &folder = scene.output.directory;
+    std::vector<double> former;
+    if (goes_on_from != nullptr)
+      {
+        former    = goes_on_from->values(files_record, 2);
+        n_written = former[0];
+      }
     on_first_rank(communicator, [&]() {
-      table.emplace(folder + "/singular_points.csv", singular_columns);
+      const std::string name = folder + "/" + table_name;
+      if (goes_on_from != nullptr)
+        table.emplace(name, singular_columns, former[1]);
+      else
+        table.emplace(name, singular_columns);
       write_column_reference(folder + "/singular_points.units.csv",
                              singular_columns);
     });
     if (scene.output.graphics)
       graphics.emplace(scene, equations, folder, communicator, prefix);
+    if (graphics && goes_on_from != nullptr)
+      graphics->resume(*goes_on_from);
   }
 
   void SingularPointFiles::write(const State &at, const SingularPoint &point)
   {
     ++n_written;
     on_first_rank(communicator, [&]() {
-      table->append_text({std::to_string(n_written),
-                          text_of(point.kind),
-                          number_text(at.path->load_factor),
-                          number_text(at.time),
-                          std::to_string(point.multiplicity()),
-                          count_text(point.n_negative_before),
-                          count_text(point.n_negative_after)});
+      table->append_text(
+        {std::to_string(n_written),
+         text_of(point.kind),
+         number_text(at.path->load_factor),
+         number_text(at.time),
+         std::to_string(point.multiplicity()),
+         count_text(point.before.n_negative),
+         count_text(point.after.n_negative),
+         count_text(point.before.determinant_sign),
+         count_text(point.after.determinant_sign),
+         point.part_of_loads ? number_text(*point.part_of_loads) : "nan"});
     });
     if (!graphics || point.null_vector.empty())
       return;
@@ -111,6 +142,23 @@ namespace auxfem
     graphics->write_struts(solution.state);
     graphics->write_rigid_parts(solution.state);
     graphics->write_connectors(solution);
+  }
+
+  void SingularPointFiles::save(Records &records)
+  {
+    records.keep(files_record,
+                 {double(n_written), table ? double(table->length()) : 0.});
+    if (graphics)
+      graphics->save(records);
+  }
+
+  std::vector<std::string> SingularPointFiles::files() const
+  {
+    std::vector<std::string> names = {table_name};
+    if (n_written > 0)
+      for (const std::string &name : series())
+        names.push_back(name + ".pvd");
+    return names;
   }
 
   unsigned int SingularPointFiles::number() const

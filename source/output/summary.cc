@@ -54,6 +54,7 @@ namespace auxfem
       return {{"steps", totals.steps},
               {"newton_iterations", totals.iterations},
               {"factorizations", totals.factorizations},
+              {"shortened_increments", totals.shortened},
               {"linear_solutions", totals.linear_solutions},
               {"linear_iterations", totals.linear_iterations},
               {"retries", totals.retries},

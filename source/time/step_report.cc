@@ -7,6 +7,7 @@ namespace auxfem
     iterations += other.iterations;
     factorizations += other.factorizations;
     retries += other.retries;
+    shortened += other.shortened;
     linear_solutions += other.linear_solutions;
     linear_iterations += other.linear_iterations;
     wall.setup += other.wall.setup;

@@ -124,6 +124,7 @@ TEST(LinearSolver, SymmetricPartOnlyWhereItIsAllowedAndNear)
         ASSERT_EQ(solver.factorize(Exactness::approximate),
                   FactorizationOutcome::done);
         EXPECT_FALSE(solver.is_exact());
+        EXPECT_FALSE(solver.determinant_sign());
         EXPECT_TRUE(solver.inertia());
         expect_solution(network, solver, Symmetry::enforced);
         ASSERT_EQ(solver.factorize(Exactness::exact),
@@ -182,6 +183,35 @@ TEST(LinearSolver, CountsEigenvaluesOfAllFreeUnknowns)
         }
 }
 
+TEST(LinearSolver, KnowsTheSignOfTheDeterminant)
+{
+  for (const std::string type : {"auto", "klu", "mumps"})
+    {
+      unsigned int n_of_sign[2] = {};
+      for (const double asymmetry : {0., 0.8})
+        for (const double shift : {0., 0.8, 0.9, 1., 1.1, 1.2})
+          for (const unsigned int n_multipliers : {0, 1, 2})
+            for (NetworkShape shape : shapes(n_multipliers, asymmetry))
+              {
+                shape.shift = shift * 3 * shape.n_components;
+                const StrutNetwork network(shape);
+                LinearSolver       solver(of_type(type), *network.matrix);
+                ASSERT_EQ(solver.factorize(Exactness::exact),
+                          FactorizationOutcome::done);
+                dealii::LAPACKFullMatrix<double> dense(network.n_unknowns());
+                dense = network.dense();
+                dense.compute_lu_factorization();
+                const int sign = dense.determinant() < 0 ? -1 : 1;
+                ++n_of_sign[sign < 0 ? 0 : 1];
+                EXPECT_EQ(solver.determinant_sign(), sign)
+                  << type << ' ' << asymmetry << ' ' << shift << ' '
+                  << n_multipliers;
+              }
+      EXPECT_GT(n_of_sign[0], 20u);
+      EXPECT_GT(n_of_sign[1], 20u);
+    }
+}
+
 TEST(LinearSolver, ServesThePatternAsItIsNow)
 {
   for (const std::string type : {"cholmod", "klu", "mumps"})
@@ -214,6 +244,7 @@ TEST(LinearSolver, SingularMatricesAreToldFromThoseThatAreNoNumbers)
         EXPECT_EQ(solver.why().find("the inside of strut") != std::string::npos,
                   order == 2);
         EXPECT_FALSE(solver.inertia());
+        EXPECT_FALSE(solver.determinant_sign());
         network.fill();
         network.matrix->add_to_diagonal(
           std::vector<double>(network.layout->n_owned(),

@@ -59,6 +59,31 @@ TEST(TangentMatrix, MultipliesAsTheSumOfItsBlocks)
   expect_product(network, Symmetry::none);
 }
 
+TEST(TangentMatrix, ItsTransposeIsThatOfFreeRowsAndColumns)
+{
+  StrutNetwork network(unsymmetric_shape());
+  network.matrix->transpose();
+  // Prescribed columns stand in rows that are not used.
+  dealii::Vector<double> x = network.right_side(), expected(x.size());
+  const auto             is_prescribed = [&](const unsigned int global) {
+    return network.unknown(global).kind == UnknownKind::prescribed;
+  };
+  for (unsigned int i = 0; i < x.size(); ++i)
+    if (is_prescribed(i))
+      x(i) = 0;
+  network.dense().Tvmult(expected, x);
+  std::vector<double> local = network.owned(x),
+                      image(network.layout->n_owned());
+  network.layout->update_ghosts(local.data());
+  network.matrix->multiply(local.data(), image.data());
+  for (unsigned int i = 0; i < image.size(); ++i)
+    if (const unsigned int global = network.layout->global(i);
+        !is_prescribed(global))
+      {
+        EXPECT_NEAR(image[i], expected(global), tangent_round_off);
+      }
+}
+
 TEST(TangentMatrix, FollowsItsPattern)
 {
   StrutNetwork        network(unsymmetric_shape());

@@ -4,6 +4,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <analysis/expect_same.h>
 #include <equations/equations_on_ranks.h>
 #include <gtest/gtest.h>
 #include <support/run_program.h>
@@ -90,16 +91,6 @@ namespace
     /** How often steps had to be repeated before the checkpoint and after. */
     std::array<unsigned int, 2> retries;
   };
-
-  void expect_same_work(const Work &a, const Work &b)
-  {
-    EXPECT_EQ(a.steps, b.steps);
-    EXPECT_EQ(a.iterations, b.iterations);
-    EXPECT_EQ(a.factorizations, b.factorizations);
-    EXPECT_EQ(a.retries, b.retries);
-    EXPECT_EQ(a.linear_solutions, b.linear_solutions);
-    EXPECT_EQ(a.linear_iterations, b.linear_iterations);
-  }
 
   void expect_same(const std::vector<Column>              &columns,
                    const std::vector<std::vector<double>> &rows,

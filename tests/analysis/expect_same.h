@@ -2,6 +2,7 @@
 #define auxfem_tests_analysis_expect_same_h
 
 #include <auxfem/algebra/vector.h>
+#include <auxfem/time/step_report.h>
 
 #include <gtest/gtest.h>
 
@@ -13,6 +14,17 @@ namespace auxfem::testing_support
     ASSERT_EQ(a.size(), b.size());
     for (unsigned int i = 0; i < a.size(); ++i)
       EXPECT_EQ(a[i], b[i]);
+  }
+
+  inline void expect_same_work(const Work &a, const Work &b)
+  {
+    EXPECT_EQ(a.steps, b.steps);
+    EXPECT_EQ(a.iterations, b.iterations);
+    EXPECT_EQ(a.factorizations, b.factorizations);
+    EXPECT_EQ(a.retries, b.retries);
+    EXPECT_EQ(a.shortened, b.shortened);
+    EXPECT_EQ(a.linear_solutions, b.linear_solutions);
+    EXPECT_EQ(a.linear_iterations, b.linear_iterations);
   }
 } // namespace auxfem::testing_support
 

@@ -1,4 +1,5 @@
 #include <auxfem/analysis/newton.h>
+#include <auxfem/equations/prescribed_motion.h>
 #include <auxfem/time/alpha_family.h>
 #include <auxfem/time/static.h>
 
@@ -6,7 +7,10 @@
 #include <gtest/gtest.h>
 #include <mesh/cell_from_text.h>
 
+#include <cmath>
 #include <cstdio>
+
+#include <support/pi.h>
 
 using namespace auxfem;
 using namespace auxfem::testing_support;
@@ -89,6 +93,73 @@ TEST(Newton, ConvergesQuadraticallyWithAFreshFactorization)
     }
   EXPECT_LT(residuals.back(), 1e-11);
   EXPECT_GE(n_checked, 2u);
+}
+
+namespace
+{
+  /** Lee's frame, the beam of which is pushed down by @p v (cm) at once. */
+  SceneText pushed_frame(const double v)
+  {
+    SceneText scene =
+      static_frame("0 0; 0 120; 24 120; 120 120", "0 1; 1 2; 2 3");
+    scene.section({4.32e7, 4.32e10, 1.44e7})
+      .support("hinges", "0, 3", "pin")
+      .prescribe("load", "2", {"free", text(-v) + " * t", "free"})
+      .mesh(4, 3)
+      .time(1, 1);
+    return scene;
+  }
+
+  /** Whether Newton's method converges with whole increments alone. */
+  bool converges_with_whole_increments(StaticStep &step)
+  {
+    step.to.time             = 1;
+    const Evaluation instant = Evaluation::static_step(step.from, step.to, 1.);
+    EvaluationResults &results = step.of_scene.results;
+    Vector             increment(step.to.displacement.size());
+    step.scheme.predict(instant.from, instant.dt, step.to);
+    step.solver.residual(instant, results);
+    for (unsigned int i = 0; i < 30; ++i)
+      {
+        step.solver.assemble(instant,
+                             results,
+                             step.scheme.factors(step.from, 1.));
+        if (!step.solver.factorize())
+          return false;
+        find_right_side(step.of_scene.model, instant, increment.data());
+        if (!step.solver.solve(increment) ||
+            !(largest_motion(step.of_scene.model, increment).second <= pi))
+          return false;
+        step.scheme.correct(step.from, increment, 1., step.to);
+        step.solver.residual(instant, results);
+        // Far above round-off, within reach of quadratic convergence.
+        if (results.force <= 1e-6 * results.force_scale)
+          return true;
+      }
+    return false;
+  }
+} // namespace
+
+TEST(Newton, ShortenedIncrementsFindWhatWholeOnesMiss)
+{
+  unsigned int n_whole = 0, n_shortened = 0, n_found_by_them = 0;
+  for (double v = 0.25; v <= 3; v += 0.125)
+    {
+      StaticStep step(pushed_frame(v), full_newton());
+      StaticStep plain(pushed_frame(v), full_newton());
+      const bool is_found = step.solve().converged;
+      const bool by_whole = converges_with_whole_increments(plain);
+      n_whole += by_whole;
+      n_shortened += is_found;
+      n_found_by_them += is_found && step.work.shortened > 0;
+      // Where increments need not be shortened both are one method.
+      if (step.work.shortened == 0)
+        {
+          EXPECT_EQ(is_found, by_whole) << v;
+        }
+    }
+  EXPECT_GE(n_shortened, n_whole + 5);
+  EXPECT_GE(n_found_by_them, 5u);
 }
 
 TEST(Newton, KeptFactorizationFindsTheSameWithFewerFactorizations)

@@ -75,8 +75,8 @@ TEST(StaticPath, PassesTheLimitPointsOfATruss)
   EXPECT_NEAR(force * limits[0].load_factor, truss_limit(), 1e-9 * force);
   EXPECT_NEAR(force * limits[1].load_factor, -truss_limit(), 1e-9 * force);
   EXPECT_NEAR(deflection(limits[0]), 0.4236074652, 1e-6);
-  EXPECT_EQ(limits[0].singular.n_negative_after, 1u);
-  EXPECT_EQ(limits[1].singular.n_negative_after, 0u);
+  EXPECT_EQ(limits[0].singular.after.n_negative, 1u);
+  EXPECT_EQ(limits[1].singular.after.n_negative, 0u);
 }
 
 TEST(StaticPath, EnergiesBalanceAlongIt)
@@ -268,4 +268,110 @@ TEST(StaticPath, IsTheSameOnAllRanks)
   EXPECT_NEAR(alone.bifurcations()[0].load_factor,
               together.bifurcations().at(0).load_factor,
               1e-8);
+}
+
+TEST(StaticPath, TheDeterminantHasTheSignThatTheCountSays)
+{
+  const SceneText column = static_frame("0 0; 0 1; 0 1.4", "0 1; 1 2")
+                             .section({1e5, 1e5, 1})
+                             .rigid_part("bar", "1", 1)
+                             .set("Rigid parts/bar/Elastic struts", "clamped")
+                             .support("clamp", "0", "clamp")
+                             .load("weight", "2", {"0", "-40 * t", "0"})
+                             .mesh(4, 2)
+                             .time(1, 1);
+  for (const SceneText &scene : {pressed_truss(), column})
+    for (const char *solver : {"auto", "klu", "mumps"})
+      {
+        unsigned int       n_unstable = 0;
+        const FollowedPath path(scene.str(),
+                                {std::string("Solver/Type=") + solver});
+        for (const FollowedPath::Point &point : path.points)
+          {
+            ASSERT_TRUE(point.n_negative);
+            EXPECT_EQ(point.determinant_sign,
+                      *point.n_negative % 2 == 0 ? 1 : -1);
+            n_unstable += *point.n_negative % 2;
+          }
+        EXPECT_GE(n_unstable, 2u);
+      }
+}
+
+namespace
+{
+  /** Pressed by forces of which some turn with the joints of its top. */
+  SceneText star_under_follower_loads()
+  {
+    return static_scene()
+      .cells("star", 3, 2)
+      .set("Lattice/Strut length", 0.01)
+      .set("Lattice/Opening angle", "60 deg")
+      .rectangle("all", 4e-4, 4e-4, {70e9})
+      .support("foot", "bottom", "clamp")
+      .load("weight", "top", {"0", "-2 * t", "0"})
+      .load("wind", "top", {"0", "-0.5 * t", "0"})
+      .set("Loads/wind/Direction", "follows the joint")
+      .time(1, 1);
+  }
+} // namespace
+
+TEST(StaticPath, FindsDivergenceOnAllRanks)
+{
+  const SceneText scene = star_under_follower_loads();
+  for (const char *solver : {"auto", "mumps"})
+    {
+      const std::vector<std::string> settings = {"Path/Branch=stable",
+                                                 std::string("Solver/Type=") +
+                                                   solver};
+      const FollowedPath             alone(scene.str(), settings),
+        together(scene.str(), settings, MPI_COMM_WORLD);
+      ASSERT_EQ(alone.points.size(), together.points.size());
+      for (unsigned int i = 0; i < alone.points.size(); ++i)
+        EXPECT_EQ(alone.points[i].determinant_sign,
+                  together.points[i].determinant_sign);
+      ASSERT_GE(alone.bifurcations().size(), 1u);
+      const FollowedPath::Singular &found = alone.bifurcations()[0];
+      EXPECT_NEAR(found.load_factor,
+                  together.bifurcations().at(0).load_factor,
+                  1e-7);
+      // It is known by its sign alone; the path leaves for a stable branch.
+      EXPECT_FALSE(alone.points.back().n_negative);
+      EXPECT_EQ(found.singular.before.determinant_sign, 1);
+      EXPECT_EQ(found.singular.after.determinant_sign, -1);
+      EXPECT_EQ(alone.points.back().determinant_sign, 1);
+    }
+}
+
+TEST(StaticPath, LoadsWorkOnTheLeftNullVectorAtLimitPointsAlone)
+{
+  const SceneText shallow =
+    static_frame("-12.943 0; 0 0.386; 12.943 0", "0 1; 1 2")
+      .section({1.88e6, 1.88e6, 9300})
+      .support("feet", "0, 2", "clamp")
+      .load("weight", "1", {"0", "-80 * t", "0"})
+      .mesh(3)
+      .time(1, 1);
+  SceneText following = shallow;
+  following.set("Loads/weight/Direction", "follows the joint");
+  unsigned int n_found[2] = {};
+  for (const std::string &scene : {pressed_truss().str(),
+                                   shallow.str(),
+                                   following.str(),
+                                   star_under_follower_loads().str()})
+    for (const FollowedPath::Singular &point :
+         FollowedPath(scene).singular_points)
+      {
+        ASSERT_TRUE(point.singular.part_of_loads);
+        if (point.kind == SingularPoint::Kind::limit)
+          {
+            EXPECT_GT(*point.singular.part_of_loads, 0.1);
+          }
+        else
+          {
+            EXPECT_LT(*point.singular.part_of_loads, 1e-4);
+          }
+        ++n_found[point.kind == SingularPoint::Kind::limit ? 0 : 1];
+      }
+  EXPECT_GE(n_found[0], 6u);
+  EXPECT_GE(n_found[1], 1u);
 }

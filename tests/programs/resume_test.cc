@@ -97,10 +97,24 @@ namespace
       EXPECT_EQ(n_killed, n_ranks > 1 ? 2u : 5u);
     }
 
-    void expect_that_of_the_whole_run() const
+    /** Starts a run that gets a signal after some rows. */
+    void end_by_signal() const
+    {
+      const ProgramRun ended = run_program(
+        {"sh",
+         "-c",
+         "'" AUXFEM_EXECUTABLE "' scene.prm --output out & run=$!; until [ -e "
+         "out/history.csv ] && [ $(wc -l < out/history.csv) -gt 5 ]; do sleep "
+         "0.01; done; kill -TERM $run; wait $run"});
+      ASSERT_EQ(ended.exit_code, 128 + 15);
+      expect_contains(ended.output, {"auxfem --resume out"});
+    }
+
+    void expect_that_of_the_whole_run(
+      const Words &files = {"history.csv", "solution.pvd"}) const
     {
       // Not compared as texts, which would fill the screen.
-      for (const char *file : {"history.csv", "solution.pvd"})
+      for (const std::string &file : files)
         EXPECT_TRUE(read_text(path("out/") + file) ==
                     read_text(path("whole/") + file))
           << file;
@@ -176,14 +190,7 @@ namespace
   TEST_F(ResumedRun, AfterASignalIsTheWholeOne)
   {
     ASSERT_EQ(run_auxfem({"scene.prm", "--output", "whole"}).exit_code, 0);
-    const ProgramRun ended = run_program(
-      {"sh",
-       "-c",
-       "'" AUXFEM_EXECUTABLE "' scene.prm --output out & run=$!; until [ -e "
-       "out/history.csv ] && [ $(wc -l < out/history.csv) -gt 5 ]; do sleep "
-       "0.01; done; kill -TERM $run; wait $run"});
-    ASSERT_EQ(ended.exit_code, 128 + 15);
-    expect_contains(ended.output, {"auxfem --resume out"});
+    end_by_signal();
     const ProgramRun run = run_auxfem(go_on());
     ASSERT_EQ(run.exit_code, 0) << run.errors;
     expect_that_of_the_whole_run();
@@ -207,7 +214,7 @@ namespace
       run.errors,
       {"Time/Time step: it was \"0.0000152587890625\", now it is \"10 us\"",
        "Output/Graphics: it was",
-       "start from t = 0"});
+       "start anew"});
     EXPECT_EQ(run.errors.find("Segments"), std::string::npos) << run.errors;
     EXPECT_EQ(run.errors.find("End time:"), std::string::npos) << run.errors;
   }
@@ -284,5 +291,110 @@ namespace
                 .exit_code,
               0);
     EXPECT_FALSE(has_checkpoint());
+  }
+
+  /** The same for paths of equilibria, which buckle on their way. */
+  class ResumedPath : public ResumedRun
+  {
+  protected:
+    ResumedPath()
+    {
+      write("scene.prm",
+            replaced(replaced(replaced(prm_text("path.prm"),
+                                       "set Cells x       = 5",
+                                       "set Cells x       = 2"),
+                              "set Cells y       = 4",
+                              "set Cells y       = 2"),
+                     "set Largest displacement = 25 mm",
+                     "set Resolution = 1e-4\n set Largest displacement = " +
+                       end));
+    }
+
+    inline static const std::string end = "12 mm", early = "2 mm";
+
+    void expect_that_of_the_whole_path() const
+    {
+      expect_that_of_the_whole_run({"history.csv",
+                                    "solution.pvd",
+                                    "singular_points.csv",
+                                    "singular_solution.pvd"});
+      for (const char *name : {"arc_length", "load_factor"})
+        EXPECT_EQ(summary(name), summary(name, "whole")) << name;
+      EXPECT_EQ(count_lines(read_text(path("out/singular_points.csv"))), 2u);
+    }
+
+    void run_whole(const unsigned int n_ranks) const
+    {
+      const Words words = {"scene.prm", "--output", "whole"};
+      ASSERT_EQ((n_ranks == 1 ? run_auxfem(words)
+                              : run_auxfem_on(n_ranks, words))
+                  .exit_code,
+                0);
+    }
+  };
+
+  TEST_F(ResumedPath, KilledAgainAndAgainIsTheWholeOne)
+  {
+    run_whole(1);
+    kill_and_go_on(1);
+    expect_that_of_the_whole_path();
+    expect_contains(read_text(path("out/log.txt")),
+                    {"Goes on from load factor "});
+  }
+
+  TEST_F(ResumedPath, KilledAgainAndAgainOnTwoRanksIsTheWholeOne)
+  {
+    run_whole(2);
+    kill_and_go_on(2);
+    expect_that_of_the_whole_path();
+  }
+
+  TEST_F(ResumedPath, AfterASignalIsTheWholeOne)
+  {
+    run_whole(1);
+    end_by_signal();
+    const ProgramRun run = run_auxfem(go_on());
+    ASSERT_EQ(run.exit_code, 0) << run.errors;
+    expect_that_of_the_whole_path();
+  }
+
+  TEST_F(ResumedPath, ToALaterEndIsTheWholeOne)
+  {
+    run_whole(1);
+    const std::string largest = "Path/Largest displacement=";
+    for (const std::string &first_end :
+         {largest + early, std::string("Path/Largest load factor=0.3")})
+      {
+        Words first = begin();
+        first.insert(first.end(), {"--set", first_end});
+        ASSERT_EQ(run_auxfem(first).exit_code, 0);
+        const ProgramRun run = run_auxfem(go_on(
+          {"--set", largest + end, "--set", "Path/Largest load factor=1"}));
+        ASSERT_EQ(run.exit_code, 0) << run.errors;
+        expect_that_of_the_whole_path();
+      }
+  }
+
+  TEST_F(ResumedPath, KeepsItsParameters)
+  {
+    Words first = begin();
+    first.insert(first.end(), {"--set", "Path/Points=8"});
+    ASSERT_EQ(run_auxfem(first).exit_code, 0);
+    const ProgramRun run = run_auxfem(go_on({"--set",
+                                             "Path/Resolution=1e-3",
+                                             "--set",
+                                             "Time/End time=2 s",
+                                             "--set",
+                                             "Path/Points=9"}));
+    EXPECT_EQ(run.exit_code, 1);
+    expect_contains(run.errors,
+                    {"Path/Resolution: it was \"1e-4\"",
+                     "Time/End time: it was",
+                     "Only Path/Largest load factor",
+                     "start anew"});
+    EXPECT_EQ(run.errors.find("Path/Points:"), std::string::npos) << run.errors;
+    const ProgramRun behind = run_auxfem(go_on({"--set", "Path/Points=5"}));
+    EXPECT_EQ(behind.exit_code, 1);
+    expect_contains(behind.errors, {"7 points", "Path/Points is 5"});
   }
 } // namespace

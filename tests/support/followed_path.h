@@ -1,6 +1,7 @@
 #ifndef auxfem_tests_support_followed_path_h
 #define auxfem_tests_support_followed_path_h
 
+#include <auxfem/analysis/saved_state.h>
 #include <auxfem/output/recorder.h>
 #include <auxfem/scene/scene.h>
 #include <auxfem/simulation.h>
@@ -22,6 +23,7 @@ namespace auxfem
       {
         double                       load_factor, arc_length;
         std::optional<unsigned long> n_negative;
+        std::optional<int>           determinant_sign;
         Energies                     energies;
         /** Of joints, by component of motion. */
         std::vector<std::array<double, n_motion_components>> motions;
@@ -32,10 +34,15 @@ namespace auxfem
         SingularPoint       singular;
       };
 
-      /** Follows the path of a scene, which need not say that it is one. */
+      /**
+       * Follows the path of a scene, which need not say that it is one.
+       * @param goes_on_from a checkpoint; nullptr: from the start
+       */
       explicit FollowedPath(const std::string              &prm_text,
                             const std::vector<std::string> &overrides = {},
-                            const MPI_Comm communicator = MPI_COMM_SELF)
+                            const MPI_Comm communicator = MPI_COMM_SELF,
+                            const Records *goes_on_from = nullptr)
+        : former(goes_on_from)
       {
         std::vector<std::string> all = {"Analysis=static path"};
         all.insert(all.end(), overrides.begin(), overrides.end());
@@ -66,6 +73,14 @@ namespace auxfem
       std::vector<Point>    points;
       std::vector<Singular> singular_points;
       RunResult             result;
+      /** Before every point but the first, with how many points and singular
+       * points there were; the last two, one for the end, are the same. */
+      struct Checkpoint
+      {
+        Records     records;
+        std::size_t n_points, n_singular_points;
+      };
+      std::vector<Checkpoint> checkpoints;
 
     private:
       void begin(const Equations &of_run) override
@@ -76,6 +91,33 @@ namespace auxfem
       void start(const Solution &solution) override
       {
         points.push_back(point(solution.state));
+      }
+
+      const Records *goes_on_from() const override
+      {
+        return former;
+      }
+
+      bool keeps_checkpoints() const override
+      {
+        return true;
+      }
+
+      bool wants_checkpoint() override
+      {
+        return points.size() + singular_points.size() != n_at_checkpoint;
+      }
+
+      void take(const Records &records) override
+      {
+        n_at_checkpoint = points.size() + singular_points.size();
+        if (step_of_saved_state(records) + 1 < points.size())
+          checkpoints.push_back({records,
+                                 checkpoints.back().n_points,
+                                 checkpoints.back().n_singular_points});
+        else
+          checkpoints.push_back(
+            {records, points.size(), singular_points.size()});
       }
 
       void step(const Solution &solution, const StepReport &) override
@@ -95,6 +137,7 @@ namespace auxfem
         Point       point{state.path->load_factor,
                     state.time,
                     state.path->n_negative,
+                    state.path->determinant_sign,
                     state.energies,
                     {}};
         const auto &model = equations->model();
@@ -108,6 +151,8 @@ namespace auxfem
       }
 
       const Equations *equations = nullptr;
+      const Records   *former;
+      std::size_t      n_at_checkpoint = 0;
     };
   } // namespace testing_support
 } // namespace auxfem

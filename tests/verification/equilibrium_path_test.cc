@@ -145,6 +145,66 @@ namespace
       }
   }
 
+  // Greenhill 1883 for ends that are clamped but for a turn about the axis and
+  // a motion along it: tan(M L / 2 EI) = M L / 2 EI. Two directions at once.
+  TEST(EquilibriumPath, ShaftUnderATorque)
+  {
+    SceneText scene = static_space_frame("0 0; 1 0", "0 1");
+    scene.space_section({1e6, 1e6, 1e6, 1, 1, 1})
+      .support("clamp", "0", "clamp")
+      .prescribe("bearing", "1", {"free", "0", "0"}, {"free", "0", "0"})
+      .load("torque", "1", {"0", "0", "0"}, {"10 * t", "0", "0"})
+      .mesh(4, 3)
+      .time(1, 1);
+    const FollowedPath path(scene.str());
+    ASSERT_EQ(path.bifurcations().size(), 1u);
+    EXPECT_EQ(path.bifurcations()[0].singular.multiplicity(), 2u);
+    ComparisonTable table("Shaft under a torque, ends clamped but for the turn "
+                          "about its axis: M L / EI, closed form");
+    table.relative("M L / EI",
+                   10 * path.bifurcations()[0].load_factor,
+                   2 * 4.493409457909064,
+                   1e-5);
+  }
+
+  // Greenhill's shaft with ends that turn about all axes, under a moment that
+  // keeps its direction, which has no potential: at 2 pi EI/L two directions
+  // are lost at once. No sign tells of it, but what a push bends has a pole
+  // there.
+  TEST(EquilibriumPath, ShaftUnderATorqueWithoutPotential)
+  {
+    SceneText scene = static_space_frame("0 0; 0.5 0; 1 0", "0 1; 1 2");
+    scene.space_section({1e6, 1e6, 1e6, 1, 1, 1})
+      .prescribe("foot", "0", {"0", "0", "0"}, {"0", "free", "free"})
+      .prescribe("bearing", "2", {"free", "0", "0"}, {"free", "free", "free"})
+      .load("torque", "2", {"0", "0", "0"}, {"10 * t", "0", "0"})
+      .load("push", "1", {"0", "1e-6 * t", "0"}, {"0", "0", "0"})
+      .mesh(4, 2)
+      .time(1, 1);
+    const FollowedPath path(scene.str());
+    EXPECT_TRUE(path.singular_points.empty());
+    double pole = 0, before = 0;
+    for (const FollowedPath::Point &point : path.points)
+      {
+        EXPECT_EQ(point.determinant_sign, 1);
+        const double load = point.load_factor;
+        if (load == 0)
+          continue;
+        const double stiffness = load / point.motions[1][1];
+        if (stiffness < 0 && pole == 0)
+          {
+            const FollowedPath::Point &last = *(&point - 1);
+            pole                            = last.load_factor +
+              (load - last.load_factor) * before / (before - stiffness);
+          }
+        before = stiffness;
+      }
+    ComparisonTable table("Shaft under a torque without potential, ends free "
+                          "to turn: M L / EI at the pole, closed form");
+    // Interpolated between loads 2 % apart.
+    table.relative("M L / EI", 10 * pole, 2 * pi, 2e-4);
+  }
+
   // Euler's column, clamped below: the branch that leans to a side.
   TEST(EquilibriumPath, ElasticaAfterBuckling)
   {

@@ -30,11 +30,17 @@ namespace auxfem
     unsigned long negative = 0, zero = 0, positive = 0;
   };
 
+  /** The sign of the determinant, 1 or -1, of a regular symmetric matrix. */
+  inline int determinant_sign(const Inertia &inertia)
+  {
+    return inertia.negative % 2 == 0 ? 1 : -1;
+  }
+
   /**
    * Solution of A x = b by factors that serve until the next analyse() or
    * factorize(); these neither keep nor change the matrix. All functions but
-   * inertia() and memory() are collective; what one rank meets, lack of memory
-   * included, all ranks report.
+   * inertia(), determinant_sign() and memory() are collective; what one rank
+   * meets, lack of memory included, all ranks report.
    */
   class DirectSolver
   {
@@ -60,6 +66,12 @@ namespace auxfem
      * a singular matrix what is zero is a matter of round-off.
      */
     virtual std::optional<Inertia> inertia() const = 0;
+
+    /**
+     * 1 or -1: of the determinant of the matrix factorized last, symmetric or
+     * not, the same on all ranks; none of a singular one.
+     */
+    virtual std::optional<int> determinant_sign() const = 0;
 
     /** Memory of the factors on this rank (bytes). */
     virtual std::size_t memory() const = 0;

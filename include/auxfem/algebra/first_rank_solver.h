@@ -20,6 +20,7 @@ namespace auxfem
     FactorizationOutcome   factorize(const SparseMatrix &matrix) override;
     void                   solve(double *x) override;
     std::optional<Inertia> inertia() const override;
+    std::optional<int>     determinant_sign() const override;
     std::size_t            memory() const override;
     std::vector<double>    pivot_entries() const override;
     void take_pivots_of(const std::vector<double> &entries) override;
@@ -27,7 +28,7 @@ namespace auxfem
   private:
     FactorizationOutcome collect_pattern(const SparseMatrix &matrix);
     void                 sort_rows(const SparseMatrix &matrix);
-    void                 broadcast_inertia();
+    void                 broadcast_signs();
 
     /** What the first rank has of the matrix of all. */
     struct Gathered
@@ -50,6 +51,7 @@ namespace auxfem
     std::vector<double>       entries;
     std::unique_ptr<Gathered> gathered; ///< none but on the first of several
     std::optional<Inertia>    inertia_of_all;
+    std::optional<int>        sign_of_all; ///< of the determinant
   };
 } // namespace auxfem
 

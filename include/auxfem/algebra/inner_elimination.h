@@ -21,7 +21,8 @@ namespace auxfem
   struct EliminationResult
   {
     bool is_regular = true;
-    /** Negative eigenvalues of A_II; unknown where it is unsymmetric. */
+    /** Negative eigenvalues of A_II; where it is unsymmetric, an odd number if
+     * its determinant is negative, else an even one. */
     unsigned int n_negative = 0;
   };
 

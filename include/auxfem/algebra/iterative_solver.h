@@ -49,6 +49,7 @@ namespace auxfem
 
     /** None: only what is eliminated is known. */
     std::optional<Inertia> inertia() const override;
+    std::optional<int>     determinant_sign() const override;
 
   private:
     struct Parts;

@@ -56,6 +56,13 @@ namespace auxfem
     std::optional<Inertia> inertia();
 
     /**
+     * 1 or -1: sign of the determinant of the matrix of all free unknowns and
+     * multipliers, symmetric or not. None if not is_exact() or solved by
+     * iteration.
+     */
+    std::optional<int> determinant_sign() const;
+
+    /**
      * Replaces @p values at local unknowns, owned rows of the right-hand side
      * with increments in prescribed rows, by the solution, ghosts included.
      * Returns false if that fails: why() tells the reason, and the values are

@@ -62,7 +62,7 @@ namespace auxfem
 
   /**
    * Solution of the equations at the joints by one of the types. All functions
-   * but inertia() and the counts are collective.
+   * but inertia(), determinant_sign() and the counts are collective.
    */
   class LinearSolverMethod
   {
@@ -87,6 +87,9 @@ namespace auxfem
 
     /** Of the whole matrix; none where it is not known. */
     virtual std::optional<Inertia> inertia() const = 0;
+
+    /** Of the whole matrix, 1 or -1; none where it is not known. */
+    virtual std::optional<int> determinant_sign() const = 0;
 
     /** Iterations of all solutions so far; 0 for direct types. */
     virtual unsigned long n_iterations() const = 0;

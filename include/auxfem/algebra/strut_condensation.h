@@ -58,6 +58,10 @@ namespace auxfem
      */
     const std::optional<Inertia> &inner_inertia() const;
 
+    /** Of the determinant of A_II over all ranks, 1 or -1; that of A is the
+     * product of this and that of S. */
+    int inner_determinant_sign() const;
+
     /**
      * Makes the right-hand side @p g of S, owned rows with room for ghosts,
      * from @p values: b in owned rows, increments in prescribed ones.
@@ -140,6 +144,7 @@ namespace auxfem
     /** Where those of a strut begin, and the end of the last. */
     std::vector<std::size_t> first_factor;
     std::optional<Inertia>   inertia;
+    int                      determinant = 1; ///< its sign
     std::string              why_not;
   };
 } // namespace auxfem

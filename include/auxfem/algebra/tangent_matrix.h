@@ -64,6 +64,9 @@ namespace auxfem
                 entries.begin() + first[block]);
     }
 
+    /** Takes the transpose of what is between free unknowns. */
+    void transpose();
+
     /**
      * Adds @p of_owned, one value for each owned row, to the diagonal of free
      * rows, until the next reset().

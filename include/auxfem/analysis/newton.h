@@ -26,6 +26,12 @@ namespace auxfem
     virtual bool complete(TangentSolver    &solver,
                           const Evaluation &evaluation,
                           Vector           &increment) = 0;
+
+    /** Takes back the @p part of what complete() has changed last, with
+     * @p way_back in place of the increment. */
+    virtual void take_back(const Evaluation &evaluation,
+                           const Vector     &way_back,
+                           double            part) = 0;
   };
 
   /**
@@ -101,6 +107,24 @@ namespace auxfem
     bool   meets_constraints(const EvaluationResults &results,
                              const State             &state) const;
     double in_force_units(const EvaluationResults &results) const;
+    /**
+     * Line search: shortens the last increment until the residual is smaller
+     * than
+     * @p before (N); if none of some attempts is, it has its length again. Returns
+     * the size of the residual (N).
+     */
+    double shorten(const ImplicitScheme &scheme,
+                   const Evaluation     &evaluation,
+                   EvaluationResults    &results,
+                   AddedEquation        *added,
+                   double                before);
+    /** Takes back the @p part of the last increment; returns the size of the
+     * residual (N). */
+    double take_back(const ImplicitScheme &scheme,
+                     const Evaluation     &evaluation,
+                     EvaluationResults    &results,
+                     AddedEquation        *added,
+                     double                part);
     /** Solves for the increment and applies it; empty, or why it failed. */
     std::string iterate(const ImplicitScheme &scheme,
                         const Evaluation     &evaluation,
@@ -112,8 +136,10 @@ namespace auxfem
     const bool             is_linear;
     const NodeRotations    rotations;
     Vector                 increment;
-    std::optional<Kept>    kept;
-    Exactness              exactness = Exactness::exact;
+    /** The last one without inertia, rotations in space as spins. */
+    Vector              way;
+    std::optional<Kept> kept;
+    Exactness           exactness = Exactness::exact;
     /** Whether the last attempt did, so that the next one takes more care. */
     bool has_failed = false;
   };

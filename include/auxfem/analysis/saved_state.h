@@ -19,8 +19,14 @@ namespace auxfem
   /** Its displacements alone. Throws as saved_state(). Collective. */
   Vector saved_displacement(const Equations &equations, const Records &records);
 
-  /** When that was (s). */
+  /** When that was (s); of a path of equilibria the arc length (m). */
   double time_of_saved_state(const Records &records);
+
+  /** Steps of the scene until then, or points of a path. */
+  unsigned long step_of_saved_state(const Records &records);
+
+  /** Where it was on a path of equilibria; nothing if on none. */
+  std::optional<PathPosition> saved_path_position(const Records &records);
 } // namespace auxfem
 
 #endif

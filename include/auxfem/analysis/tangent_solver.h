@@ -29,6 +29,9 @@ namespace auxfem
     /** Equations::residual(). */
     void residual(const Evaluation &evaluation, EvaluationResults &results);
 
+    /** Counts Work::shortened. */
+    void count_shortened();
+
     /** Equations::tangent() into matrix(). */
     void assemble(const Evaluation        &evaluation,
                   const EvaluationResults &results,

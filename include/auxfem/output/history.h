@@ -15,16 +15,16 @@ namespace auxfem
 {
   /**
    * The rows of `history.csv`: numbers of a state. Columns: `time`, or
-   * `arc_length`, `load_factor` and `negative_eigenvalues`; for a probe
-   * P `P.ux`, `P.uy`, `P.phi` (if all its joints rotate) and in dynamics
-   * `P.vx`, `P.vy`, means over its joints; for a probe on rigid parts the
-   * columns of RigidPartProbe; for a support S `S.rx`, `S.ry`,
-   * `S.m`, force and moment of the support on the lattice summed over its
-   * joints (forces have no part in `S.m`); for a group of connectors C
-   * `C.force`, `C.extension`, sums over the group; if wanted
-   * those of EffectiveStrains; for a plate P `P.ux`, `P.uy`, its displacement,
-   * `P.fx`, `P.fy`, the force of the struts on it, and `P.penetration`; those
-   * of energy_columns(), with `balance`, which should be zero. Units and
+   * `arc_length`, `load_factor`, `negative_eigenvalues` and `determinant`; for
+   * a probe P `P.ux`, `P.uy`, `P.phi` (if all its joints rotate) and in
+   * dynamics `P.vx`, `P.vy`, means over its joints; for a probe on rigid parts
+   * the columns of RigidPartProbe; for a support S `S.rx`, `S.ry`, `S.m`, force
+   * and moment of the support on the lattice summed over its joints (forces
+   * have no part in `S.m`); for a group of connectors C `C.force`,
+   * `C.extension`, sums over the group; if wanted those of EffectiveStrains;
+   * for a plate P `P.ux`, `P.uy`, its displacement, `P.fx`, `P.fy`, the force
+   * of the struts on it, and `P.penetration`; those of energy_columns(), with
+   * `balance`, which should be zero. Units and
    * meaning are in `history.units.csv`.
    *
    * In space probes have also `P.uz` and `P.vz`, and for `P.phi` the mean

@@ -1,7 +1,7 @@
 #ifndef auxfem_output_singular_point_h
 #define auxfem_output_singular_point_h
 
-#include <auxfem/algebra/vector.h>
+#include <auxfem/time/state.h>
 
 #include <optional>
 
@@ -16,21 +16,31 @@ namespace auxfem
       bifurcation ///< another branch crosses
     };
     Kind kind;
-    /** Negative eigenvalues of the stiffness before and after it on the path;
-     * nothing where they are not known. */
-    std::optional<unsigned long> n_negative_before, n_negative_after;
+    /** What is known of the stiffness before and after it on the path. */
+    PathPosition before, after;
     /** Of the stiffness there, of all local unknowns; its largest entry is
      * positive. */
     Vector null_vector;
+    /** PathStepper::part_of_loads(). */
+    std::optional<double> part_of_loads = {};
 
-    /** How many directions become singular at once. */
+    /** How many directions become singular at once; 1 where that is not known.
+     */
     unsigned long multiplicity() const
     {
-      if (!n_negative_before || !n_negative_after)
+      if (!before.n_negative || !after.n_negative)
         return 1;
-      return *n_negative_before < *n_negative_after
-        ? *n_negative_after - *n_negative_before
-        : *n_negative_before - *n_negative_after;
+      return *before.n_negative < *after.n_negative
+        ? *after.n_negative - *before.n_negative
+        : *before.n_negative - *after.n_negative;
+    }
+
+    /** Whether the equilibria after it are less stable than those before. */
+    bool destabilizes() const
+    {
+      if (before.n_negative && after.n_negative)
+        return *after.n_negative > *before.n_negative;
+      return before.determinant_sign == 1 && after.determinant_sign == -1;
     }
   };
 } // namespace auxfem

@@ -31,13 +31,20 @@ namespace auxfem
   {
   public:
     /** Throws InputError as the files do. @p scene, equations must outlive the
-     * object. */
+     * object. @param goes_on_from what save() has kept; nullptr: nothing. */
     SingularPointFiles(const Scene     &scene,
                        const Equations &equations,
-                       MPI_Comm         communicator);
+                       MPI_Comm         communicator,
+                       const Records   *goes_on_from);
 
     /** Adds a point, at @p at. */
     void write(const State &at, const SingularPoint &point);
+
+    /** For paths that are resumed: what files there are. */
+    void save(Records &records);
+
+    /** Names of the files and series that a checkpoint relies on. */
+    std::vector<std::string> files() const;
 
     /** How many there are. */
     unsigned int number() const;

@@ -28,6 +28,9 @@ namespace auxfem
     /** Negative eigenvalues of the stiffness; nothing where they are not known.
      */
     std::optional<unsigned long> n_negative;
+    /** 1 or -1: sign of the determinant of the stiffness, 1 in stable
+     * equilibrium; nothing where it is not known. */
+    std::optional<int> determinant_sign;
   };
 
   /** Which parts of the state a scene needs, as its effects ask for them. */

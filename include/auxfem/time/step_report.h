@@ -33,6 +33,8 @@ namespace auxfem
   struct Work
   {
     unsigned long steps = 0, iterations = 0, factorizations = 0, retries = 0;
+    /** Residuals of shortened increments, beside one an iteration. */
+    unsigned long shortened = 0;
     /** By all linear solvers, those of checks at the start included. */
     unsigned long linear_solutions = 0;
     /** Of the iterative linear solver; 0 with direct ones. */

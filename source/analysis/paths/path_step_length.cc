@@ -19,6 +19,8 @@ namespace auxfem
     /** By how much a length at which a step has failed grows with every point.
      */
     constexpr double forgetting = 1.1;
+
+    const std::string length_record = "path: length of steps";
   } // namespace
 
   PathStepLength::PathStepLength(const double resolution, const double first)
@@ -30,6 +32,11 @@ namespace auxfem
   double PathStepLength::length() const
   {
     return next;
+  }
+
+  void PathStepLength::limit(const double most)
+  {
+    next = std::min(next, most);
   }
 
   void PathStepLength::reached(const double distance, const double load_factor)
@@ -80,5 +87,21 @@ namespace auxfem
   bool PathStepLength::is_exhausted() const
   {
     return next < smallest;
+  }
+
+  void PathStepLength::save(Records &records) const
+  {
+    records.keep(length_record,
+                 {next, smallest, too_long, largest_distance, largest_load});
+  }
+
+  void PathStepLength::resume(const Records &records)
+  {
+    const std::vector<double> saved = records.values(length_record, 5);
+    next                            = saved[0];
+    smallest                        = saved[1];
+    too_long                        = saved[2];
+    largest_distance                = saved[3];
+    largest_load                    = saved[4];
   }
 } // namespace auxfem

@@ -1,5 +1,6 @@
 #include <auxfem/analysis/inverse_iteration.h>
 #include <auxfem/analysis/paths/path_stepper.h>
+#include <auxfem/equations/load_direction.h>
 #include <auxfem/equations/prescribed_motion.h>
 #include <auxfem/parameters/errors.h>
 
@@ -132,8 +133,9 @@ namespace auxfem
     solver.assemble(evaluation, results, stiffness_alone);
     if (!solver.factorize())
       return std::nullopt;
-    evaluation.to.path->n_negative = space.n_negative();
-    auto response                  = load_response(solver, evaluation);
+    evaluation.to.path->n_negative       = space.n_negative();
+    evaluation.to.path->determinant_sign = space.determinant_sign();
+    auto response                        = load_response(solver, evaluation);
     if (!response)
       return std::nullopt;
     double rate = 1 / of_path.length(*response);
@@ -143,21 +145,69 @@ namespace auxfem
     return PathTangent{std::move(*response), rate};
   }
 
-  std::optional<std::pair<Vector, double>> PathStepper::softest()
+  std::optional<double> PathStepper::find_softest(Vector &mode)
   {
     constexpr unsigned int n_iterations = 12;
-    Vector                 mode;
-    const auto             growth = inverse_iteration(
+    return inverse_iteration(
       solver,
       of_path.weights(),
       [this](const unsigned int i) { return space.is_free(i); },
       n_iterations,
       mode);
+  }
+
+  std::optional<std::pair<Vector, double>> PathStepper::softest()
+  {
+    Vector     mode;
+    const auto growth = find_softest(mode);
     if (!growth)
       return std::nullopt;
     mode = space.shape(
       {mode.begin(), mode.begin() + equations.unknowns().layout.n_owned()});
     scale(1 / of_path.length(mode), mode);
     return std::pair(std::move(mode), 1 / *growth);
+  }
+
+  std::optional<double> PathStepper::part_of_loads(const PathPoint &point)
+  {
+    const Unknowns      &unknowns = equations.unknowns();
+    const UnknownLayout &layout   = unknowns.layout;
+    const Vector         loads    = loads_at(point);
+    Vector               left;
+    solver.matrix().transpose();
+    const auto growth = find_softest(left);
+    solver.matrix().transpose();
+    if (!growth)
+      return std::nullopt;
+    std::vector<double> sums(3, 0.);
+    for (unsigned int i = 0; i < layout.n_owned(); ++i)
+      if (space.is_free(i))
+        {
+          const double way   = left[i] / unknowns.unit(i),
+                       force = loads[i] * unknowns.unit(i);
+          sums[0] += way * force;
+          sums[1] += way * way;
+          sums[2] += force * force;
+        }
+    sums = layout.sum(sums);
+    return std::abs(sums[0]) / std::sqrt(sums[1] * sums[2]);
+  }
+
+  Vector PathStepper::loads_at(const PathPoint &point) const
+  {
+    const UnknownLayout &layout = equations.unknowns().layout;
+    State                at     = point.solution.state;
+    Vector               loads =
+      load_direction(equations,
+                     Evaluation::equilibrium(point.solution.state, at));
+    Vector motions(layout.n_local(), 0.), of_motions(layout.n_owned());
+    for (unsigned int i = 0; i < layout.n_owned(); ++i)
+      if (space.is_prescribed(i))
+        motions[i] = loads[i];
+    layout.update_ghosts(motions.data());
+    solver.matrix().multiply_blocks(motions.data(), of_motions.data());
+    for (unsigned int i = 0; i < layout.n_owned(); ++i)
+      loads[i] -= of_motions[i];
+    return loads;
   }
 } // namespace auxfem

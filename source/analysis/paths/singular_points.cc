@@ -18,9 +18,9 @@ namespace auxfem
     /** What is seen of the path at some distance from the start of a step. */
     struct Look
     {
-      double                       length; ///< m
-      double                       load_rate;
-      std::optional<unsigned long> n_negative;
+      double       length; ///< m
+      double       load_rate;
+      PathPosition position;
     };
 
     bool has_limit(const Look &begin, const Look &end)
@@ -31,13 +31,28 @@ namespace auxfem
     /** How many eigenvalues have changed their sign, as far as is known. */
     unsigned long n_changes(const Look &begin, const Look &end)
     {
-      if (!begin.n_negative || !end.n_negative)
-        return has_limit(begin, end) ? 1 : 0;
-      return SingularPoint{SingularPoint::Kind::bifurcation,
-                           begin.n_negative,
-                           end.n_negative,
-                           {}}
-        .multiplicity();
+      const PathPosition &before = begin.position, &after = end.position;
+      if (before.n_negative && after.n_negative)
+        return SingularPoint{SingularPoint::Kind::bifurcation,
+                             before,
+                             after,
+                             {}}
+          .multiplicity();
+      const bool is_limit = has_limit(begin, end);
+      // An even number, if any, leaves the determinant its sign.
+      if (before.determinant_sign && after.determinant_sign)
+        return before.determinant_sign != after.determinant_sign ? 1
+          : is_limit                                             ? 2
+                                                                 : 0;
+      return is_limit ? 1 : 0;
+    }
+
+    /** Whether no eigenvalue is known to have changed its sign in between. */
+    bool are_alike(const PathPosition &one, const PathPosition &other)
+    {
+      return one.n_negative && other.n_negative
+        ? one.n_negative == other.n_negative
+        : one.determinant_sign == other.determinant_sign;
     }
 
     class SingularPointSearch
@@ -79,7 +94,7 @@ namespace auxfem
 
       static Look look_at(const PathPoint &point, const double length)
       {
-        return {length, point.tangent.load_rate, point.n_negative()};
+        return {length, point.tangent.load_rate, point.position()};
       }
 
       std::vector<LocatedPoint> found;
@@ -107,7 +122,7 @@ namespace auxfem
             return;
           }
         const auto is_before = [&](const PathPoint &point) {
-          return point.n_negative() == begin.n_negative ? 1. : -1.;
+          return are_alike(point.position(), begin.position) ? 1. : -1.;
         };
         // Several at once have no eigenvalue of their own.
         if (n_changes(begin, end) > 1)
@@ -201,14 +216,16 @@ namespace auxfem
           point = at(distance - part * length);
         if (!point)
           return;
-        auto softest = stepper.softest();
-        found.push_back(
-          {std::move(*point),
-           {has_limit(begin, end) ? SingularPoint::Kind::limit
-                                  : SingularPoint::Kind::bifurcation,
-            begin.n_negative,
-            end.n_negative,
-            softest ? std::move(softest->first) : Vector()}});
+        auto                softest = stepper.softest();
+        const SingularPoint singular{has_limit(begin, end)
+                                       ? SingularPoint::Kind::limit
+                                       : SingularPoint::Kind::bifurcation,
+                                     begin.position,
+                                     end.position,
+                                     softest ? std::move(softest->first)
+                                             : Vector(),
+                                     stepper.part_of_loads(*point)};
+        found.push_back({std::move(*point), singular});
       }
 
       PathStepper     &stepper;

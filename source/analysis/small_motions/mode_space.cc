@@ -67,6 +67,15 @@ namespace auxfem
     return inertia->negative - std::min(inertia->negative, of_constraints);
   }
 
+  std::optional<int> ModeSpace::determinant_sign() const
+  {
+    std::optional<int> sign = solver.linear_solver().determinant_sign();
+    // Each constraint makes one negative eigenvalue.
+    if (sign && solver.model().numbering.constraints().n_multipliers() % 2 != 0)
+      *sign *= -1;
+    return sign;
+  }
+
   Vector ModeSpace::shape(const std::vector<double> &owned) const
   {
     Vector shape(layout.n_local(), 0.);

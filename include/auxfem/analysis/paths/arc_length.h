@@ -30,6 +30,13 @@ namespace auxfem
     Vector deviation(double length) const;
     double deviation_of_load(double length) const;
     ///@}
+
+    /** @name For paths that are resumed. Collective. */
+    ///@{
+    void save(const DofNumbering &numbering, Records &records) const;
+    static PathTangent saved(const DofNumbering &numbering,
+                             const Records      &records);
+    ///@}
   };
 
   /**
@@ -62,6 +69,10 @@ namespace auxfem
                   const Evaluation &evaluation,
                   Vector           &increment) override;
 
+    void take_back(const Evaluation &evaluation,
+                   const Vector     &way_back,
+                   double            part) override;
+
     /** @name How far the point lies off the tangent. */
     ///@{
     double deviation() const; ///< m
@@ -73,6 +84,7 @@ namespace auxfem
     const Vector     &direction;
     Vector            off_tangent;
     double            load_off_tangent;
+    double            last_load = 0; ///< by the last complete()
   };
 } // namespace auxfem
 

@@ -20,6 +20,9 @@ namespace auxfem
 
     double length() const; ///< of the next step (m)
 
+    /** Makes the next step no longer than @p most (m). */
+    void limit(double most);
+
     /** Takes note of a point of the path: its distance from rest (m), its load
      * factor. */
     void reached(double distance, double load_factor);
@@ -39,6 +42,12 @@ namespace auxfem
 
     /** Whether the next attempt is too short to be made. */
     bool is_exhausted() const;
+
+    /** @name For paths that are resumed. */
+    ///@{
+    void save(Records &records) const;
+    void resume(const Records &records);
+    ///@}
 
   private:
     const double resolution;

@@ -27,10 +27,9 @@ namespace auxfem
       return solution.state.time;
     }
 
-    /** As PathPosition::n_negative. */
-    std::optional<unsigned long> n_negative() const
+    const PathPosition &position() const
     {
-      return solution.state.path->n_negative;
+      return *solution.state.path;
     }
   };
 
@@ -80,15 +79,28 @@ namespace auxfem
      */
     std::optional<std::pair<Vector, double>> softest();
 
+    /**
+     * How much of the loads at @p point, which was found last, works on the
+     * null vector of the transposed stiffness: the cosine of the angle between
+     * both, moments measured by the mean strut length. Zero where another
+     * branch crosses, not where the load factor turns round. Nothing where the
+     * stiffness is singular to the last digit.
+     */
+    std::optional<double> part_of_loads(const PathPoint &point);
+
     const PathMetric &metric() const;
 
   private:
+    /** softest(), before it is made a shape; of the matrix that is there. */
+    std::optional<double> find_softest(Vector &mode);
+    /** Loads in free rows at @p point, those of prescribed motions too. */
+    Vector loads_at(const PathPoint &point) const;
     /** Puts the first guess of a step into its end. */
     void predict(const Evaluation  &step,
                  const PathTangent &prediction,
                  double             length) const;
     /** Of the equilibrium at evaluation.to, in the sense of @p way; also finds
-     * PathPosition::n_negative. Nothing if that fails. */
+     * what PathPosition says of the stiffness. Nothing if that fails. */
     std::optional<PathTangent> find_tangent(const Evaluation        &evaluation,
                                             const EvaluationResults &results,
                                             const Vector            *way);

@@ -19,7 +19,8 @@ namespace auxfem
    * The singular points that a step along the tangent of @p from to @p to, at
    * the distance @p length (m), has passed, in their order: limit points, where
    * the load factor turns round, and bifurcations, where the number of negative
-   * eigenvalues of the stiffness changes without that. Each is enclosed by
+   * eigenvalues of the stiffness changes without that, or, where that is not
+   * known, the sign of its determinant. Each is enclosed by
    * further steps from @p from (Alefeld, Potra and Shi 1995, ACM Transactions on
    * Mathematical Software 21, 327). Collective.
    */

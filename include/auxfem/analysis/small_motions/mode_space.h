@@ -42,6 +42,11 @@ namespace auxfem
      * before. */
     std::optional<unsigned long> n_negative();
 
+    /** 1 or -1: sign of the determinant of the matrix that was factorized last,
+     * without that of constraints, so 1 in stable equilibrium; nothing where it
+     * is not known. */
+    std::optional<int> determinant_sign() const;
+
     /** A mode on all local unknowns; its largest entry is positive, of equal
      * ones the first. */
     Vector shape(const std::vector<double> &owned) const;
