@@ -253,20 +253,15 @@ namespace auxfem
                                     const EvaluationResults   &results,
                                     const std::complex<double> s,
                                     TangentMatrix             &real,
-                                    TangentMatrix             &imaginary,
-                                    const double               damping) const
+                                    TangentMatrix             &imaginary) const
   {
     const std::complex<double> square = s * s;
-    tangent(evaluation, results, {1., damping * s.real(), square.real()}, real);
-    tangent(evaluation,
-            results,
-            {0., damping * s.imag(), square.imag()},
-            imaginary);
+    tangent(evaluation, results, {1., s.real(), square.real()}, real);
+    tangent(evaluation, results, {0., s.imag(), square.imag()}, imaginary);
     for (unsigned int i = 0; i < n_internal; ++i)
       effects[i]->add_viscous_stiffness(evaluation,
                                         results.of_effects[i].get(),
                                         s,
-                                        damping,
                                         real,
                                         imaginary);
   }

@@ -128,7 +128,6 @@ namespace auxfem
     virtual void add_viscous_stiffness(const Evaluation & /*evaluation*/,
                                        const EffectResults * /*results*/,
                                        const std::complex<double> /*s*/,
-                                       const double /*part*/,
                                        TangentMatrix & /*real*/,
                                        TangentMatrix & /*imaginary*/) const
     {}

@@ -131,14 +131,12 @@ namespace auxfem
      * in 1/s: K + s C + s^2 M and the complex stiffness of connectors.
      * Constraints are in both.
      * @param results of residual() in the same evaluation
-     * @param damping which part of all damping is there
      */
     void dynamic_stiffness(const Evaluation        &evaluation,
                            const EvaluationResults &results,
                            std::complex<double>     s,
                            TangentMatrix           &real,
-                           TangentMatrix           &imaginary,
-                           double                   damping = 1) const;
+                           TangentMatrix           &imaginary) const;
 
     /** Derivative of the residual by time_of_loads() of evaluation.to through
      * the loads, of local unknowns. */

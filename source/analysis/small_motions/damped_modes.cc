@@ -1,5 +1,6 @@
 #include <auxfem/analysis/small_motions/damped_modes.h>
 #include <auxfem/analysis/small_motions/dynamic_stiffness.h>
+#include <auxfem/analysis/small_motions/projected_modes.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,6 +17,7 @@ namespace auxfem
      * iteration makes the error smaller by about this. */
     constexpr double       shift            = 5e-3;
     constexpr double       no_swing         = 1e-9;
+    constexpr double       settled_shape    = 1e-4;
     constexpr unsigned int most_refinements = 30, most_secants = 20;
 
     /** Watches changes of a number until they are round-off. */
@@ -50,37 +52,37 @@ namespace auxfem
     public:
       DampedMode(DynamicStiffness    &stiffness,
                  const UnknownLayout &layout,
-                 const NaturalMode   &undamped)
+                 const Complex        s,
+                 const Values        &x)
         : stiffness(stiffness)
         , layout(layout)
-        , s(0., undamped.angular_frequency())
-        , x(2 * layout.n_owned(), 0.)
+        , s(s)
+        , x(x)
+      {}
+
+      /** Returns whether it was found and swings. */
+      bool find()
       {
-        std::copy_n(undamped.shape.begin(), layout.n_owned(), x.begin());
+        return find_root_and_shape() &&
+          // What has come to the real axis does not swing.
+          std::abs(s.imag()) > no_swing * std::abs(s);
       }
 
-      /**
-       * With damping that grows to its full size in @p n_stages. Nothing if that
-       * fails, or if what it leads to does not swing.
-       */
-      std::optional<NaturalMode::Damped> find(const unsigned int n_stages)
+      NaturalMode::Damped told() const
       {
-        for (unsigned int stage = 1; stage <= n_stages; ++stage)
-          {
-            damping = double(stage) / n_stages;
-            if (!find_with_damping())
-              return std::nullopt;
-          }
-        // What has come to the real axis does not swing.
-        if (std::abs(s.imag()) <= no_swing * std::abs(s))
-          return std::nullopt;
-        return NaturalMode::Damped{s.real(), std::abs(s.imag())};
+        return {s.real(), std::abs(s.imag())};
+      }
+
+      /** Owned rows, real parts before imaginary ones. */
+      const Values &shape() const
+      {
+        return x;
       }
 
     private:
       /** Residual inverse iteration (Neumaier 1985) with the quotient of
        * Rayleigh for symmetric A(s), x.A(s) x = 0. */
-      bool find_with_damping()
+      bool find_root_and_shape()
       {
         Settling settling;
         for (unsigned int i = 0; i < most_refinements; ++i)
@@ -88,7 +90,9 @@ namespace auxfem
             const Complex before = s;
             if (!find_root())
               return false;
-            if (settling.has_settled(std::abs(s - before) / std::abs(s)))
+            // A guess may be at its root while the shape is far from its own.
+            if (settling.has_settled(std::abs(s - before) / std::abs(s)) &&
+                change_of_shape <= settled_shape)
               return true;
             if (!improve())
               return false;
@@ -100,7 +104,7 @@ namespace auxfem
       bool find_root()
       {
         const auto form = [this](const Complex at) {
-          stiffness.set(at, damping);
+          stiffness.set(at);
           return stiffness.form(x);
         };
         Settling settling;
@@ -127,11 +131,12 @@ namespace auxfem
       bool improve()
       {
         Values left(x.size()), change(x.size(), 0.);
-        stiffness.set(s, damping);
+        stiffness.set(s);
         stiffness.multiply(x.data(), left.data());
-        stiffness.set(s * (1. + shift), damping);
+        stiffness.set(s * (1. + shift));
         if (!stiffness.factorize() || !stiffness.solve(left, change).empty())
           return false;
+        change_of_shape = size(layout, change) / size(layout, x);
         for (std::size_t i = 0; i < x.size(); ++i)
           x[i] -= change[i];
         const double length = size(layout, x);
@@ -146,58 +151,171 @@ namespace auxfem
       const UnknownLayout &layout;
       Complex              s;
       Values               x;
-      double               damping = 1;
+      double change_of_shape = std::numeric_limits<double>::infinity();
     };
 
-    bool are_near(const double one, const double other)
+    bool are_near(const NaturalMode::Damped &one,
+                  const NaturalMode::Damped &other)
     {
       constexpr double near = 1e-6;
-      return std::abs(one - other) <= near * std::abs(one);
+      return std::hypot(one.growth - other.growth,
+                        one.angular_frequency - other.angular_frequency) <=
+        near * std::hypot(one.growth, one.angular_frequency);
     }
 
-    /** Whether two different modes have led to the same damped one. */
-    bool have_met(const NaturalMode &one, const NaturalMode &other)
+    /** Finds the damped modes of a list of natural ones. */
+    class DampedModes
     {
-      return one.damped && other.damped &&
-        !are_near(one.eigenvalue, other.eigenvalue) &&
-        are_near(one.damped->angular_frequency,
-                 other.damped->angular_frequency) &&
-        are_near(one.damped->growth, other.damped->growth);
-    }
+    public:
+      DampedModes(TangentSolver            &solver,
+                  const State              &state,
+                  std::vector<NaturalMode> &modes)
+        : stiffness(solver, state)
+        , layout(solver.equations().unknowns().layout)
+        , modes(modes)
+        , shapes(modes.size())
+      {}
 
-    /** Calls @p action for each pair that has met. */
-    template <class Action>
-    void for_each_meeting(std::vector<NaturalMode> &modes, const Action &action)
-    {
-      for (std::size_t i = 0; i < modes.size(); ++i)
+      /** From each natural mode by itself. */
+      void find_each()
+      {
+        for (std::size_t i = 0; i < modes.size(); ++i)
+          if (modes[i].eigenvalue > 0)
+            {
+              Values x(2 * layout.n_owned(), 0.);
+              std::copy_n(modes[i].shape.begin(), layout.n_owned(), x.begin());
+              find(i, {0., modes[i].angular_frequency()}, x);
+            }
+      }
+
+      /** Whether a mode has no damped one, or two have the same. */
+      bool are_mixed() const
+      {
+        for (std::size_t i = 0; i < modes.size(); ++i)
+          if ((modes[i].eigenvalue > 0 && !modes[i].damped) || is_known(i))
+            return true;
+        return false;
+      }
+
+      /**
+       * From what @p basis makes with damping, each given to the mode of
+       * the basis that has the largest part in it and none yet.
+       */
+      void find_together(const std::vector<NaturalMode> &basis)
+      {
+        std::vector<char>              taken(basis.size(), false);
+        const std::vector<NaturalMode> before           = modes;
+        const std::vector<Values>      shapes_of_before = shapes;
+        for (NaturalMode &mode : modes)
+          mode.damped.reset();
+        for (const ProjectedMode &guess :
+             projected_modes(stiffness, layout, basis))
+          {
+            std::size_t best = basis.size();
+            for (std::size_t j = 0; j < basis.size(); ++j)
+              if (!taken[j] &&
+                  (best == basis.size() ||
+                   std::abs(guess.parts[j]) > std::abs(guess.parts[best])))
+                best = j;
+            if (best == basis.size())
+              break;
+            taken[best] = true;
+            if (best < modes.size() && modes[best].eigenvalue > 0)
+              find(best, guess.s, shape(basis, guess));
+          }
+        leave_out_known();
+        // What only the search from the mode itself has found.
+        for (std::size_t i = 0; i < modes.size(); ++i)
+          if (!modes[i].damped)
+            {
+              modes[i].damped = before[i].damped;
+              shapes[i]       = shapes_of_before[i];
+              for (std::size_t j = 0; j < modes.size(); ++j)
+                if (j != i && are_same(i, j))
+                  modes[i].damped.reset();
+            }
+      }
+
+    private:
+      /** No mode is told twice. */
+      void leave_out_known()
+      {
+        for (std::size_t i = 0; i < modes.size(); ++i)
+          if (is_known(i))
+            modes[i].damped.reset();
+      }
+
+      void find(const std::size_t i, const Complex s, const Values &x)
+      {
+        DampedMode mode(stiffness, layout, s, x);
+        if (!mode.find())
+          return;
+        modes[i].damped = mode.told();
+        shapes[i]       = mode.shape();
+      }
+
+      Values shape(const std::vector<NaturalMode> &basis,
+                   const ProjectedMode            &guess) const
+      {
+        const unsigned int n = layout.n_owned();
+        Values             x(2 * n, 0.);
+        for (std::size_t j = 0; j < basis.size(); ++j)
+          for (unsigned int k = 0; k < n; ++k)
+            {
+              x[k] += guess.parts[j].real() * basis[j].shape[k];
+              x[n + k] += guess.parts[j].imag() * basis[j].shape[k];
+            }
+        return x;
+      }
+
+      /** Whether a mode before this one has the same damped one. */
+      bool is_known(const std::size_t i) const
+      {
         for (std::size_t j = 0; j < i; ++j)
-          if (have_met(modes[i], modes[j]))
-            action(modes[i], modes[j]);
-    }
+          if (are_same(i, j))
+            return true;
+        return false;
+      }
+
+      bool are_same(const std::size_t i, const std::size_t j) const
+      {
+        return modes[i].damped && modes[j].damped &&
+          are_near(*modes[i].damped, *modes[j].damped) &&
+          are_parallel(shapes[i], shapes[j]);
+      }
+
+      bool are_parallel(const Values &one, const Values &other) const
+      {
+        constexpr double    parallel = 0.999;
+        const unsigned int  n        = layout.n_owned();
+        std::vector<double> sums     = {0., 0.};
+        for (unsigned int k = 0; k < n; ++k)
+          {
+            sums[0] += one[k] * other[k] + one[n + k] * other[n + k];
+            sums[1] += one[k] * other[n + k] - one[n + k] * other[k];
+          }
+        sums = layout.sum(sums);
+        return std::hypot(sums[0], sums[1]) >
+          parallel * size(layout, one) * size(layout, other);
+      }
+
+      DynamicStiffness          stiffness;
+      const UnknownLayout      &layout;
+      std::vector<NaturalMode> &modes;
+      std::vector<Values>       shapes;
+    };
   } // namespace
 
   void add_damped_modes(TangentSolver &solver,
                         const State   &state,
                         NaturalModes  &found)
   {
-    constexpr unsigned int n_stages = 16;
-    DynamicStiffness       stiffness(solver, state);
-    const auto             find = [&](NaturalMode &mode, const unsigned int n) {
-      mode.damped =
-        DampedMode(stiffness, solver.equations().unknowns().layout, mode)
-          .find(n);
-    };
-    for (NaturalMode &mode : found.modes)
-      if (mode.eigenvalue > 0)
-        find(mode, 1);
-    for_each_meeting(found.modes, [&](NaturalMode &one, NaturalMode &other) {
-      find(one, n_stages);
-      find(other, n_stages);
-    });
-    // Which of them it is cannot be told.
-    for_each_meeting(found.modes, [](NaturalMode &one, NaturalMode &other) {
-      one.damped.reset();
-      other.damped.reset();
-    });
+    DampedModes damped(solver, state, found.modes);
+    damped.find_each();
+    if (!damped.are_mixed())
+      return;
+    // What damping mixes has parts of higher modes too.
+    NaturalModes basis = natural_modes(solver, state, 2 * found.modes.size());
+    damped.find_together(basis.modes);
   }
 } // namespace auxfem

@@ -24,14 +24,13 @@ namespace auxfem
     return Evaluation::equilibrium(at_rest, now);
   }
 
-  void DynamicStiffness::set(const std::complex<double> s, const double damping)
+  void DynamicStiffness::set(const std::complex<double> s)
   {
     equations.dynamic_stiffness(evaluation(),
                                 results,
                                 s,
                                 solver.matrix(),
-                                imaginary,
-                                damping);
+                                imaginary);
     leave_out_constraints(imaginary);
   }
 

@@ -418,7 +418,6 @@ namespace auxfem
   void ConnectorForces::add_viscous_stiffness(const Evaluation & /*evaluation*/,
                                               const EffectResults *results,
                                               const std::complex<double> s,
-                                              const double               part,
                                               TangentMatrix             &real,
                                               TangentMatrix &imaginary) const
   {
@@ -426,7 +425,7 @@ namespace auxfem
       return;
     const auto &of_group = static_cast<const ConnectorResults &>(*results);
     const std::complex<double> stiffness =
-      part * (law->dynamic_stiffness(s) - law->long_time_stiffness());
+      law->dynamic_stiffness(s) - law->long_time_stiffness();
     for (unsigned int i = 0; i < connectors.size(); ++i)
       for (const auto &[value, matrix] :
            {std::pair(stiffness.real(), &real),

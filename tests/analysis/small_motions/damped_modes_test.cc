@@ -4,9 +4,11 @@
 #include <gtest/gtest.h>
 #include <support/scene_text.h>
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <functional>
+#include <sstream>
 
 #include <support/pi.h>
 
@@ -171,16 +173,15 @@ TEST(DampedModes, ModesOfOneFrequencyArePartedByADamper)
                "Between = 1 3 | Geometry = direction | Direction = 1 0 | "
                "Damping coefficient = 0.2")
     .time(1, 0.1, "newmark");
-  const double omega = pi / 2 * std::sqrt(rod_EA / rod_mass);
+  const double omega   = pi / 2 * std::sqrt(rod_EA / rod_mass);
+  unsigned int n_alike = 0;
   for (const NaturalMode &mode : damped_modes_of(scene, 2))
     {
-      // Never a mode that is not there.
-      if (!mode.damped)
-        continue;
-      const bool   swings_alike = mode.damped->ratio() < 1e-6;
-      const Number s            = value_of(*mode.damped);
-      if (swings_alike)
+      ASSERT_TRUE(mode.damped);
+      const Number s = value_of(*mode.damped);
+      if (mode.damped->ratio() < 1e-6)
         {
+          ++n_alike;
           EXPECT_NEAR(s.imag(), omega, 1e-6 * omega);
         }
       else
@@ -191,6 +192,85 @@ TEST(DampedModes, ModesOfOneFrequencyArePartedByADamper)
                     1e-6);
         }
     }
+  EXPECT_EQ(n_alike, 1u);
+}
+
+namespace
+{
+  /** Damped modes of the rod with a dashpot at its end, of @p matched times
+   * what lets no wave come back; those that are told. */
+  std::vector<Number> of_rod_with_dashpot(const double       matched,
+                                          const unsigned int n,
+                                          const MPI_Comm     communicator)
+  {
+    std::ostringstream coefficient;
+    coefficient.precision(16);
+    coefficient << matched * std::sqrt(rod_EA * rod_mass);
+    SceneText scene = held_rod(0);
+    scene.connector("damper",
+                    "dashpot",
+                    "Between = ground: 1 | Geometry = direction | Direction = "
+                    "1 0 | Damping coefficient = " +
+                      coefficient.str());
+    std::vector<Number> told;
+    for (const NaturalMode &mode : damped_modes_of(scene, n, communicator))
+      if (mode.damped)
+        told.push_back(value_of(*mode.damped));
+    std::sort(told.begin(), told.end(), [](const Number a, const Number b) {
+      return a.imag() < b.imag();
+    });
+    return told;
+  }
+} // namespace
+
+// tanh(s / w) = -1 / matched with w = sqrt(EA / m) / L: all modes decay alike;
+// with less than the matched dashpot they swing as a rod with a free end, with
+// more as one that is held, and one motion does not swing.
+TEST(DampedModes, StronglyMixedOnesAreFound)
+{
+  const double wave = std::sqrt(rod_EA / rod_mass);
+  for (const double matched : {0.5, 0.8, 1.25, 2.})
+    {
+      const auto told    = of_rod_with_dashpot(matched, 4, MPI_COMM_WORLD);
+      const bool is_held = matched > 1;
+      ASSERT_GE(told.size(), is_held ? 3u : 4u) << matched;
+      const double decay = wave * std::atanh(is_held ? 1 / matched : matched);
+      for (unsigned int i = 0; i < 3; ++i)
+        {
+          EXPECT_NEAR(told[i].real(), -decay, 1e-6 * wave) << matched;
+          EXPECT_NEAR(told[i].imag(),
+                      (i + (is_held ? 1. : 0.5)) * pi * wave,
+                      1e-6 * wave)
+            << matched;
+        }
+    }
+}
+
+TEST(DampedModes, OfAStiffMaxwellElementAreFoundOnce)
+{
+  constexpr double stiffness = 40, time = 0.15;
+  SceneText        scene = held_rod(0);
+  scene.connector("damper",
+                  "maxwell",
+                  "Between = ground: 1 | Geometry = direction | Direction = "
+                  "1 0 | Spring stiffness = 40 | Damping coefficient = 6");
+  std::vector<Number> told;
+  for (const NaturalMode &mode : damped_modes_of(scene, 4))
+    if (mode.damped)
+      {
+        const Number s = value_of(*mode.damped);
+        for (const Number other : told)
+          EXPECT_GT(std::abs(s - other), 1e-3 * std::abs(s));
+        told.push_back(s);
+        EXPECT_LT(left_of_equation(s,
+                                   0,
+                                   [&](const Number at) {
+                                     return stiffness * at * time /
+                                       (1. + at * time);
+                                   }),
+                  1e-6);
+      }
+  EXPECT_GE(told.size(), 3u);
 }
 
 TEST(DampedModes, AreTheSameOnAllRanks)

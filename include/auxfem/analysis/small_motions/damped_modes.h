@@ -8,8 +8,9 @@ namespace auxfem
   /**
    * Gives each mode of @p found that swings, about @p state without damping, the
    * damped one that it becomes: a solution of A(s) x = 0 near it, with the
-   * dynamic stiffness A of all connectors and damping. None where the search
-   * leads to no oscillation, or from different modes to the same one.
+   * dynamic stiffness A of all connectors and damping. Where damping mixes
+   * modes, each is given the one in which it has the largest part. None where
+   * the search leads to no oscillation, or to one that another mode has.
    * Collective.
    */
   void add_damped_modes(TangentSolver &solver,

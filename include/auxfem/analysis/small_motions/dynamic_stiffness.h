@@ -25,8 +25,8 @@ namespace auxfem
     /** The evaluation at the equilibrium. */
     Evaluation evaluation();
 
-    /** Finds A at @p s (1/s), with the part @p damping of all damping. */
-    void set(std::complex<double> s, double damping = 1);
+    /** Finds A at @p s (1/s). */
+    void set(std::complex<double> s);
 
     /** @p y = A x. */
     void multiply(const double *x, double *y) const;

@@ -75,7 +75,6 @@ namespace auxfem
     void        add_viscous_stiffness(const Evaluation    &evaluation,
                                       const EffectResults *results,
                                       std::complex<double> s,
-                                      double               part,
                                       TangentMatrix       &real,
                                       TangentMatrix       &imaginary) const override;
     void        account(const Evaluation    &evaluation,
