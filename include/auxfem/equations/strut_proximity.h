@@ -42,8 +42,8 @@ namespace auxfem
 
     /**
      * A pair of struts that comes nearer on the straight way between two states
-     * than it may; none if there is none. The first state, or one before it, was
-     * followed.
+     * than it may; none if there is none. The first state, or one before it,
+     * was followed.
      * @param allowed penetration of near pairs over half their thickness;
      *   others may not touch
      */
