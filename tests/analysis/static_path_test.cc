@@ -330,7 +330,7 @@ TEST(StaticPath, FindsDivergenceOnAllRanks)
         EXPECT_EQ(alone.points[i].determinant_sign,
                   together.points[i].determinant_sign);
       ASSERT_GE(alone.bifurcations().size(), 1u);
-      const FollowedPath::Singular &found = alone.bifurcations()[0];
+      const FollowedPath::Singular found = alone.bifurcations()[0];
       EXPECT_NEAR(found.load_factor,
                   together.bifurcations().at(0).load_factor,
                   1e-7);
