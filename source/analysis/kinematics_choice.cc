@@ -1,5 +1,6 @@
 #include <auxfem/analysis/kinematic_correction.h>
 #include <auxfem/analysis/kinematics_choice.h>
+#include <auxfem/model/effect_definition.h>
 
 #include <algorithm>
 #include <optional>
@@ -211,12 +212,22 @@ namespace auxfem
               EffectMeasure{std::min(error, 1.),
                             "the static answer to the loads"}};
     }
+    /** Tells what was decided, and what follows for contact of struts. */
+    void explain(LatticeRun &exact, const EffectDecision &kinematics)
+    {
+      exact.model.explain(kinematics);
+      if (kinematics.on)
+        return;
+      const EffectDefinition contact = contact_effect();
+      const EffectCause cause = contact.cause(with_small_displacements(exact));
+      exact.model.explain({contact.name, cause.given, cause.reason});
+    }
   } // namespace
 
   void explain_kinematics(LatticeRun &exact)
   {
     if (has_choice(exact.scene, exact.equations))
-      exact.model.explain(decision_by_loads(exact));
+      explain(exact, decision_by_loads(exact));
   }
 
   RunResult run_with_chosen_kinematics(const Scene   &scene,
@@ -226,8 +237,9 @@ namespace auxfem
     LatticeRun exact(scene, communicator);
     if (!has_choice(scene, exact.equations))
       return exact.run(recorder);
+    const EffectDecision contact = exact.model.decision(contact_effect().name);
     if (const Records *const checkpoint = recorder.goes_on_from())
-      exact.model.explain(saved_decision(*checkpoint));
+      explain(exact, saved_decision(*checkpoint));
     else
       explain_kinematics(exact);
 
@@ -243,6 +255,7 @@ namespace auxfem
         if (watching.reason().empty())
           return result;
         exact.add_effort(small.work());
+        exact.model.explain(contact);
         exact.model.explain({large_rotation,
                              true,
                              watching.reason() + "; run again from the start",

@@ -41,7 +41,7 @@ namespace auxfem
         ".\nStatic equilibrium (Scheme = static, or Start from = static "
         "equilibrium) needs supports, rigid joints or springs that hold every part. "
         "Check Supports, hinges (Joints) and struts that are connected to nothing." +
-        (model.simulated.contact
+        (model.lattice.n_plates > 0
            ? " Plates hold nothing until it is pressed on them, nor are they "
              "held: move them, or use a scheme with inertia."
            : ""));

@@ -24,8 +24,8 @@ namespace auxfem
     constexpr double largest_increment_between = 1;
 
     /**
-     * Without inertia, of the force scale: below, a residual that does not get
-     * smaller may have come to its round-off.
+     * Of the force scale: below, a residual that does not get smaller may have
+     * come to its round-off.
      */
     constexpr double far_from_solution = 1e-6;
 
@@ -70,6 +70,7 @@ namespace auxfem
       : Exactness::approximate;
     // Unless it gets to the end.
     has_failed = true;
+    may_touch  = solver.equations().may_touch();
     solver.residual(evaluation, results);
     double size      = in_force_units(results);
     double reduction = std::numeric_limits<double>::infinity();
@@ -141,7 +142,7 @@ namespace auxfem
         solver.residual(evaluation, results);
         size                = in_force_units(results);
         const bool is_worse = !(size < before);
-        if (is_worse && grows && !scheme.is_dynamic() &&
+        if (is_worse && (may_touch || (grows && !scheme.is_dynamic())) &&
             before > far_from_solution * force)
           size = shorten(scheme, evaluation, results, added, before);
         grows     = is_worse;
@@ -233,7 +234,7 @@ namespace auxfem
     if (!is_linear &&
         !(largest_motion(model, increment).second <= half_revolution))
       return "an iteration turned a section by more than half a turn";
-    if (!scheme.is_dynamic())
+    if (!scheme.is_dynamic() || may_touch)
       way = increment;
     rotations.rotate(evaluation, increment);
     scheme.correct(evaluation.from, increment, evaluation.dt, evaluation.to);

@@ -1,12 +1,8 @@
 #include <auxfem/equations/contact_axes.h>
 
 #include <deal.II/base/mpi.h>
-#include <deal.II/base/quadrature_lib.h>
-#include <deal.II/fe/fe_q.h>
 
 #include <algorithm>
-#include <cmath>
-#include <map>
 
 namespace auxfem
 {
@@ -128,15 +124,14 @@ namespace auxfem
         const Strut &strut  = model.lattice.struts[axis.strut];
         axis.half_thickness = 0;
         axis.stiffness      = stiffest;
+        if (strut.section == invalid_index)
+          return;
+        const Section &section = model.sections[strut.section];
+        axis.half_thickness = half_thickness(section, model.lattice.dimension);
         if (!strut.is_rigid())
-          {
-            const Section &section = model.sections[strut.section];
-            axis.half_thickness =
-              half_thickness(section, model.lattice.dimension);
-            axis.stiffness = axis.half_thickness > 0
-              ? stiffness(section, axis.half_thickness)
-              : 0.;
-          }
+          axis.stiffness = axis.half_thickness > 0
+            ? stiffness(section, axis.half_thickness)
+            : 0.;
       }
 
     private:
@@ -150,52 +145,6 @@ namespace auxfem
       const double        factor;
       double              stiffest = 0;
     };
-
-    /** Gauss-Lobatto points and the shape functions there. */
-    struct PointTable
-    {
-      PointTable(const unsigned int order, const unsigned int n) : points(n)
-      {
-        const dealii::FE_Q<1> element(order);
-        ContactAxis::Shape    values(n, order + 1);
-        for (unsigned int i = 0; i < n; ++i)
-          for (unsigned int a = 0; a <= order; ++a)
-            values(i, a) = element.shape_value(a, points.point(i));
-        shape = std::make_shared<const ContactAxis::Shape>(values);
-      }
-
-      dealii::QGaussLobatto<1>                  points;
-      std::shared_ptr<const ContactAxis::Shape> shape;
-    };
-
-    /** Those of order p at n points, made once. */
-    class PointTables
-    {
-    public:
-      const PointTable &get(const unsigned int order, const unsigned int n)
-      {
-        return tables.try_emplace({order, n}, order, n).first->second;
-      }
-
-    private:
-      std::map<std::pair<unsigned int, unsigned int>, PointTable> tables;
-    };
-
-    /** About one point for each thickness, enough for the shape functions. */
-    unsigned int n_points(const AxisElement &element,
-                          const double       length,
-                          const double       half_thickness,
-                          const bool         is_rigid_arc)
-    {
-      constexpr unsigned int most = 24;
-      // Between its ends a rigid arc does not move as they do.
-      if (is_rigid_arc)
-        return 2;
-      const double fine = half_thickness > 0
-        ? std::ceil(length / (2 * half_thickness)) + 1
-        : double(most);
-      return std::clamp<double>(fine, element.order + 2, most);
-    }
   } // namespace
 
   std::vector<ContactAxis> make_contact_axes(const LatticeModel &model,
@@ -203,7 +152,6 @@ namespace auxfem
   {
     const Lattice           &lattice = model.lattice;
     const ContactSections    sections(model, stiffness_factor);
-    PointTables              tables;
     std::vector<ContactAxis> axes;
     for (AxisElement &element : all_elements(model.numbering))
       {
@@ -215,47 +163,13 @@ namespace auxfem
         axis.unknowns = std::move(element.unknowns);
         axis.is_owned = element.is_owned;
         sections.set(axis);
-        const double length =
-          (element.end - element.begin) * lattice.length(strut);
-        const PointTable &table =
-          tables.get(element.order,
-                     n_points(element,
-                              length,
-                              axis.half_thickness,
-                              strut.is_rigid() && strut.sagitta != 0));
-        const auto &points = table.points;
-        axis.length        = length;
-        axis.shape         = table.shape;
-        for (unsigned int i = 0; i < points.size(); ++i)
-          {
-            const double s = element.begin +
-              (element.end - element.begin) * points.point(i)[0];
-            dealii::Point<3>     position;
-            dealii::Tensor<1, 3> tangent;
-            lattice.axis(strut, s, position, tangent);
-            axis.rest.push_back(position);
-            const bool is_end = (i == 0 && element.begin == 0) ||
-              (i + 1 == points.size() && element.end == 1);
-            axis.weights.push_back(points.weight(i) * length +
-                                   (is_end ? axis.half_thickness : 0.));
-          }
-        axis.ends = {{axis.rest.front(), axis.rest.back()}};
+        axis.order  = element.order;
+        axis.length = (element.end - element.begin) * lattice.length(strut);
+        dealii::Tensor<1, 3> tangent;
+        lattice.axis(strut, axis.begin, axis.ends[0], tangent);
+        lattice.axis(strut, axis.end, axis.ends[1], tangent);
         axes.push_back(std::move(axis));
       }
     return axes;
-  }
-
-  dealii::Tensor<1, 3> displacement_of(const ContactAxis &axis,
-                                       const unsigned int point,
-                                       const unsigned int dimension,
-                                       const int         *unknowns,
-                                       const double      *values)
-  {
-    dealii::Tensor<1, 3> result;
-    for (unsigned int a = 0; a < axis.n_nodes(); ++a)
-      for (unsigned int c = 0; c < dimension; ++c)
-        result[c] +=
-          (*axis.shape)(point, a) * values[unknowns[a * dimension + c]];
-    return result;
   }
 } // namespace auxfem

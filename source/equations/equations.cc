@@ -411,6 +411,13 @@ namespace auxfem
          structure.mean_strut_length}));
   }
 
+  bool Equations::may_touch() const
+  {
+    return std::any_of(effects.begin(), effects.end(), [](const auto &effect) {
+      return effect->may_touch();
+    });
+  }
+
   std::string Equations::why_not_acceptable(const Evaluation &step) const
   {
     std::string mine;

@@ -41,49 +41,107 @@ namespace auxfem
                            const std::vector<ContactAxis> &axes)
     : model(model)
     , axes(axes)
-    , rest(axes.size())
   {
     for (unsigned int a = 0; a < axes.size(); ++a)
       {
         const unsigned int order = axes[a].n_nodes() - 1;
         Basis             &basis = bases[order];
         if (basis.coefficients.empty())
-          basis = {order,
-                   lagrange_coefficients(
-                     dealii::FE_Q<1>(order).get_unit_support_points())};
+          basis = make_basis(order);
         basis_of.push_back(&basis);
         const auto [entry, is_new] =
           axes_of_struts.emplace(axes[a].strut,
                                  std::array<unsigned int, 2>{{a, a + 1}});
         if (!is_new)
           entry->second[1] = a + 1;
-        set_rest(a);
+        if (model.lattice.struts[axes[a].strut].sagitta != 0)
+          arcs.emplace(a, arc_at_rest(axes[a]));
       }
-    find_neighbours();
+    find_connected();
   }
 
-  void StrutCurves::set_rest(const unsigned int a)
+  StrutCurves::Basis StrutCurves::make_basis(const unsigned int order)
   {
-    const ContactAxis &axis  = axes[a];
-    const Strut       &strut = model.lattice.struts[axis.strut];
-    AxisCurve         &curve = rest[a];
-    if (strut.sagitta == 0)
+    Basis               basis{order,
+                lagrange_coefficients(
+                  dealii::FE_Q<1>(order).get_unit_support_points()),
+                {},
+                0};
+    std::vector<double> values(order + 1), slopes(order + 1);
+    for (unsigned int i = 0; i <= order; ++i)
       {
-        curve.degree          = 1;
-        curve.coefficients[0] = axis.ends[0];
-        curve.coefficients[1] = axis.ends[1] - axis.ends[0];
-        return;
+        basis.values_at(double(i) / order, values.data(), slopes.data());
+        basis.slopes.insert(basis.slopes.end(), slopes.begin(), slopes.end());
+        double sum = 0;
+        for (const double slope : slopes)
+          sum += std::abs(slope);
+        basis.steepest = std::max(basis.steepest, sum);
       }
+    return basis;
+  }
+
+  void StrutCurves::Basis::values_at(const double parameter,
+                                     double      *values,
+                                     double      *derivatives) const
+  {
+    const unsigned int n = degree + 1;
+    for (unsigned int node = 0; node < n; ++node)
+      {
+        const double *c     = coefficients.data() + node * n;
+        double        value = c[n - 1], slope = 0;
+        for (unsigned int k = n - 1; k-- > 0;)
+          {
+            slope = value + parameter * slope;
+            value = c[k] + parameter * value;
+          }
+        values[node] = value;
+        if (derivatives != nullptr)
+          derivatives[node] = slope;
+      }
+  }
+
+  double StrutCurves::turning(const unsigned int  axis,
+                              const double *const motion) const
+  {
+    const Basis       &basis     = *basis_of[axis];
+    const unsigned int dimension = model.lattice.dimension,
+                       n         = basis.degree + 1;
+    double largest               = 0;
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        double square = 0;
+        for (unsigned int c = 0; c < dimension; ++c)
+          {
+            double of_component = 0;
+            for (unsigned int node = 0; node < n; ++node)
+              of_component +=
+                basis.slopes[i * n + node] * motion[node * dimension + c];
+            square += of_component * of_component;
+          }
+        largest = std::max(largest, square);
+      }
+    return std::sqrt(largest) / axes[axis].length;
+  }
+
+  double StrutCurves::largest_turning(const unsigned int axis,
+                                      const double       motion) const
+  {
+    return basis_of[axis]->steepest * motion / axes[axis].length;
+  }
+
+  AxisCurve StrutCurves::arc_at_rest(const ContactAxis &axis) const
+  {
     constexpr unsigned int         n = 11;
     const dealii::QGaussLobatto<1> points(n);
     const std::vector<double>      powers =
       lagrange_coefficients(points.get_points());
+    AxisCurve curve;
     curve.degree = n - 1;
     for (unsigned int i = 0; i < n; ++i)
       {
         dealii::Point<3>     position;
         dealii::Tensor<1, 3> tangent;
-        model.lattice.axis(strut,
+        model.lattice.axis(model.lattice.struts[axis.strut],
                            axis.begin +
                              (axis.end - axis.begin) * points.point(i)[0],
                            position,
@@ -91,11 +149,18 @@ namespace auxfem
         for (unsigned int k = 0; k < n; ++k)
           curve.coefficients[k] += powers[i * n + k] * position;
       }
+    return curve;
   }
 
   AxisCurve StrutCurves::at_rest(const unsigned int axis) const
   {
-    return rest[axis];
+    if (const auto arc = arcs.find(axis); arc != arcs.end())
+      return arc->second;
+    AxisCurve line;
+    line.degree          = 1;
+    line.coefficients[0] = axes[axis].ends[0];
+    line.coefficients[1] = axes[axis].ends[1] - axes[axis].ends[0];
+    return line;
   }
 
   AxisCurve StrutCurves::curve(const unsigned int  a,
@@ -105,7 +170,7 @@ namespace auxfem
     const Basis       &basis     = *basis_of[a];
     const unsigned int dimension = model.lattice.dimension,
                        n         = basis.degree + 1;
-    AxisCurve curve              = rest[a];
+    AxisCurve curve              = at_rest(a);
     curve.degree                 = std::max(curve.degree, basis.degree);
     for (unsigned int node = 0; node < n; ++node)
       for (unsigned int c = 0; c < dimension; ++c)
@@ -122,21 +187,7 @@ namespace auxfem
                           double            *values,
                           double            *slopes) const
   {
-    const Basis       &basis = *basis_of[a];
-    const unsigned int n     = basis.degree + 1;
-    for (unsigned int node = 0; node < n; ++node)
-      {
-        const double *c     = basis.coefficients.data() + node * n;
-        double        value = c[n - 1], slope = 0;
-        for (unsigned int k = n - 1; k-- > 0;)
-          {
-            slope = value + parameter * slope;
-            value = c[k] + parameter * value;
-          }
-        values[node] = value;
-        if (slopes != nullptr)
-          slopes[node] = slope;
-      }
+    basis_of[a]->values_at(parameter, values, slopes);
   }
 
   std::array<unsigned int, 2>
@@ -165,39 +216,54 @@ namespace auxfem
       (second.is_rigid() && second.sagitta != 0);
   }
 
-  void StrutCurves::find_neighbours()
+  std::vector<CommonNode>
+  StrutCurves::common_nodes(const unsigned int one,
+                            const unsigned int other) const
   {
-    std::map<unsigned int, std::vector<unsigned int>> struts_at;
-    for (const auto &[strut, range] : axes_of_struts)
-      for (const unsigned int joint : model.lattice.struts[strut].joints)
-        struts_at[joint].push_back(strut);
-    for (const auto &[strut, range] : axes_of_struts)
+    // Nodes at the ends are the first ones.
+    const unsigned int      dimension = model.lattice.dimension;
+    std::vector<CommonNode> nodes;
+    for (unsigned int i = 0; i < 2; ++i)
+      for (unsigned int j = 0; j < 2; ++j)
+        if (axes[one].unknowns[i * dimension] ==
+            axes[other].unknowns[j * dimension])
+          nodes.push_back({{{double(i), double(j)}}});
+    return nodes;
+  }
+
+  void StrutCurves::find_connected()
+  {
+    const unsigned int dimension = model.lattice.dimension;
+    std::map<int, std::vector<unsigned int>> axes_at; // by first unknown
+    for (unsigned int a = 0; a < axes.size(); ++a)
       {
-        std::vector<unsigned int> others = {strut};
-        for (const unsigned int joint : model.lattice.struts[strut].joints)
-          for (const unsigned int other : struts_at[joint])
-            if (other > strut)
-              others.push_back(other);
-        std::sort(others.begin(), others.end());
-        others.erase(std::unique(others.begin(), others.end()), others.end());
-        for (const unsigned int other : others)
-          for (unsigned int a = range[0]; a < range[1]; ++a)
-            for (unsigned int b = axes_of(other)[0]; b < axes_of(other)[1]; ++b)
-              // A straight element cannot reach itself.
-              if ((a < b || (a == b && basis_of[a]->degree > 2)) &&
-                  !never_touch(a, b))
-                neighbour_pairs.push_back({{a, b}});
+        // A straight element cannot reach itself.
+        if (basis_of[a]->degree > 2 && !never_touch(a, a))
+          connected_pairs.push_back({{a, a}});
+        for (unsigned int end = 0; end < 2; ++end)
+          {
+            std::vector<unsigned int> &others =
+              axes_at[axes[a].unknowns[end * dimension]];
+            for (const unsigned int other : others)
+              if (other != a && !never_touch(other, a))
+                connected_pairs.push_back({{other, a}});
+            others.push_back(a);
+          }
       }
+    std::sort(connected_pairs.begin(), connected_pairs.end());
+    connected_pairs.erase(std::unique(connected_pairs.begin(),
+                                      connected_pairs.end()),
+                          connected_pairs.end());
   }
 
   double StrutCurves::rest_distance(const unsigned int axis,
                                     const double       parameter,
                                     const unsigned int strut) const
   {
-    const AxisCurve::Vector point = rest[axis].at(parameter);
+    const AxisCurve::Vector point = at_rest(axis).at(parameter);
     double                  least = std::numeric_limits<double>::infinity();
     for (unsigned int b = axes_of(strut)[0]; b < axes_of(strut)[1]; ++b)
-      least = std::min(least, nearest_point(rest[b], point).distance);
+      least = std::min(least, nearest_point(at_rest(b), point).distance);
     return least;
   }
 
@@ -239,7 +305,7 @@ namespace auxfem
     const unsigned int strut = axes[other].strut;
     const double       least =
       thickness(axis, other) * (are_neighbours(axis, other) ? apart : 1.);
-    const unsigned int n = 8 + 2 * rest[axis].degree;
+    const unsigned int n = 8 + 2 * at_rest(axis).degree;
     ParameterRanges    ranges;
     double             begin = -1, before = 0;
     bool               was_free = false;
@@ -278,13 +344,5 @@ namespace auxfem
     if (const double begin = parameter_at(here + apart); begin < 1)
       parts.push_back({{begin, 1.}});
     return parts;
-  }
-
-  bool StrutCurves::overlap_at_rest(const unsigned int one,
-                                    const unsigned int other) const
-  {
-    const ParameterRanges &ranges = free_ranges(one, other);
-    return !are_neighbours(one, other) &&
-      (ranges.size() != 1 || ranges[0][0] > 0 || ranges[0][1] < 1);
   }
 } // namespace auxfem

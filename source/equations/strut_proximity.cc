@@ -1,9 +1,6 @@
 #include <auxfem/equations/strut_proximity.h>
-#include <auxfem/mesh/segment.h>
 
-#include <deal.II/numerics/rtree.h>
-
-#include <boost/iterator/function_output_iterator.hpp>
+#include <deal.II/base/numbers.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,17 +10,11 @@ namespace auxfem
 {
   namespace
   {
-    using Curve      = AxisCurve;
-    using CurvePoint = AxisCurve::Vector;
-    using CurveLine  = std::vector<CurvePoint>;
-
-    const std::string travel_record     = "contact of struts: travel",
-                      pairs_record      = "contact of struts: pairs in reach",
-                      neighbours_record = "contact of struts: near neighbours",
-                      references_record = "contact of struts: references",
-                      degrees_record    = "contact of struts: their degrees",
-                      looked_record     = "contact of struts: last look",
-                      last_record       = "contact of struts: last step";
+    const std::string travel_record    = "contact of struts: travel",
+                      pairs_record     = "contact of struts: pairs in reach",
+                      connected_record = "contact of struts: connected pairs",
+                      turned_record    = "contact of struts: turned at",
+                      looked_record    = "contact of struts: last look";
 
     /** A record of any length, which may be nothing. */
     void keep_list(const std::string         &name,
@@ -44,126 +35,27 @@ namespace auxfem
       return list;
     }
 
-    /** How far a pair is near before it touches, of half its thickness. */
-    constexpr double near_part = 0.3;
+    /** How near a pair is to be for having forces, of half its thickness. */
+    constexpr double near_part = 0.15;
 
-    /** By which the tangents of an element turn before its neighbours are
-     * looked at again (rad). */
-    constexpr double turn_between_looks = 0.03;
+    /** In how many looks a pair may touch that goes on coming nearer. */
+    constexpr double looks_ahead = 4;
 
-    /** Points of a curve between two parameters, and by how much it is away
-     * from the lines between them at most, about (m). */
-    double line_of(const Curve &curve,
-                   const double begin,
-                   const double end,
-                   CurveLine   &line)
-    {
-      const unsigned int n       = curve.degree == 1 ? 1 : curve.degree + 1;
-      double             sagitta = 0;
-      line.clear();
-      for (unsigned int i = 0; i <= n; ++i)
-        {
-          line.push_back(curve.at(begin + (end - begin) * i / n));
-          if (i > 0 && n > 1)
-            {
-              const CurvePoint middle =
-                curve.at(begin + (end - begin) * (i - 0.5) / n);
-              sagitta = std::max(sagitta,
-                                 (middle - (line[i - 1] + line[i]) / 2).norm());
-            }
-        }
-      return sagitta;
-    }
-
-    /** A part of a curve, seen as the line between its ends. */
-    struct CurvePart
-    {
-      CurvePart(const Curve &curve, const double begin, const double end)
-        : curve(&curve)
-        , begin(begin)
-        , end(end)
-        , chord{dealii::Point<3>(curve.at(begin)),
-                dealii::Point<3>(curve.at(end))}
-      {
-        constexpr double safety = 1.1;
-        if (curve.degree > 1)
-          for (const double at : {0.25, 0.5, 0.75})
-            away = std::max(away,
-                            safety *
-                              (curve.at(begin + at * (end - begin)) -
-                               ((1 - at) * chord.begin + at * chord.end))
-                                .norm());
-      }
-
-      std::array<CurvePart, 2> halves() const
-      {
-        const double middle = (begin + end) / 2;
-        return {
-          {CurvePart(*curve, begin, middle), CurvePart(*curve, middle, end)}};
-      }
-
-      const Curve *curve;
-      double       begin, end;
-      Segment      chord;
-      double       away = 0; ///< of the curve from the chord, at most (m)
-    };
-
-    /** Lowers @p least to the distance of two parts of curves (m), or to less by
-     * at most @p tolerance. */
-    void lower_to_distance(const CurvePart &one,
-                           const CurvePart &other,
-                           const double     tolerance,
-                           double          &least)
-    {
-      const double away  = one.away + other.away,
-                   bound = distance(one.chord, other.chord) - away;
-      if (bound >= least)
-        return;
-      // What is far is known well enough.
-      if (away <= std::max(tolerance, 0.05 * bound))
-        {
-          least = bound;
-          return;
-        }
-      if (one.away >= other.away)
-        for (const CurvePart &half : one.halves())
-          lower_to_distance(half, other, tolerance, least);
-      else
-        for (const CurvePart &half : other.halves())
-          lower_to_distance(one, half, tolerance, least);
-    }
-
-    /** Largest distance between points of two curves at one parameter (m). */
-    double largest_distance(const Curve &one, const Curve &other)
-    {
-      const unsigned int n       = 2 * std::max(one.degree, other.degree);
-      double             largest = 0;
-      for (unsigned int i = 0; i <= n; ++i)
-        largest =
-          std::max(largest,
-                   (one.at(double(i) / n) - other.at(double(i) / n)).norm());
-      return largest;
-    }
-
-    /** The curve at a @p part of the way from one to another. */
-    Curve between(const Curve &from, const Curve &to, const double part)
-    {
-      Curve result  = from;
-      result.degree = std::max(from.degree, to.degree);
-      for (unsigned int k = 0; k <= result.degree; ++k)
-        result.coefficients[k] =
-          (1 - part) * from.coefficients[k] + part * to.coefficients[k];
-      return result;
-    }
+    /** By how much more than its nodes a point of an axis may move. */
+    constexpr double safety_of_motion = 2;
   } // namespace
 
   StrutProximity::StrutProximity(const LatticeModel &model,
                                  const StrutCurves  &curves)
     : model(model)
     , curves(curves)
+    , gap_of(curves)
     , reach(model.mean_strut_length / 4)
-    , pairs_of_axis(curves.list().size())
-    , neighbour_is_near(curves.neighbours().size(), false)
+    , overlapping(find_overlaps(curves))
+    , connected_of_axis(curves.list().size())
+    , connected(curves.connected().size())
+    , allowed_turning(curves.list().size(), 0.)
+    , turning_due(curves.list().size(), std::numeric_limits<double>::infinity())
   {
     thinnest = std::numeric_limits<double>::infinity();
     for (unsigned int a = 0; a < curves.list().size(); ++a)
@@ -172,84 +64,96 @@ namespace auxfem
         thickest       = std::max(thickest, h);
         if (h > 0)
           thinnest = std::min(thinnest, h);
-        references.push_back(curves.at_rest(a));
+        first_of_axis.push_back(turned_at.size());
+        turned_at.resize(turned_at.size() + curves.list()[a].unknowns.size(),
+                         0.);
+        add_nodes(curves.list()[a]);
       }
-    for (unsigned int i = 0; i < curves.neighbours().size(); ++i)
-      for (const unsigned int axis : curves.neighbours()[i])
-        pairs_of_axis[axis].push_back(i);
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    for (unsigned int i = 0; i < curves.connected().size(); ++i)
+      for (const unsigned int axis : curves.connected()[i])
+        {
+          connected_of_axis[axis].push_back(i);
+          turning_due[axis] = 0;
+        }
+    for (const StrutOverlap &overlap : overlapping)
+      if (overlap.is_passing)
+        passing.insert(overlap.struts);
   }
 
-  double StrutProximity::margin(const AxisPair &pair) const
+  void StrutProximity::add_nodes(const ContactAxis &axis)
   {
-    constexpr double steps = 4;
-    return near_part * curves.thickness(pair[0], pair[1]) + steps * step_travel;
+    const unsigned int dimension = model.lattice.dimension;
+    for (std::size_t i = 0; i < axis.unknowns.size(); i += dimension)
+      {
+        std::array<int, 3> node{};
+        std::copy_n(axis.unknowns.begin() + i, dimension, node.begin());
+        nodes.push_back(node);
+      }
+  }
+
+  double StrutProximity::relative_motion(const AxisPair            &pair,
+                                         const std::vector<double> &from,
+                                         const std::vector<double> &to) const
+  {
+    const unsigned int    dimension = model.lattice.dimension;
+    std::array<double, 3> least, most;
+    least.fill(std::numeric_limits<double>::infinity());
+    most.fill(-least[0]);
+    for (const unsigned int axis : pair)
+      {
+        const std::vector<int> &unknowns = curves.list()[axis].unknowns;
+        for (std::size_t i = 0; i < unknowns.size(); ++i)
+          {
+            const double       way = to[unknowns[i]] - from[unknowns[i]];
+            const unsigned int c   = i % dimension;
+            least[c]               = std::min(least[c], way);
+            most[c]                = std::max(most[c], way);
+          }
+      }
+    double square = 0;
+    for (unsigned int c = 0; c < dimension; ++c)
+      square += std::pow(most[c] - least[c], 2);
+    return std::sqrt(square);
+  }
+
+  double StrutProximity::near_gap(const AxisPair &pair) const
+  {
+    return near_part * curves.thickness(pair[0], pair[1]);
+  }
+
+  bool StrutProximity::comes_near(const AxisPair            &pair,
+                                  const double               gap,
+                                  const std::vector<double> &u,
+                                  const double               least) const
+  {
+    // The motion of its nodes tells what need not be looked at.
+    if (gap <= least)
+      return true;
+    return gap <= least + looks_ahead * relative_motion(pair, looked, u) &&
+      gap <= least + looks_ahead * (this->gap(pair, looked) - gap);
   }
 
   double StrutProximity::motion(const std::vector<double> &from,
                                 const std::vector<double> &to) const
   {
-    double square = 0;
-    for (const ContactAxis &axis : curves.list())
-      for (std::size_t i = 0; i < axis.unknowns.size();
-           i += model.lattice.dimension)
-        {
-          double of_node = 0;
-          for (unsigned int c = 0; c < model.lattice.dimension; ++c)
-            of_node +=
-              std::pow(to[axis.unknowns[i + c]] - from[axis.unknowns[i + c]],
-                       2);
-          square = std::max(square, of_node);
-        }
+    const unsigned int dimension = model.lattice.dimension;
+    double             square    = 0;
+    for (const std::array<int, 3> &node : nodes)
+      {
+        double of_node = 0;
+        for (unsigned int c = 0; c < dimension; ++c)
+          of_node += std::pow(to[node[c]] - from[node[c]], 2);
+        square = std::max(square, of_node);
+      }
     return std::sqrt(square);
-  }
-
-  double StrutProximity::gap_of_ranges(const AxisPair  &pair,
-                                       const AxisCurve &one,
-                                       const AxisCurve &other) const
-  {
-    // Of what is allowed to a pair that is near this is little.
-    constexpr double digits    = 0.02;
-    const double     thickness = curves.thickness(pair[0], pair[1]);
-    double           least     = std::numeric_limits<double>::infinity();
-    const auto look = [&](const CurvePart &first, const CurvePart &second) {
-      lower_to_distance(first, second, digits * thickness, least);
-    };
-    for (const auto &range : curves.free_ranges(pair[0], pair[1]))
-      look(CurvePart(one, range[0], range[1]), CurvePart(other, 0, 1));
-    for (const auto &range : curves.free_ranges(pair[1], pair[0]))
-      look(CurvePart(one, 0, 1), CurvePart(other, range[0], range[1]));
-    return least - thickness;
-  }
-
-  double StrutProximity::gap_of_strut(const AxisPair  &pair,
-                                      const AxisCurve &one,
-                                      const AxisCurve &other) const
-  {
-    constexpr unsigned int n     = 16;
-    double                 least = std::numeric_limits<double>::infinity();
-    for (unsigned int i = 0; i <= n; ++i)
-      for (const auto &part :
-           curves.parts_apart(pair[0], double(i) / n, pair[1]))
-        least =
-          std::min(least,
-                   nearest_point(other, one.at(double(i) / n), part[0], part[1])
-                     .distance);
-    return least - curves.thickness(pair[0], pair[1]);
-  }
-
-  double StrutProximity::gap(const AxisPair  &pair,
-                             const AxisCurve &one,
-                             const AxisCurve &other) const
-  {
-    return curves.list()[pair[0]].strut == curves.list()[pair[1]].strut
-      ? gap_of_strut(pair, one, other)
-      : gap_of_ranges(pair, one, other);
   }
 
   double StrutProximity::gap(const AxisPair            &pair,
                              const std::vector<double> &u) const
   {
-    return gap(pair, curve(pair[0], u), curve(pair[1], u));
+    return gap_of(pair, curve(pair[0], u), curve(pair[1], u));
   }
 
   std::vector<AxisPair>
@@ -258,30 +162,22 @@ namespace auxfem
                                  const double               margin) const
   {
     std::vector<dealii::BoundingBox<3>> boxes;
-    CurveLine                           line;
     for (unsigned int a = 0; a < curves.list().size(); ++a)
-      {
-        std::vector<dealii::Point<3>> points;
-        double                        away = 0;
-        for (const std::vector<double> *u : {&from, &to})
-          {
-            away = std::max(away, line_of(curve(a, *u), 0, 1, line));
-            for (const CurvePoint &point : line)
-              points.emplace_back(point);
-          }
-        boxes.emplace_back(points);
-        boxes.back().extend(away + curves.list()[a].half_thickness + margin);
-      }
-    const auto            tree = dealii::pack_rtree_of_indices(boxes);
+      boxes.push_back(box_around({curve(a, from), curve(a, to)},
+                                 curves.list()[a].half_thickness + margin));
     std::vector<AxisPair> pairs;
-    for (unsigned int a = 0; a < boxes.size(); ++a)
-      tree.query(boost::geometry::index::intersects(boxes[a]),
-                 boost::make_function_output_iterator([&](const std::size_t b) {
-                   if (b > a && !curves.are_neighbours(a, b) &&
-                       !curves.never_touch(a, b))
-                     pairs.push_back({{a, static_cast<unsigned int>(b)}});
-                 }));
+    for (const AxisPair &pair : pairs_that_meet(boxes))
+      if (curves.common_nodes(pair[0], pair[1]).empty() && !never_touch(pair))
+        pairs.push_back(pair);
     return pairs;
+  }
+
+  bool StrutProximity::never_touch(const AxisPair &pair) const
+  {
+    const auto struts =
+      std::minmax(curves.list()[pair[0]].strut, curves.list()[pair[1]].strut);
+    return curves.never_touch(pair[0], pair[1]) ||
+      passing.count({{struts.first, struts.second}}) > 0;
   }
 
   void StrutProximity::find_pairs_in_reach(const std::vector<double> &u)
@@ -300,86 +196,146 @@ namespace auxfem
       {
         if (travelled < pair.due && !pair.is_near)
           continue;
-        const double left = gap(pair.pair, u) - margin(pair.pair);
-        pair.is_near      = left < 0;
-        pair.due          = travelled + std::max(left, 0.) / 2;
+        const double gap = this->gap(pair.pair, u), least = near_gap(pair.pair);
+        pair.is_near = comes_near(pair.pair, gap, u, least);
+        pair.due     = travelled + std::max(gap - least, 0.) / 2;
       }
   }
 
-  bool StrutProximity::has_turned(const unsigned int axis,
-                                  const AxisCurve   &now) const
+  double StrutProximity::turning(const unsigned int         axis,
+                                 const std::vector<double> &u) const
   {
-    const double allowed =
-      std::pow(turn_between_looks * curves.list()[axis].length, 2);
-    AxisCurve change = references[axis];
-    change.degree    = std::max(now.degree, change.degree);
-    for (unsigned int k = 1; k <= change.degree; ++k)
-      change.coefficients[k] -= now.coefficients[k];
-    for (unsigned int i = 0; i <= change.degree; ++i)
-      if (change.tangent(double(i) / change.degree).norm_square() > allowed)
-        return true;
-    return false;
+    const std::vector<int> &unknowns = curves.list()[axis].unknowns;
+    const double *const     before   = turned_at.data() + first_of_axis[axis];
+    std::array<double, 3 * (AxisCurve::max_degree + 1)> motion;
+    for (std::size_t i = 0; i < unknowns.size(); ++i)
+      motion[i] = u[unknowns[i]] - before[i];
+    return curves.turning(axis, motion.data());
+  }
+
+  double StrutProximity::turning_allowed(const unsigned int axis) const
+  {
+    // Pairs that are near need not be looked at to know when they touch.
+    constexpr double least_of_near = 0.01;
+    double           least         = dealii::numbers::PI;
+    for (const unsigned int i : connected_of_axis[axis])
+      {
+        const bool   is_first = curves.connected()[i][0] == axis;
+        const double of_pair  = connected[i].turning_left[is_first ? 0 : 1];
+        least                 = std::min(least,
+                         connected[i].is_near ? std::max(of_pair, least_of_near)
+                                                              : of_pair);
+      }
+    return least;
+  }
+
+  void StrutProximity::remember_turning(const unsigned int         axis,
+                                        const std::vector<double> &u)
+  {
+    const std::vector<int> &unknowns = curves.list()[axis].unknowns;
+    for (std::size_t i = 0; i < unknowns.size(); ++i)
+      turned_at[first_of_axis[axis] + i] = u[unknowns[i]];
   }
 
   double StrutProximity::unseen_motion() const
   {
-    // Twice this is half of what is left between pairs that are not near.
-    return near_part * thinnest / 2;
+    // Pairs that are not near may lose four fifths of what is left by it.
+    return 0.8 * near_part * thinnest / 2;
+  }
+
+  double StrutProximity::earliest_turn(const unsigned int axis,
+                                       const double       turned) const
+  {
+    return travelled +
+      (allowed_turning[axis] - turned) / curves.largest_turning(axis, 1);
   }
 
   std::vector<unsigned int>
-  StrutProximity::turned_axes(const std::vector<double> &u) const
+  StrutProximity::find_turned(const std::vector<double> &u)
   {
     std::vector<unsigned int> turned;
-    for (unsigned int a = 0; a < references.size(); ++a)
-      if (!pairs_of_axis[a].empty() && has_turned(a, curve(a, u)))
-        turned.push_back(a);
+    for (unsigned int a = 0; a < turning_due.size(); ++a)
+      if (travelled >= turning_due[a])
+        {
+          const double turning = this->turning(a, u);
+          if (turning >= allowed_turning[a])
+            turned.push_back(a);
+          else
+            turning_due[a] = earliest_turn(a, turning);
+        }
     return turned;
   }
 
   std::vector<unsigned int>
-  StrutProximity::neighbours_of(const std::vector<unsigned int> &turned) const
+  StrutProximity::connected_to(const std::vector<unsigned int> &turned) const
   {
     std::vector<unsigned int> pairs;
     for (const unsigned int axis : turned)
       pairs.insert(pairs.end(),
-                   pairs_of_axis[axis].begin(),
-                   pairs_of_axis[axis].end());
+                   connected_of_axis[axis].begin(),
+                   connected_of_axis[axis].end());
     std::sort(pairs.begin(), pairs.end());
     pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
     return pairs;
   }
 
-  void StrutProximity::look_at_neighbours(const std::vector<double> &u)
+  void StrutProximity::look_at_connected(const unsigned int         i,
+                                         const std::vector<double> &u)
   {
-    // Until they are looked at again their turning may close the gap by this
-    // part of their distance from the joint, where that is some thicknesses.
-    constexpr double                closing = 6 * turn_between_looks;
-    const std::vector<unsigned int> turned  = turned_axes(u);
-    for (const unsigned int i : neighbours_of(turned))
-      {
-        const AxisPair &pair = curves.neighbours()[i];
-        neighbour_is_near[i] = gap(pair, u) <
-          margin(pair) + closing * curves.thickness(pair[0], pair[1]);
-      }
-    for (const unsigned int axis : turned)
-      references[axis] = curve(axis, u);
+    // More than what axes turn by in a step.
+    constexpr double much = 0.1;
+    const AxisPair  &pair = curves.connected()[i];
+    const AxisCurve  one = curve(pair[0], u), other = curve(pair[1], u);
+    const double     left = gap_of.turning_left(pair, one, other, near_part);
+    for (unsigned int k = 0; k < 2; ++k)
+      connected[i].turning_left[k] = left - turning(pair[k], u);
+    connected[i].is_near = left < much &&
+      comes_near(pair, gap_of(pair, one, other), u, near_gap(pair));
   }
 
-  bool StrutProximity::collect_near()
+  void StrutProximity::look_at_connected(const std::vector<double> &u)
+  {
+    const std::vector<unsigned int> turned = find_turned(u),
+                                    pairs  = connected_to(turned);
+    for (const unsigned int axis : turned)
+      remember_turning(axis, u);
+    for (const unsigned int i : pairs)
+      look_at_connected(i, u);
+    for (const unsigned int i : pairs)
+      for (const unsigned int axis : curves.connected()[i])
+        {
+          allowed_turning[axis] = turning_allowed(axis);
+          turning_due[axis]     = travelled;
+        }
+    for (const unsigned int axis : turned)
+      turning_due[axis] = earliest_turn(axis, 0);
+  }
+
+  bool StrutProximity::collect_near(const std::vector<double> &u)
   {
     std::vector<AxisPair> now;
     for (const Reach &pair : in_reach)
       if (pair.is_near)
         now.push_back(pair.pair);
-    for (unsigned int i = 0; i < neighbour_is_near.size(); ++i)
-      if (neighbour_is_near[i])
-        now.push_back(curves.neighbours()[i]);
+    for (unsigned int i = 0; i < connected.size(); ++i)
+      if (connected[i].is_near)
+        now.push_back(curves.connected()[i]);
     std::sort(now.begin(), now.end());
+    near_gaps.clear();
+    for (const AxisPair &pair : now)
+      near_gaps.push_back(gap(pair, u));
     if (now == near_pairs)
       return false;
     near_pairs = std::move(now);
     return true;
+  }
+
+  bool StrutProximity::some_may_touch(const std::vector<double> &u) const
+  {
+    for (std::size_t i = 0; i < near_pairs.size(); ++i)
+      if (comes_near(near_pairs[i], near_gaps[i], u, 2 * unseen_motion()))
+        return true;
+    return false;
   }
 
   bool StrutProximity::follow(const std::vector<double> &u)
@@ -388,19 +344,19 @@ namespace auxfem
       return false;
     const bool is_first = looked.empty();
     if (is_first)
-      looked = last = std::vector<double>(u.size(), 0.);
-    step_travel        = is_first ? 0. : motion(last, u);
-    last               = u;
+      looked = std::vector<double>(u.size(), 0.);
     const double since = motion(looked, u);
     if (!is_first && since < unseen_motion())
       return false;
     travelled += since;
-    looked = u;
     if (is_first || travelled >= list_due)
       find_pairs_in_reach(u);
     look_at_pairs(u);
-    look_at_neighbours(u);
-    return collect_near();
+    look_at_connected(u);
+    const bool has_changed = collect_near(u);
+    touches_soon           = some_may_touch(u);
+    looked                 = u;
+    return has_changed;
   }
 
   std::vector<double>
@@ -429,38 +385,29 @@ namespace auxfem
 
   void StrutProximity::save(Records &records) const
   {
-    std::vector<double> pairs, neighbours, turned;
+    std::vector<double> pairs, of_connected;
     for (const Reach &pair : in_reach)
       for (const double value : {double(pair.pair[0]),
                                  double(pair.pair[1]),
                                  pair.due,
                                  double(pair.is_near)})
         pairs.push_back(value);
-    for (unsigned int i = 0; i < neighbour_is_near.size(); ++i)
-      neighbours.push_back(neighbour_is_near[i]);
-    for (const AxisCurve &curve : references)
-      for (unsigned int k = 0; k <= curve.degree; ++k)
-        for (unsigned int c = 0; c < model.lattice.dimension; ++c)
-          turned.push_back(curve.coefficients[k][c]);
-    std::vector<double> degrees;
-    for (const AxisCurve &curve : references)
-      degrees.push_back(curve.degree);
-    records.keep(travel_record,
-                 {travelled, step_travel, list_due, double(looked.size())});
+    for (const Connected &pair : connected)
+      for (const double value :
+           {pair.turning_left[0], pair.turning_left[1], double(pair.is_near)})
+        of_connected.push_back(value);
+    records.keep(travel_record, {travelled, list_due, double(touches_soon)});
     keep_list(pairs_record, pairs, records);
-    keep_list(neighbours_record, neighbours, records);
-    keep_list(references_record, turned, records);
-    keep_list(degrees_record, degrees, records);
+    keep_list(connected_record, of_connected, records);
+    keep_list(turned_record, turned_at, records);
     keep_list(looked_record, by_axis(looked), records);
-    keep_list(last_record, by_axis(last), records);
   }
 
   void StrutProximity::resume(const Records &records)
   {
-    const std::vector<double> travel = records.values(travel_record, 4);
+    const std::vector<double> travel = records.values(travel_record, 3);
     travelled                        = travel[0];
-    step_travel                      = travel[1];
-    list_due                         = travel[2];
+    list_due                         = travel[1];
     const std::vector<double> pairs  = kept_list(pairs_record, records);
     in_reach.clear();
     for (std::size_t i = 0; i + 3 < pairs.size(); i += 4)
@@ -468,24 +415,21 @@ namespace auxfem
                             static_cast<unsigned int>(pairs[i + 1])}},
                           pairs[i + 2],
                           pairs[i + 3] != 0});
-    const std::vector<double> neighbours =
-                                kept_list(neighbours_record, records),
-                              degrees = kept_list(degrees_record, records),
-                              turned  = kept_list(references_record, records);
-    for (unsigned int i = 0; i < neighbour_is_near.size(); ++i)
-      neighbour_is_near[i] = neighbours[i] != 0;
-    std::size_t next = 0;
-    for (unsigned int a = 0; a < references.size(); ++a)
+    touches_soon = travel[2] != 0;
+    const std::vector<double> of_connected =
+      kept_list(connected_record, records);
+    for (unsigned int i = 0; i < connected.size(); ++i)
+      connected[i] = {{{of_connected[3 * i], of_connected[3 * i + 1]}},
+                      of_connected[3 * i + 2] != 0};
+    turned_at = kept_list(turned_record, records);
+    for (unsigned int a = 0; a < allowed_turning.size(); ++a)
       {
-        references[a].degree = degrees[a];
-        for (unsigned int k = 0; k <= references[a].degree; ++k)
-          for (unsigned int c = 0; c < model.lattice.dimension; ++c)
-            references[a].coefficients[k][c] = turned[next++];
+        allowed_turning[a] = turning_allowed(a);
+        turning_due[a]     = std::min(turning_due[a], travelled);
       }
     looked = by_number(kept_list(looked_record, records));
-    last   = by_number(kept_list(last_record, records));
     near_pairs.clear();
-    collect_near();
+    collect_near(looked);
   }
 
   bool StrutProximity::comes_too_near(const AxisPair            &pair,
@@ -493,34 +437,10 @@ namespace auxfem
                                       const std::vector<double> &to,
                                       const double               least) const
   {
-    constexpr unsigned int         most_looks = 40;
-    constexpr double               digits     = 1e-3;
-    const std::array<AxisCurve, 2> start      = {{curve(pair[0], from),
-                                                  curve(pair[1], from)}},
-                                   end        = {
-                                            {curve(pair[0], to), curve(pair[1], to)}};
-    double largest = 0;
-    for (unsigned int i = 0; i < 2; ++i)
-      largest += largest_distance(start[i], end[i]);
-    double left = gap(pair, end[0], end[1]) - least;
-    if (left < 0)
-      return true;
-    // From the end back to the start, which was accepted: no more of a gap can
-    // be lost on a part of the way than there is motion in it.
-    double part = 1;
-    for (unsigned int look = 0; look < most_looks; ++look)
-      {
-        part -= left / std::max(largest, left);
-        if (part <= digits)
-          return false;
-        left = gap(pair,
-                   between(start[0], end[0], part),
-                   between(start[1], end[1], part)) -
-          least;
-        if (left <= digits * curves.thickness(pair[0], pair[1]))
-          return left < 0 || look > most_looks / 2;
-      }
-    return false;
+    return gap_of.comes_below(pair,
+                              {{curve(pair[0], from), curve(pair[1], from)}},
+                              {{curve(pair[0], to), curve(pair[1], to)}},
+                              least);
   }
 
   std::optional<AxisPair>
@@ -531,12 +451,17 @@ namespace auxfem
     // Without a state to start from nothing is known.
     if (!(thickest > 0) || looked.empty())
       return {};
-    for (const AxisPair &pair : near_pairs)
-      if (comes_too_near(pair,
-                         from,
-                         to,
-                         -allowed * curves.thickness(pair[0], pair[1])))
-        return pair;
+    for (std::size_t i = 0; i < near_pairs.size(); ++i)
+      {
+        const AxisPair &pair  = near_pairs[i];
+        const double    least = -allowed * curves.thickness(pair[0], pair[1]);
+        // No distance changes by more than nodes move against each other.
+        if (near_gaps[i] - least < safety_of_motion *
+                std::max(relative_motion(pair, looked, from),
+                         relative_motion(pair, looked, to)) &&
+            comes_too_near(pair, from, to, least))
+          return pair;
+      }
     const double since = motion(looked, to);
     if (since < unseen_motion())
       return {};
@@ -554,9 +479,12 @@ namespace auxfem
       for (const Reach &pair : in_reach)
         if (travelled + since >= pair.due && is_bad(pair.pair))
           return pair.pair;
-    for (const unsigned int i : neighbours_of(turned_axes(to)))
-      if (is_bad(curves.neighbours()[i]))
-        return curves.neighbours()[i];
+    for (unsigned int axis = 0; axis < turning_due.size(); ++axis)
+      if (travelled + since >= turning_due[axis] &&
+          turning(axis, to) >= allowed_turning[axis])
+        for (const unsigned int i : connected_of_axis[axis])
+          if (is_bad(curves.connected()[i]))
+            return curves.connected()[i];
     return {};
   }
 } // namespace auxfem

@@ -185,10 +185,7 @@ namespace auxfem
       set_mass(definition, lattice, part);
       clamp_once(definition, scene, lattice, part, clamped_to);
       for (const unsigned int strut : struts)
-        {
-          lattice.struts[strut].rigid_part = lattice.rigid_parts.size();
-          lattice.struts[strut].section    = invalid_index;
-        }
+        lattice.struts[strut].rigid_part = lattice.rigid_parts.size();
       if (!struts.empty())
         part.cell = lattice.struts[struts.front()].cell;
       lattice.rigid_parts.push_back(std::move(part));

@@ -32,21 +32,32 @@ namespace auxfem
 
   ContactGraphics::ContactGraphics(const Equations   &equations,
                                    const std::string &folder,
-                                   const MPI_Comm     communicator,
                                    const std::string &prefix)
     : equations(equations)
     , plates(equations.reporting().plates)
     , struts(equations.reporting().strut_contact)
     , size(size_of(equations.model().lattice))
-    , contact_series(folder, prefix + "contacts", communicator)
+    , folder(folder)
+    , contacts_name(prefix + "contacts")
   {
-    if (plates)
-      plate_series.emplace(folder, prefix + "plates", communicator);
+    if (!plates)
+      return;
+    start_contacts();
+    plate_series.emplace(folder,
+                         prefix + "plates",
+                         equations.unknowns().layout.communicator());
+  }
+
+  void ContactGraphics::start_contacts()
+  {
+    contact_series.emplace(folder,
+                           contacts_name,
+                           equations.unknowns().layout.communicator());
   }
 
   std::vector<std::string> ContactGraphics::series() const
   {
-    std::vector<std::string> names = {contact_series.series_name()};
+    std::vector<std::string> names = {contacts_name};
     if (plate_series)
       names.push_back(plate_series->series_name());
     return names;
@@ -62,20 +73,21 @@ namespace auxfem
   void ContactGraphics::write_contacts(const Solution &solution)
   {
     LineGraphics graphics(contact_fields);
-    const auto   add = [&graphics](const auto  &report,
-                                 const double plate,
-                                 const double other_strut) {
-      std::vector<float> values;
-      for (unsigned int end = 0; end < 2; ++end)
-        {
-          append_vector(values, report.displacement);
-          append_vector(values, report.force);
-          for (const double value :
-               {-report.depth, double(report.strut), plate, other_strut})
-            values.push_back(value);
-        }
-      graphics.add_line({report.rest, report.rest - report.to_face}, values);
-    };
+    bool         touches = false;
+    const auto   add =
+      [&](const auto &report, const double plate, const double other_strut) {
+        touches = true;
+        std::vector<float> values;
+        for (unsigned int end = 0; end < 2; ++end)
+          {
+            append_vector(values, report.displacement);
+            append_vector(values, report.force);
+            for (const double value :
+                 {-report.depth, double(report.strut), plate, other_strut})
+              values.push_back(value);
+          }
+        graphics.add_line({report.rest, report.rest - report.to_face}, values);
+      };
     constexpr double none = -1;
     if (plates)
       for (const ContactReport &report :
@@ -87,7 +99,14 @@ namespace auxfem
            struts->contacts(equations.strut_contact_results(solution.results),
                             solution.state))
         add(report, none, report.other);
-    contact_series.write(graphics, solution.state.time);
+    // Without plates, the first file is that of the first touch.
+    if (!contact_series)
+      {
+        if (equations.unknowns().layout.largest(touches ? 1. : 0.) == 0)
+          return;
+        start_contacts();
+      }
+    contact_series->write(graphics, solution.state.time);
   }
 
   void ContactGraphics::write_plates(const Solution &solution)
@@ -115,14 +134,18 @@ namespace auxfem
 
   void ContactGraphics::save(Records &records) const
   {
-    contact_series.save(records);
+    if (contact_series)
+      contact_series->save(records);
     if (plate_series)
       plate_series->save(records);
   }
 
   void ContactGraphics::resume(const Records &records)
   {
-    contact_series.resume(records);
+    if (!contact_series && GraphicsSeries::is_in(records, contacts_name))
+      start_contacts();
+    if (contact_series)
+      contact_series->resume(records);
     if (plate_series)
       plate_series->resume(records);
   }

@@ -195,19 +195,25 @@ namespace auxfem
     return name;
   }
 
-  std::string GraphicsSeries::record_name() const
+  std::string GraphicsSeries::record_name(const std::string &series)
   {
-    return "graphics: files of " + name;
+    return "graphics: files of " + series;
+  }
+
+  bool GraphicsSeries::is_in(const Records &records, const std::string &series)
+  {
+    return records.has(record_name(series));
   }
 
   void GraphicsSeries::save(Records &records) const
   {
-    records.keep(record_name(), {double(n_written), double(end_of_entries)});
+    records.keep(record_name(name),
+                 {double(n_written), double(end_of_entries)});
   }
 
   void GraphicsSeries::resume(const Records &records)
   {
-    const std::vector<double> values = records.values(record_name(), 2);
+    const std::vector<double> values = records.values(record_name(name), 2);
     n_written                        = values[0];
     end_of_entries                   = values[1];
     on_first_rank(communicator, [&]() {

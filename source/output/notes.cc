@@ -92,11 +92,43 @@ namespace auxfem
           notes.push_back(note.str());
         }
     }
+    /** The first of some pairs of struts, and how many more there are. */
+    std::string
+    pairs_text(const std::vector<std::array<unsigned int, 2>> &pairs)
+    {
+      constexpr std::size_t most = 3;
+      std::ostringstream    text;
+      for (std::size_t i = 0; i < std::min(most, pairs.size()); ++i)
+        text << (i > 0 ? ", " : "") << pairs[i][0] << " and " << pairs[i][1];
+      if (pairs.size() > most)
+        text << " and " << pairs.size() - most << " more pairs";
+      return text.str();
+    }
+
+    void add_overlaps(const StrutContact       &contact,
+                      std::vector<std::string> &notes)
+    {
+      std::vector<std::array<unsigned int, 2>> passing, others;
+      for (const StrutOverlap &overlap : contact.overlaps())
+        (overlap.is_passing ? passing : others).push_back(overlap.struts);
+      if (!passing.empty())
+        notes.push_back("Struts " + pairs_text(passing) +
+                        " cross at rest without a common joint, so they pass "
+                        "each other freely, as if side by side. If they are "
+                        "connected, give them a joint there.");
+      if (!others.empty())
+        notes.push_back("Struts " + pairs_text(others) +
+                        " overlap at rest: they are nearer than they are "
+                        "thick. Where they are, they do not touch each other. "
+                        "If that is not what was meant, look at their section "
+                        "and their distance.");
+    }
   } // namespace
 
-  std::vector<std::string> notes_on(const Scene        &scene,
-                                    const LatticeModel &model)
+  std::vector<std::string> notes_on(const Scene     &scene,
+                                    const Equations &equations)
   {
+    const LatticeModel      &model = equations.model();
     std::vector<std::string> notes = scene.time.values_without_effect;
     if (const std::optional<std::string> on_scheme =
           scene.time.scheme->note_on_rigid_parts();
@@ -106,6 +138,8 @@ namespace auxfem
       notes.push_back(note);
     add_imperfections(model.lattice, notes);
     add_thick_sections(scene, model, notes);
+    if (equations.reporting().strut_contact != nullptr)
+      add_overlaps(*equations.reporting().strut_contact, notes);
     return notes;
   }
 } // namespace auxfem

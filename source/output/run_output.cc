@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <optional>
@@ -191,7 +192,7 @@ namespace auxfem
     const Counts counts = count(equations);
     if (console)
       {
-        notes = notes_on(scene, equations.model());
+        notes = notes_on(scene, equations);
         console->print(overview_text(scene,
                                      counts,
                                      equations.model().simulated.decisions,
@@ -318,7 +319,10 @@ namespace auxfem
     std::vector<std::string> written = {folder + "/history.csv"};
     if (graphics)
       for (const std::string &name : graphics->series())
-        written.push_back(folder + "/" + name + ".pvd");
+        // That of contacts may not have begun.
+        if (const std::string record = folder + "/" + name + ".pvd";
+            std::filesystem::exists(record))
+          written.push_back(record);
     if (singular_points)
       for (const std::string &name : singular_points->files())
         written.push_back(folder + "/" + name);
@@ -535,7 +539,7 @@ namespace auxfem
       std::cout << overview_text(scene,
                                  counts,
                                  equations.model().simulated.decisions,
-                                 notes_on(scene, equations.model()))
+                                 notes_on(scene, equations))
                 << std::endl;
   }
 } // namespace auxfem

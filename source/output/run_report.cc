@@ -26,7 +26,7 @@ namespace auxfem
       print(overview_text(scene,
                           counts,
                           equations.model().simulated.decisions,
-                          notes_on(scene, equations.model())) +
+                          notes_on(scene, equations)) +
             '\n');
     });
   }
@@ -48,7 +48,7 @@ namespace auxfem
     Json json = json_of_run(scene, "completed", 0);
     add_verdict(json, findings);
     json.update(found);
-    const std::vector<std::string> notes = notes_on(scene, equations.model());
+    const std::vector<std::string> notes = notes_on(scene, equations);
     if (!notes.empty())
       json["notes"] = notes;
     const std::string &folder = scene.output.directory;

@@ -97,7 +97,7 @@ namespace auxfem
     if (!equations.reporting().connectors.empty())
       connector_series.emplace(folder, prefix + "connectors", communicator);
     if (equations.reporting().plates || equations.reporting().strut_contact)
-      contacts.emplace(equations, folder, communicator, prefix);
+      contacts.emplace(equations, folder, prefix);
   }
 
   std::vector<std::string> VtuWriter::series() const

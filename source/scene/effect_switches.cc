@@ -45,8 +45,8 @@ namespace auxfem
         "Contact",
         &EffectSwitches::contact,
         "Contact of struts with plates and with each other; off: they pass "
-        "through each other. auto: on where plates are given, else struts "
-        "that touch are told.")};
+        "through each other, and those that touch are told. Where nothing is "
+        "near there are no forces.")};
 
     const Quantity effects_tolerance = {
       "Tolerance",

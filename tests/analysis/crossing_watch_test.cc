@@ -21,6 +21,7 @@ namespace
       .circle("s", "10 mm", {"1 GPa", 1000})
       .support("held", held, "clamp")
       .add("Supports/moved", "Joints = 0 | Type = prescribed | " + motion)
+      .set("Effects/Contact", "off")
       .time(1, 0.01, "static");
   }
 

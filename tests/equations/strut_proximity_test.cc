@@ -70,8 +70,6 @@ TEST(StrutProximity, AllThatTouchAreNearHoweverTheLatticeMoves)
           {
             const AxisPair pair{{a, b}};
             if (stars.curves.are_neighbours(a, b) ||
-                stars.curves.overlap_at_rest(a, b) ||
-                stars.curves.overlap_at_rest(b, a) ||
                 stars.distance(pair, u) > stars.curves.thickness(a, b))
               continue;
             ++n_touching;

@@ -149,16 +149,18 @@ TEST(RigidParts, AGivenRotaryInertiaCounts)
   EXPECT_FALSE(lattice.rigid_parts.at(0).clamps_struts);
 }
 
-TEST(RigidParts, SectionsAreForElasticStrutsOnly)
+TEST(RigidParts, SectionsDoNotMakeThemElastic)
 {
-  // Struts 0 and 1 are rigid, `all` of a section does not make them elastic.
+  // Struts 0 and 1 are rigid; of the section they have the thickness.
   const Lattice lattice =
     lattice_of(six_joints,
                four_struts,
                part("L", "Struts = 0, 1 | Elastic struts = clamped"),
                sections_for("all"));
   EXPECT_EQ(lattice.n_elastic_struts(), 2u);
-  EXPECT_EQ(lattice.struts[0].section, invalid_index);
+  EXPECT_TRUE(lattice.struts[0].is_rigid());
+  EXPECT_FALSE(lattice.struts[2].is_rigid());
+  EXPECT_EQ(lattice.struts[0].section, 0u);
   EXPECT_EQ(lattice.struts[2].section, 0u);
   EXPECT_TRUE(lattice.rigid_parts.at(0).clamps_struts);
   EXPECT_EQ(rigid_parts_of(lattice, {0, 1, 2, 3}), Indices{0});

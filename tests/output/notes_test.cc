@@ -19,7 +19,7 @@ namespace
         .rectangle("strip", "5 mm", height, {1e9, 1}),
       {},
       MPI_COMM_SELF);
-    return notes_on(of_scene.scene, of_scene.model);
+    return notes_on(of_scene.scene, of_scene.equations);
   }
 } // namespace
 
@@ -48,7 +48,7 @@ TEST(Notes, TellOfParametersOfAnotherScheme)
                                       .set("Time/Order of esdirk", 5),
                                     {},
                                     MPI_COMM_SELF);
-    return notes_on(of_scene.scene, of_scene.model);
+    return notes_on(of_scene.scene, of_scene.equations);
   };
   const std::vector<std::string> notes = notes_with("newmark");
   ASSERT_EQ(notes.size(), 1u);

@@ -44,7 +44,8 @@ namespace
                                   "stored",         "dissipated",
                                   "external",       "numerical",
                                   "tie.dissipated", "anchors.dissipated",
-                                  "push.load_work", "balance"}));
+                                  "contact",        "push.load_work",
+                                  "balance"}));
     ASSERT_EQ(table.n_rows, 41u);
     for (unsigned int i = 0; i < table.n_rows; ++i)
       {

@@ -147,7 +147,8 @@ namespace
     // The first one is long enough to be still there when it is stopped.
     const std::string program =
       "'" AUXFEM_EXECUTABLE
-      "' scene.prm --output out --set 'Time/End time=10 ms'";
+      "' scene.prm --output out --set 'Time/End time=10 ms' "
+      "--set 'Effects/Contact=off'";
     const ProgramRun both =
       run_program({"sh",
                    "-c",

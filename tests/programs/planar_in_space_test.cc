@@ -96,7 +96,9 @@ namespace
   };
 
   /** A hard hit on prm/lattice.prm, which turns its joints far within 15 ms. */
+  // Struts touch at other points of a section in space than in the plane.
   const Words impact = {
+    "Effects/Contact=off",
     "Constants=t0 = 10 ms, t1 = 11 ms, peak = 8",
     "Lattice/Cells x=2",
     "Lattice/Cells y=2",

@@ -67,12 +67,14 @@ TEST(EffectsStudy, WhatIsNotCalledForIsLeftOutTogether)
 {
   const StudyReport report =
     effects_of(heavy_cantilever("1e12", "-100 * t"), "20 %");
-  const std::string both = "Large rotation, Shear flexibility, Gravity";
+  const std::string both =
+    "Large rotation, Shear flexibility, Gravity, Contact";
   EXPECT_EQ(verdict_on(report, both), "not called for");
   EXPECT_TRUE(contains(report.text,
                        "--set \"Effects/Large rotation=off\" --set "
                        "\"Effects/Shear flexibility=off\" --set "
-                       "\"Effects/Gravity=off\""));
+                       "\"Effects/Gravity=off\" --set "
+                       "\"Effects/Contact=off\""));
 }
 
 TEST(EffectsStudy, WhatChangesTooMuchTogetherIsNotRecommended)

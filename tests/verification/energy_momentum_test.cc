@@ -142,7 +142,9 @@ TEST(EnergyMomentumRuns, SecondOrder)
                              "Force x = 10 * sin(1500 * t)^4 | "
                              "Force y = -20 * sin(1500 * t)^4 | "
                              "Moment z = 5e-2 * sin(1500 * t)^4")),
-                 {"Sections/strip/Stiffness-proportional damping=20e-6"});
+                 // Struts that touch strike, which is not smooth.
+                 {"Sections/strip/Stiffness-proportional damping=20e-6",
+                  "Effects/Contact=off"});
     run.run();
     turned = std::abs(run.motion(0, rotation_z));
     std::vector<double> result;

@@ -21,7 +21,9 @@ namespace
   /** The star lattice, 2 x 2 cells, under @p load (N) on each top joint until @p end (s). */
   Overrides small_star(const double load, const double end = 20e-3)
   {
-    return star_size(2, load) + Overrides{"Time/End time=" + text(end)};
+    // What collapses goes on through itself, which is harder yet.
+    return star_size(2, load) +
+      Overrides{"Time/End time=" + text(end), "Effects/Contact=off"};
   }
 
   Overrides connector(const std::string &parameter, const double value)
@@ -83,7 +85,7 @@ namespace
 TEST(HardCases, CollapseStaysFinite)
 {
   // Ten times the load that struts can bear: they fold through each other
-  // (there is no contact), with rejected steps all along, and come to the end.
+  // (without contact), with rejected steps all along, and come to the end.
   SceneRun     run(star_scene(), small_star(10));
   unsigned int n_rejected = 0;
   while (run.state.step < run.scene.time.n_steps())

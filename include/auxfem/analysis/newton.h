@@ -136,12 +136,15 @@ namespace auxfem
     const bool             is_linear;
     const NodeRotations    rotations;
     Vector                 increment;
-    /** The last one without inertia, rotations in space as spins. */
+    /** The last one that line search may shorten, rotations in space as spins.
+     */
     Vector              way;
     std::optional<Kept> kept;
     Exactness           exactness = Exactness::exact;
     /** Whether the last attempt did, so that the next one takes more care. */
     bool has_failed = false;
+    /** Whether forces of contact may begin in the step. */
+    bool may_touch = false;
   };
 } // namespace auxfem
 

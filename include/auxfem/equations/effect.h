@@ -203,6 +203,13 @@ namespace auxfem
       raise_forces(evaluation, results, forces);
     }
 
+    /** Whether forces may begin or end all at once within a step, as where
+     * things touch. The same on all ranks. */
+    virtual bool may_touch() const
+    {
+      return false;
+    }
+
     /**
      * Why a step that is solved must not be accepted but repeated in shorter
      * ones, in words for users; empty: it may. Words of one rank are enough.

@@ -200,6 +200,9 @@ namespace auxfem
     double round_off_floor(const Evaluation        &evaluation,
                            const EvaluationResults &results) const;
 
+    /** Whether any effect's forces may begin all at once. */
+    bool may_touch() const;
+
     /**
      * Why a solved step must be repeated in shorter ones, in words; empty: it
      * need not. The same on all ranks; collective.

@@ -11,6 +11,12 @@ namespace auxfem
   /** Parts of the parameter of an element, [begin, end] each. */
   using ParameterRanges = std::vector<std::array<double, 2>>;
 
+  /** A node that two axes share: its parameter on either. */
+  struct CommonNode
+  {
+    std::array<double, 2> end;
+  };
+
   /**
    * The axes of struts as curves that can touch each other, and which parts of
    * them count against which struts: where two struts are nearer to each other
@@ -39,6 +45,15 @@ namespace auxfem
                double      *values,
                double      *slopes = nullptr) const;
 
+    /** By how much an axis turns (rad): the largest derivative of the motion
+     * along it, at as many points as it has nodes.
+     * @param motion of its nodes, dimension of space at each (m) */
+    double turning(unsigned int axis, const double *motion) const;
+
+    /** How much it turns at most if none of its nodes moves by more than this
+     * (rad). */
+    double largest_turning(unsigned int axis, double motion) const;
+
     /** Whether two axes belong to one strut or to struts with a common joint.
      */
     bool are_neighbours(unsigned int one, unsigned int other) const;
@@ -47,10 +62,15 @@ namespace auxfem
      * that could touch: of one rigid part. */
     bool never_touch(unsigned int one, unsigned int other) const;
 
-    /** Axes that are neighbours of each other, each pair once. */
-    const std::vector<std::array<unsigned int, 2>> &neighbours() const
+    /** Ends of two axes that move together. */
+    std::vector<CommonNode> common_nodes(unsigned int one,
+                                         unsigned int other) const;
+
+    /** Pairs of axes with a common node that may touch, and axes that may touch
+     * themselves, sorted. */
+    const std::vector<AxisPair> &connected() const
     {
-      return neighbour_pairs;
+      return connected_pairs;
     }
 
     /** Half the sum of the thicknesses of both (m). */
@@ -69,9 +89,6 @@ namespace auxfem
     ParameterRanges
     parts_apart(unsigned int axis, double parameter, unsigned int other) const;
 
-    /** Whether struts that are not neighbours overlap at rest. */
-    bool overlap_at_rest(unsigned int one, unsigned int other) const;
-
     /** Axes of a strut: [begin, end) in the list. */
     std::array<unsigned int, 2> axes_of(unsigned int strut) const;
 
@@ -84,12 +101,21 @@ namespace auxfem
     /** Shape functions in powers of the parameter, by node. */
     struct Basis
     {
+      /** Of all nodes; derivatives if these are given. */
+      void
+      values_at(double parameter, double *values, double *derivatives) const;
+
       unsigned int        degree;
       std::vector<double> coefficients; ///< of each node, degree + 1
+      /** Derivatives at points at equal distances: by point, then node. */
+      std::vector<double> slopes;
+      /** The largest sum of their magnitudes at a point. */
+      double steepest = 0;
     };
 
-    void            set_rest(unsigned int axis);
-    void            find_neighbours();
+    static Basis    make_basis(unsigned int order);
+    AxisCurve       arc_at_rest(const ContactAxis &axis) const;
+    void            find_connected();
     ParameterRanges find_free_ranges(unsigned int axis,
                                      unsigned int other) const;
     double          rest_distance(unsigned int axis,
@@ -105,8 +131,8 @@ namespace auxfem
     const std::vector<ContactAxis>                     &axes;
     std::map<unsigned int, Basis>                       bases; ///< by order
     std::vector<const Basis *>                          basis_of;
-    std::vector<AxisCurve>                              rest;
-    std::vector<std::array<unsigned int, 2>>            neighbour_pairs;
+    std::map<unsigned int, AxisCurve>                   arcs; ///< at rest
+    std::vector<AxisPair>                               connected_pairs;
     std::map<unsigned int, std::array<unsigned int, 2>> axes_of_struts;
     /** By axis and strut, as they are asked for. */
     mutable std::map<std::array<unsigned int, 2>, ParameterRanges> known_ranges;

@@ -1,22 +1,22 @@
 #ifndef auxfem_equations_strut_proximity_h
 #define auxfem_equations_strut_proximity_h
 
-#include <auxfem/equations/strut_curves.h>
+#include <auxfem/equations/strut_gap.h>
+#include <auxfem/equations/strut_overlaps.h>
 
 #include <optional>
+#include <set>
 #include <string>
 
 namespace auxfem
 {
-  /** Two axes, the one with the lower number first. */
-  using AxisPair = std::array<unsigned int, 2>;
-
   /**
    * Which struts of a lattice come near each other. Pairs are looked at again
-   * only when they may have come nearer than they were allowed to: others than
-   * neighbours when nodes have moved by half of the distance that was left,
-   * neighbours when one of them has turned. Pairs of struts come from a tree of
-   * boxes (R-tree), again when nodes have moved by half the width of these.
+   * only when they may have come nearer than they were allowed to: axes with a
+   * common node when one of them has turned by what was left, others
+   * when nodes have moved by half of the distance that was left. These come
+   * from a tree of boxes (R-tree), again when nodes have moved by half the
+   * width of these.
    *
    * Displacements are those of all ranks, by global number; each rank looks at
    * all pairs, and finds the same.
@@ -34,6 +34,18 @@ namespace auxfem
     const std::vector<AxisPair> &near() const
     {
       return near_pairs;
+    }
+
+    /** Whether one of them touches, or does so soon. */
+    bool may_touch() const
+    {
+      return touches_soon;
+    }
+
+    /** Struts that overlap at rest. */
+    const std::vector<StrutOverlap> &overlaps() const
+    {
+      return overlapping;
     }
 
     /** Keeps all that near() and its next change follow from. */
@@ -62,48 +74,66 @@ namespace auxfem
       bool   is_near;
     };
 
+    /** A pair with a common node. */
+    struct Connected
+    {
+      /** What its axes may have turned since they were remembered before they
+       * are near (rad). */
+      std::array<double, 2> turning_left{};
+      bool                  is_near = false;
+    };
+
     AxisCurve curve(unsigned int axis, const std::vector<double> &u) const
     {
       return curves.curve(axis, curves.list()[axis].unknowns.data(), u.data());
     }
 
-    double margin(const AxisPair &pair) const;
-
-    /** Least distance of a pair less half its thickness (m), or a little less;
-     * negative where it touches. */
-    ///@{
-    double gap(const AxisPair  &pair,
-               const AxisCurve &one,
-               const AxisCurve &other) const;
+    void add_nodes(const ContactAxis &axis);
+    /** How far the nodes of a pair move against each other at most: the
+     * diagonal of the box of all their motions (m). */
+    double relative_motion(const AxisPair            &pair,
+                           const std::vector<double> &from,
+                           const std::vector<double> &to) const;
+    /** How near a pair is to be for having forces (m). */
+    double near_gap(const AxisPair &pair) const;
+    /** Whether the gap of a pair (m) is smaller than @p least or becomes so
+     * soon, if it goes on shrinking as it did since the last look, up to @p u.
+     */
+    bool   comes_near(const AxisPair            &pair,
+                      double                     gap,
+                      const std::vector<double> &u,
+                      double                     least) const;
     double gap(const AxisPair &pair, const std::vector<double> &u) const;
-    double gap_of_ranges(const AxisPair  &pair,
-                         const AxisCurve &one,
-                         const AxisCurve &other) const;
-    double gap_of_strut(const AxisPair  &pair,
-                        const AxisCurve &one,
-                        const AxisCurve &other) const;
-    ///@}
 
-    /** Pairs other than neighbours whose axes, on the way between two states,
+    /** Pairs without a common node whose axes, on the way between two states,
      * are less than twice @p margin apart (m). */
     std::vector<AxisPair> pairs_in_boxes(const std::vector<double> &from,
                                          const std::vector<double> &to,
                                          double margin) const;
+    bool                  never_touch(const AxisPair &pair) const;
     void                  find_pairs_in_reach(const std::vector<double> &u);
     void                  look_at_pairs(const std::vector<double> &u);
-    void                  look_at_neighbours(const std::vector<double> &u);
+    void                  look_at_connected(const std::vector<double> &u);
+    void look_at_connected(unsigned int pair, const std::vector<double> &u);
     /** Motion of nodes that no pair need be looked at for (m). */
     double unseen_motion() const;
 
-    /** Axes that have turned since their neighbours were looked at, and the
-     * pairs of neighbours that these are in. */
-    ///@{
-    std::vector<unsigned int> turned_axes(const std::vector<double> &u) const;
+    /** How much an axis has turned since it was looked at (rad). */
+    double turning(unsigned int axis, const std::vector<double> &u) const;
+    /** How much it may turn until it is looked at again (rad). */
+    double turning_allowed(unsigned int axis) const;
+    /** Travel of the nodes before which an axis that has @p turned (rad) cannot
+     * have turned by as much as it may (m). */
+    double earliest_turn(unsigned int axis, double turned) const;
+    /** Axes that have turned by as much as they may. */
+    std::vector<unsigned int> find_turned(const std::vector<double> &u);
+    /** Of them the pairs with a common node. */
     std::vector<unsigned int>
-    neighbours_of(const std::vector<unsigned int> &turned) const;
-    ///@}
-    bool has_turned(unsigned int axis, const AxisCurve &now) const;
-    bool collect_near();
+         connected_to(const std::vector<unsigned int> &turned) const;
+    void remember_turning(unsigned int axis, const std::vector<double> &u);
+    /** Makes near() of what was found; whether it has changed. */
+    bool collect_near(const std::vector<double> &u);
+    bool some_may_touch(const std::vector<double> &u) const;
 
     /** Whether a gap becomes smaller than @p least (m) on the straight way. */
     bool comes_too_near(const AxisPair            &pair,
@@ -124,18 +154,33 @@ namespace auxfem
 
     const LatticeModel &model;
     const StrutCurves  &curves;
+    const StrutGap      gap_of;
     const double        reach; ///< between axes that are kept in the list (m)
-    double              thickest = 0, thinnest = 0; ///< half (m)
+    const std::vector<StrutOverlap>       overlapping;
+    std::set<std::array<unsigned int, 2>> passing; ///< struts of these
+    double thickest = 0, thinnest = 0;             ///< half (m)
 
-    std::vector<Reach>     in_reach;
-    std::vector<AxisPair>  near_pairs;
-    std::vector<AxisCurve> references; ///< when neighbours were looked at
-    std::vector<std::vector<unsigned int>> pairs_of_axis; ///< of neighbours
-    std::vector<bool>                      neighbour_is_near;
-    std::vector<double>                    looked, last; ///< displacements
-    double travelled   = 0;                              ///< up to `looked` (m)
-    double step_travel = 0;                              ///< m
-    double list_due    = 0; ///< travel at which it is made anew
+    std::vector<Reach>    in_reach;
+    std::vector<AxisPair> near_pairs;
+    std::vector<double>   near_gaps; ///< of these, in `looked` (m)
+    /** Displacements by axis, node and component when pairs with a common node
+     * were looked at. */
+    std::vector<double> turned_at;
+    /** Of each axis, in `turned_at`. */
+    std::vector<std::size_t> first_of_axis;
+    /** Global numbers of the displacements of each node of any axis, once. */
+    std::vector<std::array<int, 3>> nodes;
+    /** Pairs with a common node, of each axis. */
+    std::vector<std::vector<unsigned int>> connected_of_axis;
+    std::vector<Connected>                 connected;
+    std::vector<double> allowed_turning; ///< of each axis (rad)
+    /** Of each axis, travel of the nodes at which its turning is looked at
+     * again (m). */
+    std::vector<double> turning_due;
+    bool                touches_soon = false;
+    std::vector<double> looked;        ///< displacements
+    double              travelled = 0; ///< up to `looked` (m)
+    double              list_due = 0; ///< travel at which the list is made anew
   };
 } // namespace auxfem
 

@@ -43,8 +43,8 @@ namespace auxfem
     unsigned int cell = 0;
 
     /**
-     * Index into the scene's sections; filled from the strut sets.
-     * invalid_index for a rigid strut.
+     * Index into the scene's sections; filled from the strut sets. A rigid
+     * strut may have none (invalid_index); it has the thickness of its section.
      */
     unsigned int section = 0;
 

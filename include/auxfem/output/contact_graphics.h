@@ -28,10 +28,10 @@ namespace auxfem
     /** Makes the subfolders of @p folder; see VtuWriter. Collective. */
     ContactGraphics(const Equations   &equations,
                     const std::string &folder,
-                    MPI_Comm           communicator,
                     const std::string &prefix);
 
-    /** Names of the series that are written. */
+    /** Names of the series; without plates that of contacts begins with the
+     * first touch. */
     std::vector<std::string> series() const;
 
     /** Throws ComputationError if the disk takes no more. Collective. */
@@ -44,14 +44,16 @@ namespace auxfem
     void resume(const Records &records);
 
   private:
+    void start_contacts();
     void write_contacts(const Solution &solution);
     void write_plates(const Solution &solution);
 
-    const Equations    &equations;
-    const PlateContact *plates; ///< nullptr: none
-    const StrutContact *struts; ///< nullptr: they may cross
-    const double        size;   ///< of the lattice (m)
-    GraphicsSeries      contact_series;
+    const Equations              &equations;
+    const PlateContact           *plates; ///< nullptr: none
+    const StrutContact           *struts; ///< nullptr: they may cross
+    const double                  size;   ///< of the lattice (m)
+    const std::string             folder, contacts_name;
+    std::optional<GraphicsSeries> contact_series;
     /** If there are any. */
     std::optional<GraphicsSeries> plate_series;
   };

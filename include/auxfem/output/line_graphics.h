@@ -92,6 +92,9 @@ namespace auxfem
     /** Keeps the number of files so far. */
     void save(Records &records) const;
 
+    /** Whether @p records hold a series. */
+    static bool is_in(const Records &records, const std::string &series);
+
     /**
      * Numbers files on from where @p records were saved. The record NAME.pvd
      * lists those that follow.
@@ -99,7 +102,7 @@ namespace auxfem
     void resume(const Records &records);
 
   private:
-    std::string record_name() const;
+    static std::string record_name(const std::string &series);
 
     /** Returns the name of the file that stands for all ranks. */
     std::string write_pieces(LineGraphics &graphics) const;

@@ -1,7 +1,7 @@
 #ifndef auxfem_output_notes_h
 #define auxfem_output_notes_h
 
-#include <auxfem/model/lattice_model.h>
+#include <auxfem/equations/equations.h>
 
 #include <string>
 #include <vector>
@@ -11,11 +11,12 @@ namespace auxfem
   /**
    * What the user should know of a scene that is allowed, but may not be what
    * was meant: of the time scheme with rigid parts, functions of time
-   * (time_function_notes()) and sections too thick for their struts. A text
-   * each, for the screen and summary.json.
+   * (time_function_notes()), sections too thick for their struts and, with
+   * contact, struts that overlap at rest. A text each, for the screen and
+   * summary.json.
    */
-  std::vector<std::string> notes_on(const Scene        &scene,
-                                    const LatticeModel &model);
+  std::vector<std::string> notes_on(const Scene     &scene,
+                                    const Equations &equations);
 } // namespace auxfem
 
 #endif

@@ -1,6 +1,5 @@
 #include <auxfem/equations/effects/plate_contact.h>
 #include <auxfem/parameters/errors.h>
-#include <auxfem/time/static.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -31,9 +30,11 @@ namespace auxfem
   PlateContact::PlateContact(const Scene &scene, const LatticeModel &model)
     : model(model)
     , parameters(scene.contact)
+    , friction{scene.contact.friction, scene.contact.slip_velocity}
     , step_length(model.simulated.inertia ? scene.time.step : 0.)
     , dimension(model.lattice.dimension)
     , axes(make_contact_axes(model, scene.contact.stiffness))
+    , points_of_axes(make_contact_points(model.lattice, axes))
   {
     const UnknownLayout &layout = model.numbering.layout();
     for (unsigned int i = 0; i < scene.plates.size(); ++i)
@@ -81,10 +82,11 @@ namespace auxfem
       {
         const ContactAxis *deepest = nullptr;
         double             depth   = 0;
-        for (const ContactAxis &axis : axes)
-          for (const dealii::Point<3> &point : axis.rest)
+        for (unsigned int a = 0; a < axes.size(); ++a)
+          for (const dealii::Point<3> &point : points_of_axes[a].rest)
             {
-              const double here = axis.half_thickness -
+              const ContactAxis &axis = axes[a];
+              const double       here = axis.half_thickness -
                 plate.definition->surface->distance(point -
                                                     plate.definition->position);
               if (here >
@@ -115,10 +117,8 @@ namespace auxfem
   void PlateContact::register_in(StateLayout &layout)
   {
     contact_entry = layout.energies.enter(contact_energy_entry());
-    if (parameters.friction == 0)
-      return;
-    friction_entry  = layout.energies.enter(friction_energy_entry());
-    numerical_entry = layout.energies.enter(numerical_energy_entry());
+    if (friction.coefficient > 0)
+      friction_account.register_in(layout);
   }
 
   std::vector<Vector3> PlateContact::plate_values(const Vector &values) const
@@ -343,11 +343,11 @@ namespace auxfem
     return std::make_unique<PlateContactResults>();
   }
 
-  ContactLaw PlateContact::law(const ContactAxis &axis,
+  ContactLaw PlateContact::law(const unsigned int axis,
                                const unsigned int point) const
   {
-    return {axis.stiffness * axis.weights[point],
-            parameters.smoothing * thickness_of(axis)};
+    return {axes[axis].stiffness * points_of_axes[axis].weights[point],
+            parameters.smoothing * thickness_of(axes[axis])};
   }
 
   double PlateContact::thickness_of(const ContactAxis &axis) const
@@ -357,13 +357,16 @@ namespace auxfem
 
   Vector3 PlateContact::difference(const Coupled     &pair,
                                    const unsigned int point,
-                                   const double      *values) const
+                                   const Vector      &values) const
   {
-    const ContactAxis &axis = axes[pair.near.axis];
-    Vector3            result =
-      displacement_of(axis, point, dimension, pair.unknowns.data(), values);
+    Vector3 result =
+      points_of_axes[pair.near.axis].displacement(point,
+                                                  dimension,
+                                                  pair.unknowns.data(),
+                                                  values.data());
+    const std::size_t of_plate = axes[pair.near.axis].n_nodes() * dimension;
     for (unsigned int c = 0; c < dimension; ++c)
-      result[c] -= values[pair.unknowns[axis.n_nodes() * dimension + c]];
+      result[c] -= values[pair.unknowns[of_plate + c]];
     return result;
   }
 
@@ -371,31 +374,9 @@ namespace auxfem
                                  const unsigned int point,
                                  const Vector      &displacement) const
   {
-    return axes[pair.near.axis].rest[point] -
+    return points_of_axes[pair.near.axis].rest[point] -
       plates[pair.near.plate].definition->position +
-      difference(pair, point, displacement.data());
-  }
-
-  Vector3 PlateContact::velocity(const Coupled     &pair,
-                                 const Evaluation  &evaluation,
-                                 const unsigned int point) const
-  {
-    const auto difference_of = [&](const Vector &to, const Vector &from) {
-      return difference(pair, point, to.data()) -
-        difference(pair, point, from.data());
-    };
-    const State &from = evaluation.from, &to = evaluation.to;
-    if (evaluation.kind == Evaluation::Kind::between)
-      return difference_of(to.displacement, from.displacement) / evaluation.dt;
-    if (evaluation.kind != Evaluation::Kind::static_step)
-      return difference(pair, point, to.velocity->data());
-    const BackwardDifference rule(from, evaluation.dt);
-    Vector3                  result =
-      rule.now * difference_of(to.displacement, from.displacement);
-    if (from.before)
-      result -= rule.before *
-        difference_of(from.displacement, from.before->displacement);
-    return result;
+      difference(pair, point, displacement);
   }
 
   void PlateContact::press(const Coupled              &pair,
@@ -406,7 +387,7 @@ namespace auxfem
     const bool is_between       = evaluation.kind == Evaluation::Kind::between;
     const ContactAxis  &axis    = axes[pair.near.axis];
     const RigidSurface &surface = *plates[pair.near.plate].definition->surface;
-    for (unsigned int i = 0; i < axis.n_points(); ++i)
+    for (unsigned int i = 0; i < points_of_axes[pair.near.axis].size(); ++i)
       {
         const Vector3 to    = position(pair, i, evaluation.to.displacement);
         const double  depth = axis.half_thickness - surface.distance(to);
@@ -420,7 +401,7 @@ namespace auxfem
         if (depth <= 0 && depth_before <= 0)
           continue;
         const SurfaceDistance now = surface.at(to);
-        const ContactLaw      law = this->law(axis, i);
+        const ContactLaw      law = this->law(pair.near.axis, i);
         TouchingPoint touching{block, pair.near.axis, i, pair.near.plate};
         touching.depth = depth;
         touching.now   = now.normal;
@@ -439,22 +420,17 @@ namespace auxfem
             touching.normal  = now.normal;
             touching.turning = now.curvature;
           }
-        if (parameters.friction > 0 &&
+        if (friction.coefficient > 0 &&
             evaluation.kind != Evaluation::Kind::equilibrium)
-          rub(velocity(pair, evaluation, i), touching);
+          touching.friction =
+            friction.force(sliding_velocity(evaluation,
+                                            [&](const Vector &u) {
+                                              return difference(pair, i, u);
+                                            }),
+                           touching.normal / touching.normal.norm(),
+                           touching.force);
         points.push_back(touching);
       }
-  }
-
-  void PlateContact::rub(const Vector3 &velocity, TouchingPoint &touching) const
-  {
-    const Vector3 n     = touching.normal / touching.normal.norm();
-    touching.recess     = velocity * n;
-    touching.slip       = velocity - touching.recess * n;
-    touching.slip_scale = std::sqrt(touching.slip.norm_square() +
-                                    std::pow(parameters.slip_velocity, 2));
-    touching.friction   = -parameters.friction * touching.force /
-      touching.slip_scale * touching.slip;
   }
 
   template <class Add>
@@ -465,8 +441,9 @@ namespace auxfem
     const std::vector<int> &unknowns = coupled[touching.pair].unknowns;
     for (unsigned int node = 0; node <= axis.n_nodes(); ++node)
       {
-        const double share =
-          node < axis.n_nodes() ? (*axis.shape)(touching.point, node) : -1.;
+        const double share = node < axis.n_nodes()
+          ? (*points_of_axes[touching.axis].shape)(touching.point, node)
+          : -1.;
         for (unsigned int c = 0; c < dimension; ++c)
           add(unknowns[node * dimension + c], c, share);
       }
@@ -483,7 +460,7 @@ namespace auxfem
     for (const TouchingPoint &touching : points)
       {
         const Vector3 force =
-          touching.force * touching.normal + touching.friction;
+          touching.force * touching.normal + touching.friction.force;
         add_to_unknowns(touching,
                         [&](const int          unknown,
                             const unsigned int component,
@@ -501,27 +478,19 @@ namespace auxfem
     const Tensor of_pressure =
       touching.slope * dealii::outer_product(touching.normal, touching.now) -
       touching.force * touching.turning;
-    if (touching.slip_scale == 0)
+    if (touching.friction.scale == 0)
       return by_position * of_pressure;
 
-    const double  length = touching.normal.norm();
-    const Vector3 n      = touching.normal / length;
-    const Vector3 part   = touching.slip / touching.slip_scale;
-    const Tensor  along  = dealii::unit_symmetric_tensor<3>() -
-      dealii::symmetrize(dealii::outer_product(n, n));
-    const Tensor of_normal = along * touching.turning / length;
-    const Tensor of_slip   = by_velocity * along -
+    const double         length    = touching.normal.norm();
+    const Vector3        n         = touching.normal / length;
+    const FrictionChange change    = friction.change(touching.friction, n);
+    const Tensor         of_normal = touching.turning / length -
+      dealii::outer_product(n, n * touching.turning) / length;
+    return by_velocity * change.by_velocity +
       by_position *
-        (dealii::outer_product(n, touching.slip * of_normal) +
-         touching.recess * of_normal);
-    const Tensor of_direction =
-      (of_slip - dealii::outer_product(part, part * of_slip)) /
-      touching.slip_scale;
-    return by_position * of_pressure +
-      parameters.friction *
-      (touching.force * of_direction -
-       by_position * touching.slope *
-         dealii::outer_product(part, touching.now));
+      (of_pressure + change.by_normal * of_normal -
+       touching.slope *
+         dealii::outer_product(change.by_pressure, touching.now));
   }
 
   void PlateContact::add_tangent(const Evaluation     &evaluation,
@@ -571,70 +540,59 @@ namespace auxfem
     for (const TouchingPoint &touching :
          static_cast<const PlateContactResults &>(*results).points)
       if (is_owned(touching))
-        account.add(
-          contact_entry,
-          law(axes[touching.axis], touching.point).energy(touching.depth));
+        account.add(contact_entry,
+                    law(touching.axis, touching.point).energy(touching.depth));
   }
 
   void PlateContact::account_step(const Evaluation    &step,
                                   const EffectResults *results,
                                   EnergyAccount       &account) const
   {
-    if (parameters.friction == 0 || !account.takes_time())
+    if (friction.coefficient == 0 || !account.takes_time())
       return;
-    const auto &points =
+    std::vector<TouchingPoint> at_start;
+    if (step.kind == Evaluation::Kind::step)
+      {
+        State            before  = step.from;
+        const Evaluation instant = Evaluation::rates(step.from, before);
+        for (unsigned int i = 0; i < coupled.size(); ++i)
+          press(coupled[i], instant, i, at_start);
+      }
+    const auto &at_end =
       static_cast<const PlateContactResults &>(*results).points;
-    const auto way = [&](const TouchingPoint &touching) {
-      const Coupled &pair = coupled[touching.pair];
-      return difference(pair, touching.point, step.to.displacement.data()) -
-        difference(pair, touching.point, step.from.displacement.data());
-    };
-    const bool has_power = step.kind == Evaluation::Kind::step;
+    friction_account.add_step(step,
+                              sliding(at_end, step),
+                              sliding(at_start, step),
+                              account);
+  }
+
+  std::vector<Sliding>
+  PlateContact::sliding(const std::vector<TouchingPoint> &points,
+                        const Evaluation                 &step) const
+  {
+    std::vector<Sliding> result;
     for (const TouchingPoint &touching : points)
       if (is_owned(touching))
         {
-          const double loss = -(touching.friction * way(touching));
-          account.add_in_step(friction_entry,
-                              has_power ? step.dt / 2 * lost_power(touching)
-                                        : loss);
-          if (has_power)
-            account.add_in_step(numerical_entry,
-                                (loss - step.dt * lost_power(touching)) / 2);
+          const Coupled &pair = coupled[touching.pair];
+          result.push_back(
+            {touching.friction,
+             difference(pair, touching.point, step.to.displacement) -
+               difference(pair, touching.point, step.from.displacement)});
         }
-    if (!has_power)
-      return;
-    // The forces at the start of the step do their part too.
-    State                      before  = step.from;
-    const Evaluation           instant = Evaluation::rates(step.from, before);
-    std::vector<TouchingPoint> at_start;
-    for (unsigned int i = 0; i < coupled.size(); ++i)
-      press(coupled[i], instant, i, at_start);
-    for (const TouchingPoint &touching : at_start)
-      if (is_owned(touching))
-        {
-          const double loss = -(touching.friction * way(touching));
-          account.add_in_step(friction_entry,
-                              step.dt / 2 * lost_power(touching));
-          account.add_in_step(numerical_entry,
-                              (loss - step.dt * lost_power(touching)) / 2);
-        }
-  }
-
-  double PlateContact::lost_power(const TouchingPoint &touching)
-  {
-    return -(touching.friction * touching.slip);
+    return result;
   }
 
   void PlateContact::account_stage(const Evaluation & /*stage*/,
                                    const EffectResults *results,
                                    EnergyAccount       &account) const
   {
-    if (parameters.friction == 0)
+    if (friction.coefficient == 0)
       return;
     for (const TouchingPoint &touching :
          static_cast<const PlateContactResults &>(*results).points)
       if (is_owned(touching))
-        account.add_power(friction_entry, lost_power(touching));
+        friction_account.add_power(touching.friction, account);
   }
 
   void PlateContact::raise_forces(const Evaluation & /*evaluation*/,
@@ -670,7 +628,7 @@ namespace auxfem
                    evaluation.to.displacement)
             .norm();
         const double slope =
-          law(axes[touching.axis], touching.point)
+          law(touching.axis, touching.point)
             .slope(touching.depth +
                    std::numeric_limits<double>::epsilon() * length);
         add_to_unknowns(touching,
@@ -684,6 +642,11 @@ namespace auxfem
                                    std::max(slope, touching.slope) * length));
                         });
       }
+  }
+
+  bool PlateContact::may_touch() const
+  {
+    return !near.empty();
   }
 
   std::string PlateContact::why_not_acceptable(const Evaluation &step) const
@@ -724,14 +687,13 @@ namespace auxfem
       is_coupled ? parameters.largest_penetration * thickness_of(axis) : 0.;
     const auto at =
       [&](const unsigned int i, const State &state, const Vector3 &of_plate) {
-        return axis.rest[i] - plate.position - of_plate +
-          displacement_of(axis,
-                          i,
-                          dimension,
-                          owned_unknowns[a].data(),
-                          state.displacement.data());
+        return points_of_axes[a].rest[i] - plate.position - of_plate +
+          points_of_axes[a].displacement(i,
+                                         dimension,
+                                         owned_unknowns[a].data(),
+                                         state.displacement.data());
       };
-    for (unsigned int i = 0; i < axis.n_points(); ++i)
+    for (unsigned int i = 0; i < points_of_axes[a].size(); ++i)
       {
         const double depth = axis.half_thickness -
           plate.surface->least_distance(at(i, step.from, place_before),
@@ -769,7 +731,7 @@ namespace auxfem
       if (is_owned(touching))
         {
           const Vector3 force =
-            touching.force * touching.normal + touching.friction;
+            touching.force * touching.normal + touching.friction.force;
           for (unsigned int c = 0; c < 3; ++c)
             forces[3 * touching.plate + c] -= force[c];
           double &largest = penetrations[touching.plate];
@@ -812,17 +774,18 @@ namespace auxfem
          static_cast<const PlateContactResults &>(results).points)
       if (const ContactAxis &axis = axes[touching.axis];
           is_owned(touching) && touching.depth > 0)
-        all.push_back({axis.strut,
-                       touching.plate,
-                       axis.rest[touching.point],
-                       displacement_of(axis,
-                                       touching.point,
-                                       dimension,
-                                       owned_unknowns[touching.axis].data(),
-                                       state.displacement.data()),
-                       thickness_of(axis) * touching.now,
-                       touching.force * touching.normal + touching.friction,
-                       touching.depth});
+        all.push_back(
+          {axis.strut,
+           touching.plate,
+           points_of_axes[touching.axis].rest[touching.point],
+           points_of_axes[touching.axis].displacement(
+             touching.point,
+             dimension,
+             owned_unknowns[touching.axis].data(),
+             state.displacement.data()),
+           thickness_of(axis) * touching.now,
+           touching.force * touching.normal + touching.friction.force,
+           touching.depth});
     return all;
   }
 

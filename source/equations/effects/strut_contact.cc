@@ -1,5 +1,4 @@
 #include <auxfem/equations/effects/strut_contact.h>
-#include <auxfem/time/static.h>
 
 #include <algorithm>
 #include <cmath>
@@ -38,6 +37,7 @@ namespace auxfem
   StrutContact::StrutContact(const Scene &scene, const LatticeModel &model)
     : model(model)
     , parameters(scene.contact)
+    , friction{scene.contact.friction, scene.contact.slip_velocity}
     , dimension(model.lattice.dimension)
     , axes(make_contact_axes(model, scene.contact.stiffness))
     , curves(model, axes)
@@ -57,8 +57,8 @@ namespace auxfem
     contact_entry = layout.energies.enter(contact_energy_entry());
     numerical_entry =
       layout.acceleration ? layout.energies.enter(numerical_energy_entry()) : 0;
-    if (parameters.friction > 0)
-      friction_entry = layout.energies.enter(friction_energy_entry());
+    if (friction.coefficient > 0)
+      friction_account.register_in(layout);
   }
 
   const std::vector<double> &
@@ -204,6 +204,11 @@ namespace auxfem
     return curves.thickness(axis, other);
   }
 
+  double StrutContact::distance(const StrutTouch &touch) const
+  {
+    return curves.thickness(touch.axis, touch.other) - touch.depth;
+  }
+
   unsigned int StrutContact::n_points(const unsigned int axis) const
   {
     // Crossing struts in space touch along less than their thickness.
@@ -313,7 +318,7 @@ namespace auxfem
         const SpaceVector normal = away / found.point.distance;
         touch.opposites          = {
                    {found.point.parameter, normal, normal, found.point.distance}};
-        if (parameters.friction > 0 &&
+        if (friction.coefficient > 0 &&
             evaluation.kind != Evaluation::Kind::equilibrium)
           rub(evaluation, touch);
         points.push_back(touch);
@@ -399,14 +404,14 @@ namespace auxfem
           }
         touch.missed = -touch.force *
           (gained - (last.point.distance - first.point.distance));
-        if (parameters.friction > 0)
+        if (friction.coefficient > 0)
           rub(step, touch);
         points.push_back(touch);
       }
   }
 
   StrutContact::SpaceVector StrutContact::difference(const StrutTouch &touch,
-                                                     const double *values) const
+                                                     const Vector &values) const
   {
     SpaceVector             result;
     const std::vector<int> &unknowns = coupled[touch.pair].unknowns;
@@ -470,33 +475,29 @@ namespace auxfem
     return result;
   }
 
+  StrutContact::SpaceVector
+  StrutContact::difference_slope(const StrutTouch &touch,
+                                 const Vector     &values) const
+  {
+    double shapes[max_nodes], slopes[max_nodes];
+    curves.shape(touch.other, touch.opposites.back().parameter, shapes, slopes);
+    const std::vector<int> &unknowns = local_unknowns.at(touch.other);
+    SpaceVector             result;
+    for (unsigned int node = 0; node < axes[touch.other].n_nodes(); ++node)
+      for (unsigned int c = 0; c < dimension; ++c)
+        result[c] -= slopes[node] * values[unknowns[node * dimension + c]];
+    return result;
+  }
+
   void StrutContact::rub(const Evaluation &evaluation, StrutTouch &touch) const
   {
-    const State &from = evaluation.from, &to = evaluation.to;
-    SpaceVector  velocity;
-    if (evaluation.kind == Evaluation::Kind::between)
-      velocity = (difference(touch, to.displacement.data()) -
-                  difference(touch, from.displacement.data())) /
-        evaluation.dt;
-    else if (evaluation.kind != Evaluation::Kind::static_step)
-      velocity = difference(touch, to.velocity->data());
-    else
-      {
-        const BackwardDifference rule(from, evaluation.dt);
-        velocity = rule.now *
-          (difference(touch, to.displacement.data()) -
-           difference(touch, from.displacement.data()));
-        if (from.before)
-          velocity -= rule.before *
-            (difference(touch, from.displacement.data()) -
-             difference(touch, from.before->displacement.data()));
-      }
-    const SpaceVector &n = touch.opposites.back().normal;
-    touch.slip           = velocity - (velocity * n) * n;
-    touch.slip_scale     = std::sqrt(touch.slip.norm_square() +
-                                 std::pow(parameters.slip_velocity, 2));
     touch.friction =
-      -parameters.friction * touch.force / touch.slip_scale * touch.slip;
+      friction.force(sliding_velocity(evaluation,
+                                      [&](const Vector &u) {
+                                        return difference(touch, u);
+                                      }),
+                     touch.opposites.back().normal,
+                     touch.force);
   }
 
   void StrutContact::add_residual(const Evaluation &evaluation,
@@ -532,8 +533,8 @@ namespace auxfem
         for (const StrutTouch::Opposite &opposite : touch.opposites)
           subtract(opposite.parameter,
                    touch.force / touch.opposites.size() * opposite.direction);
-        if (touch.slip_scale > 0)
-          subtract(touch.opposites.back().parameter, touch.friction);
+        if (touch.friction.scale > 0)
+          subtract(touch.opposites.back().parameter, touch.friction.force);
       }
   }
 
@@ -558,13 +559,13 @@ namespace auxfem
     if (!touch.is_inside)
       return;
     // The nearest point moves along the other axis.
-    const SpaceVector tangent = other.tangent(at);
-    const double growth = tangent * tangent / distance - n * other.bend(at);
-    std::vector<double>       moving = tangent_gradient(touch, at, n);
-    const std::vector<double> along  = gradient(touch, at, tangent);
-    for (std::size_t i = 0; i < moving.size(); ++i)
-      moving[i] += along[i] / distance;
-    add_product(by_position * touch.force / growth, moving, moving, block);
+    const std::vector<double> moving  = nearest_change(touch, other);
+    const SpaceVector         tangent = other.tangent(at);
+    add_product(by_position * touch.force *
+                  (tangent * tangent / distance - n * other.bend(at)),
+                moving,
+                moving,
+                block);
   }
 
   void StrutContact::add_mean_block(const StrutTouch    &touch,
@@ -593,29 +594,67 @@ namespace auxfem
       }
   }
 
-  void StrutContact::add_friction_block(const StrutTouch    &touch,
-                                        const double         by_position,
-                                        const double         by_velocity,
-                                        std::vector<double> &block) const
+  std::vector<double> StrutContact::nearest_change(const StrutTouch &touch,
+                                                   const AxisCurve &other) const
   {
-    const StrutTouch::Opposite &last = touch.opposites.back();
-    const double                at   = last.parameter;
-    const SpaceVector           part = touch.slip / touch.slip_scale;
-    const double                viscosity =
-      by_velocity * parameters.friction * touch.force / touch.slip_scale;
-    const std::vector<double> of_normal = gradient(touch, at, last.normal),
-                              of_slip   = gradient(touch, at, part);
+    const StrutTouch::Opposite &last     = touch.opposites.back();
+    const double                distance = this->distance(touch);
+    const SpaceVector           tangent  = other.tangent(last.parameter);
+    const double                growth =
+      tangent * tangent / distance - last.normal * other.bend(last.parameter);
+    std::vector<double> change =
+      tangent_gradient(touch, last.parameter, last.normal);
+    const std::vector<double> along = gradient(touch, last.parameter, tangent);
+    for (std::size_t i = 0; i < change.size(); ++i)
+      change[i] = (change[i] + along[i] / distance) / growth;
+    return change;
+  }
+
+  void StrutContact::add_friction_block(const StrutTouch     &touch,
+                                        const AxisCurve      &other,
+                                        const Evaluation     &evaluation,
+                                        const TangentFactors &factors,
+                                        std::vector<double>  &block) const
+  {
+    const StrutTouch::Opposite &last   = touch.opposites.back();
+    const SpaceVector          &n      = last.normal;
+    const FrictionChange        change = friction.change(touch.friction, n);
+    const auto                  across = change.by_normal / distance(touch);
+    std::vector<double>         moving;
+    SpaceVector                 by_moving;
+    if (touch.is_inside)
+      {
+        moving    = nearest_change(touch, other);
+        by_moving = factors.stiffness *
+          (change.by_velocity *
+             sliding_velocity(evaluation,
+                              [&](const Vector &u) {
+                                return difference_slope(touch, u);
+                              }) -
+           across * other.tangent(last.parameter));
+        // The point that the force acts on moves too.
+        add_product(factors.stiffness,
+                    tangent_gradient(touch,
+                                     last.parameter,
+                                     touch.friction.force),
+                    moving,
+                    block);
+      }
     for (unsigned int c = 0; c < dimension; ++c)
       {
-        const std::vector<double> along = gradient(touch, at, unit(c));
-        add_product(viscosity, along, along, block);
+        SpaceVector by_motion = factors.damping * change.by_velocity[c] +
+          factors.stiffness *
+            (across[c] - (across[c] * n) * n -
+             touch.slope * change.by_pressure[c] * n);
+        std::vector<double> of_force =
+          gradient(touch, last.parameter, by_motion);
+        for (std::size_t i = 0; i < moving.size(); ++i)
+          of_force[i] += by_moving[c] * moving[i];
+        add_product(1.,
+                    gradient(touch, last.parameter, unit(c)),
+                    of_force,
+                    block);
       }
-    add_product(-viscosity, of_normal, of_normal, block);
-    add_product(-viscosity, of_slip, of_slip, block);
-    add_product(-by_position * parameters.friction * touch.slope,
-                of_slip,
-                of_normal,
-                block);
   }
 
   void StrutContact::add_tangent(const Evaluation     &evaluation,
@@ -641,10 +680,13 @@ namespace auxfem
                             now.at(touch.other),
                             factors.stiffness,
                             block);
-        if (touch.slip_scale > 0)
+        if (touch.friction.scale > 0)
           add_friction_block(touch,
-                             is_between ? 1. : factors.stiffness,
-                             is_between ? 1 / evaluation.dt : factors.damping,
+                             now.at(touch.other),
+                             evaluation,
+                             is_between
+                               ? TangentFactors{1., 1 / evaluation.dt, 0.}
+                               : factors,
                              block);
         matrix.add(first_block + touch.pair, block.data());
       }
@@ -674,46 +716,46 @@ namespace auxfem
       for (const StrutTouch &touch : points)
         if (is_owned(touch))
           account.add_in_step(numerical_entry, touch.missed);
-    if (parameters.friction == 0)
+    if (friction.coefficient == 0)
       return;
-    const bool has_power = step.kind == Evaluation::Kind::step;
-    const auto add       = [&](const StrutTouch &touch, const double share) {
-      if (!is_owned(touch))
-        return;
-      const double work = -(touch.friction *
-                            (difference(touch, step.to.displacement.data()) -
-                             difference(touch, step.from.displacement.data()))),
-                   loss = has_power ? -step.dt * (touch.friction * touch.slip)
-                                          : work;
-      account.add_in_step(friction_entry, share * loss);
-      if (has_power)
-        account.add_in_step(numerical_entry, share * (work - loss));
-    };
+    std::vector<StrutTouch> at_start;
+    if (step.kind == Evaluation::Kind::step)
+      {
+        State            before  = step.from;
+        const Evaluation instant = Evaluation::rates(step.from, before);
+        const Curves     then    = curves_at(step.from);
+        for (const Facing &of_axis : facing)
+          touch(of_axis, then, instant, at_start);
+      }
+    friction_account.add_step(step,
+                              sliding(points, step),
+                              sliding(at_start, step),
+                              account);
+  }
+
+  std::vector<Sliding>
+  StrutContact::sliding(const std::vector<StrutTouch> &points,
+                        const Evaluation              &step) const
+  {
+    std::vector<Sliding> result;
     for (const StrutTouch &touch : points)
-      add(touch, has_power ? 0.5 : 1.);
-    if (!has_power)
-      return;
-    // The forces at the start of the step do their part too.
-    State                   before   = step.from;
-    const Evaluation        instant  = Evaluation::rates(step.from, before);
-    const Curves            at_start = curves_at(step.from);
-    std::vector<StrutTouch> first;
-    for (const Facing &of_axis : facing)
-      touch(of_axis, at_start, instant, first);
-    for (const StrutTouch &touch : first)
-      add(touch, 0.5);
+      if (is_owned(touch))
+        result.push_back({touch.friction,
+                          difference(touch, step.to.displacement) -
+                            difference(touch, step.from.displacement)});
+    return result;
   }
 
   void StrutContact::account_stage(const Evaluation & /*stage*/,
                                    const EffectResults *results,
                                    EnergyAccount       &account) const
   {
-    if (parameters.friction == 0)
+    if (friction.coefficient == 0)
       return;
     for (const StrutTouch &touch :
          static_cast<const StrutContactResults &>(*results).points)
       if (is_owned(touch))
-        account.add_power(friction_entry, -(touch.friction * touch.slip));
+        friction_account.add_power(touch.friction, account);
   }
 
   void StrutContact::raise_forces(const Evaluation & /*evaluation*/,
@@ -738,6 +780,11 @@ namespace auxfem
         raise(forces,
               unknown,
               touch.force + touch.slope * largest_displacement);
+  }
+
+  bool StrutContact::may_touch() const
+  {
+    return proximity.may_touch();
   }
 
   std::string StrutContact::why_not_acceptable(const Evaluation &step) const
@@ -766,7 +813,7 @@ namespace auxfem
       {
         if (!is_owned(touch) || touch.depth <= 0)
           continue;
-        SpaceVector force = touch.friction;
+        SpaceVector force = touch.friction.force;
         for (const StrutTouch::Opposite &opposite : touch.opposites)
           force += touch.force / touch.opposites.size() * opposite.direction;
         const SpaceVector now = curves

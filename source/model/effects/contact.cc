@@ -1,18 +1,46 @@
 #include <auxfem/model/effect_definition.h>
 
+#include <algorithm>
+
 namespace auxfem
 {
+  namespace
+  {
+    bool is_thick(const SectionDefinition &definition)
+    {
+      const auto &fibres = definition.section.fibre_distances;
+      return std::max(fibres[0], fibres[1]) > 0;
+    }
+
+    /** Analyses that go from state to state without inertia to carry them. */
+    bool follows_contact(const Analysis analysis)
+    {
+      return analysis != Analysis::static_path &&
+        analysis != Analysis::buckling;
+    }
+
+    EffectCause cause_of_contact(const Scene &scene)
+    {
+      if (!scene.plates.empty())
+        return {true, "plates are given"};
+      if (scene.lattice.struts_may_cross)
+        return {false, "Lattice/Struts may cross = true"};
+      if (scene.effects.large_rotation == Switch::off)
+        return {false, "struts hardly move by small displacements"};
+      if (std::none_of(scene.sections.begin(), scene.sections.end(), is_thick))
+        return {false, "no section has a thickness"};
+      if (scene.effects.contact == Switch::automatic &&
+          !follows_contact(scene.analysis))
+        return {false, "struts that touch are told"};
+      return {true, "struts may touch: forces where they are near"};
+    }
+  } // namespace
+
   EffectDefinition contact_effect()
   {
     return {"contact",
             &EffectSwitches::contact,
             &SimulatedEffects::contact,
-            [](const Scene &scene) -> EffectCause {
-              if (!scene.plates.empty())
-                return {true, "plates are given"};
-              // Else struts are watched (analysis/watches/crossing_watch.cc).
-              return {scene.effects.contact == Switch::on,
-                      "no plates; struts that touch are told"};
-            }};
+            cause_of_contact};
   }
 } // namespace auxfem

@@ -2,8 +2,9 @@
 #define auxfem_equations_effects_plate_contact_h
 
 #include <auxfem/contact/contact_law.h>
-#include <auxfem/equations/contact_axes.h>
+#include <auxfem/equations/contact_points.h>
 #include <auxfem/equations/effect.h>
+#include <auxfem/equations/sliding.h>
 
 #include <optional>
 
@@ -24,12 +25,9 @@ namespace auxfem
      * states not quite of length 1. */
     dealii::Tensor<1, 3> normal = {};
     /** By minus this the depth changes with the position. */
-    dealii::Tensor<1, 3> now     = {};
-    dealii::Tensor<2, 3> turning = {};   ///< of `normal`, by the position (1/m)
-    dealii::Tensor<1, 3> slip    = {};   ///< velocity along the surface (m/s)
-    double               recess  = 0;    ///< velocity across it (m/s)
-    double               slip_scale = 0; ///< sqrt(slip^2 + v0^2) (m/s)
-    dealii::Tensor<1, 3> friction   = {}; ///< force on the strut (N)
+    dealii::Tensor<1, 3> now      = {};
+    dealii::Tensor<2, 3> turning  = {}; ///< of `normal`, by the position (1/m)
+    FrictionForce        friction = {}; ///< on the strut
   };
 
   /** Points that touch in an evaluation. */
@@ -116,6 +114,7 @@ namespace auxfem
                                        double               largest_displacement,
                                        double               largest_rotation,
                                        double              *forces) const override;
+    bool        may_touch() const override;
     std::string why_not_acceptable(const Evaluation &step) const override;
 
     /** Number of plates. */
@@ -218,7 +217,7 @@ namespace auxfem
     /** Whether this rank has rows of a pair. */
     bool takes_part(const Near &pair) const;
 
-    ContactLaw law(const ContactAxis &axis, unsigned int point) const;
+    ContactLaw law(unsigned int axis, unsigned int point) const;
 
     /** Half of it (m), of a rigid strut that of the thickest one. */
     double thickness_of(const ContactAxis &axis) const;
@@ -227,16 +226,11 @@ namespace auxfem
      */
     SpaceVector difference(const Coupled &pair,
                            unsigned int   point,
-                           const double  *values) const;
+                           const Vector  &values) const;
     /** Of a contact point from the point of reference of the plate (m). */
     SpaceVector position(const Coupled &pair,
                          unsigned int   point,
                          const Vector  &displacement) const;
-    /** Of a contact point against the plate (m/s). */
-    SpaceVector velocity(const Coupled    &pair,
-                         const Evaluation &evaluation,
-                         unsigned int      point) const;
-
     /** Whether this rank counts the point. */
     bool is_owned(const TouchingPoint &touching) const;
 
@@ -245,9 +239,6 @@ namespace auxfem
                const Evaluation           &evaluation,
                unsigned int                block,
                std::vector<TouchingPoint> &points) const;
-    /** Adds friction at a relative velocity (m/s). */
-    void rub(const SpaceVector &velocity, TouchingPoint &touching) const;
-
     /** Calls @p add(unknown, component, share) for all unknowns of a point's
      * pair: its motion against the plate is their sum times the share. */
     template <class Add>
@@ -262,8 +253,9 @@ namespace auxfem
     /** Depth over the thickness of the strut. */
     double penetration(const TouchingPoint &touching) const;
 
-    /** By friction (W). */
-    static double lost_power(const TouchingPoint &touching);
+    /** What slides of those that this rank counts. */
+    std::vector<Sliding> sliding(const std::vector<TouchingPoint> &points,
+                                 const Evaluation                 &step) const;
 
     /** Empty if the points of an owned axis do not go too deep into a plate on
      * their way in a step. */
@@ -275,10 +267,13 @@ namespace auxfem
 
     const LatticeModel      &model;
     const ContactParameters  parameters;
+    const CoulombFriction    friction;
     const double             step_length; ///< of the scene (s); 0 in statics
     const unsigned int       dimension;
     std::vector<ContactAxis> axes;
-    std::vector<Plate>       plates;
+    /** Of each axis. */
+    std::vector<ContactPoints> points_of_axes;
+    std::vector<Plate>         plates;
     /** Of this rank: local unknowns of the axes that it counts. */
     std::vector<std::vector<int>> owned_unknowns;
     /** Of this rank: local unknowns of all displacements of struts and plates.
@@ -291,13 +286,12 @@ namespace auxfem
       double clearance;    ///< least gap of any strut, on all ranks (m)
     };
     std::optional<Search> last_search;
-    std::vector<Near>     near;                ///< of all ranks
-    std::vector<Coupled>  coupled;             ///< of this rank
-    double                thickest        = 0; ///< half thickness (m)
-    std::size_t           first_block     = 0;
-    unsigned int          contact_entry   = 0;
-    unsigned int          friction_entry  = 0;
-    unsigned int          numerical_entry = 0;
+    std::vector<Near>     near;              ///< of all ranks
+    std::vector<Coupled>  coupled;           ///< of this rank
+    double                thickest      = 0; ///< half thickness (m)
+    std::size_t           first_block   = 0;
+    unsigned int          contact_entry = 0;
+    FrictionAccount       friction_account;
   };
 } // namespace auxfem
 

@@ -3,6 +3,7 @@
 
 #include <auxfem/contact/contact_law.h>
 #include <auxfem/equations/effect.h>
+#include <auxfem/equations/sliding.h>
 #include <auxfem/equations/strut_proximity.h>
 
 namespace auxfem
@@ -35,11 +36,9 @@ namespace auxfem
      * both, each with half of the force; the last is that of the end. */
     std::vector<Opposite> opposites;
     /** Whether the nearest point of the end moves along the other axis. */
-    bool                 is_inside;
-    dealii::Tensor<1, 3> slip       = {}; ///< velocity along the face (m/s)
-    double               slip_scale = 0;  ///< sqrt(slip^2 + v0^2) (m/s)
-    dealii::Tensor<1, 3> friction   = {}; ///< force on the first strut (N)
-    double               missed     = 0;  ///< work that is not stored (J)
+    bool          is_inside;
+    FrictionForce friction = {}; ///< on the first strut
+    double        missed   = 0;  ///< work that is not stored (J)
   };
 
   /** Points that touch in an evaluation. */
@@ -110,7 +109,14 @@ namespace auxfem
                                        double               largest_displacement,
                                        double               largest_rotation,
                                        double              *forces) const override;
+    bool        may_touch() const override;
     std::string why_not_acceptable(const Evaluation &step) const override;
+
+    /** Struts that overlap at rest. */
+    const std::vector<StrutOverlap> &overlaps() const
+    {
+      return proximity.overlaps();
+    }
 
     /** All points that touch, of this rank. */
     std::vector<StrutContactReport> contacts(const EffectResults &results,
@@ -161,15 +167,17 @@ namespace auxfem
     double       weight(unsigned int axis, unsigned int point) const;
     ContactLaw law(unsigned int axis, unsigned int other, double weight) const;
     double     scale_of(unsigned int axis, unsigned int other) const;
-    Nearest    nearest(const Facing      &facing,
-                       const Curves      &curves,
-                       const SpaceVector &point,
-                       double             parameter) const;
-    void       find_touching(const Facing              &facing,
-                             const Curves              &curves,
-                             unsigned int               begin,
-                             unsigned int               end,
-                             std::vector<unsigned int> &points) const;
+    /** Of the two points that touch at the end of the step (m). */
+    double                    distance(const StrutTouch &touch) const;
+    Nearest                   nearest(const Facing      &facing,
+                                      const Curves      &curves,
+                                      const SpaceVector &point,
+                                      double             parameter) const;
+    void                      find_touching(const Facing              &facing,
+                                            const Curves              &curves,
+                                            unsigned int               begin,
+                                            unsigned int               end,
+                                            std::vector<unsigned int> &points) const;
     std::vector<unsigned int> touching_points(const Facing &facing,
                                               const Curves &curves) const;
     StrutTouch                touch_of(const Facing  &facing,
@@ -185,7 +193,13 @@ namespace auxfem
                                             const Evaluation        &step,
                                             std::vector<StrutTouch> &points) const;
     void        rub(const Evaluation &evaluation, StrutTouch &touch) const;
-    SpaceVector difference(const StrutTouch &touch, const double *values) const;
+    SpaceVector difference(const StrutTouch &touch, const Vector &values) const;
+    /** Its derivative by the parameter of the nearest point. */
+    SpaceVector difference_slope(const StrutTouch &touch,
+                                 const Vector     &values) const;
+    /** What slides of those that this rank counts. */
+    std::vector<Sliding> sliding(const std::vector<StrutTouch> &points,
+                                 const Evaluation              &step) const;
 
     /** Derivative by the pair's unknowns of the product of @p vector with the
      * motion of the point against its opposite; with its @p slope instead along
@@ -202,23 +216,29 @@ namespace auxfem
     void for_each_share(const StrutTouch &touch,
                         double            opposite,
                         const Add        &add) const;
-    void add_instant_block(const StrutTouch    &touch,
-                           const AxisCurve     &other,
-                           double               by_position,
-                           std::vector<double> &block) const;
-    void add_mean_block(const StrutTouch    &touch,
-                        std::vector<double> &block) const;
-    void add_friction_block(const StrutTouch    &touch,
-                            double               by_position,
-                            double               by_velocity,
-                            std::vector<double> &block) const;
-    bool is_owned(const StrutTouch &touch) const
+    /** Derivative of the parameter of the nearest point by the pair's unknowns.
+     */
+    std::vector<double> nearest_change(const StrutTouch &touch,
+                                       const AxisCurve  &other) const;
+    void                add_instant_block(const StrutTouch    &touch,
+                                          const AxisCurve     &other,
+                                          double               by_position,
+                                          std::vector<double> &block) const;
+    void                add_mean_block(const StrutTouch    &touch,
+                                       std::vector<double> &block) const;
+    void                add_friction_block(const StrutTouch     &touch,
+                                           const AxisCurve      &other,
+                                           const Evaluation     &evaluation,
+                                           const TangentFactors &factors,
+                                           std::vector<double>  &block) const;
+    bool                is_owned(const StrutTouch &touch) const
     {
       return axes[touch.axis].is_owned;
     }
 
     const LatticeModel            &model;
     const ContactParameters        parameters;
+    const CoulombFriction          friction;
     const unsigned int             dimension;
     const std::vector<ContactAxis> axes;
     const StrutCurves              curves;
@@ -230,8 +250,8 @@ namespace auxfem
     double                                   thickest        = 0; ///< half (m)
     std::size_t                              first_block     = 0;
     unsigned int                             contact_entry   = 0;
-    unsigned int                             friction_entry  = 0;
     unsigned int                             numerical_entry = 0;
+    FrictionAccount                          friction_account;
   };
 } // namespace auxfem
 

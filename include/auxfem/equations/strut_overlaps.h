@@ -1,0 +1,35 @@
+#ifndef auxfem_equations_strut_overlaps_h
+#define auxfem_equations_strut_overlaps_h
+
+#include <auxfem/equations/strut_curves.h>
+
+#include <deal.II/base/bounding_box.h>
+
+namespace auxfem
+{
+  /** Pairs of boxes that have points in common, from a tree of them (R-tree).
+   */
+  std::vector<AxisPair>
+  pairs_that_meet(const std::vector<dealii::BoundingBox<3>> &boxes);
+
+  /** Box of the axes between some states, the thickness of the strut and a
+   * margin (m) around them. */
+  dealii::BoundingBox<3> box_around(const std::vector<AxisCurve> &states,
+                                    double                        margin);
+
+  /** Two struts without a common joint that are nearer to each other at rest
+   * than their thickness. */
+  struct StrutOverlap
+  {
+    std::array<unsigned int, 2> struts; ///< the lower number first
+    /** Whether one goes through the other: by more than half of half the sum of
+     * their thicknesses. Only side by side, across the plane say, they can be
+     * real; then they never touch. */
+    bool is_passing;
+  };
+
+  /** All of them, by numbers of struts. */
+  std::vector<StrutOverlap> find_overlaps(const StrutCurves &curves);
+} // namespace auxfem
+
+#endif

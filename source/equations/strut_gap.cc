@@ -1,0 +1,266 @@
+#include <auxfem/equations/strut_gap.h>
+#include <auxfem/mesh/segment.h>
+
+#include <deal.II/base/numbers.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace auxfem
+{
+  namespace
+  {
+    /** A part of a curve, seen as the line between its ends. */
+    struct CurvePart
+    {
+      CurvePart(const AxisCurve &curve, const double begin, const double end)
+        : curve(&curve)
+        , begin(begin)
+        , end(end)
+        , chord{dealii::Point<3>(curve.at(begin)),
+                dealii::Point<3>(curve.at(end))}
+      {
+        constexpr double safety = 1.1;
+        if (curve.degree > 1)
+          for (const double at : {0.25, 0.5, 0.75})
+            away = std::max(away,
+                            safety *
+                              (curve.at(begin + at * (end - begin)) -
+                               ((1 - at) * chord.begin + at * chord.end))
+                                .norm());
+      }
+
+      std::array<CurvePart, 2> halves() const
+      {
+        const double middle = (begin + end) / 2;
+        return {
+          {CurvePart(*curve, begin, middle), CurvePart(*curve, middle, end)}};
+      }
+
+      const AxisCurve *curve;
+      double           begin, end;
+      Segment          chord;
+      double           away = 0; ///< of the curve from the chord, at most (m)
+    };
+
+    /** Lowers @p least to the distance of two parts of curves (m), or to less by
+     * at most @p tolerance. */
+    void lower_to_distance(const CurvePart &one,
+                           const CurvePart &other,
+                           const double     tolerance,
+                           double          &least)
+    {
+      const double away  = one.away + other.away,
+                   bound = distance(one.chord, other.chord) - away;
+      if (bound >= least)
+        return;
+      // What is far is known well enough.
+      if (away <= std::max(tolerance, 0.05 * bound))
+        {
+          least = bound;
+          return;
+        }
+      if (one.away >= other.away)
+        for (const CurvePart &half : one.halves())
+          lower_to_distance(half, other, tolerance, least);
+      else
+        for (const CurvePart &half : other.halves())
+          lower_to_distance(one, half, tolerance, least);
+    }
+
+    /** The least cosine of the angle between the tangents of two elements of a
+     * strut and the line between the ends of both. */
+    double least_lean_cosine(const AxisCurve &one, const AxisCurve &other)
+    {
+      const AxisCurve::Vector chord = other.at(1) - one.at(0);
+      double                  least = 1;
+      for (const AxisCurve *curve : {&one, &other})
+        for (unsigned int i = 0; i <= curve->degree; ++i)
+          {
+            const AxisCurve::Vector tangent =
+              curve->tangent(double(i) / curve->degree);
+            const double product = tangent * chord,
+                         norms   = tangent.norm() * chord.norm();
+            least = std::min(least, norms > 0 ? product / norms : -1.);
+          }
+      return least;
+    }
+
+    /** By how much the tangents of elements of a strut may turn each (rad). */
+    double turning_left_of_strut(const AxisCurve &one,
+                                 const AxisCurve &other,
+                                 const double     least)
+    {
+      // The line between the ends turns with the tangents.
+      constexpr double safety = 2;
+      const double     lean =
+                     std::acos(std::max(-1., least_lean_cosine(one, other))),
+                   most =
+                     std::acos(std::min(1., (1 + least) / dealii::numbers::PI));
+      return std::max((most - lean) / safety, 0.);
+    }
+
+    /** Largest distance between points of two curves at one parameter (m). */
+    double largest_distance(const AxisCurve &one, const AxisCurve &other)
+    {
+      const unsigned int n       = 2 * std::max(one.degree, other.degree);
+      double             largest = 0;
+      for (unsigned int i = 0; i <= n; ++i)
+        largest =
+          std::max(largest,
+                   (one.at(double(i) / n) - other.at(double(i) / n)).norm());
+      return largest;
+    }
+
+    /** The curve at a @p part of the way from one to another. */
+    AxisCurve
+    between(const AxisCurve &from, const AxisCurve &to, const double part)
+    {
+      AxisCurve result = from;
+      result.degree    = std::max(from.degree, to.degree);
+      for (unsigned int k = 0; k <= result.degree; ++k)
+        result.coefficients[k] =
+          (1 - part) * from.coefficients[k] + part * to.coefficients[k];
+      return result;
+    }
+  } // namespace
+
+  double
+  distance(const AxisCurve &one, const AxisCurve &other, const double tolerance)
+  {
+    double least = std::numeric_limits<double>::infinity();
+    lower_to_distance(CurvePart(one, 0, 1),
+                      CurvePart(other, 0, 1),
+                      tolerance,
+                      least);
+    return least;
+  }
+
+  StrutGap::StrutGap(const StrutCurves &curves) : curves(curves)
+  {}
+
+  double StrutGap::operator()(const AxisPair  &pair,
+                              const AxisCurve &one,
+                              const AxisCurve &other) const
+  {
+    return curves.list()[pair[0]].strut == curves.list()[pair[1]].strut
+      ? of_strut(pair, one, other)
+      : of_ranges(pair, one, other);
+  }
+
+  double StrutGap::of_ranges(const AxisPair  &pair,
+                             const AxisCurve &one,
+                             const AxisCurve &other) const
+  {
+    // Of what is allowed to a pair that is near this is little.
+    constexpr double digits    = 0.02;
+    const double     thickness = curves.thickness(pair[0], pair[1]);
+    double           least     = std::numeric_limits<double>::infinity();
+    const auto look = [&](const CurvePart &first, const CurvePart &second) {
+      lower_to_distance(first, second, digits * thickness, least);
+    };
+    for (const auto &range : curves.free_ranges(pair[0], pair[1]))
+      look(CurvePart(one, range[0], range[1]), CurvePart(other, 0, 1));
+    for (const auto &range : curves.free_ranges(pair[1], pair[0]))
+      look(CurvePart(one, 0, 1), CurvePart(other, range[0], range[1]));
+    return least - thickness;
+  }
+
+  double StrutGap::of_strut(const AxisPair  &pair,
+                            const AxisCurve &one,
+                            const AxisCurve &other) const
+  {
+    const double thickness = curves.thickness(pair[0], pair[1]);
+    if (pair[1] > pair[0] + 1)
+      {
+        // Elements with others between them are mostly far apart as a whole.
+        const double apart = distance(one, other, thickness);
+        if (apart > 2 * thickness)
+          return apart - thickness;
+      }
+    // Where the tangents of a strut lean so little, its points are apart by the
+    // cosine of what there is of it between them.
+    else if (const double apart =
+               least_lean_cosine(one, other) * dealii::numbers::PI;
+             apart > 1)
+      return (apart - 1) * thickness;
+    constexpr unsigned int n     = 16;
+    double                 least = std::numeric_limits<double>::infinity();
+    for (unsigned int i = 0; i <= n; ++i)
+      for (const auto &part :
+           curves.parts_apart(pair[0], double(i) / n, pair[1]))
+        least =
+          std::min(least,
+                   nearest_point(other, one.at(double(i) / n), part[0], part[1])
+                     .distance);
+    return least - thickness;
+  }
+
+  double StrutGap::turning_left(const AxisPair  &pair,
+                                const AxisCurve &one,
+                                const AxisCurve &other,
+                                const double     least) const
+  {
+    if (curves.list()[pair[0]].strut == curves.list()[pair[1]].strut)
+      return turning_left_of_strut(one, other, least);
+    constexpr unsigned int n      = 4;
+    constexpr double       safety = 2;
+    const double apart = (1 + least) * curves.thickness(pair[0], pair[1]);
+    double       left  = dealii::numbers::PI;
+    const auto   look  = [&](const unsigned int first,
+                          const AxisCurve   &axis,
+                          const AxisCurve   &opposite,
+                          const CommonNode  &node) {
+      const double length          = curves.list()[pair[first]].length,
+                   opposite_length = curves.list()[pair[1 - first]].length;
+      for (const auto &range : curves.free_ranges(pair[first], pair[1 - first]))
+        for (unsigned int i = 0; i <= n; ++i)
+          {
+            const double       at = range[0] + (range[1] - range[0]) * i / n;
+            const NearestPoint nearest = nearest_point(opposite, axis.at(at));
+            const double       arm = std::abs(at - node.end[first]) * length +
+              std::abs(nearest.parameter - node.end[1 - first]) *
+                opposite_length;
+            left = std::min(left, (nearest.distance - apart) / (safety * arm));
+          }
+    };
+    for (const CommonNode &node : curves.common_nodes(pair[0], pair[1]))
+      {
+        look(0, one, other, node);
+        look(1, other, one, node);
+      }
+    return std::max(left, 0.);
+  }
+
+  bool StrutGap::comes_below(const AxisPair                 &pair,
+                             const std::array<AxisCurve, 2> &from,
+                             const std::array<AxisCurve, 2> &to,
+                             const double                    least) const
+  {
+    constexpr unsigned int most_looks = 40;
+    constexpr double       digits     = 1e-3;
+    double                 largest    = 0;
+    for (unsigned int i = 0; i < 2; ++i)
+      largest += largest_distance(from[i], to[i]);
+    double left = (*this)(pair, to[0], to[1]) - least;
+    if (left < 0)
+      return true;
+    // From the end back to the start, which was accepted: no more of a gap can
+    // be lost on a part of the way than there is motion in it.
+    double part = 1;
+    for (unsigned int look = 0; look < most_looks; ++look)
+      {
+        part -= left / std::max(largest, left);
+        if (part <= digits)
+          return false;
+        left = (*this)(pair,
+                       between(from[0], to[0], part),
+                       between(from[1], to[1], part)) -
+          least;
+        if (left <= digits * curves.thickness(pair[0], pair[1]))
+          return left < 0 || look > most_looks / 2;
+      }
+    return false;
+  }
+} // namespace auxfem

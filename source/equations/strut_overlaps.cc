@@ -1,0 +1,99 @@
+#include <auxfem/equations/strut_gap.h>
+#include <auxfem/equations/strut_overlaps.h>
+
+#include <deal.II/numerics/rtree.h>
+
+#include <boost/iterator/function_output_iterator.hpp>
+
+#include <algorithm>
+#include <limits>
+
+namespace auxfem
+{
+  namespace
+  {
+    /** Corners of lines along a curve, and by how much it is away from these at
+     * most, about (m). */
+    double corners_of(const AxisCurve               &curve,
+                      std::vector<dealii::Point<3>> &corners)
+    {
+      const unsigned int n    = curve.degree == 1 ? 1 : curve.degree + 1;
+      double             away = 0;
+      AxisCurve::Vector  before;
+      for (unsigned int i = 0; i <= n; ++i)
+        {
+          const AxisCurve::Vector now = curve.at(double(i) / n);
+          corners.emplace_back(now);
+          if (i > 0 && n > 1)
+            away =
+              std::max(away,
+                       (curve.at((i - 0.5) / n) - (before + now) / 2).norm());
+          before = now;
+        }
+      return away;
+    }
+  } // namespace
+
+  std::vector<AxisPair>
+  pairs_that_meet(const std::vector<dealii::BoundingBox<3>> &boxes)
+  {
+    const auto            tree = dealii::pack_rtree_of_indices(boxes);
+    std::vector<AxisPair> pairs;
+    for (unsigned int a = 0; a < boxes.size(); ++a)
+      tree.query(boost::geometry::index::intersects(boxes[a]),
+                 boost::make_function_output_iterator([&](const std::size_t b) {
+                   if (b > a)
+                     pairs.push_back({{a, static_cast<unsigned int>(b)}});
+                 }));
+    return pairs;
+  }
+
+  dealii::BoundingBox<3> box_around(const std::vector<AxisCurve> &states,
+                                    const double                  margin)
+  {
+    std::vector<dealii::Point<3>> corners;
+    double                        away = 0;
+    for (const AxisCurve &curve : states)
+      away = std::max(away, corners_of(curve, corners));
+    dealii::BoundingBox<3> box(corners);
+    box.extend(away + margin);
+    return box;
+  }
+
+  std::vector<StrutOverlap> find_overlaps(const StrutCurves &curves)
+  {
+    // By more than this, of half the sum of the thicknesses, they pass.
+    constexpr double passing = 0.5, digits = 0.01;
+
+    std::vector<dealii::BoundingBox<3>> boxes;
+    for (unsigned int a = 0; a < curves.list().size(); ++a)
+      boxes.push_back(
+        box_around({curves.at_rest(a)}, curves.list()[a].half_thickness));
+    std::map<std::array<unsigned int, 2>, double> least; // over the thickness
+    for (const auto &[a, b] : pairs_that_meet(boxes))
+      {
+        if (curves.are_neighbours(a, b) || curves.never_touch(a, b))
+          continue;
+        const double thickness = curves.thickness(a, b),
+                     part      = distance(curves.at_rest(a),
+                                     curves.at_rest(b),
+                                     digits * thickness) /
+          thickness;
+        if (part >= 1 - digits)
+          continue;
+        const unsigned int one = curves.list()[a].strut,
+                           two = curves.list()[b].strut;
+        double &known =
+          least
+            .emplace(std::array<unsigned int, 2>{{std::min(one, two),
+                                                  std::max(one, two)}},
+                     part)
+            .first->second;
+        known = std::min(known, part);
+      }
+    std::vector<StrutOverlap> overlaps;
+    for (const auto &[struts, part] : least)
+      overlaps.push_back({struts, part < passing});
+    return overlaps;
+  }
+} // namespace auxfem
