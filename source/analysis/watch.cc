@@ -17,8 +17,7 @@ namespace auxfem
 
     bool has_friction(const Scene &scene, const Equations &equations)
     {
-      return equations.reporting().plates != nullptr &&
-        scene.contact.friction > 0;
+      return equations.model().simulated.contact && scene.contact.friction > 0;
     }
   } // namespace
 

@@ -1,5 +1,6 @@
 #include <auxfem/contact/axis_curve.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -61,6 +62,20 @@ namespace auxfem
         return found(high, high < end);
       return found(root_of_slope(curve, point, low, high), true);
     }
+
+    NearestPoint nearest_on_line(const AxisCurve         &line,
+                                 const AxisCurve::Vector &point,
+                                 const double             begin,
+                                 const double             end)
+    {
+      const AxisCurve::Vector &along  = line.coefficients[1];
+      const double             square = along * along,
+                   foot               = square > 0
+                      ? (point - line.coefficients[0]) * along / square
+                      : begin,
+                   at                 = std::clamp(foot, begin, end);
+      return {at, (line.at(at) - point).norm(), foot > begin && foot < end};
+    }
   } // namespace
 
   NearestPoint nearest_point(const AxisCurve         &curve,
@@ -68,11 +83,12 @@ namespace auxfem
                              const double             begin,
                              const double             end)
   {
+    if (curve.degree == 1)
+      return nearest_on_line(curve, point, begin, end);
     // Between neighbouring ones of these there is hardly more than one minimum.
     constexpr unsigned int most = 12;
-    const unsigned int     n =
-      curve.degree == 1 ? 1 : std::min(2 * curve.degree + 2, most);
-    const auto at = [&](const unsigned int i) {
+    const unsigned int     n    = std::min(2 * curve.degree + 2, most);
+    const auto             at   = [&](const unsigned int i) {
       return i == n ? end : begin + (end - begin) * i / n;
     };
     std::array<double, most + 1> squares;

@@ -35,6 +35,35 @@ namespace auxfem
         }
       return coefficients;
     }
+
+    /** Whether a point is as far from all curves as @p least (m). */
+    bool is_apart(const AxisCurve::Vector      &point,
+                  const std::vector<AxisCurve> &curves,
+                  const double                  least)
+    {
+      return std::all_of(curves.begin(),
+                         curves.end(),
+                         [&](const AxisCurve &curve) {
+                           return nearest_point(curve, point).distance >= least;
+                         });
+    }
+
+    /** The parameter between two where a curve comes apart from others. */
+    double free_end(const AxisCurve              &curve,
+                    const std::vector<AxisCurve> &others,
+                    const double                  least,
+                    double                        occupied,
+                    double                        free)
+    {
+      constexpr double digits = 1e-3;
+      while (std::abs(free - occupied) > digits)
+        {
+          const double middle = (free + occupied) / 2;
+          (is_apart(curve.at(middle), others, least) ? free : occupied) =
+            middle;
+        }
+      return free;
+    }
   } // namespace
 
   StrutCurves::StrutCurves(const LatticeModel             &model,
@@ -100,27 +129,33 @@ namespace auxfem
       }
   }
 
+  template <unsigned int dimension>
+  double StrutCurves::Basis::largest_slope(const double *const motion) const
+  {
+    const unsigned int n       = degree + 1;
+    const double      *slope   = slopes.data();
+    double             largest = 0;
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        std::array<double, dimension> sum{};
+        for (unsigned int node = 0; node < n; ++node, ++slope)
+          for (unsigned int c = 0; c < dimension; ++c)
+            sum[c] += *slope * motion[node * dimension + c];
+        double square = 0;
+        for (const double component : sum)
+          square += component * component;
+        largest = std::max(largest, square);
+      }
+    return std::sqrt(largest);
+  }
+
   double StrutCurves::turning(const unsigned int  axis,
                               const double *const motion) const
   {
-    const Basis       &basis     = *basis_of[axis];
-    const unsigned int dimension = model.lattice.dimension,
-                       n         = basis.degree + 1;
-    double largest               = 0;
-    for (unsigned int i = 0; i < n; ++i)
-      {
-        double square = 0;
-        for (unsigned int c = 0; c < dimension; ++c)
-          {
-            double of_component = 0;
-            for (unsigned int node = 0; node < n; ++node)
-              of_component +=
-                basis.slopes[i * n + node] * motion[node * dimension + c];
-            square += of_component * of_component;
-          }
-        largest = std::max(largest, square);
-      }
-    return std::sqrt(largest) / axes[axis].length;
+    const Basis &basis = *basis_of[axis];
+    return (model.lattice.dimension == 2 ? basis.largest_slope<2>(motion)
+                                         : basis.largest_slope<3>(motion)) /
+      axes[axis].length;
   }
 
   double StrutCurves::largest_turning(const unsigned int axis,
@@ -256,32 +291,6 @@ namespace auxfem
                           connected_pairs.end());
   }
 
-  double StrutCurves::rest_distance(const unsigned int axis,
-                                    const double       parameter,
-                                    const unsigned int strut) const
-  {
-    const AxisCurve::Vector point = at_rest(axis).at(parameter);
-    double                  least = std::numeric_limits<double>::infinity();
-    for (unsigned int b = axes_of(strut)[0]; b < axes_of(strut)[1]; ++b)
-      least = std::min(least, nearest_point(at_rest(b), point).distance);
-    return least;
-  }
-
-  double StrutCurves::free_end(const unsigned int axis,
-                               const unsigned int strut,
-                               const double       least,
-                               double             occupied,
-                               double             free) const
-  {
-    constexpr double digits = 1e-3;
-    while (std::abs(free - occupied) > digits)
-      {
-        const double middle = (free + occupied) / 2;
-        (rest_distance(axis, middle, strut) < least ? occupied : free) = middle;
-      }
-    return free;
-  }
-
   const ParameterRanges &
   StrutCurves::free_ranges(const unsigned int axis,
                            const unsigned int other) const
@@ -302,21 +311,26 @@ namespace auxfem
     constexpr double apart = 2;
     if (axes[axis].strut == axes[other].strut)
       return {{{0., 1.}}};
-    const unsigned int strut = axes[other].strut;
-    const double       least =
+    const double least =
       thickness(axis, other) * (are_neighbours(axis, other) ? apart : 1.);
-    const unsigned int n = 8 + 2 * at_rest(axis).degree;
+    std::vector<AxisCurve> others;
+    const auto [first, last] = axes_of(axes[other].strut);
+    for (unsigned int b = first; b < last; ++b)
+      others.push_back(at_rest(b));
+    const AxisCurve    curve = at_rest(axis);
+    const unsigned int n     = 8 + 2 * curve.degree;
     ParameterRanges    ranges;
     double             begin = -1, before = 0;
     bool               was_free = false;
     for (unsigned int i = 0; i <= n; ++i)
       {
         const double at      = double(i) / n;
-        const bool   is_free = rest_distance(axis, at, strut) >= least;
+        const bool   is_free = is_apart(curve.at(at), others, least);
         if (is_free && !was_free)
-          begin = i == 0 ? 0. : free_end(axis, strut, least, before, at);
+          begin = i == 0 ? 0. : free_end(curve, others, least, before, at);
         if (!is_free && was_free)
-          ranges.push_back({{begin, free_end(axis, strut, least, at, before)}});
+          ranges.push_back(
+            {{begin, free_end(curve, others, least, at, before)}});
         was_free = is_free;
         before   = at;
       }

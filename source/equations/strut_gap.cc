@@ -205,7 +205,7 @@ namespace auxfem
     if (curves.list()[pair[0]].strut == curves.list()[pair[1]].strut)
       return turning_left_of_strut(one, other, least);
     constexpr unsigned int n      = 4;
-    constexpr double       safety = 2;
+    constexpr double       safety = 1.5;
     const double apart = (1 + least) * curves.thickness(pair[0], pair[1]);
     double       left  = dealii::numbers::PI;
     const auto   look  = [&](const unsigned int first,

@@ -10,31 +10,6 @@ namespace auxfem
 {
   namespace
   {
-    const std::string travel_record    = "contact of struts: travel",
-                      pairs_record     = "contact of struts: pairs in reach",
-                      connected_record = "contact of struts: connected pairs",
-                      turned_record    = "contact of struts: turned at",
-                      looked_record    = "contact of struts: last look";
-
-    /** A record of any length, which may be nothing. */
-    void keep_list(const std::string         &name,
-                   const std::vector<double> &values,
-                   Records                   &records)
-    {
-      std::vector<double> list = {double(values.size())};
-      list.insert(list.end(), values.begin(), values.end());
-      records.keep(name, list);
-    }
-
-    std::vector<double> kept_list(const std::string &name,
-                                  const Records     &records)
-    {
-      std::vector<double> list =
-        records.values(name, records.values_per_item(name));
-      list.erase(list.begin());
-      return list;
-    }
-
     /** How near a pair is to be for having forces, of half its thickness. */
     constexpr double near_part = 0.15;
 
@@ -135,18 +110,36 @@ namespace auxfem
       gap <= least + looks_ahead * (this->gap(pair, looked) - gap);
   }
 
+  template <unsigned int dimension>
+  double StrutProximity::largest_motion(const std::vector<double> &from,
+                                        const std::vector<double> &to) const
+  {
+    double largest = 0;
+    for (const std::array<int, 3> &node : nodes)
+      {
+        double square = 0;
+        for (unsigned int c = 0; c < dimension; ++c)
+          square +=
+            (to[node[c]] - from[node[c]]) * (to[node[c]] - from[node[c]]);
+        largest = std::max(largest, square);
+      }
+    return std::sqrt(largest);
+  }
+
   double StrutProximity::motion(const std::vector<double> &from,
                                 const std::vector<double> &to) const
   {
-    const unsigned int dimension = model.lattice.dimension;
-    double             square    = 0;
-    for (const std::array<int, 3> &node : nodes)
-      {
-        double of_node = 0;
-        for (unsigned int c = 0; c < dimension; ++c)
-          of_node += std::pow(to[node[c]] - from[node[c]], 2);
-        square = std::max(square, of_node);
-      }
+    return model.lattice.dimension == 2 ? largest_motion<2>(from, to)
+                                        : largest_motion<3>(from, to);
+  }
+
+  double StrutProximity::motion(const unsigned int         axis,
+                                const std::vector<double> &from,
+                                const std::vector<double> &to) const
+  {
+    double square = 0;
+    for (const int number : curves.list()[axis].unknowns)
+      square += (to[number] - from[number]) * (to[number] - from[number]);
     return std::sqrt(square);
   }
 
@@ -163,8 +156,13 @@ namespace auxfem
   {
     std::vector<dealii::BoundingBox<3>> boxes;
     for (unsigned int a = 0; a < curves.list().size(); ++a)
-      boxes.push_back(box_around({curve(a, from), curve(a, to)},
-                                 curves.list()[a].half_thickness + margin));
+      {
+        std::vector<AxisCurve> ends = {curve(a, to)};
+        if (&from != &to)
+          ends.push_back(curve(a, from));
+        boxes.push_back(
+          box_around(ends, curves.list()[a].half_thickness + margin));
+      }
     std::vector<AxisPair> pairs;
     for (const AxisPair &pair : pairs_that_meet(boxes))
       if (curves.common_nodes(pair[0], pair[1]).empty() && !never_touch(pair))
@@ -185,9 +183,9 @@ namespace auxfem
     in_reach.clear();
     for (const AxisPair &pair : pairs_in_boxes(u, u, reach / 2))
       in_reach.push_back({pair, 0., false});
-    // What is not among them is more than the reach apart; half of it is left
-    // for one step.
-    list_due = travelled + reach / 4;
+    // What is not among them is more than the reach apart, and comes nearer by
+    // twice of what the nodes travel; a quarter is left for one step.
+    list_due = travelled + 3 * reach / 8;
   }
 
   void StrutProximity::look_at_pairs(const std::vector<double> &u)
@@ -239,8 +237,8 @@ namespace auxfem
 
   double StrutProximity::unseen_motion() const
   {
-    // Pairs that are not near may lose four fifths of what is left by it.
-    return 0.8 * near_part * thinnest / 2;
+    // Pairs that are not near may lose nine tenths of what is left by it.
+    return 0.9 * near_part * thinnest / 2;
   }
 
   double StrutProximity::earliest_turn(const unsigned int axis,
@@ -359,79 +357,6 @@ namespace auxfem
     return has_changed;
   }
 
-  std::vector<double>
-  StrutProximity::by_axis(const std::vector<double> &values) const
-  {
-    std::vector<double> result;
-    if (!values.empty())
-      for (const ContactAxis &axis : curves.list())
-        for (const int number : axis.unknowns)
-          result.push_back(values[number]);
-    return result;
-  }
-
-  std::vector<double>
-  StrutProximity::by_number(const std::vector<double> &values) const
-  {
-    if (values.empty())
-      return {};
-    std::vector<double> result(model.numbering.layout().n_global(), 0.);
-    std::size_t         next = 0;
-    for (const ContactAxis &axis : curves.list())
-      for (const int number : axis.unknowns)
-        result[number] = values[next++];
-    return result;
-  }
-
-  void StrutProximity::save(Records &records) const
-  {
-    std::vector<double> pairs, of_connected;
-    for (const Reach &pair : in_reach)
-      for (const double value : {double(pair.pair[0]),
-                                 double(pair.pair[1]),
-                                 pair.due,
-                                 double(pair.is_near)})
-        pairs.push_back(value);
-    for (const Connected &pair : connected)
-      for (const double value :
-           {pair.turning_left[0], pair.turning_left[1], double(pair.is_near)})
-        of_connected.push_back(value);
-    records.keep(travel_record, {travelled, list_due, double(touches_soon)});
-    keep_list(pairs_record, pairs, records);
-    keep_list(connected_record, of_connected, records);
-    keep_list(turned_record, turned_at, records);
-    keep_list(looked_record, by_axis(looked), records);
-  }
-
-  void StrutProximity::resume(const Records &records)
-  {
-    const std::vector<double> travel = records.values(travel_record, 3);
-    travelled                        = travel[0];
-    list_due                         = travel[1];
-    const std::vector<double> pairs  = kept_list(pairs_record, records);
-    in_reach.clear();
-    for (std::size_t i = 0; i + 3 < pairs.size(); i += 4)
-      in_reach.push_back({{{static_cast<unsigned int>(pairs[i]),
-                            static_cast<unsigned int>(pairs[i + 1])}},
-                          pairs[i + 2],
-                          pairs[i + 3] != 0});
-    touches_soon = travel[2] != 0;
-    const std::vector<double> of_connected =
-      kept_list(connected_record, records);
-    for (unsigned int i = 0; i < connected.size(); ++i)
-      connected[i] = {{{of_connected[3 * i], of_connected[3 * i + 1]}},
-                      of_connected[3 * i + 2] != 0};
-    turned_at = kept_list(turned_record, records);
-    for (unsigned int a = 0; a < allowed_turning.size(); ++a)
-      {
-        allowed_turning[a] = turning_allowed(a);
-        turning_due[a]     = std::min(turning_due[a], travelled);
-      }
-    looked = by_number(kept_list(looked_record, records));
-    near_pairs.clear();
-    collect_near(looked);
-  }
-
   bool StrutProximity::comes_too_near(const AxisPair            &pair,
                                       const std::vector<double> &from,
                                       const std::vector<double> &to,
@@ -469,7 +394,7 @@ namespace auxfem
       return !std::binary_search(near_pairs.begin(), near_pairs.end(), pair) &&
         comes_too_near(pair, from, to, 0.);
     };
-    if (travelled + since >= list_due + reach / 4)
+    if (travelled + since >= list_due + reach / 8)
       {
         for (const AxisPair &pair : pairs_in_boxes(from, to, 0.))
           if (is_bad(pair))
@@ -481,6 +406,7 @@ namespace auxfem
           return pair.pair;
     for (unsigned int axis = 0; axis < turning_due.size(); ++axis)
       if (travelled + since >= turning_due[axis] &&
+          motion(axis, looked, to) >= unseen_motion() &&
           turning(axis, to) >= allowed_turning[axis])
         for (const unsigned int i : connected_of_axis[axis])
           if (is_bad(curves.connected()[i]))

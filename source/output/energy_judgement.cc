@@ -51,7 +51,7 @@ namespace auxfem
     if (!(error.value <= doubtful_error * moved))
       found.push_back(error_finding(moved));
     // Without inertia it is what the rates at the ends of steps leave open.
-    if (kind != Kind::motion)
+    if (kind == Kind::static_steps || kind == Kind::static_path)
       return found;
     if (given.value > doubtful_gift * moved)
       found.push_back({Verdict::doubtful,
@@ -74,6 +74,25 @@ namespace auxfem
     return found;
   }
 
+  std::string EnergyJudgement::advice() const
+  {
+    switch (kind)
+      {
+        case Kind::static_path:
+          return "; reduce Path/Resolution.";
+        case Kind::static_steps:
+          return "; shorten the step. If that does not help, the structure "
+                 "jumps from one equilibrium to another, which only a "
+                 "simulation with inertia follows.";
+        case Kind::motion:
+          return "; shorten the step, or set Time/Scheme = energy-momentum, "
+                 "which keeps the balance whatever the step, in impacts too.";
+        case Kind::reduced_cell:
+          return "; shorten the step.";
+      }
+    return "";
+  }
+
   Finding EnergyJudgement::error_finding(const double moved) const
   {
     const bool  is_ruinous = !(error.value <= ruinous_error * moved);
@@ -84,11 +103,7 @@ namespace auxfem
     text += ", at " + moment_text(kind == Kind::static_path, error.time) +
       ": these results are ";
     text += is_ruinous ? "not reliable" : "doubtful";
-    text += kind == Kind::static_path
-      ? "; reduce Path/Resolution."
-      : "; shorten the step. If that does not help, the structure jumps "
-        "from one equilibrium to another, which only a simulation with "
-        "inertia follows.";
+    text += advice();
     return {is_ruinous ? Verdict::not_to_be_used : Verdict::doubtful,
             text,
             error.time,

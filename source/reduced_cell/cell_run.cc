@@ -12,8 +12,8 @@ namespace auxfem
   {
     const std::unique_ptr<CellScheme> scheme = make_cell_scheme(scene);
     RunResult                         result;
-    EnergyJudgement                   judgement(EnergyJudgement::Kind::motion);
-    const auto                        record = [&](const CellSample &sample) {
+    EnergyJudgement judgement(EnergyJudgement::Kind::reduced_cell);
+    const auto      record = [&](const CellSample &sample) {
       result.time = sample.time;
       judgement.add(sample.energies, sample.time);
       recorder.cell(sample);

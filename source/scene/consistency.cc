@@ -291,13 +291,13 @@ namespace auxfem
     /** What touches depends on the state: some analyses cannot have that. */
     void check_contact(const Scene &scene, Mistakes &mistakes)
     {
-      const bool are_plates = !scene.plates.empty();
-      if (scene.effects.contact == Switch::off ||
-          (!are_plates && scene.effects.contact != Switch::on))
+      if (scene.effects.contact == Switch::off)
         return;
-      const std::string name = name_of(scene.analysis);
-      if (scene.analysis == Analysis::static_path ||
-          scene.analysis == Analysis::buckling)
+      const bool        are_plates = !scene.plates.empty();
+      const std::string name       = name_of(scene.analysis);
+      if ((scene.analysis == Analysis::static_path ||
+           scene.analysis == Analysis::buckling) &&
+          (are_plates || scene.effects.contact == Switch::on))
         mistakes.add(message(
           scene,
           are_plates ? scene.plates.front().path : "Effects/Contact = on",

@@ -25,6 +25,7 @@ namespace
       ++n_beginnings;
       is_exact = equations.model().simulated.large_rotation;
       reason   = equations.model().decision("large rotation").reason;
+      contact  = equations.model().decision("contact");
       MemoryRecorder::begin(equations);
     }
 
@@ -36,6 +37,7 @@ namespace
     unsigned int          n_beginnings = 0;
     bool                  is_exact     = false;
     std::string           reason;
+    EffectDecision        contact;
     std::optional<double> estimate;
   };
 
@@ -138,6 +140,19 @@ TEST(KinematicsChoice, ALoadThatGrowsMakesTheRunStartAnew)
       << chosen.history.reason;
   EXPECT_GT(chosen.result.work.iterations, exact.result.work.iterations);
   EXPECT_EQ(chosen.result.work.steps, exact.result.work.steps);
+}
+
+TEST(KinematicsChoice, StrutsMayTouchOnlyWhereTheyMoveFar)
+{
+  const Decided small(cantilever(2, {0, 0.03}), "auto");
+  EXPECT_FALSE(small.history.is_exact);
+  EXPECT_FALSE(small.history.contact.on);
+  EXPECT_NE(small.history.contact.reason.find("small displacements"),
+            std::string::npos);
+  // Small displacements first, then exact ones.
+  const Decided grown(cantilever(2, {0, 0.4}), "auto");
+  EXPECT_TRUE(grown.history.contact.on);
+  EXPECT_NE(grown.history.contact.reason.find("may touch"), std::string::npos);
 }
 
 TEST(KinematicsChoice, ARunThatIsResumedKeepsToWhatWasDecided)

@@ -12,7 +12,9 @@ namespace
   class GivenEnergies
   {
   public:
-    GivenEnergies() : judgement(EnergyJudgement::Kind::motion)
+    explicit GivenEnergies(
+      const EnergyJudgement::Kind kind = EnergyJudgement::Kind::motion)
+      : judgement(kind)
     {
       kinetic   = ledger.enter(kinetic_energy_entry());
       numerical = ledger.enter(numerical_energy_entry());
@@ -115,4 +117,26 @@ TEST(EnergyJudgement, WhatIsNoNumberIsNotToBeUsed)
   energies.step(std::numeric_limits<double>::quiet_NaN(), 0, 0);
   energies.step(1, 0, 0);
   EXPECT_EQ(verdict_of(energies.findings()), Verdict::not_to_be_used);
+}
+
+TEST(EnergyJudgement, AdvisesTheSchemeThatKeepsTheBalanceWhereThereIsOne)
+{
+  using Kind = EnergyJudgement::Kind;
+  for (const Kind kind : {Kind::motion,
+                          Kind::static_steps,
+                          Kind::static_path,
+                          Kind::reduced_cell})
+    {
+      GivenEnergies run(kind);
+      run.begin(1);
+      run.step(1.5, 0, 0);
+      ASSERT_EQ(run.findings().size(), 1u);
+      const std::string text = run.findings().front().text;
+      EXPECT_EQ(text.find("energy-momentum") != std::string::npos,
+                kind == Kind::motion)
+        << text;
+      EXPECT_EQ(text.find("Path/Resolution") != std::string::npos,
+                kind == Kind::static_path)
+        << text;
+    }
 }

@@ -58,3 +58,29 @@ TEST(Notes, TellOfParametersOfAnotherScheme)
                 "Time/Scheme is newmark"});
   EXPECT_TRUE(notes_with("esdirk").empty());
 }
+
+TEST(Notes, NameStrutsThatOverlapAtRest)
+{
+  const auto notes_with = [](const std::string &joints,
+                             const std::string &contact) {
+    const EquationsOnRanks of_scene(SceneText()
+                                      .frame(joints, "0 1; 2 3")
+                                      .rectangle("strip", 0.02, 0.02, {1e9, 1})
+                                      .set("Effects/Contact", contact),
+                                    {},
+                                    MPI_COMM_SELF);
+    return notes_on(of_scene.scene, of_scene.equations);
+  };
+  const std::string crossing                 = "0 0; 1 0; 0.3 -0.5; 0.3 0.5",
+                    beside                   = "0 0; 1 0; 0 0.015; 1 0.015",
+                    apart                    = "0 0; 1 0; 0 0.021; 1 0.021";
+  const std::vector<std::string> of_crossing = notes_with(crossing, "auto"),
+                                 of_beside   = notes_with(beside, "auto");
+  ASSERT_EQ(of_crossing.size(), 1u);
+  expect_parts(of_crossing[0],
+               {"0 and 1 cross at rest", "pass each other freely"});
+  ASSERT_EQ(of_beside.size(), 1u);
+  expect_parts(of_beside[0], {"0 and 1 overlap at rest", "do not touch"});
+  EXPECT_TRUE(notes_with(apart, "auto").empty());
+  EXPECT_TRUE(notes_with(crossing, "off").empty());
+}

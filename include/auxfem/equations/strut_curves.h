@@ -105,6 +105,11 @@ namespace auxfem
       void
       values_at(double parameter, double *values, double *derivatives) const;
 
+      /** Largest derivative of a motion by the parameter, at these points.
+       * @param motion of each node, by component */
+      template <unsigned int dimension>
+      double largest_slope(const double *motion) const;
+
       unsigned int        degree;
       std::vector<double> coefficients; ///< of each node, degree + 1
       /** Derivatives at points at equal distances: by point, then node. */
@@ -118,14 +123,6 @@ namespace auxfem
     void            find_connected();
     ParameterRanges find_free_ranges(unsigned int axis,
                                      unsigned int other) const;
-    double          rest_distance(unsigned int axis,
-                                  double       parameter,
-                                  unsigned int strut) const;
-    double          free_end(unsigned int axis,
-                             unsigned int strut,
-                             double       least,
-                             double       occupied,
-                             double       free) const;
 
     const LatticeModel                                 &model;
     const std::vector<ContactAxis>                     &axes;

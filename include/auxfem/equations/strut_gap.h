@@ -29,7 +29,7 @@ namespace auxfem
      * By how much the tangents of two axes with a common node may turn each
      * (rad) before a gap becomes smaller than the part @p least of half the sum
      * of their thicknesses, or less than that; zero where it is smaller.
-     * With a safety of two for what it does not see: that other points than
+     * With some safety for what it does not see: that other points than
      * those which are nearest now come near, and that the axes stretch.
      */
     double turning_left(const AxisPair  &pair,

@@ -149,7 +149,16 @@ namespace auxfem
     ///@}
 
     /** Largest motion of a node (m). */
+    ///@{
     double motion(const std::vector<double> &from,
+                  const std::vector<double> &to) const;
+    template <unsigned int dimension>
+    double largest_motion(const std::vector<double> &from,
+                          const std::vector<double> &to) const;
+    ///@}
+    /** Motion of the nodes of an axis, not less than that of any (m). */
+    double motion(unsigned int               axis,
+                  const std::vector<double> &from,
                   const std::vector<double> &to) const;
 
     const LatticeModel &model;

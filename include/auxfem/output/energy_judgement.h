@@ -21,7 +21,8 @@ namespace auxfem
     {
       motion,
       static_steps,
-      static_path
+      static_path,
+      reduced_cell
     };
 
     explicit EnergyJudgement(Kind kind);
@@ -42,6 +43,8 @@ namespace auxfem
 
   private:
     Finding error_finding(double moved) const;
+    /** What to do about an error. */
+    std::string advice() const;
 
     const Kind    kind;
     double        zero = 0, initial = 0, work = 0; ///< J

@@ -281,8 +281,11 @@ namespace auxfem
             crossed.write_time(equations.layout().path, text);
           }
         text << ": contact is left out. What the lattice does from there on "
-                "holds only if its struts can pass each other; set "
-                "Effects/Contact = on if they cannot.";
+                "holds only if its struts can pass each other; if they cannot, "
+             << (equations.layout().path
+                   ? "load it in steps with Analysis = simulation and Scheme = "
+                     "static."
+                   : "leave Effects/Contact at auto.");
         const FirstPair &first = is_told_by_touch ? touched : crossed;
         return {{Verdict::doubtful,
                  text.str(),
