@@ -20,7 +20,8 @@ namespace auxfem
 
     double solver_seconds(const PhaseTimes &wall)
     {
-      return wall.residual + wall.tangent + wall.factorize + wall.solve;
+      return wall.residual + wall.tangent + wall.factorize + wall.solve +
+        wall.contact;
     }
 
     /** Counts its life as set-up, without the phases that have clocks of their

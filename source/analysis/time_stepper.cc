@@ -3,6 +3,7 @@
 #include <auxfem/equations/prescribed_motion.h>
 #include <auxfem/parameters/errors.h>
 #include <auxfem/time/static.h>
+#include <auxfem/time/stopwatch.h>
 
 #include <algorithm>
 #include <cmath>
@@ -140,7 +141,7 @@ namespace auxfem
   void TimeStepper::start(Solution &solution)
   {
     State &state = solution.state;
-    take_ghosts(equations.update_couplings(state));
+    update_couplings(state);
     if (parameters.static_start)
       find_static_equilibrium(state);
     if (!scheme.is_dynamic())
@@ -200,8 +201,7 @@ namespace auxfem
         result.reason +
         ". Start from rest, or raise the load in steps with "
         "`Scheme = static` to see where it is lost.");
-    if (const std::string why = equations.why_not_acceptable(evaluation);
-        !why.empty())
+    if (const std::string why = why_not_acceptable(evaluation); !why.empty())
       throw ComputationError(
         "No static equilibrium was found under the loads of t = 0 in one go: " +
         why +
@@ -223,7 +223,7 @@ namespace auxfem
     const double end = parameters.time_at(state.step + 1);
     while (state.time < end)
       {
-        take_ghosts(equations.update_couplings(state));
+        update_couplings(state);
         const bool is_jump = pass_events(solution, report, recorder);
         take_step(solution, next_target(state.time, end), report, recorder);
         if (is_jump)
@@ -232,6 +232,22 @@ namespace auxfem
     ++state.step;
     ++work.steps;
     return report;
+  }
+
+  void TimeStepper::update_couplings(State &state)
+  {
+    bool are_more_ghosts;
+    {
+      const Stopwatch watch(work.wall.contact);
+      are_more_ghosts = equations.update_couplings(state);
+    }
+    take_ghosts(are_more_ghosts);
+  }
+
+  std::string TimeStepper::why_not_acceptable(const Evaluation &step)
+  {
+    const Stopwatch watch(work.wall.contact);
+    return equations.why_not_acceptable(step);
   }
 
   void TimeStepper::take_ghosts(const bool are_more)
@@ -461,8 +477,7 @@ namespace auxfem
     if (const std::string what = what_is_not_finite(equations.model(), step.to);
         !what.empty())
       return reject(what + " is not a finite number");
-    if (const std::string why = equations.why_not_acceptable(step);
-        !why.empty())
+    if (const std::string why = why_not_acceptable(step); !why.empty())
       return reject(why);
     if (creates_energy(step))
       return reject(

@@ -70,6 +70,7 @@ namespace auxfem
               {"tangent", resources.wall.tangent},
               {"factorize", resources.wall.factorize},
               {"solve", resources.wall.solve},
+              {"contact_search", resources.wall.contact},
               {"output", resources.wall.output},
               {"total", resources.wall_seconds}};
     }
@@ -169,15 +170,16 @@ namespace auxfem
     dealii::Utilities::System::get_memory_stats(memory);
     const unsigned long peak = memory.VmHWM * 1024; // it counts in kB
 
-    std::array<double, 9> times{{wall_seconds,
-                                 wall.setup,
-                                 wall.residual,
-                                 wall.tangent,
-                                 wall.factorize,
-                                 wall.solve,
-                                 wall.output,
-                                 start.program,
-                                 start.mpi}};
+    std::array<double, 10> times{{wall_seconds,
+                                  wall.setup,
+                                  wall.residual,
+                                  wall.tangent,
+                                  wall.factorize,
+                                  wall.solve,
+                                  wall.contact,
+                                  wall.output,
+                                  start.program,
+                                  start.mpi}};
     MPI_Allreduce(MPI_IN_PLACE,
                   times.data(),
                   times.size(),
@@ -190,9 +192,9 @@ namespace auxfem
     resources.memory         = MPI::sum(peak, communicator);
     resources.cpu_seconds    = MPI::sum(cpu_seconds(), communicator);
     resources.wall_seconds   = times[0];
-    resources
-      .wall = {times[1], times[2], times[3], times[4], times[5], times[6]};
-    resources.start = {times[7], times[8], MPI::sum(start.cpu, communicator)};
+    resources.wall =
+      {times[1], times[2], times[3], times[4], times[5], times[6], times[7]};
+    resources.start = {times[8], times[9], MPI::sum(start.cpu, communicator)};
     return resources;
   }
 
@@ -404,7 +406,11 @@ namespace auxfem
            << ": set-up " << seconds(wall.setup) << ", residuals "
            << seconds(wall.residual) << ", tangents " << seconds(wall.tangent)
            << ", factorizations " << seconds(wall.factorize) << ", solutions "
-           << seconds(wall.solve) << ", output " << seconds(wall.output) << '\n'
+           << seconds(wall.solve)
+           << (summary.largest_penetration
+                 ? ", search for contact " + seconds(wall.contact)
+                 : "")
+           << ", output " << seconds(wall.output) << '\n'
            << "Peak memory " << (summary.resources.memory >> 20) << " MiB\n";
 
     if (!totals.linear_solver.empty())

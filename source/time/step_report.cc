@@ -15,6 +15,7 @@ namespace auxfem
     wall.tangent += other.wall.tangent;
     wall.factorize += other.wall.factorize;
     wall.solve += other.wall.solve;
+    wall.contact += other.wall.contact;
     wall.output += other.wall.output;
   }
 } // namespace auxfem

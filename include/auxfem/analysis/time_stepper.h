@@ -65,6 +65,11 @@ namespace auxfem
 
   private:
     void find_static_equilibrium(State &state);
+    /** Finds what comes near something in an accepted state. */
+    void update_couplings(State &state);
+    /** Why a solved step must be repeated in shorter ones; empty: it need not.
+     */
+    std::string why_not_acceptable(const Evaluation &step);
     /** Whatever keeps states or results makes room if ghosts @p are_more. */
     void take_ghosts(bool are_more);
     /** Where the next step must end at the latest (s). */

@@ -26,6 +26,7 @@ namespace auxfem
     double tangent   = 0; ///< assembly of tangents
     double factorize = 0;
     double solve     = 0;
+    double contact   = 0; ///< search for what comes near, or passes
     double output    = 0;
   };
 
