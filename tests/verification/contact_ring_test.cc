@@ -176,3 +176,58 @@ TEST(ContactRing, SidesMeetUnderLoadsTowardsTheMiddle)
   table.relative("load of the first contact", load_of_contact, first, 5e-4);
   EXPECT_GE(std::min({n_free, n_touching, n_flat}), 2u);
 }
+
+TEST(ContactRing, RoundBodiesPressItTogether)
+{
+  const double     radius = 0.2;
+  const SceneValue place(1 + ring_thickness / 2 + radius);
+  const auto       body = [&](const std::string &sign) {
+    return "Shape = sphere | Radius = " + text(radius) + " | Position = 0 " +
+      sign + place.words + " | Displacement y = " + (sign.empty() ? "-" : "") +
+      "1 * (0.98 * min(t, 1) + 0.0102 * max(t - 1, 0))";
+  };
+  SceneRun        run(ring()
+                 .add("Plates/upper", body(""))
+                 .add("Plates/lower", body("-"))
+                 .time(2, 0.01));
+  ComparisonTable table("Ring pressed together by two round bodies, thickness "
+                        "0.02 R, inextensible elastica by shooting");
+  // Force and moment at the top; the ring pushes back.
+  std::vector<double> guess  = {-0.5, 0.1};
+  unsigned int        n_free = 0, n_touching = 0;
+  run.run([&] {
+    const double at_time = run.state.time, top = 1 + run.motion(1, 1);
+    guess = shoot(
+      [&](const std::vector<double> &u) {
+        const auto end = end_of_quarter(0, u[0], 0, u[1]);
+        return std::vector<double>{end[2] + pi / 2, end[1] + top};
+      },
+      guess);
+    const double exact = -guess[0], contact = force_between_sides(run),
+                 force = run.equations.reporting()
+                           .plates
+                           ->reports(run.equations.plate_results(run.results),
+                                     run.state)[0]
+                           .force[1];
+    if (contact == 0 &&
+        (at_time > 1 || std::abs(5 * at_time - std::round(5 * at_time)) > 1e-9))
+      return;
+    (contact > 0 ? n_touching : n_free) += 1;
+    const std::string at = label("top at y / R", top) + ": ";
+    // As above.
+    table.relative(at +
+                     "force of the bodies less that between the sides, "
+                     "R^2 / EI",
+                   force - contact,
+                   exact,
+                   5e-4);
+    if (contact > 0)
+      EXPECT_GT(contact, exact);
+    table.row(at + "side / R",
+              1 + run.motion(0, 0),
+              end_of_quarter(0, guess[0], 0, guess[1])[0],
+              1e-4);
+  });
+  EXPECT_GE(n_free, 2u);
+  EXPECT_GE(n_touching, 2u);
+}
