@@ -239,28 +239,32 @@ namespace auxfem
                              const double                    least) const
   {
     constexpr unsigned int most_looks = 40;
-    constexpr double       digits     = 1e-3;
-    double                 largest    = 0;
+    constexpr double       start = 1e-3, digits = 0.05;
+    double                 largest = 0;
     for (unsigned int i = 0; i < 2; ++i)
       largest += largest_distance(from[i], to[i]);
     double left = (*this)(pair, to[0], to[1]) - least;
     if (left < 0)
       return true;
+    // More than gaps are off, so that what stays where it was accepted is not
+    // taken for something that comes below.
+    const double slack = digits * curves.thickness(pair[0], pair[1]);
     // From the end back to the start, which was accepted: no more of a gap can
     // be lost on a part of the way than there is motion in it.
     double part = 1;
     for (unsigned int look = 0; look < most_looks; ++look)
       {
-        part -= left / std::max(largest, left);
-        if (part <= digits)
+        part -= (left + slack) / std::max(largest, left + slack);
+        if (part <= start)
           return false;
         left = (*this)(pair,
                        between(from[0], to[0], part),
                        between(from[1], to[1], part)) -
           least;
-        if (left <= digits * curves.thickness(pair[0], pair[1]))
-          return left < 0 || look > most_looks / 2;
+        // What is looked for is come to from above and never quite reached.
+        if (left <= -slack / 2)
+          return true;
       }
-    return false;
+    return true;
   }
 } // namespace auxfem
