@@ -101,16 +101,31 @@ namespace auxfem
       return std::max((most - lean) / safety, 0.);
     }
 
-    /** Largest distance between points of two curves at one parameter (m). */
-    double largest_distance(const AxisCurve &one, const AxisCurve &other)
+    using Curves = std::array<AxisCurve, 2>;
+
+    /** By how much a point of a curve moves against one of the other at most
+     * (m). */
+    double relative_motion(const Curves &from, const Curves &to)
     {
-      const unsigned int n       = 2 * std::max(one.degree, other.degree);
-      double             largest = 0;
-      for (unsigned int i = 0; i <= n; ++i)
-        largest =
-          std::max(largest,
-                   (one.at(double(i) / n) - other.at(double(i) / n)).norm());
-      return largest;
+      // All that both have in common is no motion against each other.
+      AxisCurve::Vector common;
+      for (unsigned int i = 0; i < 2; ++i)
+        common += (to[i].at(0.5) - from[i].at(0.5)) / 2;
+      double sum = 0;
+      for (unsigned int i = 0; i < 2; ++i)
+        {
+          const unsigned int n = 2 * std::max(from[i].degree, to[i].degree);
+          double             largest = 0;
+          for (unsigned int k = 0; k <= n; ++k)
+            {
+              const double at = double(k) / n;
+              largest =
+                std::max(largest,
+                         (to[i].at(at) - from[i].at(at) - common).norm());
+            }
+          sum += largest;
+        }
+      return sum;
     }
 
     /** The curve at a @p part of the way from one to another. */
@@ -240,10 +255,8 @@ namespace auxfem
   {
     constexpr unsigned int most_looks = 40;
     constexpr double       start = 1e-3, digits = 0.05;
-    double                 largest = 0;
-    for (unsigned int i = 0; i < 2; ++i)
-      largest += largest_distance(from[i], to[i]);
-    double left = (*this)(pair, to[0], to[1]) - least;
+    const double           largest = relative_motion(from, to);
+    double                 left    = (*this)(pair, to[0], to[1]) - least;
     if (left < 0)
       return true;
     // More than gaps are off, so that what stays where it was accepted is not
