@@ -278,6 +278,7 @@ namespace auxfem
         if (left <= -slack / 2)
           return true;
       }
-    return true;
+    // Axes that hang together stay near however far they move.
+    return !curves.are_neighbours(pair[0], pair[1]);
   }
 } // namespace auxfem
