@@ -101,16 +101,31 @@ namespace auxfem
       return std::max((most - lean) / safety, 0.);
     }
 
-    /** Largest distance between points of two curves at one parameter (m). */
-    double largest_distance(const AxisCurve &one, const AxisCurve &other)
+    using Curves = std::array<AxisCurve, 2>;
+
+    /** By how much a point of a curve moves against one of the other at most
+     * (m). */
+    double relative_motion(const Curves &from, const Curves &to)
     {
-      const unsigned int n       = 2 * std::max(one.degree, other.degree);
-      double             largest = 0;
-      for (unsigned int i = 0; i <= n; ++i)
-        largest =
-          std::max(largest,
-                   (one.at(double(i) / n) - other.at(double(i) / n)).norm());
-      return largest;
+      // All that both have in common is no motion against each other.
+      AxisCurve::Vector common;
+      for (unsigned int i = 0; i < 2; ++i)
+        common += (to[i].at(0.5) - from[i].at(0.5)) / 2;
+      double sum = 0;
+      for (unsigned int i = 0; i < 2; ++i)
+        {
+          const unsigned int n = 2 * std::max(from[i].degree, to[i].degree);
+          double             largest = 0;
+          for (unsigned int k = 0; k <= n; ++k)
+            {
+              const double at = double(k) / n;
+              largest =
+                std::max(largest,
+                         (to[i].at(at) - from[i].at(at) - common).norm());
+            }
+          sum += largest;
+        }
+      return sum;
     }
 
     /** The curve at a @p part of the way from one to another. */
@@ -239,28 +254,31 @@ namespace auxfem
                              const double                    least) const
   {
     constexpr unsigned int most_looks = 40;
-    constexpr double       digits     = 1e-3;
-    double                 largest    = 0;
-    for (unsigned int i = 0; i < 2; ++i)
-      largest += largest_distance(from[i], to[i]);
-    double left = (*this)(pair, to[0], to[1]) - least;
+    constexpr double       start = 1e-3, digits = 0.05;
+    const double           largest = relative_motion(from, to);
+    double                 left    = (*this)(pair, to[0], to[1]) - least;
     if (left < 0)
       return true;
+    // More than gaps are off, so that what stays where it was accepted is not
+    // taken for something that comes below.
+    const double slack = digits * curves.thickness(pair[0], pair[1]);
     // From the end back to the start, which was accepted: no more of a gap can
     // be lost on a part of the way than there is motion in it.
     double part = 1;
     for (unsigned int look = 0; look < most_looks; ++look)
       {
-        part -= left / std::max(largest, left);
-        if (part <= digits)
+        part -= (left + slack) / std::max(largest, left + slack);
+        if (part <= start)
           return false;
         left = (*this)(pair,
                        between(from[0], to[0], part),
                        between(from[1], to[1], part)) -
           least;
-        if (left <= digits * curves.thickness(pair[0], pair[1]))
-          return left < 0 || look > most_looks / 2;
+        // What is looked for is come to from above and never quite reached.
+        if (left <= -slack / 2)
+          return true;
       }
-    return false;
+    // Axes that hang together stay near however far they move.
+    return !curves.are_neighbours(pair[0], pair[1]);
   }
 } // namespace auxfem

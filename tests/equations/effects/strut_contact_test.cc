@@ -146,11 +146,16 @@ TEST(StrutContact, TangentsAreDerivatives)
                      Evaluation::Kind::step,
                      {0.7, 0, 0},
                      1e-5);
-      // How friction turns with the struts is left out.
+      // With it how friction turns with the struts, and where it acts.
       SceneText rubbed = pressed_struts(dimension);
       rubbed.set("Contact/Friction coefficient", 0.4)
         .set("Contact/Slip velocity", 0.3);
-      expect_tangent(rubbed, Evaluation::Kind::step, {0, 3, 0}, 1e-5);
+      for (const TangentFactors &factors : {TangentFactors{0.7, 0, 0},
+                                            TangentFactors{0, 3, 0},
+                                            TangentFactors{0.7, 3, 0}})
+        expect_tangent(rubbed, Evaluation::Kind::step, factors, 1e-5);
+      // The velocity follows from the displacement: over the step of 0.1 s.
+      expect_tangent(rubbed, Evaluation::Kind::static_step, {1, 10, 0}, 1e-5);
     }
 }
 
