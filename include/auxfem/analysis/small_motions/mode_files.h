@@ -3,6 +3,7 @@
 
 #include <auxfem/analysis/lattice_run.h>
 #include <auxfem/analysis/small_motions/buckling_modes.h>
+#include <auxfem/analysis/small_motions/complex_modes.h>
 #include <auxfem/analysis/small_motions/natural_modes.h>
 #include <auxfem/output/output_folder.h>
 
@@ -11,9 +12,11 @@ namespace auxfem
   /** What runs of modes of any kind write beside log.txt and summary.json. */
   FolderContents mode_contents();
 
-  /** modes.csv or buckling.csv with its reference. On the first rank. */
+  /** modes.csv, complex_modes.csv or buckling.csv with its reference. On the
+   * first rank. */
   ///@{
   void write_mode_table(const NaturalModes &found, const std::string &folder);
+  void write_mode_table(const ComplexModes &found, const std::string &folder);
   void write_mode_table(const BucklingModes &found, const std::string &folder);
   ///@}
 
@@ -21,12 +24,14 @@ namespace auxfem
   ///@{
   std::string mode_table_text(const NaturalModes &found,
                               unsigned int        dimension);
+  std::string mode_table_text(const ComplexModes &found);
   std::string mode_table_text(const BucklingModes &found);
   ///@}
 
   /** What summary.json says of modes. */
   ///@{
   Json json_of(const NaturalModes &found);
+  Json json_of(const ComplexModes &found);
   Json json_of(const BucklingModes &found);
   ///@}
 
@@ -36,6 +41,8 @@ namespace auxfem
     const Vector &shape;
     /** Of the vibration (rad/s); 0: it does not vibrate. */
     double angular_frequency = 0;
+    /** Of a complex mode, whose real part is the shape; else none. */
+    const Vector *imaginary = nullptr;
   };
 
   /**

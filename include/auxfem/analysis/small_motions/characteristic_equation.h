@@ -1,0 +1,72 @@
+#ifndef auxfem_analysis_small_motions_characteristic_equation_h
+#define auxfem_analysis_small_motions_characteristic_equation_h
+
+#include <auxfem/analysis/small_motions/dynamic_stiffness.h>
+
+#include <optional>
+
+namespace auxfem
+{
+  /** det A(s) = 0 of a dynamic stiffness A: its roots are the complex modes.
+   * What computes is collective. */
+  class CharacteristicEquation
+  {
+  public:
+    using Complex = std::complex<double>;
+    using Values  = DynamicStiffness::Values;
+
+    /** @param solver must outlive the object; its matrix is used. */
+    CharacteristicEquation(TangentSolver &solver,
+                           const State   &equilibrium,
+                           Damping        damping);
+
+    /** Whether matrices of this size are factorized as complex ones. */
+    static bool is_within_reach(const TangentSolver &solver);
+
+    /** log det A(s), up to multiples of 2 pi i, and its derivative (s). */
+    struct Logarithm
+    {
+      Complex value, slope;
+    };
+
+    /** At @p s (1/s); none where A is singular. */
+    std::optional<Logarithm> at(Complex s);
+
+    /** A root and its shape, on owned rows: real parts before imaginary ones.
+     */
+    struct Root
+    {
+      Complex s; ///< 1/s
+      Values  shape;
+      /** |A(s) x| over |s A'(s) x|. */
+      double residual;
+    };
+
+    /**
+     * The root near @p guess with its shape, by inverse iteration and
+     * Rayleigh's quotient with shapes of both sides, y.A x / y.A' x (Ostrowski
+     * 1959; for roots of any A(s) Schreiber 2008); none where that does not
+     * settle.
+     * @param number of the vector that the iteration begins with
+     */
+    std::optional<Root> refine(Complex guess, unsigned int number);
+
+    /** Complex factorizations until now. */
+    unsigned long n_factorizations() const;
+
+  private:
+    bool                   factorize(Complex s);
+    std::optional<Complex> logarithm(Complex s);
+    Values                 beginning(unsigned int number) const;
+    Values                 derivative(Complex s, const Values &x);
+    std::optional<Complex> step(Complex s, Values &x, Values &y);
+    double                 size(const Values &x) const;
+
+    const UnknownLayout &layout;
+    DynamicStiffness     stiffness;
+    ComplexFactors       factors;
+    unsigned long        n_done = 0;
+  };
+} // namespace auxfem
+
+#endif
