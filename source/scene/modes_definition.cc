@@ -35,7 +35,8 @@ namespace auxfem
       "Damped",
       false,
       "Of Analysis = modes: whether frequency and damping ratio of each mode are "
-      "computed with connectors and damping of struts, too."};
+      "computed with connectors and damping of struts, too; where loads follow "
+      "their joints, whether modes are those with damping."};
     const Quantity amplitude = {
       "Amplitude",
       "0.05",

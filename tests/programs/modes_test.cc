@@ -92,6 +92,25 @@ namespace
     EXPECT_NE(damped.output.find("Hz, ratio"), std::string::npos);
   }
 
+  TEST_F(ModesProgram, LoadsThatFollowMakeThemComplex)
+  {
+    const Words follow = {"Loads/pressure/Direction=follows the joint",
+                          "Modes/Number=2",
+                          "Modes/Pictures=4"};
+    ProgramRun  run    = run_modes(follow);
+    ASSERT_EQ(run.exit_code, 0) << run.errors;
+    expect_contains(run.output, {"not symmetric", "None is missing"});
+    const Table table(path("out/complex_modes.csv"));
+    ASSERT_EQ(table.n_rows, 2u);
+    for (unsigned int i = 0; i < 2; ++i)
+      {
+        EXPECT_GT(table["frequency"][i], 50);
+        EXPECT_LT(table["residual"][i], 1e-6);
+      }
+    EXPECT_FALSE(std::filesystem::exists(path("out/modes.csv")));
+    EXPECT_TRUE(std::filesystem::exists(path("out/mode_2_solution.pvd")));
+  }
+
   TEST_F(ModesProgram, StaticsHaveNone)
   {
     const ProgramRun run = run_modes({"Time/Scheme=static"});

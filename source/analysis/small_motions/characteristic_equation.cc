@@ -143,20 +143,23 @@ namespace auxfem
   std::optional<CharacteristicEquation::Root>
   CharacteristicEquation::refine(const Complex guess, const unsigned int number)
   {
-    constexpr double       converged = 1e-12, small = 1e-7;
-    constexpr unsigned int most_steps = 20;
-    Root                   root{guess, beginning(number), 0.};
-    Values                 y    = beginning(number + 1);
-    double                 last = std::abs(guess);
+    // Elements much stiffer than the mode leave it that many digits.
+    constexpr double       converged = 1e-12, round_off = 1e-3, slow = 0.7;
+    constexpr unsigned int most_steps = 40;
+    Root                   root{guess, beginning(number), 0., 0.};
+    // Where A is symmetric both are the same.
+    Values y    = root.shape;
+    double last = std::abs(guess);
     for (unsigned int i = 0; i < most_steps; ++i)
       {
         const auto change = step(root.s, root.shape, y);
         if (!change)
           return std::nullopt;
         root.s -= *change;
-        const double relative = std::abs(*change) / std::abs(root.s);
+        root.uncertainty      = std::abs(*change);
+        const double relative = root.uncertainty / std::abs(root.s);
         if (relative <= converged ||
-            (relative <= small && relative >= last / 2))
+            (relative <= round_off && relative >= slow * last))
           {
             Values left(root.shape.size());
             stiffness.set(root.s);

@@ -13,8 +13,12 @@ namespace auxfem
   {
     using Complex = std::complex<double>;
 
-    /** Of Re s over |s|. */
-    constexpr double round_off_of_growth = 1e-6;
+    /** Of Re s, as far as can be told (1/s). */
+    double round_off_of_growth(const ComplexMode &mode)
+    {
+      constexpr double least = 1e-6, safety = 10;
+      return std::max(least * std::abs(mode.s), safety * mode.uncertainty);
+    }
 
     /** Frequencies without the part of the stiffness that is not symmetric
      * (rad/s). */
@@ -64,6 +68,7 @@ namespace auxfem
       const unsigned int n = layout.n_owned();
       ComplexMode        mode{root.s,
                        root.residual,
+                       root.uncertainty,
                        Vector(layout.n_local(), 0.),
                        Vector(layout.n_local(), 0.)};
       std::copy_n(root.shape.begin(), n, mode.real.begin());
@@ -72,11 +77,21 @@ namespace auxfem
       layout.update_ghosts(mode.imaginary.data());
       return mode;
     }
+    /** What grows and its mirror image, which decays, have one |s|: the growing
+     * one first, whatever round-off says. */
+    void put_growing_first(std::vector<ComplexMode> &modes)
+    {
+      constexpr double near = 1e-5;
+      for (std::size_t i = 0; i + 1 < modes.size(); ++i)
+        if (std::abs(modes[i + 1].s) < (1 + near) * std::abs(modes[i].s) &&
+            modes[i + 1].s.real() > modes[i].s.real())
+          std::swap(modes[i], modes[i + 1]);
+    }
   } // namespace
 
   bool ComplexMode::grows() const
   {
-    return s.real() > round_off_of_growth * std::abs(s);
+    return s.real() > round_off_of_growth(*this);
   }
 
   bool ComplexMode::swings() const
@@ -114,17 +129,25 @@ namespace auxfem
     if (counted)
       found.n_missing =
         (std::max(*counted, search.weight()) - search.weight() + 1) / 2;
+    std::vector<ComplexMode> all;
     for (const CharacteristicEquation::Root &root : search.found())
       {
-        ComplexMode mode = mode_of(root, layout);
+        all.push_back(mode_of(root, layout));
+        ComplexMode &mode = all.back();
         // Without damping -s is a root, too: what is near its mirror image is
         // its own.
         if (damping == Damping::none && mode.swings() &&
-            std::abs(mode.ratio()) <= round_off_of_growth)
+            std::abs(mode.s.real()) <= round_off_of_growth(mode))
           mode.s.real(0.);
-        if (found.modes.size() < n || mode.grows())
-          found.modes.push_back(mode);
       }
+    put_growing_first(all);
+    std::copy_if(all.begin(),
+                 all.end(),
+                 std::back_inserter(found.modes),
+                 [&](const ComplexMode &mode) {
+                   return &mode - all.data() < std::ptrdiff_t(n) ||
+                     mode.grows();
+                 });
     if (found.modes.empty())
       throw ComputationError("Analysis = modes: no motion was found.");
     return found;

@@ -244,7 +244,7 @@ namespace auxfem
         for (std::size_t i = 0; i < modes.size(); ++i)
           if (const auto &damped = modes[i].damped)
             all.push_back(
-              {{damped->growth, damped->angular_frequency}, shapes[i], 0.});
+              {{damped->growth, damped->angular_frequency}, shapes[i], 0., 0.});
         return all;
       }
 

@@ -107,17 +107,18 @@ namespace auxfem
     });
   }
 
-  void RootSearch::find_from(const Complex start)
+  void RootSearch::find_from(const Complex start, const Way way)
   {
-    constexpr double off  = 1e-2;
-    const auto       near = newton(start);
+    constexpr double off = 1e-2;
+    const auto       near =
+      way == Way::deflation ? newton(start) : std::optional<Complex>(start);
     if (!near)
       return;
-    auto root =
-      equation.refine({near->real(), std::abs(near->imag())}, roots.size());
+    const Complex guess(near->real(), std::abs(near->imag()));
+    auto          root = equation.refine(guess, roots.size());
     if (!root ||
-        std::abs(root->s - Complex(near->real(), std::abs(near->imag()))) >
-          off * std::abs(*near))
+        (way == Way::deflation &&
+         std::abs(root->s - guess) > off * std::abs(guess)))
       return;
     if (std::abs(root->s.imag()) <= least_swing * std::abs(root->s))
       root->s = root->s.real();
@@ -135,7 +136,7 @@ namespace auxfem
   {
     for (const Complex start : starts)
       if (weight() < n)
-        find_from(start);
+        find_from(start, Way::deflation);
     // Points of a sequence that leaves no gaps.
     constexpr double   golden = 0.6180339887498949, other = 0.7548776662466927;
     const double       decades = std::log(region.outer / region.inner);
@@ -144,7 +145,11 @@ namespace auxfem
       {
         const double part  = std::pow(std::fmod(i * golden, 1.), 2),
                      angle = 0.05 + 2.5 * std::fmod(i * other, 1.);
-        find_from(std::polar(region.outer * std::exp(-part * decades), angle));
+        const Complex start =
+          std::polar(region.outer * std::exp(-part * decades), angle);
+        find_from(start, Way::inverse_iteration);
+        if (weight() < n)
+          find_from(start, Way::deflation);
       }
   }
 

@@ -40,6 +40,8 @@ namespace auxfem
       Values  shape;
       /** |A(s) x| over |s A'(s) x|. */
       double residual;
+      /** By which s still changes, from round-off (1/s). */
+      double uncertainty;
     };
 
     /**

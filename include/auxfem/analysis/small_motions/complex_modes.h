@@ -16,6 +16,8 @@ namespace auxfem
     std::complex<double> s; ///< 1/s; of two conjugate ones that above
     /** |A(s) x| over |s A'(s) x|. */
     double residual;
+    /** Round-off of s (1/s). */
+    double uncertainty;
     /** Parts of x, of all local unknowns; rotations as vectors in the global
      * frame. */
     Vector real, imaginary;

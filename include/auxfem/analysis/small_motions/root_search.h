@@ -44,8 +44,15 @@ namespace auxfem
     unsigned int weight() const;
 
   private:
+    /** How a root is found from a start. */
+    enum class Way
+    {
+      deflation,        ///< one that is not known
+      inverse_iteration ///< one near the start
+    };
+
     std::optional<Complex> newton(Complex start);
-    void                   find_from(Complex start);
+    void                   find_from(Complex start, Way way);
     bool                   is_new(const Root &root) const;
 
     CharacteristicEquation &equation;
