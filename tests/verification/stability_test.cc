@@ -328,7 +328,7 @@ namespace
       .load("push", "1", {"0.01 * sin(2 * pi * min(t, 0.5))", "0", "0"})
       .mesh(4, 1)
       .time(3, 5e-3, "newmark")
-      .set("Start from", "static equilibrium");
+      .set("Time/Start from", "static equilibrium");
     return {title, scene.str(), {}, 5e-3};
   }
 } // namespace
