@@ -31,6 +31,9 @@ namespace auxfem
     : layout(solver.equations().unknowns().layout)
     , stiffness(solver, equilibrium, damping)
     , factors(solver.equations().pattern())
+    , relaxation_times(damping == Damping::all
+                         ? solver.equations().relaxation_times()
+                         : std::map<double, unsigned int>())
   {}
 
   bool CharacteristicEquation::is_within_reach(const TangentSolver &solver)
@@ -67,10 +70,16 @@ namespace auxfem
     if (!here || !there)
       return std::nullopt;
     const Complex change = *there - *here;
-    return Logarithm{*here,
-                     Complex(change.real(),
-                             std::remainder(change.imag(), turn)) /
-                       (s * relative_step)};
+    Logarithm     logarithm{*here,
+                        Complex(change.real(),
+                                std::remainder(change.imag(), turn)) /
+                          (s * relative_step)};
+    for (const auto &[time, often] : relaxation_times)
+      {
+        logarithm.value += double(often) * std::log(1. + s * time);
+        logarithm.slope += double(often) * time / (1. + s * time);
+      }
+    return logarithm;
   }
 
   Values CharacteristicEquation::beginning(const unsigned int number) const

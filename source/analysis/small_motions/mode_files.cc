@@ -32,6 +32,12 @@ namespace auxfem
       {"factor", "1", "of the loads with which the lattice buckles"},
       {"residual", "1", "what is left of the equations of equilibrium"}};
 
+    const std::vector<Column> relaxation_columns = {
+      {"relaxation", "", "number, the slowest first"},
+      {"time", "s", "in which it decays to 1/e"},
+      {"rate", "1/s", "1 / time"},
+      {"residual", "1", "what is left of the equations of motion"}};
+
     const std::vector<Column> complex_columns = {
       {"mode", "", "number, by rising size of growth rate and frequency"},
       {"frequency", "Hz", "0 of what does not swing"},
@@ -128,7 +134,9 @@ namespace auxfem
                              "complex_modes.csv",
                              "complex_modes.units.csv",
                              "buckling.csv",
-                             "buckling.units.csv"},
+                             "buckling.units.csv",
+                             "relaxations.csv",
+                             "relaxations.units.csv"},
                             {}};
     for (unsigned int number = 1; number <= most_modes; ++number)
       for (const char *series : {"solution", "rigid_parts", "connectors"})
@@ -188,6 +196,32 @@ namespace auxfem
         if (mode.grows())
           text << (mode.swings() ? "   flutter" : "   divergence");
       }
+    return text.str();
+  }
+
+  void write_mode_table(const Relaxations &found, const std::string &folder)
+  {
+    CsvTable table(folder + "/relaxations.csv", relaxation_columns);
+    for (unsigned int i = 0; i < found.all.size(); ++i)
+      table.append({double(i + 1),
+                    found.all[i].time(),
+                    found.all[i].rate,
+                    found.all[i].residual});
+    write_column_reference(folder + "/relaxations.units.csv",
+                           relaxation_columns);
+  }
+
+  std::string mode_table_text(const Relaxations &found)
+  {
+    std::ostringstream text;
+    text << "  relaxation        time    residual\n"
+         << "                       s";
+    for (unsigned int i = 0; i < found.all.size(); ++i)
+      text << '\n'
+           << std::setw(12) << i + 1 << std::defaultfloat
+           << std::setprecision(6) << std::setw(12) << found.all[i].time()
+           << std::scientific << std::setprecision(1) << std::setw(12)
+           << found.all[i].residual;
     return text.str();
   }
 
@@ -271,6 +305,15 @@ namespace auxfem
                        {"grows", mode.grows()},
                        {"residual", mode.residual}});
     return modes;
+  }
+
+  Json json_of(const Relaxations &found)
+  {
+    Json all = Json::array();
+    for (const Relaxation &relaxation : found.all)
+      all.push_back(
+        {{"time", relaxation.time()}, {"residual", relaxation.residual}});
+    return all;
   }
 
   Json json_of(const BucklingModes &found)

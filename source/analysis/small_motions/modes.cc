@@ -4,6 +4,7 @@
 #include <auxfem/analysis/small_motions/dynamic_stiffness.h>
 #include <auxfem/analysis/small_motions/mode_files.h>
 #include <auxfem/analysis/small_motions/modes.h>
+#include <auxfem/analysis/small_motions/relaxations.h>
 #include <auxfem/output/first_rank.h>
 #include <auxfem/output/run_output.h>
 #include <auxfem/output/run_report.h>
@@ -202,12 +203,32 @@ namespace auxfem
       return told;
     }
 
-    Json json_of(const Scene &scene, const ToldModes &told)
+    std::string words_on_count(const Relaxations &found)
     {
-      return {{"modes", told.json},
-              {"are_counted", told.is_counted},
-              {"about",
-               scene.modes.about_equilibrium ? "static equilibrium" : "rest"}};
+      if (!found.n_missing)
+        return "Relaxations are not counted.";
+      if (*found.n_missing > 0)
+        return std::to_string(*found.n_missing) +
+          " relaxations not found, by the argument of the determinant.";
+      return "No slower relaxation is missing, by the argument of the "
+             "determinant.";
+    }
+
+    Json json_of(const Scene                      &scene,
+                 const ToldModes                  &told,
+                 const std::optional<Relaxations> &relaxing)
+    {
+      Json summary = {{"modes", told.json},
+                      {"are_counted", told.is_counted},
+                      {"about",
+                       scene.modes.about_equilibrium ? "static equilibrium"
+                                                     : "rest"}};
+      if (relaxing)
+        {
+          summary["relaxations"]             = json_of(*relaxing);
+          summary["relaxations_are_counted"] = relaxing->n_missing == 0u;
+        }
+      return summary;
     }
 
     using FoundModes = std::variant<NaturalModes, ComplexModes, BucklingModes>;
@@ -237,7 +258,7 @@ namespace auxfem
     // At rest there are no loads, and none that changes the stiffness.
     if (scene.analysis == Analysis::modes && !scene.modes.about_equilibrium)
       scene.joint_loads.clear();
-    if (scene.modes.damped)
+    if (scene.modes.damped || scene.modes.relaxations > 0)
       include_damping(scene);
     if (scene.analysis == Analysis::buckling)
       {
@@ -279,6 +300,10 @@ namespace auxfem
     const FoundModes found = modes_of(run);
     const ToldModes  told_modes =
       std::visit([&](const auto &modes) { return told(modes, run); }, found);
+    std::optional<Relaxations> relaxing;
+    if (scene.analysis == Analysis::modes && scene.modes.relaxations > 0)
+      relaxing =
+        relaxations(run.solver(), run.solution.state, scene.modes.relaxations);
     RunResult result;
     result.exit_state = "completed";
     result.work       = run.work();
@@ -292,6 +317,12 @@ namespace auxfem
         found);
       report.print(told_modes.table);
       report.print(told_modes.closing_words);
+      if (relaxing)
+        {
+          write_mode_table(*relaxing, scene.output.directory);
+          report.print(mode_table_text(*relaxing));
+          report.print("  " + words_on_count(*relaxing));
+        }
     });
     if (scene.output.graphics)
       for (unsigned int i = 0; i < told_modes.pictures.size(); ++i)
@@ -302,7 +333,7 @@ namespace auxfem
           on_first_rank(communicator, [&]() { report.claim_series(series); });
         }
     on_first_rank(communicator, [&]() {
-      report.finish(json_of(scene, told_modes), result.findings);
+      report.finish(json_of(scene, told_modes, relaxing), result.findings);
     });
     return result;
   }

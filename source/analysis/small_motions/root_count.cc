@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace auxfem
 {
@@ -92,33 +93,54 @@ namespace auxfem
     };
   } // namespace
 
+  double RootRegion::least_angle() const
+  {
+    return kind == Kind::relaxes ? std::acos(-ratio) : 0.;
+  }
+
+  double RootRegion::largest_angle() const
+  {
+    return kind == Kind::relaxes ? PI : std::acos(-ratio);
+  }
+
   bool RootRegion::contains(const std::complex<double> s) const
   {
-    const double size = std::abs(s);
-    return size > inner && size < outer && -s.real() < ratio * size;
+    const double size    = std::abs(s);
+    const bool   relaxes = -s.real() >= ratio * size;
+    return size > inner && size < outer && relaxes == (kind == Kind::relaxes);
   }
 
   std::optional<unsigned int> n_roots(CharacteristicEquation &equation,
                                       const RootRegion       &region)
   {
-    // The half above the real axis; below the argument changes alike.
-    const double  last = std::acos(-RootRegion::ratio);
-    const Complex outer(std::log(region.outer), 0.),
-      inner(std::log(region.inner), 0.), up(0., last);
     constexpr unsigned int around = 8;
-    const auto             along =
-      std::max(4u, static_cast<unsigned int>(2 * (outer - inner).real()));
-    Argument   argument(equation);
-    const auto outwards = argument.change(outer, outer + up, around);
-    if (!outwards)
-      return std::nullopt;
-    const auto back = argument.change(outer + up, inner + up, along);
-    if (!back)
-      return std::nullopt;
-    const auto inwards = argument.change(inner + up, inner, around);
-    if (!inwards)
-      return std::nullopt;
-    const double n = (*outwards + *back + *inwards) / PI;
+    const double outer = std::log(region.outer), inner = std::log(region.inner);
+    const auto   along =
+      std::max(4u, static_cast<unsigned int>(2 * (outer - inner)));
+    const Complex least(0., region.least_angle()),
+      largest(0., region.largest_angle());
+    struct Line
+    {
+      Complex      from, to;
+      unsigned int n;
+    };
+    // Of the half above the real axis; below the argument changes alike.
+    std::vector<Line> border = {{outer + least, outer + largest, around},
+                                {inner + largest, inner + least, around}};
+    if (region.kind == RootRegion::Kind::relaxes)
+      border.push_back({inner + least, outer + least, along});
+    else
+      border.push_back({outer + largest, inner + largest, along});
+    Argument argument(equation);
+    double   sum = 0;
+    for (const Line &line : border)
+      {
+        const auto part = argument.change(line.from, line.to, line.n);
+        if (!part)
+          return std::nullopt;
+        sum += *part;
+      }
+    const double n = sum / PI;
     return n > -0.5 && std::abs(n - std::round(n)) < 0.1
       ? std::optional<unsigned int>(std::lround(n))
       : std::nullopt;

@@ -144,7 +144,9 @@ namespace auxfem
     for (unsigned int i = 1; i <= most && weight() < n; ++i)
       {
         const double part  = std::pow(std::fmod(i * golden, 1.), 2),
-                     angle = 0.05 + 2.5 * std::fmod(i * other, 1.);
+                     angle = region.least_angle() +
+          (region.largest_angle() - region.least_angle()) *
+            std::fmod(i * other, 1.);
         const Complex start =
           std::polar(region.outer * std::exp(-part * decades), angle);
         find_from(start, Way::inverse_iteration);

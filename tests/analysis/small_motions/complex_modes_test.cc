@@ -2,6 +2,7 @@
 #include <auxfem/analysis/small_motions/complex_modes.h>
 #include <auxfem/analysis/small_motions/modes.h>
 #include <auxfem/analysis/small_motions/natural_modes.h>
+#include <auxfem/analysis/small_motions/relaxations.h>
 #include <auxfem/analysis/small_motions/root_search.h>
 
 #include <gtest/gtest.h>
@@ -179,4 +180,85 @@ TEST(ComplexModes, AtRestLoadsThatFollowAreNotThere)
   PreparedRun prepared(pressed_column().set("Modes/About", "rest"));
   EXPECT_TRUE(
     has_natural_modes(prepared.run.solver(), prepared.run.solution.state));
+}
+
+// k x tau / (1 - x tau) of the elements at the end holds what the rod pulls,
+// EA x coth x at the rate x (L = 1 m, wave speed 1 m/s).
+TEST(Relaxations, OfMaxwellElementsAtARod)
+{
+  const double k[] = {3, 2}, tau[] = {0.9, 0.1};
+  SceneText    scene = unit_rod(0);
+  scene.connector("damper",
+                  "generalized-maxwell",
+                  "Between = ground: 1 | Geometry = direction | Direction = 1 "
+                  "0 | Long-time stiffness = 0 | Stiffnesses = 3, 2 | "
+                  "Relaxation times = 0.9, 0.1");
+  PreparedRun prepared(scene);
+  const auto  found =
+    relaxations(prepared.run.solver(), prepared.run.solution.state, 2);
+  EXPECT_EQ(found.n_missing, 0u);
+  ASSERT_EQ(found.all.size(), 2u);
+  for (const Relaxation &relaxation : found.all)
+    {
+      const double x   = relaxation.rate;
+      double       sum = -x / std::tanh(x);
+      for (unsigned int i = 0; i < 2; ++i)
+        sum += k[i] * x * tau[i] / (1 - x * tau[i]);
+      EXPECT_NEAR(sum, 0, 1e-5 * x);
+      EXPECT_LT(relaxation.residual, 1e-6);
+    }
+  EXPECT_GT(found.all[0].time(), found.all[1].time());
+}
+
+// A dashpot beyond the impedance of the rod: s = -atanh(1 / c) does not swing.
+TEST(Relaxations, OfAStrongDashpot)
+{
+  SceneText scene = unit_rod(0);
+  scene.connector("damper",
+                  "dashpot",
+                  "Between = ground: 1 | Geometry = direction | Direction = 1 "
+                  "0 | Damping coefficient = 2");
+  PreparedRun prepared(scene);
+  const auto  found =
+    relaxations(prepared.run.solver(), prepared.run.solution.state, 1);
+  ASSERT_EQ(found.all.size(), 1u);
+  EXPECT_EQ(found.n_missing, 0u);
+  EXPECT_NEAR(found.all[0].rate, std::atanh(0.5), 1e-6);
+}
+
+// Equal elements on equal rods: each relaxation is there twice.
+TEST(Relaxations, EqualOnesAreFoundEach)
+{
+  SceneText scene = unit_rod(0);
+  scene.frame("0 0; 1 0; 0 1; 1 1", "0 1; 2 3")
+    .support("wall", "0, 2", "clamp")
+    .support("guide", "1, 3", "roller x")
+    .connector("damper",
+               "maxwell",
+               "Between = ground: 1, 3 | Geometry = direction | "
+               "Direction = 1 0 | Spring stiffness = 3 | Damping coefficient "
+               "= 6");
+  PreparedRun prepared(scene);
+  const auto  found =
+    relaxations(prepared.run.solver(), prepared.run.solution.state, 2);
+  ASSERT_EQ(found.all.size(), 2u);
+  EXPECT_EQ(found.n_missing, 0u);
+  EXPECT_NEAR(found.all[0].rate, found.all[1].rate, 1e-6);
+}
+
+// Damping in proportion to the stiffness has very many that gather at beta:
+// they are not told apart, but what is slower is.
+TEST(Relaxations, ThoseThatGatherAreLeftOut)
+{
+  SceneText scene = unit_rod(0.01);
+  scene.connector("damper",
+                  "maxwell",
+                  "Between = ground: 1 | Geometry = direction | Direction = 1 "
+                  "0 | Spring stiffness = 3 | Damping coefficient = 6");
+  PreparedRun prepared(scene);
+  const auto  found =
+    relaxations(prepared.run.solver(), prepared.run.solution.state, 3);
+  ASSERT_EQ(found.all.size(), 1u);
+  EXPECT_EQ(found.n_missing, 0u);
+  EXPECT_GT(found.all[0].time(), 2);
 }

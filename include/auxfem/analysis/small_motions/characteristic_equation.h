@@ -3,12 +3,16 @@
 
 #include <auxfem/analysis/small_motions/dynamic_stiffness.h>
 
+#include <map>
 #include <optional>
 
 namespace auxfem
 {
-  /** det A(s) = 0 of a dynamic stiffness A: its roots are the complex modes.
-   * What computes is collective. */
+  /**
+   * D(s) = det A(s) prod (1 + s tau) = 0 of a dynamic stiffness A, with the
+   * relaxation times tau of Maxwell elements: it has no poles, and its roots
+   * are the complex modes. What computes is collective.
+   */
   class CharacteristicEquation
   {
   public:
@@ -23,7 +27,7 @@ namespace auxfem
     /** Whether matrices of this size are factorized as complex ones. */
     static bool is_within_reach(const TangentSolver &solver);
 
-    /** log det A(s), up to multiples of 2 pi i, and its derivative (s). */
+    /** log D(s), up to multiples of 2 pi i, and its derivative (s). */
     struct Logarithm
     {
       Complex value, slope;
@@ -67,7 +71,9 @@ namespace auxfem
     const UnknownLayout &layout;
     DynamicStiffness     stiffness;
     ComplexFactors       factors;
-    unsigned long        n_done = 0;
+    /** By how often there are such; empty without damping. */
+    const std::map<double, unsigned int> relaxation_times;
+    unsigned long                        n_done = 0;
   };
 } // namespace auxfem
 
