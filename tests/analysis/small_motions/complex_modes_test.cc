@@ -24,13 +24,13 @@ namespace
   SceneText unit_rod(const double beta)
   {
     SceneText scene;
-    scene.frame("0 0; 1 0", "0 1")
+    scene.frame("0 0; 1 0; 0.5 0", "0 2; 2 1")
       .section({1, 1e6, 1e6})
       .set("Sections/section 0/Density", 1)
       .set("Sections/section 0/Stiffness-proportional damping", beta)
       .support("wall", "0", "clamp")
-      .support("guide", "1", "roller x")
-      .mesh(4, 3)
+      .support("guide", "1, 2", "roller x")
+      .mesh(4, 2)
       .set("Effects/Rotary inertia", "off")
       .set("Effects/Strut damping", "on")
       .set("Effects/Connector viscosity", "on");
@@ -64,13 +64,13 @@ namespace
   {
     SceneText scene;
     scene.set("Analysis", "modes")
-      .frame("0 0; 0 1", "0 1")
+      .frame("0 0; 0 1; 0 0.5", "0 2; 2 1")
       .section({1e6, 1e6, 1})
       .set("Sections/section 0/Density", 1e-6)
       .load("turning", "1", {"0", "-21", "0"})
       .set("Loads/turning/Direction", "follows the joint")
       .support("clamp", "0", "clamp")
-      .mesh(4, 1)
+      .mesh(4, 0)
       .set("Modes/About", "static equilibrium")
       .set("Effects/Rotary inertia", "off");
     return scene.time(1, 0.1, "newmark");
