@@ -111,6 +111,27 @@ namespace
     EXPECT_TRUE(std::filesystem::exists(path("out/mode_2_solution.pvd")));
   }
 
+  TEST_F(ModesProgram, RelaxationsAreToldWhereTheyAreAskedFor)
+  {
+    const ProgramRun run = run_modes({"Modes/Number=1",
+                                      "Output/Graphics=false",
+                                      "Modes/Relaxations=2",
+                                      "Lattice/Cells x=1",
+                                      "Lattice/Cells y=1",
+                                      "Connectors/spring/Law=maxwell",
+                                      "Connectors/spring/Damping "
+                                      "coefficient=2"});
+    ASSERT_EQ(run.exit_code, 0) << run.errors;
+    // One for each element.
+    expect_contains(run.output,
+                    {"1 of 2 relaxations", "No slower relaxation is missing"});
+    const Table table(path("out/relaxations.csv"));
+    ASSERT_EQ(table.n_rows, 1u);
+    // By itself it has 10 ms; the struts that hold it make it slower.
+    EXPECT_GT(table["time"][0], 0.01);
+    EXPECT_LT(table["residual"][0], 1e-6);
+  }
+
   TEST_F(ModesProgram, StaticsHaveNone)
   {
     const ProgramRun run = run_modes({"Time/Scheme=static"});

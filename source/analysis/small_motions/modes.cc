@@ -203,15 +203,24 @@ namespace auxfem
       return told;
     }
 
-    std::string words_on_count(const Relaxations &found)
+    std::string words_on_count(const Relaxations &found,
+                               const unsigned int n_asked)
     {
+      std::ostringstream text;
+      if (found.all.size() < n_asked)
+        text
+          << found.all.size() << " of " << n_asked
+          << " relaxations: there are no more, or very many near the time of "
+             "Stiffness-proportional damping.\n  ";
       if (!found.n_missing)
-        return "Relaxations are not counted.";
-      if (*found.n_missing > 0)
-        return std::to_string(*found.n_missing) +
-          " relaxations not found, by the argument of the determinant.";
-      return "No slower relaxation is missing, by the argument of the "
-             "determinant.";
+        text << "Relaxations are not counted.";
+      else if (*found.n_missing > 0)
+        text << *found.n_missing
+             << " relaxations not found, by the argument of the determinant.";
+      else
+        text << "No slower relaxation is missing, by the argument of the "
+                "determinant.";
+      return text.str();
     }
 
     Json json_of(const Scene                      &scene,
@@ -321,7 +330,8 @@ namespace auxfem
         {
           write_mode_table(*relaxing, scene.output.directory);
           report.print(mode_table_text(*relaxing));
-          report.print("  " + words_on_count(*relaxing));
+          report.print("  " +
+                       words_on_count(*relaxing, scene.modes.relaxations));
         }
     });
     if (scene.output.graphics)
