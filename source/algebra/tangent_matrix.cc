@@ -64,6 +64,19 @@ namespace auxfem
       }
   }
 
+  void TangentMatrix::take_symmetric_part()
+  {
+    for (std::size_t b = 0; b + 1 < first.size(); ++b)
+      {
+        const unsigned int n      = of_pattern.size(b);
+        double *const      values = entries.data() + first[b];
+        for (unsigned int i = 0; i < n; ++i)
+          for (unsigned int j = 0; j < i; ++j)
+            values[i * n + j] = values[j * n + i] =
+              (values[i * n + j] + values[j * n + i]) / 2;
+      }
+  }
+
   void TangentMatrix::add_to_diagonal(const std::vector<double> &of_owned)
   {
     const Unknowns &unknowns = of_pattern.unknowns();

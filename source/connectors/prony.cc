@@ -230,6 +230,15 @@ namespace auxfem
         return sum;
       }
 
+      std::vector<double> relaxation_times() const override
+      {
+        std::vector<double> times;
+        for (const MaxwellElement &element : elements)
+          if (element.stiffness > 0 && element.relaxation_time > 0)
+            times.push_back(element.relaxation_time);
+        return times;
+      }
+
     private:
       /** Adds force and tangent of one element to those of all connectors. */
       void add_element(const unsigned int     element,

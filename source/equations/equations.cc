@@ -266,6 +266,20 @@ namespace auxfem
                                         imaginary);
   }
 
+  std::map<double, unsigned int> Equations::relaxation_times() const
+  {
+    std::vector<double> mine;
+    for (unsigned int i = 0; i < n_internal; ++i)
+      effects[i]->add_relaxation_times(unknowns(), mine);
+    std::map<double, unsigned int> all;
+    for (const std::vector<double> &times :
+         dealii::Utilities::MPI::all_gather(unknowns().layout.communicator(),
+                                            mine))
+      for (const double time : times)
+        ++all[time];
+    return all;
+  }
+
   Vector Equations::load_derivative(const Evaluation &evaluation) const
   {
     Vector derivative(unknowns().layout.n_local(), 0.);

@@ -35,7 +35,15 @@ namespace auxfem
       "Damped",
       false,
       "Of Analysis = modes: whether frequency and damping ratio of each mode are "
-      "computed with connectors and damping of struts, too."};
+      "computed with connectors and damping of struts, too; where loads follow "
+      "their joints, whether modes are those with damping."};
+    const Integer relaxations = {
+      "Relaxations",
+      0,
+      0,
+      1000,
+      "Of Analysis = modes: how many of the slowest motions that decay without "
+      "swinging are computed, by connectors and damping of struts."};
     const Quantity amplitude = {
       "Amplitude",
       "0.05",
@@ -57,7 +65,14 @@ namespace auxfem
       SubsectionSchema::Form::fixed,
       "With Analysis = modes: natural frequencies and modes; with Analysis "
       "= buckling: factors of the loads and buckling modes.",
-      {number, about, load_time, reversed_loads, damped, amplitude, pictures},
+      {number,
+       about,
+       load_time,
+       reversed_loads,
+       damped,
+       relaxations,
+       amplitude,
+       pictures},
       "",
       {},
       {Model::lattice}};
@@ -72,6 +87,7 @@ namespace auxfem
       modes.load_time = values[load_time];
     modes.reversed_loads = values[reversed_loads];
     modes.damped         = values[damped];
+    modes.relaxations    = values[relaxations];
     modes.amplitude      = values[amplitude];
     modes.pictures       = values[pictures];
     return modes;

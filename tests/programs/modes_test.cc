@@ -92,6 +92,46 @@ namespace
     EXPECT_NE(damped.output.find("Hz, ratio"), std::string::npos);
   }
 
+  TEST_F(ModesProgram, LoadsThatFollowMakeThemComplex)
+  {
+    const Words follow = {"Loads/pressure/Direction=follows the joint",
+                          "Modes/Number=2",
+                          "Modes/Pictures=4"};
+    ProgramRun  run    = run_modes(follow);
+    ASSERT_EQ(run.exit_code, 0) << run.errors;
+    expect_contains(run.output, {"not symmetric", "None is missing"});
+    const Table table(path("out/complex_modes.csv"));
+    ASSERT_EQ(table.n_rows, 2u);
+    for (unsigned int i = 0; i < 2; ++i)
+      {
+        EXPECT_GT(table["frequency"][i], 50);
+        EXPECT_LT(table["residual"][i], 1e-6);
+      }
+    EXPECT_FALSE(std::filesystem::exists(path("out/modes.csv")));
+    EXPECT_TRUE(std::filesystem::exists(path("out/mode_2_solution.pvd")));
+  }
+
+  TEST_F(ModesProgram, RelaxationsAreToldWhereTheyAreAskedFor)
+  {
+    const ProgramRun run = run_modes({"Modes/Number=1",
+                                      "Output/Graphics=false",
+                                      "Modes/Relaxations=2",
+                                      "Lattice/Cells x=1",
+                                      "Lattice/Cells y=1",
+                                      "Connectors/spring/Law=maxwell",
+                                      "Connectors/spring/Damping "
+                                      "coefficient=2"});
+    ASSERT_EQ(run.exit_code, 0) << run.errors;
+    // One for each element.
+    expect_contains(run.output,
+                    {"1 of 2 relaxations", "No slower relaxation is missing"});
+    const Table table(path("out/relaxations.csv"));
+    ASSERT_EQ(table.n_rows, 1u);
+    // By itself it has 10 ms; the struts that hold it make it slower.
+    EXPECT_GT(table["time"][0], 0.01);
+    EXPECT_LT(table["residual"][0], 1e-6);
+  }
+
   TEST_F(ModesProgram, StaticsHaveNone)
   {
     const ProgramRun run = run_modes({"Time/Scheme=static"});

@@ -67,6 +67,9 @@ namespace auxfem
     /** Takes the transpose of what is between free unknowns. */
     void transpose();
 
+    /** Takes the symmetric part (A + A^T)/2 of each block. */
+    void take_symmetric_part();
+
     /**
      * Adds @p of_owned, one value for each owned row, to the diagonal of free
      * rows, until the next reset().

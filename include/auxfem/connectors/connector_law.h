@@ -4,6 +4,7 @@
 #include <auxfem/parameters/registry.h>
 
 #include <complex>
+#include <vector>
 
 namespace auxfem
 {
@@ -157,6 +158,12 @@ namespace auxfem
      */
     virtual std::complex<double>
     dynamic_stiffness(std::complex<double> s) const = 0;
+
+    /** tau (s) of each pole -1/tau of dynamic_stiffness(). */
+    virtual std::vector<double> relaxation_times() const
+    {
+      return {};
+    }
   };
 
   /** All laws the program knows (connectors/register.cc). */

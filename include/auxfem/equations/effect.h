@@ -132,6 +132,14 @@ namespace auxfem
                                        TangentMatrix & /*imaginary*/) const
     {}
 
+    /**
+     * Appends the relaxation times (s) of add_viscous_stiffness() of what this
+     * rank owns and @p unknowns let move, each as often as it is a pole.
+     */
+    virtual void add_relaxation_times(const Unknowns & /*unknowns*/,
+                                      std::vector<double> & /*times*/) const
+    {}
+
     /** Adds the derivative of the residual by time_of_loads() (n_local
      * entries). */
     virtual void add_load_derivative(const Evaluation & /*evaluation*/,

@@ -9,6 +9,7 @@
 #include <auxfem/equations/solution.h>
 #include <auxfem/model/lattice_model.h>
 
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -137,6 +138,10 @@ namespace auxfem
                            std::complex<double>     s,
                            TangentMatrix           &real,
                            TangentMatrix           &imaginary) const;
+
+    /** Tau (s) of each pole -1/tau of the determinant of dynamic_stiffness(),
+     * by how often it is one. Collective. */
+    std::map<double, unsigned int> relaxation_times() const;
 
     /** Derivative of the residual by time_of_loads() of evaluation.to through
      * the loads, of local unknowns. */

@@ -21,6 +21,8 @@ namespace auxfem
     bool reversed_loads = false;
     /** Whether natural modes with damping are computed, too. */
     bool damped = false;
+    /** How many relaxations are computed. */
+    unsigned int relaxations = 0;
     /** Largest displacement in the files for ParaView, over the size of the
      * lattice. */
     double amplitude = 0.05;

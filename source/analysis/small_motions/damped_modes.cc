@@ -1,6 +1,7 @@
 #include <auxfem/analysis/small_motions/damped_modes.h>
 #include <auxfem/analysis/small_motions/dynamic_stiffness.h>
 #include <auxfem/analysis/small_motions/projected_modes.h>
+#include <auxfem/analysis/small_motions/root_search.h>
 
 #include <algorithm>
 #include <cmath>
@@ -236,6 +237,17 @@ namespace auxfem
             }
       }
 
+      /** All that is told. */
+      std::vector<CharacteristicEquation::Root> roots() const
+      {
+        std::vector<CharacteristicEquation::Root> all;
+        for (std::size_t i = 0; i < modes.size(); ++i)
+          if (const auto &damped = modes[i].damped)
+            all.push_back(
+              {{damped->growth, damped->angular_frequency}, shapes[i], 0., 0.});
+        return all;
+      }
+
     private:
       /** No mode is told twice. */
       void leave_out_known()
@@ -304,6 +316,56 @@ namespace auxfem
       std::vector<NaturalMode> &modes;
       std::vector<Values>       shapes;
     };
+    /** Up to the highest of @p roots and of the frequencies of @p modes. */
+    RootRegion region_of(const std::vector<NaturalMode>                  &modes,
+                         const std::vector<CharacteristicEquation::Root> &roots)
+    {
+      // Neither is likely to be met by a frequency.
+      constexpr double    below = 0.0917, above = 1.0437;
+      std::vector<double> sizes;
+      for (const NaturalMode &mode : modes)
+        if (mode.eigenvalue > 0)
+          sizes.push_back(mode.angular_frequency());
+      for (const CharacteristicEquation::Root &root : roots)
+        sizes.push_back(std::abs(root.s));
+      const auto [lowest, highest] =
+        std::minmax_element(sizes.begin(), sizes.end());
+      return {below * *lowest, above * *highest};
+    }
+
+    /** Counts what is damped and looks for what is missing. */
+    void count(TangentSolver                                   &solver,
+               const State                                     &state,
+               const std::vector<CharacteristicEquation::Root> &known,
+               NaturalModes                                    &found)
+    {
+      constexpr unsigned int most_attempts = 3;
+      constexpr double       further       = 1.0173;
+      if (known.empty() || !CharacteristicEquation::is_within_reach(solver))
+        return;
+      CharacteristicEquation      equation(solver, state, Damping::all);
+      RootRegion                  region = region_of(found.modes, known);
+      std::optional<unsigned int> n      = n_roots(equation, region);
+      for (unsigned int i = 1; i < most_attempts && !n; ++i)
+        {
+          region.outer *= further;
+          region.inner /= further;
+          n = n_roots(equation, region);
+        }
+      if (!n)
+        return;
+      RootSearch search(equation,
+                        solver.equations().unknowns().layout,
+                        region,
+                        known);
+      search.find(*n, {});
+      for (const CharacteristicEquation::Root &root : search.found_anew())
+        if (root.s.imag() > 0)
+          found.further_damped.push_back({root.s.real(), root.s.imag()});
+      found.damped_count = {region.outer,
+                            (std::max(*n, search.weight()) - search.weight()) /
+                              2};
+    }
   } // namespace
 
   void add_damped_modes(TangentSolver &solver,
@@ -312,10 +374,10 @@ namespace auxfem
   {
     DampedModes damped(solver, state, found.modes);
     damped.find_each();
-    if (!damped.are_mixed())
-      return;
-    // What damping mixes has parts of higher modes too.
-    NaturalModes basis = natural_modes(solver, state, 2 * found.modes.size());
-    damped.find_together(basis.modes);
+    if (damped.are_mixed())
+      // What damping mixes has parts of higher modes too.
+      damped.find_together(
+        natural_modes(solver, state, 2 * found.modes.size()).modes);
+    count(solver, state, damped.roots(), found);
   }
 } // namespace auxfem

@@ -6,10 +6,12 @@
 namespace auxfem
 {
   DynamicStiffness::DynamicStiffness(TangentSolver &solver,
-                                     const State   &equilibrium)
+                                     const State   &equilibrium,
+                                     const Damping  damping)
     : solver(solver)
     , equations(solver.equations())
     , layout(equations.unknowns().layout)
+    , damping(damping)
     , space(solver)
     , at_rest(equilibrium)
     , now(equilibrium)
@@ -26,11 +28,24 @@ namespace auxfem
 
   void DynamicStiffness::set(const std::complex<double> s)
   {
-    equations.dynamic_stiffness(evaluation(),
-                                results,
-                                s,
-                                solver.matrix(),
-                                imaginary);
+    if (damping == Damping::all)
+      equations.dynamic_stiffness(evaluation(),
+                                  results,
+                                  s,
+                                  solver.matrix(),
+                                  imaginary);
+    else
+      {
+        const std::complex<double> square = s * s;
+        equations.tangent(evaluation(),
+                          results,
+                          {1., 0., square.real()},
+                          solver.matrix());
+        equations.tangent(evaluation(),
+                          results,
+                          {0., 0., square.imag()},
+                          imaginary);
+      }
     leave_out_constraints(imaginary);
   }
 
@@ -54,6 +69,11 @@ namespace auxfem
           y[i] -= by_other[i];
           y[n + i] += by_real[i];
         }
+  }
+
+  bool DynamicStiffness::factorize(ComplexFactors &factors) const
+  {
+    return factors.factorize(solver.matrix(), imaginary);
   }
 
   bool DynamicStiffness::factorize()

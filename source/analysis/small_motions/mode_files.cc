@@ -32,6 +32,25 @@ namespace auxfem
       {"factor", "1", "of the loads with which the lattice buckles"},
       {"residual", "1", "what is left of the equations of equilibrium"}};
 
+    const std::vector<Column> relaxation_columns = {
+      {"relaxation", "", "number, the slowest first"},
+      {"time", "s", "in which it decays to 1/e"},
+      {"rate", "1/s", "1 / time"},
+      {"residual", "1", "what is left of the equations of motion"}};
+
+    const std::vector<Column> complex_columns = {
+      {"mode", "", "number, by rising size of growth rate and frequency"},
+      {"frequency", "Hz", "0 of what does not swing"},
+      {"angular_frequency", "rad/s", "the same times 2 pi"},
+      {"growth_rate",
+       "1/s",
+       "the mode goes as exp of this times t; positive: flutter, or divergence "
+       "where it does not swing"},
+      {"damping_ratio",
+       "1",
+       "damping over the critical one; negative where it grows"},
+      {"residual", "1", "what is left of the equations of motion"}};
+
     std::vector<Column> columns()
     {
       std::vector<Column> all = {
@@ -87,6 +106,18 @@ namespace auxfem
       return values;
     }
 
+    /** @p real times the real part and @p imaginary times the other. */
+    Vector
+    shape_at(const ModePicture &mode, const double real, const double imaginary)
+    {
+      Vector shape = mode.shape;
+      scale(real, shape);
+      if (mode.imaginary != nullptr)
+        for (std::size_t i = 0; i < shape.size(); ++i)
+          shape[i] += imaginary * (*mode.imaginary)[i];
+      return shape;
+    }
+
     void set_velocity(const Vector &shape, const double factor, State &state)
     {
       if (!state.velocity)
@@ -98,9 +129,15 @@ namespace auxfem
 
   FolderContents mode_contents()
   {
-    FolderContents contents{
-      {"modes.csv", "modes.units.csv", "buckling.csv", "buckling.units.csv"},
-      {}};
+    FolderContents contents{{"modes.csv",
+                             "modes.units.csv",
+                             "complex_modes.csv",
+                             "complex_modes.units.csv",
+                             "buckling.csv",
+                             "buckling.units.csv",
+                             "relaxations.csv",
+                             "relaxations.units.csv"},
+                            {}};
     for (unsigned int number = 1; number <= most_modes; ++number)
       for (const char *series : {"solution", "rigid_parts", "connectors"})
         contents.series.push_back(prefix(number) + series);
@@ -115,6 +152,23 @@ namespace auxfem
     write_column_reference(folder + "/modes.units.csv", columns());
   }
 
+  void write_mode_table(const ComplexModes &found, const std::string &folder)
+  {
+    CsvTable table(folder + "/complex_modes.csv", complex_columns);
+    for (unsigned int i = 0; i < found.modes.size(); ++i)
+      {
+        const ComplexMode &mode = found.modes[i];
+        table.append({double(i + 1),
+                      mode.s.imag() / (2 * PI),
+                      mode.s.imag(),
+                      mode.s.real(),
+                      mode.ratio(),
+                      mode.residual});
+      }
+    write_column_reference(folder + "/complex_modes.units.csv",
+                           complex_columns);
+  }
+
   void write_mode_table(const BucklingModes &found, const std::string &folder)
   {
     CsvTable table(folder + "/buckling.csv", buckling_columns);
@@ -122,6 +176,53 @@ namespace auxfem
       table.append(
         {double(i + 1), found.modes[i].factor, found.modes[i].residual});
     write_column_reference(folder + "/buckling.units.csv", buckling_columns);
+  }
+
+  std::string mode_table_text(const ComplexModes &found)
+  {
+    std::ostringstream text;
+    text << "  mode   frequency   growth rate   damping ratio    residual\n"
+         << "                Hz           1/s";
+    for (unsigned int i = 0; i < found.modes.size(); ++i)
+      {
+        const ComplexMode &mode = found.modes[i];
+        text << '\n'
+             << std::setw(6) << i + 1 << std::defaultfloat
+             << std::setprecision(6) << std::setw(12)
+             << mode.s.imag() / (2 * PI) << std::setprecision(4)
+             << std::setw(14) << mode.s.real() << std::setw(16) << mode.ratio()
+             << std::scientific << std::setprecision(1) << std::setw(12)
+             << mode.residual;
+        if (mode.grows())
+          text << (mode.swings() ? "   flutter" : "   divergence");
+      }
+    return text.str();
+  }
+
+  void write_mode_table(const Relaxations &found, const std::string &folder)
+  {
+    CsvTable table(folder + "/relaxations.csv", relaxation_columns);
+    for (unsigned int i = 0; i < found.all.size(); ++i)
+      table.append({double(i + 1),
+                    found.all[i].time(),
+                    found.all[i].rate,
+                    found.all[i].residual});
+    write_column_reference(folder + "/relaxations.units.csv",
+                           relaxation_columns);
+  }
+
+  std::string mode_table_text(const Relaxations &found)
+  {
+    std::ostringstream text;
+    text << "  relaxation        time    residual\n"
+         << "                       s";
+    for (unsigned int i = 0; i < found.all.size(); ++i)
+      text << '\n'
+           << std::setw(12) << i + 1 << std::defaultfloat
+           << std::setprecision(6) << std::setw(12) << found.all[i].time()
+           << std::scientific << std::setprecision(1) << std::setw(12)
+           << found.all[i].residual;
+    return text.str();
   }
 
   std::string mode_table_text(const BucklingModes &found)
@@ -194,6 +295,27 @@ namespace auxfem
     return modes;
   }
 
+  Json json_of(const ComplexModes &found)
+  {
+    Json modes = Json::array();
+    for (const ComplexMode &mode : found.modes)
+      modes.push_back({{"frequency_hertz", mode.s.imag() / (2 * PI)},
+                       {"growth_rate", mode.s.real()},
+                       {"damping_ratio", mode.ratio()},
+                       {"grows", mode.grows()},
+                       {"residual", mode.residual}});
+    return modes;
+  }
+
+  Json json_of(const Relaxations &found)
+  {
+    Json all = Json::array();
+    for (const Relaxation &relaxation : found.all)
+      all.push_back(
+        {{"time", relaxation.time()}, {"residual", relaxation.residual}});
+    return all;
+  }
+
   Json json_of(const BucklingModes &found)
   {
     Json modes = Json::array();
@@ -217,12 +339,13 @@ namespace auxfem
       {
         const double part  = double(i) / run.scene.modes.pictures,
                      phase = 2 * PI * part;
-        State before       = displaced(run.solution.state,
-                                 run.model.numbering,
-                                 mode.shape,
-                                 factor * std::cos(phase));
-        set_velocity(mode.shape,
-                     -factor * mode.angular_frequency * std::sin(phase),
+        State before =
+          displaced(run.solution.state,
+                    run.model.numbering,
+                    shape_at(mode, std::cos(phase), -std::sin(phase)),
+                    factor);
+        set_velocity(shape_at(mode, -std::sin(phase), -std::cos(phase)),
+                     factor * mode.angular_frequency,
                      before);
         Solution solution{before, equations.make_results()};
         equations.residual(Evaluation::equilibrium(before, solution.state),

@@ -1,8 +1,10 @@
 #include <auxfem/analysis/lattice_analysis.h>
+#include <auxfem/analysis/small_motions/complex_modes.h>
 #include <auxfem/analysis/small_motions/damped_modes.h>
 #include <auxfem/analysis/small_motions/dynamic_stiffness.h>
 #include <auxfem/analysis/small_motions/mode_files.h>
 #include <auxfem/analysis/small_motions/modes.h>
+#include <auxfem/analysis/small_motions/relaxations.h>
 #include <auxfem/output/first_rank.h>
 #include <auxfem/output/run_output.h>
 #include <auxfem/output/run_report.h>
@@ -10,7 +12,10 @@
 #include <auxfem/time/interruption.h>
 #include <auxfem/time/static.h>
 
+#include <deal.II/base/numbers.h>
+
 #include <sstream>
+#include <variant>
 
 #include <nlohmann/json.hpp>
 
@@ -18,6 +23,8 @@ namespace auxfem
 {
   namespace
   {
+    using dealii::numbers::PI;
+
     /** What is told of modes, of whatever kind they are. */
     struct ToldModes
     {
@@ -41,6 +48,51 @@ namespace auxfem
            << " negative mode" << (n_unstable == 1 ? "" : "s")
            << ". It does not vibrate but leaves this state.";
       return {{Verdict::doubtful, text.str(), 0., ""}};
+    }
+
+    /** What is known of damped modes that are not in the table. */
+    std::string words_on_damped(const NaturalModes &found)
+    {
+      std::ostringstream text;
+      text.precision(6);
+      for (const NaturalMode::Damped &damped : found.further_damped)
+        text << "  Also damped: " << damped.angular_frequency / (2 * PI)
+             << " Hz, ratio " << damped.ratio() << '\n';
+      text.precision(4);
+      if (!found.damped_count)
+        text << "  Damped modes are not counted.\n";
+      else if (found.damped_count->n_missing > 0)
+        text << "  " << found.damped_count->n_missing << " damped modes below "
+             << found.damped_count->limit / (2 * PI)
+             << " Hz not found, by the argument of the determinant.\n";
+      else
+        text << "  No damped mode is missing below "
+             << found.damped_count->limit / (2 * PI)
+             << " Hz, by the argument of the determinant.\n";
+      return text.str();
+    }
+
+    /** Those that grow, with their numbers. */
+    std::vector<Finding> findings(const ComplexModes &found)
+    {
+      std::ostringstream text;
+      text.precision(4);
+      for (unsigned int i = 0; i < found.modes.size(); ++i)
+        if (const ComplexMode &mode = found.modes[i]; mode.grows())
+          {
+            text << (text.tellp() > 0 ? "; mode " : "mode ") << i + 1
+                 << " grows with a rate of " << mode.s.real() << " 1/s";
+            if (mode.swings())
+              text << " at " << mode.s.imag() / (2 * PI) << " Hz, flutter";
+            else
+              text << ", divergence";
+          }
+      if (text.tellp() == 0)
+        return {};
+      return {{Verdict::doubtful,
+               "The state is not stable: " + text.str() + '.',
+               0.,
+               ""}};
     }
 
     /** Linear theory leaves out how far the lattice moves until it buckles. */
@@ -93,8 +145,45 @@ namespace auxfem
                      json_of(found),
                      found.is_counted,
                      {}};
+      if (run.scene.modes.damped)
+        told.closing_words = words_on_damped(found) + told.closing_words;
       for (const NaturalMode &mode : found.modes)
         told.pictures.push_back({mode.shape, mode.angular_frequency()});
+      return told;
+    }
+
+    std::string words_on_count(const ComplexModes &found)
+    {
+      std::ostringstream text;
+      text.precision(4);
+      if (!found.n_missing)
+        text << "Not counted: modes may be missing.";
+      else if (*found.n_missing > 0)
+        text << *found.n_missing << " below " << found.limit / (2 * PI)
+             << " Hz not found, by the argument of the determinant.";
+      else
+        text << "None is missing below the last, by the argument of the "
+                "determinant.";
+      return text.str();
+    }
+
+    ToldModes told(const ComplexModes &found, const LatticeRun &run)
+    {
+      std::ostringstream closing;
+      closing << "  The stiffness is not symmetric, as loads follow their "
+                 "joints: complex modes, "
+              << (run.scene.modes.damped ? "with all damping"
+                                         : "without damping")
+              << ".\n  " << words_on_count(found) << "\n  "
+              << found.n_factorizations << " complex factorizations by KLU";
+      ToldModes told{mode_table_text(found),
+                     closing.str(),
+                     findings(found),
+                     json_of(found),
+                     found.n_missing == 0u,
+                     {}};
+      for (const ComplexMode &mode : found.modes)
+        told.pictures.push_back({mode.real, mode.s.imag(), &mode.imaginary});
       return told;
     }
 
@@ -114,55 +203,60 @@ namespace auxfem
       return told;
     }
 
-    Json json_of(const Scene &scene, const ToldModes &told)
+    std::string words_on_count(const Relaxations &found,
+                               const unsigned int n_asked)
     {
-      return {{"modes", told.json},
-              {"are_counted", told.is_counted},
-              {"about",
-               scene.modes.about_equilibrium ? "static equilibrium" : "rest"}};
+      std::ostringstream text;
+      if (found.all.size() < n_asked)
+        text
+          << found.all.size() << " of " << n_asked
+          << " relaxations: there are no more, or very many near the time of "
+             "Stiffness-proportional damping.\n  ";
+      if (!found.n_missing)
+        text << "Relaxations are not counted.";
+      else if (*found.n_missing > 0)
+        text << *found.n_missing
+             << " relaxations not found, by the argument of the determinant.";
+      else
+        text << "No slower relaxation is missing, by the argument of the "
+                "determinant.";
+      return text.str();
     }
 
-    /**
-     * Computes, prints and writes modes.
-     * @param compute finds them in the state of a LatticeRun
-     */
-    template <class Compute>
-    RunResult run_modes_by(const Compute   &compute,
-                           const Scene     &scene,
-                           const MPI_Comm   communicator,
-                           const FileRules &rules)
+    Json json_of(const Scene                      &scene,
+                 const ToldModes                  &told,
+                 const std::optional<Relaxations> &relaxing)
     {
-      LatticeRun run(scene, communicator);
-      // Mistakes it finds must not cost the results of an earlier run.
-      run.prepare();
-      const SignalsWaitForStep signals;
-      RunReport report(scene, run.equations, rules, mode_contents());
-      if (scene.time.static_start)
-        run.start();
-      const auto      found      = compute(run);
-      const ToldModes told_modes = told(found, run);
-      RunResult       result;
-      result.exit_state = "completed";
-      result.work       = run.work();
-      result.findings   = told_modes.findings;
+      Json summary = {{"modes", told.json},
+                      {"are_counted", told.is_counted},
+                      {"about",
+                       scene.modes.about_equilibrium ? "static equilibrium"
+                                                     : "rest"}};
+      if (relaxing)
+        {
+          summary["relaxations"]             = json_of(*relaxing);
+          summary["relaxations_are_counted"] = relaxing->n_missing == 0u;
+        }
+      return summary;
+    }
 
-      on_first_rank(communicator, [&]() {
-        write_mode_table(found, scene.output.directory);
-        report.print(told_modes.table);
-        report.print(told_modes.closing_words);
-      });
-      if (scene.output.graphics)
-        for (unsigned int i = 0; i < told_modes.pictures.size(); ++i)
-          {
-            end_if_interrupted(communicator);
-            const auto series =
-              write_mode_pictures(run, told_modes.pictures[i], i + 1);
-            on_first_rank(communicator, [&]() { report.claim_series(series); });
-          }
-      on_first_rank(communicator, [&]() {
-        report.finish(json_of(scene, told_modes), result.findings);
-      });
-      return result;
+    using FoundModes = std::variant<NaturalModes, ComplexModes, BucklingModes>;
+
+    FoundModes modes_of(LatticeRun &run)
+    {
+      const ModesDefinition &asked = run.scene.modes;
+      if (run.scene.analysis == Analysis::buckling)
+        return buckling_modes_of(run);
+      if (!has_natural_modes(run.solver(), run.solution.state))
+        return complex_modes(run.solver(),
+                             run.solution.state,
+                             asked.number,
+                             asked.damped ? Damping::all : Damping::none);
+      NaturalModes found =
+        natural_modes(run.solver(), run.solution.state, asked.number);
+      if (asked.damped)
+        add_damped_modes(run.solver(), run.solution.state, found);
+      return found;
     }
   } // namespace
 
@@ -170,7 +264,10 @@ namespace auxfem
   {
     scene.time.static_start = scene.modes.about_equilibrium;
     scene.initial_velocities.clear();
-    if (scene.modes.damped)
+    // At rest there are no loads, and none that changes the stiffness.
+    if (scene.analysis == Analysis::modes && !scene.modes.about_equilibrium)
+      scene.joint_loads.clear();
+    if (scene.modes.damped || scene.modes.relaxations > 0)
       include_damping(scene);
     if (scene.analysis == Analysis::buckling)
       {
@@ -202,20 +299,53 @@ namespace auxfem
                       const FileRules &rules)
   {
     const Scene scene = scene_of_modes(given);
-    if (scene.analysis == Analysis::buckling)
-      return run_modes_by(buckling_modes_of, scene, communicator, rules);
-    return run_modes_by(
-      [](LatticeRun &run) {
-        NaturalModes found = natural_modes(run.solver(),
-                                           run.solution.state,
-                                           run.scene.modes.number);
-        if (run.scene.modes.damped)
-          add_damped_modes(run.solver(), run.solution.state, found);
-        return found;
-      },
-      scene,
-      communicator,
-      rules);
+    LatticeRun  run(scene, communicator);
+    // Mistakes it finds must not cost the results of an earlier run.
+    run.prepare();
+    const SignalsWaitForStep signals;
+    RunReport report(scene, run.equations, rules, mode_contents());
+    if (scene.time.static_start)
+      run.start();
+    const FoundModes found = modes_of(run);
+    const ToldModes  told_modes =
+      std::visit([&](const auto &modes) { return told(modes, run); }, found);
+    std::optional<Relaxations> relaxing;
+    if (scene.analysis == Analysis::modes && scene.modes.relaxations > 0)
+      relaxing =
+        relaxations(run.solver(), run.solution.state, scene.modes.relaxations);
+    RunResult result;
+    result.exit_state = "completed";
+    result.work       = run.work();
+    result.findings   = told_modes.findings;
+
+    on_first_rank(communicator, [&]() {
+      std::visit(
+        [&](const auto &modes) {
+          write_mode_table(modes, scene.output.directory);
+        },
+        found);
+      report.print(told_modes.table);
+      report.print(told_modes.closing_words);
+      if (relaxing)
+        {
+          write_mode_table(*relaxing, scene.output.directory);
+          report.print(mode_table_text(*relaxing));
+          report.print("  " +
+                       words_on_count(*relaxing, scene.modes.relaxations));
+        }
+    });
+    if (scene.output.graphics)
+      for (unsigned int i = 0; i < told_modes.pictures.size(); ++i)
+        {
+          end_if_interrupted(communicator);
+          const auto series =
+            write_mode_pictures(run, told_modes.pictures[i], i + 1);
+          on_first_rank(communicator, [&]() { report.claim_series(series); });
+        }
+    on_first_rank(communicator, [&]() {
+      report.finish(json_of(scene, told_modes, relaxing), result.findings);
+    });
+    return result;
   }
 
   void check_modes(const Scene &given, const MPI_Comm communicator)

@@ -26,11 +26,14 @@ namespace auxfem
     class Vibration
     {
     public:
-      Vibration(TangentSolver &solver, const State &state)
+      Vibration(TangentSolver      &solver,
+                const State        &state,
+                const StiffnessPart part)
         : solver(solver)
         , space(solver)
         , equations(solver.equations())
         , layout(equations.unknowns().layout)
+        , part(part)
         , at_rest(state)
         , now(state)
         , evaluation(Evaluation::equilibrium(at_rest, now))
@@ -41,12 +44,13 @@ namespace auxfem
         solver.residual(evaluation, results);
         equations.tangent(evaluation, results, {0, 0, 1}, mass);
         equations.tangent(evaluation, results, {1, 0, 0}, stiffness);
-        if (!stiffness.is_symmetric())
+        if (part == StiffnessPart::symmetric)
+          stiffness.take_symmetric_part();
+        else if (!stiffness.is_symmetric())
           throw InputError(
-            "Analysis = modes: the stiffness is not symmetric, since loads "
-            "follow their joints. Natural modes are computed for loads that "
-            "keep their directions: set Direction = fixed, or leave these loads "
-            "out.");
+            "The stiffness is not symmetric, since loads follow their joints, "
+            "so there are no natural modes: set Direction = fixed, or leave "
+            "these loads out.");
       }
 
       /** K - sigma M becomes the matrix of the solver. Returns whether it can
@@ -54,6 +58,8 @@ namespace auxfem
       bool factorize(const double shift)
       {
         solver.assemble(evaluation, results, {1, 0, -shift});
+        if (part == StiffnessPart::symmetric)
+          solver.matrix().take_symmetric_part();
         return solver.factorize();
       }
 
@@ -174,6 +180,7 @@ namespace auxfem
       ModeSpace            space;
       const Equations     &equations;
       const UnknownLayout &layout;
+      const StiffnessPart  part;
       const State          at_rest;
       State                now;
       const Evaluation     evaluation;
@@ -228,10 +235,24 @@ namespace auxfem
     return eigenvalue < 0 ? std::sqrt(-eigenvalue) : 0.;
   }
 
-  NaturalModes
-  natural_modes(TangentSolver &solver, const State &state, const unsigned int n)
+  bool has_natural_modes(TangentSolver &solver, const State &state)
   {
-    Vibration          vibration(solver, state);
+    const Equations  &equations  = solver.equations();
+    State             now        = state;
+    const Evaluation  evaluation = Evaluation::equilibrium(state, now);
+    EvaluationResults results    = equations.make_results();
+    TangentMatrix     stiffness(equations.pattern());
+    solver.residual(evaluation, results);
+    equations.tangent(evaluation, results, {1, 0, 0}, stiffness);
+    return stiffness.is_symmetric();
+  }
+
+  NaturalModes natural_modes(TangentSolver      &solver,
+                             const State        &state,
+                             const unsigned int  n,
+                             const StiffnessPart part)
+  {
+    Vibration          vibration(solver, state, part);
     const unsigned int n_with_mass = vibration.n_with_mass(),
                        wanted      = std::min(n, n_with_mass);
     if (n_with_mass == 0)

@@ -415,6 +415,21 @@ namespace auxfem
     matrix.add(first_block + i, block);
   }
 
+  void ConnectorForces::add_relaxation_times(const Unknowns      &unknowns,
+                                             std::vector<double> &times) const
+  {
+    const std::vector<double> of_law = law->relaxation_times();
+    for (const unsigned int i : owned)
+      {
+        const auto &ends = connectors[i].unknowns;
+        if (std::any_of(ends.begin(), ends.end(), [&](const int unknown) {
+              return unknown >= 0 &&
+                unknowns.kinds[unknown] != UnknownKind::prescribed;
+            }))
+          times.insert(times.end(), of_law.begin(), of_law.end());
+      }
+  }
+
   void ConnectorForces::add_viscous_stiffness(const Evaluation & /*evaluation*/,
                                               const EffectResults *results,
                                               const std::complex<double> s,

@@ -273,6 +273,40 @@ TEST(DampedModes, OfAStiffMaxwellElementAreFoundOnce)
   EXPECT_GE(told.size(), 3u);
 }
 
+// A dashpot near the impedance of the rod moves modes far from the natural
+// ones.
+TEST(DampedModes, AreCounted)
+{
+  for (const double coefficient : {0.1, 1.6, 3.4})
+    {
+      SceneText scene = held_rod(0);
+      scene.connector("damper",
+                      "dashpot",
+                      "Between = ground: 1 | Geometry = direction | Direction "
+                      "= 1 0 | Damping coefficient = " +
+                        text(coefficient));
+      const Scene scene_of_rod = read_scene_from_text(scene.str(), "test.prm");
+      LatticeRun  run(scene_of_rod, MPI_COMM_SELF);
+      run.prepare();
+      NaturalModes found = natural_modes(run.solver(), run.solution.state, 4);
+      add_damped_modes(run.solver(), run.solution.state, found);
+      ASSERT_TRUE(found.damped_count) << coefficient;
+      EXPECT_EQ(found.damped_count->n_missing, 0u) << coefficient;
+      // tanh(s / w) = -w m / c: so many decay alike below the limit.
+      const double wave    = std::sqrt(rod_EA / rod_mass),
+                   part    = coefficient / std::sqrt(rod_EA * rod_mass),
+                   decay   = wave * std::atanh(part > 1 ? 1 / part : part);
+      unsigned int n_exact = 0, n_told = found.further_damped.size();
+      while (std::hypot(decay, (n_exact + (part > 1 ? 1. : 0.5)) * pi * wave) <
+             found.damped_count->limit)
+        ++n_exact;
+      for (const NaturalMode &mode : found.modes)
+        if (mode.damped)
+          ++n_told;
+      EXPECT_EQ(n_told, n_exact) << coefficient;
+    }
+}
+
 TEST(DampedModes, AreTheSameOnAllRanks)
 {
   const auto alone    = damped_modes_of(held_rod(), 2),

@@ -11,7 +11,8 @@ namespace auxfem
    * dynamic stiffness A of all connectors and damping. Where damping mixes
    * modes, each is given the one in which it has the largest part. None where
    * the search leads to no oscillation, or to one that another mode has.
-   * Collective.
+   * Then counts those with |s| up to the highest of these and of the natural
+   * frequencies (n_roots()), and looks for what is missing. Collective.
    */
   void add_damped_modes(TangentSolver &solver,
                         const State   &state,

@@ -1,6 +1,7 @@
 #ifndef auxfem_analysis_small_motions_dynamic_stiffness_h
 #define auxfem_analysis_small_motions_dynamic_stiffness_h
 
+#include <auxfem/algebra/complex_factors.h>
 #include <auxfem/analysis/small_motions/mode_space.h>
 #include <auxfem/scene/scene.h>
 
@@ -8,11 +9,18 @@
 
 namespace auxfem
 {
+  /** Whether small motions lose energy to connectors and struts. */
+  enum class Damping
+  {
+    none, ///< Maxwell elements carry nothing, as slow motions leave them
+    all
+  };
+
   /**
    * The equations of small motions about an equilibrium that go as e^(s t),
-   * with all damping: A(s) x = b, A = W + i T with real W and T. Vectors are
-   * real parts of owned rows, then imaginary ones; in prescribed rows A is the
-   * identity. What computes is collective.
+   * with or without damping: A(s) x = b, A = W + i T with real W and T. Vectors
+   * are real parts of owned rows, then imaginary ones; in prescribed rows A is
+   * the identity. What computes is collective.
    */
   class DynamicStiffness
   {
@@ -20,7 +28,9 @@ namespace auxfem
     using Values = std::vector<double>;
 
     /** @param solver must outlive the object; its matrix becomes W. */
-    DynamicStiffness(TangentSolver &solver, const State &equilibrium);
+    DynamicStiffness(TangentSolver &solver,
+                     const State   &equilibrium,
+                     Damping        damping = Damping::all);
 
     /** The evaluation at the equilibrium. */
     Evaluation evaluation();
@@ -30,6 +40,9 @@ namespace auxfem
 
     /** @p y = A x. */
     void multiply(const double *x, double *y) const;
+
+    /** Factorizes A itself; false if it is singular. */
+    bool factorize(ComplexFactors &factors) const;
 
     /** Factorizes W for solve(); false if it is singular, solver.why(). */
     bool factorize();
@@ -50,6 +63,7 @@ namespace auxfem
     TangentSolver       &solver;
     const Equations     &equations;
     const UnknownLayout &layout;
+    const Damping        damping;
     const ModeSpace      space;
     const State          at_rest;
     State                now;

@@ -3,7 +3,9 @@
 
 #include <auxfem/analysis/lattice_run.h>
 #include <auxfem/analysis/small_motions/buckling_modes.h>
+#include <auxfem/analysis/small_motions/complex_modes.h>
 #include <auxfem/analysis/small_motions/natural_modes.h>
+#include <auxfem/analysis/small_motions/relaxations.h>
 #include <auxfem/output/output_folder.h>
 
 namespace auxfem
@@ -11,23 +13,31 @@ namespace auxfem
   /** What runs of modes of any kind write beside log.txt and summary.json. */
   FolderContents mode_contents();
 
-  /** modes.csv or buckling.csv with its reference. On the first rank. */
+  /** modes.csv, complex_modes.csv, buckling.csv or relaxations.csv with its
+   * reference. On the
+   * first rank. */
   ///@{
   void write_mode_table(const NaturalModes &found, const std::string &folder);
+  void write_mode_table(const ComplexModes &found, const std::string &folder);
   void write_mode_table(const BucklingModes &found, const std::string &folder);
+  void write_mode_table(const Relaxations &found, const std::string &folder);
   ///@}
 
   /** The modes as lines for the screen, without the last line break. */
   ///@{
   std::string mode_table_text(const NaturalModes &found,
                               unsigned int        dimension);
+  std::string mode_table_text(const ComplexModes &found);
   std::string mode_table_text(const BucklingModes &found);
+  std::string mode_table_text(const Relaxations &found);
   ///@}
 
   /** What summary.json says of modes. */
   ///@{
   Json json_of(const NaturalModes &found);
+  Json json_of(const ComplexModes &found);
   Json json_of(const BucklingModes &found);
+  Json json_of(const Relaxations &found);
   ///@}
 
   /** A mode as it is seen. */
@@ -36,6 +46,8 @@ namespace auxfem
     const Vector &shape;
     /** Of the vibration (rad/s); 0: it does not vibrate. */
     double angular_frequency = 0;
+    /** Of a complex mode, whose real part is the shape; else none. */
+    const Vector *imaginary = nullptr;
   };
 
   /**

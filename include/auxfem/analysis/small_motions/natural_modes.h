@@ -59,6 +59,28 @@ namespace auxfem
     bool is_counted = false;
     /** More negative eigenvalues than are among the modes. */
     unsigned long n_further_negative = 0;
+
+    /** Damped modes that belong to none of the modes. */
+    std::vector<NaturalMode::Damped> further_damped = {};
+    /** How far damped modes were counted. */
+    struct DampedCount
+    {
+      double       limit;     ///< of |s| (rad/s)
+      unsigned int n_missing; ///< how many below were not found
+    };
+    /** None where they were not asked for or could not be counted. */
+    std::optional<DampedCount> damped_count = {};
+  };
+
+  /** Whether the stiffness of @p state is symmetric, as it is without loads
+   * that follow their joints, so that it has natural modes. Collective. */
+  bool has_natural_modes(TangentSolver &solver, const State &state);
+
+  /** Of the stiffness of natural_modes(). */
+  enum class StiffnessPart
+  {
+    whole,
+    symmetric ///< (K + K^T)/2: no state vibrates so under loads that follow
   };
 
   /**
@@ -66,11 +88,12 @@ namespace auxfem
    * there, without damping: K is the stiffness of the equilibrium, with Maxwell
    * elements relaxed, M the mass matrix. Fewer where the mesh has not
    * so many. Throws ComputationError if they are not
-   * found, and InputError where K is not symmetric (loads that follow their
-   * joint). Collective.
+   * found, and InputError where K, whole, is not symmetric. Collective.
    */
-  NaturalModes
-  natural_modes(TangentSolver &solver, const State &state, unsigned int n);
+  NaturalModes natural_modes(TangentSolver &solver,
+                             const State   &state,
+                             unsigned int   n,
+                             StiffnessPart  part = StiffnessPart::whole);
 } // namespace auxfem
 
 #endif

@@ -72,6 +72,8 @@ namespace auxfem
     void        add_geometric_tangent(const ForceChange &change,
                                       unsigned int       effect,
                                       TangentMatrix     &matrix) const override;
+    void        add_relaxation_times(const Unknowns      &unknowns,
+                                     std::vector<double> &times) const override;
     void        add_viscous_stiffness(const Evaluation    &evaluation,
                                       const EffectResults *results,
                                       std::complex<double> s,

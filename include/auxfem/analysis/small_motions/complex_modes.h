@@ -1,0 +1,61 @@
+#ifndef auxfem_analysis_small_motions_complex_modes_h
+#define auxfem_analysis_small_motions_complex_modes_h
+
+#include <auxfem/analysis/small_motions/characteristic_equation.h>
+
+#include <complex>
+#include <optional>
+#include <vector>
+
+namespace auxfem
+{
+  /** A small motion x e^(s t) about an equilibrium: A(s) x = 0 with the dynamic
+   * stiffness A. */
+  struct ComplexMode
+  {
+    std::complex<double> s; ///< 1/s; of two conjugate ones that above
+    /** |A(s) x| over |s A'(s) x|. */
+    double residual;
+    /** Round-off of s (1/s). */
+    double uncertainty;
+    /** Parts of x, of all local unknowns; rotations as vectors in the global
+     * frame. */
+    Vector real, imaginary;
+
+    /** Whether it grows: Re s > 0 by more than round-off. */
+    bool grows() const;
+
+    /** Whether it swings; what grows and swings is flutter, what grows alone
+     * divergence. */
+    bool swings() const;
+
+    /** Damping over the critical one; negative where it grows. */
+    double ratio() const;
+  };
+
+  /** Modes by rising |s|. */
+  struct ComplexModes
+  {
+    std::vector<ComplexMode> modes;
+    /** Modes with |s| below this are counted (1/s). */
+    double limit;
+    /** How many of these were not found; none where they were not counted. */
+    std::optional<unsigned int> n_missing;
+    /** Complex factorizations that this took. */
+    unsigned long n_factorizations;
+  };
+
+  /**
+   * The @p n lowest modes by |s| of small motions about @p state, at rest there,
+   * which need no symmetric stiffness; also all that grow among those that were
+   * looked for. Left out is what decays with more than 0.99 of the critical
+   * damping. Throws ComputationError if none is found, InputError for lattices
+   * that are too large. Collective.
+   */
+  ComplexModes complex_modes(TangentSolver &solver,
+                             const State   &state,
+                             unsigned int   n,
+                             Damping        damping);
+} // namespace auxfem
+
+#endif

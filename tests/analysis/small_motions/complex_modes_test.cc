@@ -1,0 +1,264 @@
+#include <auxfem/analysis/lattice_run.h>
+#include <auxfem/analysis/small_motions/complex_modes.h>
+#include <auxfem/analysis/small_motions/modes.h>
+#include <auxfem/analysis/small_motions/natural_modes.h>
+#include <auxfem/analysis/small_motions/relaxations.h>
+#include <auxfem/analysis/small_motions/root_search.h>
+
+#include <gtest/gtest.h>
+#include <support/scene_text.h>
+
+#include <cmath>
+
+#include <support/pi.h>
+
+using namespace auxfem;
+using namespace auxfem::testing_support;
+
+namespace
+{
+  using Number = std::complex<double>;
+
+  /** A rod of 1 m that swings along itself with sqrt(EA / m) = 1 m/s, held at
+   * its left end; @p beta: its damping. */
+  SceneText unit_rod(const double beta)
+  {
+    SceneText scene;
+    scene.frame("0 0; 1 0; 0.5 0", "0 2; 2 1")
+      .section({1, 1e6, 1e6})
+      .set("Sections/section 0/Density", 1)
+      .set("Sections/section 0/Stiffness-proportional damping", beta)
+      .support("wall", "0", "clamp")
+      .support("guide", "1, 2", "roller x")
+      .mesh(4, 2)
+      .set("Effects/Rotary inertia", "off")
+      .set("Effects/Strut damping", "on")
+      .set("Effects/Connector viscosity", "on");
+    return scene.time(1, 0.1, "newmark");
+  }
+
+  /** A run that has come as far as modes need it. */
+  struct PreparedRun
+  {
+    explicit PreparedRun(const SceneText &text,
+                         const MPI_Comm   communicator = MPI_COMM_WORLD)
+      : scene(scene_of_modes(read_scene_from_text(text.str(), "test.prm")))
+      , run(scene, communicator)
+    {
+      run.prepare();
+      if (scene.time.static_start)
+        run.start();
+    }
+
+    CharacteristicEquation equation(const Damping damping)
+    {
+      return {run.solver(), run.solution.state, damping};
+    }
+
+    const Scene scene;
+    LatticeRun  run;
+  };
+
+  /** Pressed by a force of 21 N that turns with its top: it flutters. */
+  SceneText pressed_column()
+  {
+    SceneText scene;
+    scene.set("Analysis", "modes")
+      .frame("0 0; 0 1; 0 0.5", "0 2; 2 1")
+      .section({1e6, 1e6, 1})
+      .set("Sections/section 0/Density", 1e-6)
+      .load("turning", "1", {"0", "-21", "0"})
+      .set("Loads/turning/Direction", "follows the joint")
+      .support("clamp", "0", "clamp")
+      .mesh(4, 0)
+      .set("Modes/About", "static equilibrium")
+      .set("Effects/Rotary inertia", "off");
+    return scene.time(1, 0.1, "newmark");
+  }
+
+  /** Bending is much faster than what the rods of these tests do. */
+  double omega_of(const unsigned int i)
+  {
+    return (i + 0.5) * pi;
+  }
+} // namespace
+
+TEST(ComplexModes, DeterminantGoesAsItsRoots)
+{
+  // d log det / ds has the residue 1 at each.
+  PreparedRun  prepared(unit_rod(0));
+  auto         equation = prepared.equation(Damping::none);
+  const Number root(0, omega_of(0)), off(1e-3, 0);
+  const auto   near = equation.at(root + off);
+  ASSERT_TRUE(near);
+  EXPECT_NEAR((near->slope * off).real(), 1, 2e-2);
+}
+
+TEST(ComplexModes, RootsAreCounted)
+{
+  for (const double beta : {0., 0.05})
+    {
+      PreparedRun prepared(unit_rod(beta));
+      auto        equation = prepared.equation(Damping::all);
+      // Each has |s| = omega, and a ratio of beta omega / 2.
+      EXPECT_EQ(n_roots(equation, {0.1, 1.}), 0u);
+      EXPECT_EQ(n_roots(equation, {0.1, 2.}), 2u);
+      EXPECT_EQ(n_roots(equation, {0.1, 9.}), 6u);
+      EXPECT_EQ(n_roots(equation, {2., 9.}), 4u);
+    }
+}
+
+TEST(ComplexModes, OverdampedOnesAreOutside)
+{
+  // The third has 1.2 times the critical damping.
+  PreparedRun prepared(unit_rod(2.4 / omega_of(2)));
+  auto        equation = prepared.equation(Damping::all);
+  EXPECT_EQ(n_roots(equation, {0.1, 9.}), 4u);
+}
+
+TEST(ComplexModes, AreFoundFromNowhere)
+{
+  PreparedRun prepared(unit_rod(0.05));
+  auto        equation = prepared.equation(Damping::all);
+  RootSearch  search(equation,
+                    prepared.run.equations.unknowns().layout,
+                    {0.1, 9.},
+                    {});
+  search.find(6, {});
+  const auto found = search.found();
+  ASSERT_EQ(found.size(), 3u);
+  for (unsigned int i = 0; i < 3; ++i)
+    {
+      EXPECT_NEAR(found[i].s.real(),
+                  -0.025 * omega_of(i) * omega_of(i),
+                  1e-5 * omega_of(i));
+      EXPECT_NEAR(std::abs(found[i].s), omega_of(i), 1e-5 * omega_of(i));
+      EXPECT_LT(found[i].residual, 1e-7);
+    }
+}
+
+// Two equal rods side by side: each root is there twice, with two shapes.
+TEST(ComplexModes, EqualOnesAreFoundEach)
+{
+  SceneText scene = unit_rod(0.05);
+  scene.frame("0 0; 1 0; 0 1; 1 1", "0 1; 2 3")
+    .support("wall", "0, 2", "clamp")
+    .support("guide", "1, 3", "roller x");
+  PreparedRun prepared(scene);
+  auto        equation = prepared.equation(Damping::all);
+  EXPECT_EQ(n_roots(equation, {0.1, 6.}), 8u);
+  RootSearch search(equation,
+                    prepared.run.equations.unknowns().layout,
+                    {0.1, 6.},
+                    {});
+  search.find(8, {});
+  EXPECT_EQ(search.found().size(), 4u);
+}
+
+TEST(ComplexModes, AreTheSameOnAllRanks)
+{
+  std::vector<ComplexModes> found;
+  for (const MPI_Comm communicator : {MPI_COMM_SELF, MPI_COMM_WORLD})
+    {
+      PreparedRun prepared(pressed_column(), communicator);
+      EXPECT_FALSE(
+        has_natural_modes(prepared.run.solver(), prepared.run.solution.state));
+      found.push_back(complex_modes(prepared.run.solver(),
+                                    prepared.run.solution.state,
+                                    2,
+                                    Damping::none));
+    }
+  ASSERT_EQ(found[0].modes.size(), 2u);
+  ASSERT_EQ(found[1].modes.size(), 2u);
+  for (unsigned int i = 0; i < 2; ++i)
+    EXPECT_LT(std::abs(found[0].modes[i].s - found[1].modes[i].s), 1e-5);
+  EXPECT_TRUE(found[1].modes[0].grows() || found[1].modes[1].grows());
+}
+
+TEST(ComplexModes, AtRestLoadsThatFollowAreNotThere)
+{
+  PreparedRun prepared(pressed_column().set("Modes/About", "rest"));
+  EXPECT_TRUE(
+    has_natural_modes(prepared.run.solver(), prepared.run.solution.state));
+}
+
+// k x tau / (1 - x tau) of the elements at the end holds what the rod pulls,
+// EA x coth x at the rate x (L = 1 m, wave speed 1 m/s).
+TEST(Relaxations, OfMaxwellElementsAtARod)
+{
+  const double k[] = {3, 2}, tau[] = {0.9, 0.1};
+  SceneText    scene = unit_rod(0);
+  scene.connector("damper",
+                  "generalized-maxwell",
+                  "Between = ground: 1 | Geometry = direction | Direction = 1 "
+                  "0 | Long-time stiffness = 0 | Stiffnesses = 3, 2 | "
+                  "Relaxation times = 0.9, 0.1");
+  PreparedRun prepared(scene);
+  const auto  found =
+    relaxations(prepared.run.solver(), prepared.run.solution.state, 2);
+  EXPECT_EQ(found.n_missing, 0u);
+  ASSERT_EQ(found.all.size(), 2u);
+  for (const Relaxation &relaxation : found.all)
+    {
+      const double x   = relaxation.rate;
+      double       sum = -x / std::tanh(x);
+      for (unsigned int i = 0; i < 2; ++i)
+        sum += k[i] * x * tau[i] / (1 - x * tau[i]);
+      EXPECT_NEAR(sum, 0, 1e-5 * x);
+      EXPECT_LT(relaxation.residual, 1e-6);
+    }
+  EXPECT_GT(found.all[0].time(), found.all[1].time());
+}
+
+// A dashpot beyond the impedance of the rod: s = -atanh(1 / c) does not swing.
+TEST(Relaxations, OfAStrongDashpot)
+{
+  SceneText scene = unit_rod(0);
+  scene.connector("damper",
+                  "dashpot",
+                  "Between = ground: 1 | Geometry = direction | Direction = 1 "
+                  "0 | Damping coefficient = 2");
+  PreparedRun prepared(scene);
+  const auto  found =
+    relaxations(prepared.run.solver(), prepared.run.solution.state, 1);
+  ASSERT_EQ(found.all.size(), 1u);
+  EXPECT_EQ(found.n_missing, 0u);
+  EXPECT_NEAR(found.all[0].rate, std::atanh(0.5), 1e-6);
+}
+
+// Equal elements on equal rods: each relaxation is there twice.
+TEST(Relaxations, EqualOnesAreFoundEach)
+{
+  SceneText scene = unit_rod(0);
+  scene.frame("0 0; 1 0; 0 1; 1 1", "0 1; 2 3")
+    .support("wall", "0, 2", "clamp")
+    .support("guide", "1, 3", "roller x")
+    .connector("damper",
+               "maxwell",
+               "Between = ground: 1, 3 | Geometry = direction | "
+               "Direction = 1 0 | Spring stiffness = 3 | Damping coefficient "
+               "= 6");
+  PreparedRun prepared(scene);
+  const auto  found =
+    relaxations(prepared.run.solver(), prepared.run.solution.state, 2);
+  ASSERT_EQ(found.all.size(), 2u);
+  EXPECT_EQ(found.n_missing, 0u);
+  EXPECT_NEAR(found.all[0].rate, found.all[1].rate, 1e-6);
+}
+
+// Damping in proportion to the stiffness has very many that gather at beta:
+// they are not told apart, but what is slower is.
+TEST(Relaxations, ThoseThatGatherAreLeftOut)
+{
+  SceneText scene = unit_rod(0.01);
+  scene.connector("damper",
+                  "maxwell",
+                  "Between = ground: 1 | Geometry = direction | Direction = 1 "
+                  "0 | Spring stiffness = 3 | Damping coefficient = 6");
+  PreparedRun prepared(scene);
+  const auto  found =
+    relaxations(prepared.run.solver(), prepared.run.solution.state, 3);
+  ASSERT_EQ(found.all.size(), 1u);
+  EXPECT_EQ(found.n_missing, 0u);
+  EXPECT_GT(found.all[0].time(), 2);
+}
