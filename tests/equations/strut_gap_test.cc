@@ -214,7 +214,9 @@ TEST(StrutGap, AxesThatTurnByNoMoreThanIsLeftDoNotTouch)
         const double      left =
           axes.gap.turning_left(Axes::pair, now[0], now[1], least);
         if (axes.sampled_gap(now) > 0.5 * Axes::thickness)
-          EXPECT_GT(left, 0.01);
+          {
+            EXPECT_GT(left, 0.01);
+          }
         // Straight towards each other, then in any way.
         std::vector<double> closed = axes.rest(), bent = axes.rest();
         for (const unsigned int axis : {0u, 1u})

@@ -222,7 +222,9 @@ TEST(ContactRing, RoundBodiesPressItTogether)
                    exact,
                    5e-4);
     if (contact > 0)
-      EXPECT_GT(contact, exact);
+      {
+        EXPECT_GT(contact, exact);
+      }
     table.row(at + "side / R",
               1 + run.motion(0, 0),
               end_of_quarter(0, guess[0], 0, guess[1])[0],
