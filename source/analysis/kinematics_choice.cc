@@ -1,5 +1,6 @@
 #include <auxfem/analysis/kinematic_correction.h>
 #include <auxfem/analysis/kinematics_choice.h>
+#include <auxfem/equations/effects/strut_contact.h>
 #include <auxfem/model/effect_definition.h>
 
 #include <algorithm>
@@ -106,7 +107,14 @@ namespace auxfem
         , error(exact.scene, exact.solver())
         , distance(
             std::max<unsigned long>(scene.time.n_steps() / n_error_looks, 1))
-      {}
+        , rest(exact.equations.initial_state())
+      {
+        if (exact.equations.reporting().strut_contact == nullptr)
+          return;
+        contact = std::make_unique<StrutContact>(scene, exact.model);
+        std::vector<int> wanted;
+        contact->update_couplings(rest, wanted);
+      }
 
       /** Why the run has to be done again; empty: it has not. */
       const std::string &reason() const
@@ -171,6 +179,8 @@ namespace auxfem
       {
         error.look_at(state, *small);
         why = error.why_exact(scene.effects.tolerance);
+        if (why.empty())
+          why = why_in_contact(state);
         if (!why.empty())
           {
             std::ostringstream time;
@@ -179,12 +189,26 @@ namespace auxfem
           }
       }
 
+      /** Struts that move far without turning may touch all the same. */
+      std::string why_in_contact(const State &state) const
+      {
+        if (!contact)
+          return "";
+        const auto struts = contact->first_to_touch(rest, state);
+        return struts ? "struts " + std::to_string((*struts)[0]) + " and " +
+            std::to_string((*struts)[1]) + " touch"
+                      : "";
+      }
+
       const Scene        &scene;
       LatticeRun         &exact;
       KinematicCorrection error;
-      const unsigned long distance;        ///< of looks, steps
-      const Equations    *small = nullptr; ///< from begin() on
-      std::string         why;
+      const unsigned long distance; ///< of looks, steps
+      const State         rest;
+      /** What small displacements leave out. */
+      std::unique_ptr<StrutContact> contact;
+      const Equations              *small = nullptr; ///< from begin() on
+      std::string                   why;
     };
 
     /** What users are told if small displacements are tried. */

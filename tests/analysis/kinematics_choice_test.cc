@@ -155,6 +155,29 @@ TEST(KinematicsChoice, StrutsMayTouchOnlyWhereTheyMoveFar)
   EXPECT_NE(grown.history.contact.reason.find("may touch"), std::string::npos);
 }
 
+TEST(KinematicsChoice, StrutsThatAreMovedOntoEachOtherTouch)
+{
+  // Nothing turns; small displacements alone know of no contact, and at the end
+  // one would have passed through the other.
+  const auto pushed = [](const double way) {
+    SceneText scene;
+    scene.frame("0 0; 1 0; 0.3 0.1; 0.7 0.1", "0 1; 2 3")
+      .circle("rod", 0.005, {70e9, 2700, 0.3})
+      .prescribe("push", "2, 3", {"0", "-t * " + text(way), "0"})
+      .probe("tip", "1");
+    return scene.mesh(3, 4).time(1, 0.01, "generalized-alpha");
+  };
+  const Decided apart(pushed(0.08), "auto"), touching(pushed(0.3), "auto"),
+    exact(pushed(0.3), "on");
+  EXPECT_FALSE(apart.history.is_exact);
+  EXPECT_TRUE(touching.history.is_exact);
+  EXPECT_EQ(touching.history.n_beginnings, 2u);
+  EXPECT_NE(touching.history.reason.find("struts 0 and 1 touch"),
+            std::string::npos)
+    << touching.history.reason;
+  EXPECT_EQ(touching.history.rows(), exact.history.rows());
+}
+
 TEST(KinematicsChoice, ARunThatIsResumedKeepsToWhatWasDecided)
 {
   // Small displacements; small ones first; exact ones from the start.

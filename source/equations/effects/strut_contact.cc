@@ -787,18 +787,35 @@ namespace auxfem
     return proximity.may_touch();
   }
 
-  std::string StrutContact::why_not_acceptable(const Evaluation &step) const
+  std::optional<std::array<unsigned int, 2>>
+  StrutContact::first_too_near(const State &from,
+                               const State &to,
+                               const double allowed) const
   {
     std::vector<double> before, after;
     const auto          found =
-      proximity.first_too_near(of_all_ranks(step.from.displacement, before),
-                               of_all_ranks(step.to.displacement, after),
-                               parameters.largest_penetration);
+      proximity.first_too_near(of_all_ranks(from.displacement, before),
+                               of_all_ranks(to.displacement, after),
+                               allowed);
+    if (!found)
+      return {};
+    return {{{axes[(*found)[0]].strut, axes[(*found)[1]].strut}}};
+  }
+
+  std::optional<std::array<unsigned int, 2>>
+  StrutContact::first_to_touch(const State &from, const State &to) const
+  {
+    return first_too_near(from, to, /*allowed=*/0);
+  }
+
+  std::string StrutContact::why_not_acceptable(const Evaluation &step) const
+  {
+    const auto found =
+      first_too_near(step.from, step.to, parameters.largest_penetration);
     if (!found)
       return "";
     std::ostringstream why;
-    why << "strut " << axes[(*found)[0]].strut << " and strut "
-        << axes[(*found)[1]].strut
+    why << "strut " << (*found)[0] << " and strut " << (*found)[1]
         << " would go into each other deeper than Contact/Largest penetration "
            "allows";
     return why.str();

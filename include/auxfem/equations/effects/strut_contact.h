@@ -112,6 +112,14 @@ namespace auxfem
     bool        may_touch() const override;
     std::string why_not_acceptable(const Evaluation &step) const override;
 
+    /**
+     * Two struts that come to touch, or pass each other, on the straight way
+     * between two states; none if there are none. The first state was given to
+     * update_couplings(). Collective.
+     */
+    std::optional<std::array<unsigned int, 2>>
+    first_to_touch(const State &from, const State &to) const;
+
     /** Struts that overlap at rest. */
     const std::vector<StrutOverlap> &overlaps() const
     {
@@ -155,6 +163,10 @@ namespace auxfem
 
     using SpaceVector = dealii::Tensor<1, 3>;
 
+    /** As first_to_touch(), of struts that go into each other by more than the
+     * part @p allowed of half their thickness. */
+    std::optional<std::array<unsigned int, 2>>
+    first_too_near(const State &from, const State &to, double allowed) const;
     const std::vector<double> &of_all_ranks(const Vector        &values,
                                             std::vector<double> &room) const;
     void                       want_unknowns(std::vector<int> &wanted) const;
