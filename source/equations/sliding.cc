@@ -1,5 +1,7 @@
 #include <auxfem/equations/sliding.h>
 
+#include <algorithm>
+
 namespace auxfem
 {
   void FrictionAccount::register_in(StateLayout &layout)
@@ -26,11 +28,8 @@ namespace auxfem
       account.add_in_step(friction_entry, loss / 2);
       account.add_in_step(numerical_entry, (work - loss) / 2);
     };
-    for (const Sliding &sliding : at_end)
-      add(sliding);
-    if (has_power)
-      for (const Sliding &sliding : at_start)
-        add(sliding);
+    std::for_each(at_end.begin(), at_end.end(), add);
+    std::for_each(at_start.begin(), at_start.end(), add);
   }
 
   void FrictionAccount::add_power(const FrictionForce &friction,

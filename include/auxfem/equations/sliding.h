@@ -52,7 +52,7 @@ namespace auxfem
 
     /** Adds the loss in a step: with inertia the mean of the powers at both
      * ends, else the work.
-     * @param at_start looked at in steps with inertia only */
+     * @param at_start none but in steps with inertia */
     void add_step(const Evaluation           &step,
                   const std::vector<Sliding> &at_end,
                   const std::vector<Sliding> &at_start,

@@ -15,8 +15,8 @@ namespace auxfem
    * only when they may have come nearer than they were allowed to: axes with a
    * common node when one of them has turned by what was left, others
    * when nodes have moved by half of the distance that was left. These come
-   * from a tree of boxes (R-tree), again when nodes have moved by half the
-   * width of these.
+   * from a tree of boxes (R-tree), made anew when nodes may have moved farther
+   * than the boxes are wide.
    *
    * Displacements are those of all ranks, by global number; each rank looks at
    * all pairs, and finds the same.

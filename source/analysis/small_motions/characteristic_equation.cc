@@ -1,4 +1,5 @@
 #include <auxfem/analysis/small_motions/characteristic_equation.h>
+#include <auxfem/analysis/small_motions/complex_shape.h>
 
 #include <deal.II/base/numbers.h>
 
@@ -10,19 +11,6 @@ namespace auxfem
   {
     using Complex = CharacteristicEquation::Complex;
     using Values  = CharacteristicEquation::Values;
-
-    /** x.y of owned rows, without conjugation. */
-    Complex
-    product(const UnknownLayout &layout, const Values &x, const Values &y)
-    {
-      const unsigned int n   = layout.n_owned();
-      Complex            sum = 0;
-      for (unsigned int i = 0; i < n; ++i)
-        sum += Complex(x[i], x[n + i]) * Complex(y[i], y[n + i]);
-      const std::vector<double> sums =
-        layout.sum(std::vector<double>{sum.real(), sum.imag()});
-      return {sums[0], sums[1]};
-    }
   } // namespace
 
   CharacteristicEquation::CharacteristicEquation(TangentSolver &solver,
@@ -112,14 +100,6 @@ namespace auxfem
     return after;
   }
 
-  double CharacteristicEquation::size(const Values &x) const
-  {
-    double sum = 0;
-    for (const double value : x)
-      sum += value * value;
-    return std::sqrt(layout.sum(sum));
-  }
-
   /** Improves shapes @p x and @p y of both sides; by which @p s errs. */
   std::optional<Complex>
   CharacteristicEquation::step(const Complex s, Values &x, Values &y)
@@ -133,7 +113,7 @@ namespace auxfem
             std::pair(&y, ComplexFactors::Side::left)})
         {
           factors.solve(*shape, side);
-          const double length = size(*shape);
+          const double length = size(layout, *shape);
           if (!(std::isfinite(length) && length > 0))
             return std::nullopt;
           for (double &value : *shape)
@@ -173,8 +153,8 @@ namespace auxfem
             Values left(root.shape.size());
             stiffness.set(root.s);
             stiffness.multiply(root.shape.data(), left.data());
-            root.residual = size(left) /
-              (std::abs(root.s) * size(derivative(root.s, root.shape)));
+            root.residual = size(layout, left) /
+              (std::abs(root.s) * size(layout, derivative(root.s, root.shape)));
             return root;
           }
         last = relative;

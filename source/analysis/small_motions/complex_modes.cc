@@ -127,8 +127,7 @@ namespace auxfem
     found.limit            = region.outer;
     found.n_factorizations = equation.n_factorizations();
     if (counted)
-      found.n_missing =
-        (std::max(*counted, search.weight()) - search.weight() + 1) / 2;
+      found.n_missing = (search.n_missing(*counted) + 1) / 2;
     std::vector<ComplexMode> all;
     for (const CharacteristicEquation::Root &root : search.found())
       {

@@ -1,3 +1,4 @@
+#include <auxfem/analysis/small_motions/complex_shape.h>
 #include <auxfem/analysis/small_motions/damped_modes.h>
 #include <auxfem/analysis/small_motions/dynamic_stiffness.h>
 #include <auxfem/analysis/small_motions/projected_modes.h>
@@ -38,14 +39,6 @@ namespace auxfem
     private:
       double last = std::numeric_limits<double>::infinity();
     };
-
-    double size(const UnknownLayout &layout, const Values &x)
-    {
-      double sum = 0;
-      for (const double value : x)
-        sum += value * value;
-      return std::sqrt(layout.sum(sum));
-    }
 
     /** Finds one mode. */
     class DampedMode
@@ -293,22 +286,7 @@ namespace auxfem
       {
         return modes[i].damped && modes[j].damped &&
           are_near(*modes[i].damped, *modes[j].damped) &&
-          are_parallel(shapes[i], shapes[j]);
-      }
-
-      bool are_parallel(const Values &one, const Values &other) const
-      {
-        constexpr double    parallel = 0.999;
-        const unsigned int  n        = layout.n_owned();
-        std::vector<double> sums     = {0., 0.};
-        for (unsigned int k = 0; k < n; ++k)
-          {
-            sums[0] += one[k] * other[k] + one[n + k] * other[n + k];
-            sums[1] += one[k] * other[n + k] - one[n + k] * other[k];
-          }
-        sums = layout.sum(sums);
-        return std::hypot(sums[0], sums[1]) >
-          parallel * size(layout, one) * size(layout, other);
+          are_parallel(layout, shapes[i], shapes[j]);
       }
 
       DynamicStiffness          stiffness;
@@ -362,9 +340,7 @@ namespace auxfem
       for (const CharacteristicEquation::Root &root : search.found_anew())
         if (root.s.imag() > 0)
           found.further_damped.push_back({root.s.real(), root.s.imag()});
-      found.damped_count = {region.outer,
-                            (std::max(*n, search.weight()) - search.weight()) /
-                              2};
+      found.damped_count = {region.outer, search.n_missing(*n) / 2};
     }
   } // namespace
 

@@ -1,4 +1,5 @@
 #include <auxfem/algebra/gmres.h>
+#include <auxfem/analysis/small_motions/complex_shape.h>
 #include <auxfem/analysis/small_motions/dynamic_stiffness.h>
 
 #include <algorithm>
@@ -104,16 +105,9 @@ namespace auxfem
 
   std::complex<double> DynamicStiffness::form(const Values &x) const
   {
-    const unsigned int n = layout.n_owned();
-    Values             product(2 * n);
-    multiply(x.data(), product.data());
-    std::complex<double> mine = 0;
-    for (unsigned int i = 0; i < n; ++i)
-      mine += std::complex<double>(x[i], x[n + i]) *
-        std::complex<double>(product[i], product[n + i]);
-    const std::vector<double> sums =
-      layout.sum(std::vector<double>{mine.real(), mine.imag()});
-    return {sums[0], sums[1]};
+    Values left(x.size());
+    multiply(x.data(), left.data());
+    return product(layout, x, left);
   }
 
   std::pair<Vector, Vector>

@@ -22,6 +22,25 @@ namespace auxfem
 
     constexpr unsigned int most_modes = 1000;
 
+    /** Names of tables. */
+    const std::string natural_table = "modes", complex_table = "complex_modes",
+                      buckling_table   = "buckling",
+                      relaxation_table = "relaxations";
+
+    using Rows = std::vector<std::vector<double>>;
+
+    /** Writes a table, and what its columns mean beside it. */
+    void write_table(const std::string         &folder,
+                     const std::string         &name,
+                     const std::vector<Column> &columns,
+                     const Rows                &rows)
+    {
+      CsvTable table(folder + '/' + name + ".csv", columns);
+      for (const std::vector<double> &row : rows)
+        table.append(row);
+      write_column_reference(folder + '/' + name + ".units.csv", columns);
+    }
+
     std::string prefix(const unsigned int number)
     {
       return "mode_" + std::to_string(number) + "_";
@@ -129,15 +148,11 @@ namespace auxfem
 
   FolderContents mode_contents()
   {
-    FolderContents contents{{"modes.csv",
-                             "modes.units.csv",
-                             "complex_modes.csv",
-                             "complex_modes.units.csv",
-                             "buckling.csv",
-                             "buckling.units.csv",
-                             "relaxations.csv",
-                             "relaxations.units.csv"},
-                            {}};
+    FolderContents contents;
+    for (const std::string table :
+         {natural_table, complex_table, buckling_table, relaxation_table})
+      for (const char *ending : {".csv", ".units.csv"})
+        contents.files.push_back(table + ending);
     for (unsigned int number = 1; number <= most_modes; ++number)
       for (const char *series : {"solution", "rigid_parts", "connectors"})
         contents.series.push_back(prefix(number) + series);
@@ -146,36 +161,35 @@ namespace auxfem
 
   void write_mode_table(const NaturalModes &found, const std::string &folder)
   {
-    CsvTable table(folder + "/modes.csv", columns());
+    Rows rows;
     for (unsigned int i = 0; i < found.modes.size(); ++i)
-      table.append(row(found.modes[i], i + 1));
-    write_column_reference(folder + "/modes.units.csv", columns());
+      rows.push_back(row(found.modes[i], i + 1));
+    write_table(folder, natural_table, columns(), rows);
   }
 
   void write_mode_table(const ComplexModes &found, const std::string &folder)
   {
-    CsvTable table(folder + "/complex_modes.csv", complex_columns);
+    Rows rows;
     for (unsigned int i = 0; i < found.modes.size(); ++i)
       {
         const ComplexMode &mode = found.modes[i];
-        table.append({double(i + 1),
-                      mode.s.imag() / (2 * PI),
-                      mode.s.imag(),
-                      mode.s.real(),
-                      mode.ratio(),
-                      mode.residual});
+        rows.push_back({double(i + 1),
+                        mode.s.imag() / (2 * PI),
+                        mode.s.imag(),
+                        mode.s.real(),
+                        mode.ratio(),
+                        mode.residual});
       }
-    write_column_reference(folder + "/complex_modes.units.csv",
-                           complex_columns);
+    write_table(folder, complex_table, complex_columns, rows);
   }
 
   void write_mode_table(const BucklingModes &found, const std::string &folder)
   {
-    CsvTable table(folder + "/buckling.csv", buckling_columns);
+    Rows rows;
     for (unsigned int i = 0; i < found.modes.size(); ++i)
-      table.append(
+      rows.push_back(
         {double(i + 1), found.modes[i].factor, found.modes[i].residual});
-    write_column_reference(folder + "/buckling.units.csv", buckling_columns);
+    write_table(folder, buckling_table, buckling_columns, rows);
   }
 
   std::string mode_table_text(const ComplexModes &found)
@@ -201,14 +215,13 @@ namespace auxfem
 
   void write_mode_table(const Relaxations &found, const std::string &folder)
   {
-    CsvTable table(folder + "/relaxations.csv", relaxation_columns);
+    Rows rows;
     for (unsigned int i = 0; i < found.all.size(); ++i)
-      table.append({double(i + 1),
-                    found.all[i].time(),
-                    found.all[i].rate,
-                    found.all[i].residual});
-    write_column_reference(folder + "/relaxations.units.csv",
-                           relaxation_columns);
+      rows.push_back({double(i + 1),
+                      found.all[i].time(),
+                      found.all[i].rate,
+                      found.all[i].residual});
+    write_table(folder, relaxation_table, relaxation_columns, rows);
   }
 
   std::string mode_table_text(const Relaxations &found)

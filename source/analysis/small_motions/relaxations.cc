@@ -85,7 +85,7 @@ namespace auxfem
     search.find(std::min(counted.value_or(n), most_of(n)), starts);
     Relaxations found;
     if (counted)
-      found.n_missing = std::max(*counted, search.weight()) - search.weight();
+      found.n_missing = search.n_missing(*counted);
     for (const CharacteristicEquation::Root &root : search.found())
       if (found.all.size() < n)
         found.all.push_back({-root.s.real(), root.residual});

@@ -1,3 +1,4 @@
+#include <auxfem/analysis/small_motions/complex_shape.h>
 #include <auxfem/analysis/small_motions/root_search.h>
 
 #include <algorithm>
@@ -11,29 +12,6 @@ namespace auxfem
 
     /** Of Im s over |s|: what is less does not swing. */
     constexpr double least_swing = 1e-6;
-
-    /** sum conj(x) y of owned rows. */
-    Complex inner_product(const UnknownLayout       &layout,
-                          const std::vector<double> &x,
-                          const std::vector<double> &y)
-    {
-      const unsigned int n   = layout.n_owned();
-      Complex            sum = 0;
-      for (unsigned int i = 0; i < n; ++i)
-        sum += Complex(x[i], -x[n + i]) * Complex(y[i], y[n + i]);
-      const std::vector<double> sums =
-        layout.sum(std::vector<double>{sum.real(), sum.imag()});
-      return {sums[0], sums[1]};
-    }
-
-    bool are_parallel(const UnknownLayout       &layout,
-                      const std::vector<double> &x,
-                      const std::vector<double> &y)
-    {
-      constexpr double parallel = 0.999;
-      return std::norm(inner_product(layout, x, y)) > parallel * parallel *
-        inner_product(layout, x, x).real() * inner_product(layout, y, y).real();
-    }
   } // namespace
 
   RootSearch::RootSearch(CharacteristicEquation  &equation,
@@ -59,6 +37,11 @@ namespace auxfem
       if (region.contains(root.s))
         sum += weight(root);
     return sum;
+  }
+
+  unsigned int RootSearch::n_missing(const unsigned int n) const
+  {
+    return std::max(n, weight()) - weight();
   }
 
   /** Newton's method for det A, to four digits, with the roots that are known
@@ -178,22 +161,5 @@ namespace auxfem
                  std::back_inserter(inside),
                  [this](const Root &root) { return region.contains(root.s); });
     return inside;
-  }
-
-  void turn_phase(const UnknownLayout &layout, std::vector<double> &shape)
-  {
-    const unsigned int  n = layout.n_owned();
-    std::vector<double> conjugate(shape);
-    for (unsigned int i = 0; i < n; ++i)
-      conjugate[n + i] *= -1;
-    // conj(conj x) x
-    const Complex square = inner_product(layout, conjugate, shape),
-                  turn   = std::polar(1., -std::arg(square) / 2);
-    for (unsigned int i = 0; i < n; ++i)
-      {
-        const Complex value = turn * Complex(shape[i], shape[n + i]);
-        shape[i]            = value.real();
-        shape[n + i]        = value.imag();
-      }
   }
 } // namespace auxfem

@@ -5,6 +5,7 @@
 #include <auxfem/analysis/small_motions/relaxations.h>
 #include <auxfem/analysis/small_motions/root_search.h>
 
+#include <analysis/small_motions/held_rod.h>
 #include <gtest/gtest.h>
 #include <support/scene_text.h>
 
@@ -23,18 +24,7 @@ namespace
    * its left end; @p beta: its damping. */
   SceneText unit_rod(const double beta)
   {
-    SceneText scene;
-    scene.frame("0 0; 1 0; 0.5 0", "0 2; 2 1")
-      .section({1, 1e6, 1e6})
-      .set("Sections/section 0/Density", 1)
-      .set("Sections/section 0/Stiffness-proportional damping", beta)
-      .support("wall", "0", "clamp")
-      .support("guide", "1, 2", "roller x")
-      .mesh(4, 2)
-      .set("Effects/Rotary inertia", "off")
-      .set("Effects/Strut damping", "on")
-      .set("Effects/Connector viscosity", "on");
-    return scene.time(1, 0.1, "newmark");
+    return held_rod(1, 1, beta, 2);
   }
 
   /** A run that has come as far as modes need it. */
@@ -80,6 +70,12 @@ namespace
   double omega_of(const unsigned int i)
   {
     return (i + 0.5) * pi;
+  }
+
+  Relaxations slowest_relaxations(const SceneText &scene, const unsigned int n)
+  {
+    PreparedRun prepared(scene);
+    return relaxations(prepared.run.solver(), prepared.run.solution.state, n);
   }
 } // namespace
 
@@ -193,9 +189,7 @@ TEST(Relaxations, OfMaxwellElementsAtARod)
                   "Between = ground: 1 | Geometry = direction | Direction = 1 "
                   "0 | Long-time stiffness = 0 | Stiffnesses = 3, 2 | "
                   "Relaxation times = 0.9, 0.1");
-  PreparedRun prepared(scene);
-  const auto  found =
-    relaxations(prepared.run.solver(), prepared.run.solution.state, 2);
+  const Relaxations found = slowest_relaxations(scene, 2);
   EXPECT_EQ(found.n_missing, 0u);
   ASSERT_EQ(found.all.size(), 2u);
   for (const Relaxation &relaxation : found.all)
@@ -218,9 +212,7 @@ TEST(Relaxations, OfAStrongDashpot)
                   "dashpot",
                   "Between = ground: 1 | Geometry = direction | Direction = 1 "
                   "0 | Damping coefficient = 2");
-  PreparedRun prepared(scene);
-  const auto  found =
-    relaxations(prepared.run.solver(), prepared.run.solution.state, 1);
+  const Relaxations found = slowest_relaxations(scene, 1);
   ASSERT_EQ(found.all.size(), 1u);
   EXPECT_EQ(found.n_missing, 0u);
   EXPECT_NEAR(found.all[0].rate, std::atanh(0.5), 1e-6);
@@ -238,9 +230,7 @@ TEST(Relaxations, EqualOnesAreFoundEach)
                "Between = ground: 1, 3 | Geometry = direction | "
                "Direction = 1 0 | Spring stiffness = 3 | Damping coefficient "
                "= 6");
-  PreparedRun prepared(scene);
-  const auto  found =
-    relaxations(prepared.run.solver(), prepared.run.solution.state, 2);
+  const Relaxations found = slowest_relaxations(scene, 2);
   ASSERT_EQ(found.all.size(), 2u);
   EXPECT_EQ(found.n_missing, 0u);
   EXPECT_NEAR(found.all[0].rate, found.all[1].rate, 1e-6);
@@ -255,9 +245,7 @@ TEST(Relaxations, ThoseThatGatherAreLeftOut)
                   "maxwell",
                   "Between = ground: 1 | Geometry = direction | Direction = 1 "
                   "0 | Spring stiffness = 3 | Damping coefficient = 6");
-  PreparedRun prepared(scene);
-  const auto  found =
-    relaxations(prepared.run.solver(), prepared.run.solution.state, 3);
+  const Relaxations found = slowest_relaxations(scene, 3);
   ASSERT_EQ(found.all.size(), 1u);
   EXPECT_EQ(found.n_missing, 0u);
   EXPECT_GT(found.all[0].time(), 2);

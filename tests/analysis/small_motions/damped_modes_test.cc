@@ -1,6 +1,7 @@
 #include <auxfem/analysis/lattice_run.h>
 #include <auxfem/analysis/small_motions/damped_modes.h>
 
+#include <analysis/small_motions/held_rod.h>
 #include <gtest/gtest.h>
 #include <support/scene_text.h>
 
@@ -24,18 +25,7 @@ namespace
 
   SceneText held_rod(const double beta = rod_beta)
   {
-    SceneText scene;
-    scene.frame("0 0; 1 0; 0.5 0", "0 2; 2 1")
-      .section({rod_EA, 1e6, 1e6})
-      .set("Sections/section 0/Density", rod_mass / rod_EA)
-      .set("Sections/section 0/Stiffness-proportional damping", beta)
-      .support("wall", "0", "clamp")
-      .support("guide", "1, 2", "roller x")
-      .mesh(4, 4)
-      .set("Effects/Rotary inertia", "off")
-      .set("Effects/Strut damping", "on")
-      .set("Effects/Connector viscosity", "on");
-    return scene.time(1, 0.1, "newmark");
+    return testing_support::held_rod(rod_EA, rod_mass, beta, 4);
   }
 
   std::vector<NaturalMode>

@@ -66,7 +66,6 @@ namespace auxfem
     Values                 beginning(unsigned int number) const;
     Values                 derivative(Complex s, const Values &x);
     std::optional<Complex> step(Complex s, Values &x, Values &y);
-    double                 size(const Values &x) const;
 
     const UnknownLayout &layout;
     DynamicStiffness     stiffness;

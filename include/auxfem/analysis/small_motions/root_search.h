@@ -43,6 +43,9 @@ namespace auxfem
     /** Of all that were found. */
     unsigned int weight() const;
 
+    /** What lacks to @p n in the region, as n_roots() counts. */
+    unsigned int n_missing(unsigned int n) const;
+
   private:
     /** How a root is found from a start. */
     enum class Way
@@ -62,10 +65,6 @@ namespace auxfem
     std::vector<Root> roots;
     std::size_t       n_given;
   };
-
-  /** Makes the real part of @p shape as large as can be; its length is kept.
-   * Collective. */
-  void turn_phase(const UnknownLayout &layout, std::vector<double> &shape);
 } // namespace auxfem
 
 #endif

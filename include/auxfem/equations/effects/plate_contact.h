@@ -219,7 +219,8 @@ namespace auxfem
 
     ContactLaw law(unsigned int axis, unsigned int point) const;
 
-    /** Half of it (m), of a rigid strut that of the thickest one. */
+    /** Half of it (m), of a rigid strut without a section that of the thickest
+     * one. */
     double thickness_of(const ContactAxis &axis) const;
 
     /** Of a contact point less that of the plate, of values by local unknown.
