@@ -149,7 +149,7 @@ namespace auxfem
   FolderContents mode_contents()
   {
     FolderContents contents;
-    for (const std::string table :
+    for (const std::string &table :
          {natural_table, complex_table, buckling_table, relaxation_table})
       for (const char *ending : {".csv", ".units.csv"})
         contents.files.push_back(table + ending);
