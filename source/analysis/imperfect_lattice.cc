@@ -67,7 +67,7 @@ namespace auxfem
           if (!element.is_owned || element.interval.begin != 0)
             continue;
           const StrutMotion of_strut =
-            interpolated(motion_of_strut(numbering, moved, e), 2, 1);
+            interpolated(motion_of_strut(numbering, moved, e), {2, 1});
           for (unsigned int c = 0; c < dimension; ++c)
             values[dimension * (n_joints + element.interval.strut) + c] =
               of_strut.displacement[numbering.n_components() + c];

@@ -35,7 +35,7 @@ namespace auxfem
                         Recorder      &recorder)
   {
     if (scene.discretization.tolerance)
-      return run_with_chosen_orders(scene, communicator, recorder);
+      return run_with_chosen_elements(scene, communicator, recorder);
     return run_with_chosen_kinematics(scene, communicator, recorder);
   }
 
@@ -49,8 +49,9 @@ namespace auxfem
     advise_on_inertia(run);
     if (scene.discretization.tolerance &&
         run.model.numbering.layout().rank() == 0)
-      std::cout << "Discretization/Order = auto: the run chooses orders of its "
-                   "own; these counts are those of order "
-                << scene.discretization.order << '.' << std::endl;
+      std::cout
+        << "Discretization/Order = auto: the run chooses elements of its "
+           "own; these counts are those of order "
+        << scene.discretization.order << '.' << std::endl;
   }
 } // namespace auxfem

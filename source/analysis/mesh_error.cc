@@ -9,13 +9,14 @@ namespace auxfem
 {
   namespace
   {
-    std::vector<unsigned int> finer_orders(const LatticeModel       &model,
-                                           std::vector<unsigned int> orders)
+    std::vector<StrutDivision> finer_than(const LatticeModel        &model,
+                                          std::vector<StrutDivision> divisions)
     {
-      for (unsigned int &order : orders)
-        order =
-          std::min(order + 1, highest_strut_order(model.lattice.dimension));
-      return orders;
+      for (StrutDivision &division : divisions)
+        division = {std::min(division.order + 1,
+                             highest_strut_order(model.lattice.dimension)),
+                    2 * division.n_elements};
+      return divisions;
     }
 
     /** Errors (J) of the struts of @p coarse in @p motions, not finite where
@@ -49,12 +50,12 @@ namespace auxfem
     : model(model)
     , same(scene,
            model,
-           model.numbering.orders(),
-           scene.discretization.refinements)
+           model.numbering.divisions(),
+           owned_struts(model.numbering))
     , finer(scene,
             model,
-            finer_orders(model, model.numbering.orders()),
-            scene.discretization.refinements + 1)
+            finer_than(model, model.numbering.divisions()),
+            owned_struts(model.numbering))
     , largest(same.struts().size(), -1.)
     , motions(same.struts().size())
   {
@@ -90,15 +91,25 @@ namespace auxfem
     return energy > 0 ? std::sqrt(error / energy) : 0.;
   }
 
-  std::vector<double> errors_of_order(const Scene                    &scene,
-                                      const LatticeModel             &model,
-                                      const std::vector<StrutMotion> &motions,
-                                      const unsigned int              order)
+  std::vector<double> errors_of_division(const Scene                     &scene,
+                                         const LatticeModel              &model,
+                                         const MeshError                 &seen,
+                                         const std::vector<unsigned int> &which,
+                                         const StrutDivision division)
   {
-    const std::vector<unsigned int> orders(model.lattice.struts.size(), order);
-    const unsigned int refinements = scene.discretization.refinements;
-    HeldStruts         of_order(scene, model, orders, refinements),
-      finer(scene, model, finer_orders(model, orders), refinements + 1);
-    return errors_of(of_order, finer, motions);
+    if (which.empty())
+      return {};
+    std::vector<unsigned int> struts;
+    std::vector<StrutMotion>  motions;
+    for (const unsigned int i : which)
+      {
+        struts.push_back(seen.struts()[i]);
+        motions.push_back(seen.most_demanding()[i]);
+      }
+    const std::vector<StrutDivision> divisions(model.lattice.struts.size(),
+                                               division);
+    HeldStruts                       divided(scene, model, divisions, struts),
+      finer(scene, model, finer_than(model, divisions), struts);
+    return errors_of(divided, finer, motions);
   }
 } // namespace auxfem

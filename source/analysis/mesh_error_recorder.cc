@@ -28,11 +28,12 @@ namespace auxfem
         << " in the motion of the joints, by estimate, more than "
            "Discretization/Tolerance = "
         << report.tolerance
-        << ": the highest order is not enough for some struts, or the motion "
-           "is not that of the search run. Raise Discretization/Global "
-           "refinements, or the tolerance.";
+        << ": the motion is not that of the search run, or no elements are "
+           "good enough for some struts. Take a tolerance so much smaller, or "
+           "raise it to that error.";
       return {Verdict::doubtful, text.str(), time, ""};
     }
+
     /** Angular frequencies (rad/s) of the first bending modes of the struts
      * between clamped ends. */
     std::vector<double> own_frequencies(const LatticeModel &model)

@@ -1,6 +1,6 @@
+#include <auxfem/analysis/division_table.h>
 #include <auxfem/analysis/kinematics_choice.h>
 #include <auxfem/analysis/lattice_run.h>
-#include <auxfem/analysis/mesh_error.h>
 #include <auxfem/analysis/mesh_error_recorder.h>
 #include <auxfem/analysis/order_choice.h>
 #include <auxfem/elements/strut_order.h>
@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace auxfem
 {
@@ -27,8 +26,9 @@ namespace auxfem
     constexpr double       longer_steps = 4, fewest_steps = 64;
     constexpr double       loose_tolerance      = 1e-2; ///< of steps
     constexpr double       loose_residual       = 1e-4; ///< of Newton's method
-    constexpr unsigned int first_search_order   = 2;
+    constexpr unsigned int search_order         = 2;
     constexpr double       largest_search_error = 0.2; ///< of elements
+    constexpr unsigned int most_searches        = 6;
 
     /** What is aimed at of the tolerance, as the run will differ from the
      * search. */
@@ -53,10 +53,12 @@ namespace auxfem
       Recorder    &told;
     };
 
-    Scene search_scene(const Scene &scene, const unsigned int order)
+    /** The scene with fewer steps; @p divisions as in with_divisions(). */
+    Scene search_scene(const Scene                      &scene,
+                       const std::vector<StrutDivision> &divisions)
     {
-      Scene search                = with_orders(scene, {});
-      search.discretization.order = order;
+      Scene search                = with_divisions(scene, divisions);
+      search.discretization.order = search_order;
       search.newton.tolerance =
         std::max(scene.newton.tolerance, loose_residual);
       TimeParameters &time = search.time;
@@ -69,119 +71,40 @@ namespace auxfem
       return search;
     }
 
-    /** Errors (J) of this rank's struts, by order and strut. */
-    using ErrorTable = std::map<unsigned int, std::vector<double>>;
-
-    /** The lowest order of strut @p i with no more error than @p allowed, else
-     * that with the smallest. */
-    unsigned int lowest_order(const ErrorTable  &table,
-                              const unsigned int i,
-                              const double       allowed)
-    {
-      unsigned int best = table.begin()->first;
-      for (const auto &[order, errors] : table)
-        {
-          if (errors[i] <= allowed)
-            return order;
-          // Also where no order has an error that can be found.
-          if (errors[i] <= table.at(best)[i])
-            best = order;
-        }
-      return best;
-    }
-
-    /** Sum of the errors (J) of all ranks' struts, none allowed more than @p allowed. */
-    double sum_of_errors(const ErrorTable  &table,
-                         const unsigned int n_struts,
-                         const double       allowed,
-                         const MPI_Comm     communicator)
-    {
-      double sum = 0;
-      for (unsigned int i = 0; i < n_struts; ++i)
-        sum += table.at(lowest_order(table, i, allowed))[i];
-      return mpi::sum(sum, communicator);
-    }
-
-    /**
-     * The largest error (J) that one strut may have if all add up to @p wanted:
-     * equal shares cost least where a higher order reduces errors alike. Found
-     * to a hundredth only: struts whose errors differ by rounding get equal
-     * orders, so that symmetric lattices stay so.
-     */
-    double allowed_error(const ErrorTable  &table,
-                         const unsigned int n_struts,
-                         const double       wanted,
-                         const MPI_Comm     communicator)
-    {
-      double low = std::log(wanted) - 50, high = std::log(wanted);
-      if (sum_of_errors(table, n_struts, wanted, communicator) <= wanted)
-        return wanted;
-      for (unsigned int i = 0; i < 12; ++i)
-        {
-          const double middle = (low + high) / 2;
-          (sum_of_errors(table, n_struts, std::exp(middle), communicator) <=
-               wanted
-             ? low
-             : high)          = middle;
-        }
-      return std::exp(low);
-    }
-
-    ErrorTable table_of(const Scene      &scene,
+    /** Takes the elements that the motion found in @p run asks for. */
+    void take_divisions(const Scene      &search,
                         const LatticeRun &run,
                         const MeshError  &error,
-                        const double      wanted)
+                        ChosenElements   &chosen)
     {
-      ErrorTable table;
-      for (unsigned int order = lowest_chosen_order;
-           order <= highest_strut_order(run.lattice.dimension);
-           ++order)
-        {
-          const std::vector<double> &of_order = table[order] =
-            errors_of_order(scene, run.model, error.most_demanding(), order);
-          double sum = 0;
-          for (const double of_strut : of_order)
-            sum += of_strut;
-          // No strut needs more if none has more than its share.
-          if (mpi::sum(sum, run.model.numbering.layout().communicator()) <=
-              wanted / 100)
-            break;
-        }
-      return table;
-    }
-
-    /** Takes the orders that the motion found in @p run asks for. */
-    void take_orders(const Scene      &search,
-                     const LatticeRun &run,
-                     const MeshError  &error,
-                     ChosenOrders     &chosen)
-    {
-      const MPI_Comm communicator = run.model.numbering.layout().communicator();
-      const std::vector<unsigned int> &struts = error.struts();
-      const double                     wanted =
+      const double wanted =
         std::pow(aim * chosen.report.tolerance, 2) * error.largest_energy();
-      const ErrorTable table = table_of(search, run, error, wanted);
-      const double     allowed =
-        allowed_error(table, struts.size(), wanted, communicator);
-      chosen.orders.assign(run.lattice.struts.size(), 0);
-      for (unsigned int i = 0; i < struts.size(); ++i)
-        chosen.orders[struts[i]] = lowest_order(table, i, allowed);
-      mpi::max(chosen.orders, communicator, chosen.orders);
-      for (unsigned int &order : chosen.orders)
-        order = std::max(order, lowest_chosen_order);
+      const DivisionTable              table(search, run.model, error, wanted);
+      const std::vector<StrutDivision> of_rank = table.chosen();
+      // Each is counted by one rank, the others have none.
+      std::vector<unsigned int> numbers(2 * chosen.divisions.size(), 0);
+      for (unsigned int i = 0; i < of_rank.size(); ++i)
+        {
+          const unsigned int strut = error.struts()[i];
+          numbers[2 * strut]       = of_rank[i].order;
+          numbers[2 * strut + 1]   = of_rank[i].n_elements;
+        }
+      mpi::max(numbers, run.model.numbering.layout().communicator(), numbers);
+      for (unsigned int s = 0; s < chosen.divisions.size(); ++s)
+        if (numbers[2 * s] > 0)
+          chosen.divisions[s] = {numbers[2 * s], numbers[2 * s + 1]};
       chosen.report.predicted_error =
-        std::sqrt(sum_of_errors(table, struts.size(), allowed, communicator) /
-                  error.largest_energy());
+        std::sqrt(table.sum_of_errors() / error.largest_energy());
     }
 
     /**
-     * A search run and the orders that it asks for. Returns whether its own
-     * elements are good enough for that.
+     * A search run and the elements that it asks for. Returns whether its own
+     * are good enough for that.
      */
-    bool search_orders(const Scene   &search,
-                       const MPI_Comm communicator,
-                       Recorder      &told,
-                       ChosenOrders  &chosen)
+    bool search_elements(const Scene    &search,
+                         const MPI_Comm  communicator,
+                         Recorder       &told,
+                         ChosenElements &chosen)
     {
       LatticeRun run(search, communicator);
       // What ends the run at its begin may not cost a search.
@@ -197,10 +120,13 @@ namespace auxfem
           // What it has seen until then has to do; the run itself will tell.
         }
       const MeshError *const error = recorder.error();
-      chosen.orders.assign(run.lattice.struts.size(), lowest_chosen_order);
+      chosen.divisions.assign(
+        run.lattice.struts.size(),
+        {lowest_chosen_order,
+         search.discretization.common_division().n_elements});
       // Nothing moves, or nothing that could be judged.
       if (error != nullptr && error->largest_energy() > 0)
-        take_orders(search, run, *error, chosen);
+        take_divisions(search, run, *error, chosen);
       OrderReport &report = chosen.report;
       report.unknowns     = run.model.numbering.layout().n_global();
       report.steps += run.work().steps;
@@ -208,23 +134,29 @@ namespace auxfem
       report.reached = run.solution.state.time;
       return error == nullptr || error->relative() <= largest_search_error;
     }
-    const std::string order_record  = "orders of the struts",
-                      report_record = "search of the orders of the struts";
+
+    const std::string division_record = "elements of the struts",
+                      report_record   = "search of the elements of the struts";
 
     /** Keeps what was chosen with every checkpoint. */
-    class OrderRecorder : public ForwardingRecorder
+    class ChoiceRecorder : public ForwardingRecorder
     {
     public:
-      OrderRecorder(const ChosenOrders &chosen, Recorder &recorder)
+      ChoiceRecorder(const ChosenElements &chosen, Recorder &recorder)
         : ForwardingRecorder(recorder)
         , chosen(chosen)
       {}
 
       void save(Records &records) const override
       {
-        const OrderReport &report = chosen.report;
-        records.keep(order_record,
-                     {chosen.orders.begin(), chosen.orders.end()});
+        const OrderReport  &report = chosen.report;
+        std::vector<double> numbers;
+        for (const StrutDivision &division : chosen.divisions)
+          {
+            numbers.push_back(division.order);
+            numbers.push_back(division.n_elements);
+          }
+        records.keep(division_record, numbers);
         records.keep(report_record,
                      {report.tolerance,
                       report.predicted_error,
@@ -237,16 +169,19 @@ namespace auxfem
       }
 
     private:
-      const ChosenOrders &chosen;
+      const ChosenElements &chosen;
     };
 
-    ChosenOrders saved_orders(const Records &records)
+    ChosenElements saved_elements(const Records &records)
     {
-      const std::vector<double> orders =
-        records.values(order_record, records.values_per_item(order_record));
+      const std::vector<double> numbers =
+        records.values(division_record,
+                       records.values_per_item(division_record));
       const std::vector<double> values = records.values(report_record, 7);
-      ChosenOrders              chosen;
-      chosen.orders.assign(orders.begin(), orders.end());
+      ChosenElements            chosen;
+      for (std::size_t i = 0; i < numbers.size(); i += 2)
+        chosen.divisions.push_back({static_cast<unsigned int>(numbers[i]),
+                                    static_cast<unsigned int>(numbers[i + 1])});
       OrderReport &report    = chosen.report;
       report.tolerance       = values[0];
       report.predicted_error = values[1];
@@ -259,43 +194,48 @@ namespace auxfem
     }
   } // namespace
 
-  Scene with_orders(const Scene &scene, const std::vector<unsigned int> &orders)
+  Scene with_divisions(const Scene                      &scene,
+                       const std::vector<StrutDivision> &divisions)
   {
     Scene result                    = scene;
     result.discretization.tolerance = std::nullopt;
-    result.discretization.orders    = orders;
+    result.discretization.divisions = divisions;
     return result;
   }
 
-  ChosenOrders choose_orders(const Scene   &scene,
-                             const MPI_Comm communicator,
-                             Recorder      &recorder)
+  ChosenElements choose_elements(const Scene   &scene,
+                                 const MPI_Comm communicator,
+                                 Recorder      &recorder)
   {
-    const double cpu_before = cpu_seconds();
-    ChosenOrders chosen;
+    const double   cpu_before = cpu_seconds();
+    ChosenElements chosen;
     chosen.report.tolerance = *scene.discretization.tolerance;
-    for (unsigned int order = first_search_order;; ++order)
-      if (search_orders(search_scene(scene, order),
-                        communicator,
-                        recorder,
-                        chosen) ||
-          order == highest_strut_order(scene.context.dimension))
-        break;
+    for (unsigned int i = 0; i < most_searches; ++i)
+      {
+        // A motion with large errors asks for the right struts at least.
+        const std::vector<StrutDivision> former = chosen.divisions;
+        if (search_elements(search_scene(scene, former),
+                            communicator,
+                            recorder,
+                            chosen) ||
+            chosen.divisions == former)
+          break;
+      }
     chosen.report.cpu_seconds =
       mpi::sum(cpu_seconds() - cpu_before, communicator);
     return chosen;
   }
 
-  RunResult run_with_chosen_orders(const Scene   &scene,
-                                   const MPI_Comm communicator,
-                                   Recorder      &recorder)
+  RunResult run_with_chosen_elements(const Scene   &scene,
+                                     const MPI_Comm communicator,
+                                     Recorder      &recorder)
   {
     const Records *const checkpoint = recorder.goes_on_from();
-    const ChosenOrders   found      = checkpoint
-             ? saved_orders(*checkpoint)
-             : choose_orders(scene, communicator, recorder);
-    const Scene          chosen     = with_orders(scene, found.orders);
-    OrderRecorder        keeping(found, recorder);
+    const ChosenElements found      = checkpoint
+           ? saved_elements(*checkpoint)
+           : choose_elements(scene, communicator, recorder);
+    const Scene          chosen     = with_divisions(scene, found.divisions);
+    ChoiceRecorder       keeping(found, recorder);
     MeshErrorRecorder    watching(chosen, keeping, found.report);
     return watching.completed(
       run_with_chosen_kinematics(chosen, communicator, watching));

@@ -10,10 +10,10 @@ namespace auxfem
                                 1,
                                 largest_plane_order,
                                 "Polynomial order of the struts' elements; "
-                                     "with Dimension = 3 at most 4. auto: chosen "
-                                     "strut by strut, as low as the tolerance "
-                                     "allows, after a search run with order 2 and "
-                                     "fewer steps.",
+                                     "with Dimension = 3 at most 4. auto: order and "
+                                     "number of elements are chosen strut by strut, "
+                                     "as few unknowns as the tolerance allows, after "
+                                     "a search run with order 2 and fewer steps.",
                                 {"auto"}};
     const Quantity tolerance = {
       "Tolerance",
@@ -23,11 +23,13 @@ namespace auxfem
       "With Order = auto: error that the elements may make in the motion of the "
       "joints at any time, by estimate, in the energy norm and relative to the "
       "largest motion."};
-    const Integer refinements = {"Global refinements",
-                                 0,
-                                 0,
-                                 10,
-                                 "Number n of halvings: 2^n elements a strut."};
+    const Integer refinements = {
+      "Global refinements",
+      0,
+      0,
+      10,
+      "Number n of halvings: 2^n elements a strut. With "
+      "Order = auto that many, or a multiple of it."};
   } // namespace
 
 

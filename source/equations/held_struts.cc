@@ -14,15 +14,6 @@ namespace auxfem
      * other: the next would square it. */
     constexpr double negligible = 1e-12;
 
-    std::vector<unsigned int> counted_struts(const DofNumbering &numbering)
-    {
-      std::vector<unsigned int> struts;
-      for (const DofNumbering::Element &element : numbering.elements())
-        if (element.is_owned && element.interval.begin == 0)
-          struts.push_back(element.interval.strut);
-      return struts;
-    }
-
     /** Every strut with two joints of its own; only @p elastic ones are elements.
      */
     Lattice apart(const Lattice                   &lattice,
@@ -73,17 +64,24 @@ namespace auxfem
     }
   } // namespace
 
-  HeldStruts::HeldStruts(const Scene                     &scene,
-                         const LatticeModel              &model,
-                         const std::vector<unsigned int> &orders,
-                         const unsigned int               refinements)
-    : n_elements(1u << refinements)
-    , large_rotation(model.simulated.large_rotation)
-    , counted(counted_struts(model.numbering))
+  std::vector<unsigned int> owned_struts(const DofNumbering &numbering)
+  {
+    std::vector<unsigned int> struts;
+    for (const DofNumbering::Element &element : numbering.elements())
+      if (element.is_owned && element.interval.begin == 0)
+        struts.push_back(element.interval.strut);
+    return struts;
+  }
+
+  HeldStruts::HeldStruts(const Scene               &scene,
+                         const LatticeModel        &model,
+                         std::vector<StrutDivision> divisions,
+                         std::vector<unsigned int>  struts)
+    : large_rotation(model.simulated.large_rotation)
+    , counted(std::move(struts))
     , lattice(apart(model.lattice, counted))
     , numbering(lattice,
-                StrutMesh(lattice, refinements, MPI_COMM_SELF),
-                orders,
+                StrutMesh(lattice, std::move(divisions), MPI_COMM_SELF),
                 no_ties(lattice),
                 MPI_COMM_SELF)
     , forces(make_strut_forces(model, lattice, numbering))
@@ -124,9 +122,7 @@ namespace auxfem
     instants[strut]          = motion.time;
     set_motion_of_strut(numbering,
                         first,
-                        interpolated(motion,
-                                     numbering.elements()[first].order,
-                                     n_elements),
+                        interpolated(motion, numbering.divisions()[strut]),
                         *state);
   }
 
@@ -277,7 +273,7 @@ namespace auxfem
     // not held, each once.
     const unsigned int n_components = numbering.n_components();
     const unsigned int first        = first_element[strut];
-    for (unsigned int e = first; e < first + n_elements; ++e)
+    for (unsigned int e = first; e < first + n_elements(strut); ++e)
       for (unsigned int i = n_components; i < numbering.n_element_unknowns(e);
            ++i)
         act(numbering.element_unknowns(e)[i],
@@ -328,7 +324,7 @@ namespace auxfem
 
   HeldStruts::EndForces HeldStruts::second_end(const unsigned int strut) const
   {
-    const unsigned int last = first_element[strut] + n_elements - 1;
+    const unsigned int last = first_element[strut] + n_elements(strut) - 1;
     const int *const   unknowns =
       numbering.element_unknowns(last) + numbering.n_components();
     EndForces result;
@@ -348,17 +344,17 @@ namespace auxfem
     // Simpson's rule is exact for the square of a linear moment.
     constexpr double  weights[] = {1. / 6, 4. / 6, 1. / 6};
     const EndForces   here = second_end(strut), there = other.second_end(strut);
-    const SpaceVector force   = here.force - there.force;
-    const unsigned int first  = first_element[strut];
+    const SpaceVector force  = here.force - there.force;
+    const unsigned int first = first_element[strut], n = n_elements(strut);
     const StrutForces &struts = forces_of(first);
     const auto         place  = [this](const StrutPoint &point) {
       return SpaceVector(large_rotation ? point.position + point.displacement
                                         : point.position);
     };
     const SpaceVector end =
-      place(struts.sample(*state, first + n_elements - 1, 3).back());
+      place(struts.sample(*state, first + n - 1, 3).back());
     double sum = 0;
-    for (unsigned int e = first; e < first + n_elements; ++e)
+    for (unsigned int e = first; e < first + n; ++e)
       {
         const std::vector<StrutPoint> points = struts.sample(*state, e, 3);
         for (unsigned int i = 0; i < 3; ++i)
@@ -371,7 +367,12 @@ namespace auxfem
               struts.energy_density(e, {{f[0], f[1], f[2], m[0], m[1], m[2]}});
           }
       }
-    return sum * lattice.length(lattice.struts[strut]) / n_elements;
+    return sum * lattice.length(lattice.struts[strut]) / n;
+  }
+
+  unsigned int HeldStruts::n_elements(const unsigned int strut) const
+  {
+    return numbering.divisions()[strut].n_elements;
   }
 
   double HeldStruts::strain_energy() const

@@ -88,7 +88,7 @@ namespace auxfem
     StrutMotion                  motion;
     motion.order = element.order;
     motion.n_elements =
-      std::lround(1 / (element.interval.end - element.interval.begin));
+      numbering.divisions()[element.interval.strut].n_elements;
     motion.time = time_of_loads(state);
     for_each_field(motion, state, [&](auto &of_nodes, const auto & /*all*/) {
       of_nodes.resize(std::size_t(n) * motion.n_nodes());
@@ -112,13 +112,13 @@ namespace auxfem
     return motion;
   }
 
-  StrutMotion interpolated(const StrutMotion &motion,
-                           const unsigned int order,
-                           const unsigned int n_elements)
+  StrutMotion interpolated(const StrutMotion  &motion,
+                           const StrutDivision division)
   {
-    StrutMotion result   = motion;
-    result.order         = order;
-    result.n_elements    = n_elements;
+    const auto [order, n_elements] = division;
+    StrutMotion result             = motion;
+    result.order                   = order;
+    result.n_elements              = n_elements;
     const unsigned int n = motion.displacement.size() / motion.n_nodes();
     using Field          = std::vector<double> StrutMotion::*;
     const std::vector<Field>          fields = {&StrutMotion::displacement,

@@ -53,47 +53,47 @@ namespace auxfem
     return ranks;
   }
 
-  StrutMesh::StrutMesh(const Lattice     &lattice,
-                       const unsigned int refinements,
-                       const MPI_Comm     communicator)
+  StrutMesh::StrutMesh(const Lattice             &lattice,
+                       std::vector<StrutDivision> divisions,
+                       const MPI_Comm             communicator)
     : mesh(communicator,
            Triangulation::none,
            /*allow_artificial_cells=*/false,
            Triangulation::partition_custom_signal)
-    , refinements(refinements)
+    , of_struts(std::move(divisions))
     , ranks(
         partition_struts(lattice,
                          dealii::Utilities::MPI::n_mpi_processes(communicator)))
   {
-    const auto assign_ranks = [this]() {
+    AssertDimension(of_struts.size(), lattice.struts.size());
+    mesh.signals.create.connect([this]() {
       for (const auto &cell : mesh.active_cell_iterators())
         cell->set_subdomain_id(ranks[cell->material_id()]);
-    };
-    mesh.signals.create.connect(assign_ranks);
-    mesh.signals.post_refinement.connect(assign_ranks);
+    });
 
     // Not a mesh in space: in Triangulation<1, 3> deal.II searches all cells
     // for the next chain once for each of them.
     std::vector<dealii::Point<1>>    vertices;
     std::vector<dealii::CellData<1>> cells;
-    vertices.reserve(2 * lattice.struts.size());
-    cells.reserve(lattice.struts.size());
     for (unsigned int strut = 0; strut < lattice.struts.size(); ++strut)
       {
         if (lattice.struts[strut].is_rigid())
           continue;
-        dealii::CellData<1> cell;
-        cell.vertices    = {static_cast<unsigned int>(vertices.size()),
-                            static_cast<unsigned int>(vertices.size() + 1)};
-        cell.material_id = strut;
-        cells.push_back(cell);
+        const unsigned int n = of_struts[strut].n_elements;
         vertices.emplace_back(strut);
-        vertices.emplace_back(strut + 1.);
+        for (unsigned int i = 1; i <= n; ++i)
+          {
+            dealii::CellData<1> cell;
+            cell.vertices    = {static_cast<unsigned int>(vertices.size() - 1),
+                                static_cast<unsigned int>(vertices.size())};
+            cell.material_id = strut;
+            cells.push_back(cell);
+            vertices.emplace_back(strut + double(i) / n);
+          }
       }
     if (cells.empty())
       return;
     mesh.create_triangulation(vertices, cells, dealii::SubCellData());
-    mesh.refine_global(refinements);
   }
 
   const StrutMesh::Triangulation &StrutMesh::triangulation() const
@@ -106,9 +106,9 @@ namespace auxfem
     return mesh.n_active_cells();
   }
 
-  unsigned int StrutMesh::n_cells_of_strut() const
+  const std::vector<StrutDivision> &StrutMesh::divisions() const
   {
-    return 1u << refinements;
+    return of_struts;
   }
 
   unsigned int StrutMesh::rank(const unsigned int strut) const
@@ -117,10 +117,12 @@ namespace auxfem
   }
 
   StrutMesh::Interval
-  StrutMesh::interval(const Triangulation::cell_iterator &cell)
+  StrutMesh::interval(const Triangulation::cell_iterator &cell) const
   {
-    // Vertices are whole numbers and halves of halves between them: exact.
-    const unsigned int strut = cell->material_id();
-    return {strut, cell->vertex(0)[0] - strut, cell->vertex(1)[0] - strut};
+    // The number of the strut takes digits of the vertices' places.
+    const unsigned int strut  = cell->material_id();
+    const double       n      = of_struts[strut].n_elements;
+    const double       number = std::round((cell->vertex(0)[0] - strut) * n);
+    return {strut, number / n, (number + 1) / n};
   }
 } // namespace auxfem

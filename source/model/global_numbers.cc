@@ -6,45 +6,39 @@ namespace auxfem
 {
   namespace
   {
-    /** Of each strut the first of its nodes, if those of all struts are
-     * numbered one after the other, and the end of the last; joints count anew
-     * at each strut. */
     std::vector<std::size_t>
-    find_first_nodes(const StrutMesh                 &mesh,
-                     const std::vector<unsigned int> &orders)
+    find_first_nodes(const std::vector<StrutDivision> &divisions)
     {
       std::vector<std::size_t> first(1, 0);
-      first.reserve(orders.size() + 1);
-      for (const unsigned int order : orders)
-        first.push_back(first.back() +
-                        std::size_t(order) * mesh.n_cells_of_strut() + 1);
+      first.reserve(divisions.size() + 1);
+      for (const StrutDivision &division : divisions)
+        first.push_back(first.back() + division.n_inner_nodes() + 2);
       return first;
     }
   } // namespace
 
   GlobalNumbers::GlobalNumbers(const Lattice                   &lattice,
                                const StrutMesh                 &mesh,
-                               const std::vector<unsigned int> &orders,
                                const std::vector<unsigned int> &components,
                                const Ties                      &ties,
                                const unsigned int               n_ranks)
+    : first_nodes(find_first_nodes(mesh.divisions()))
   {
     // Every node gets the numbers its joint has, if it lies at one, else those
     // of its own. Numbers are first counted apart for each rank (the rank whose
     // cell touches the unknown first owns it), then shifted to rank ranges.
-    using Unknown                               = UnknownDistribution::Unknown;
-    const std::size_t              n_components = components.size();
-    UnknownDistribution            distribution(lattice, ties, n_ranks);
-    const std::vector<std::size_t> first_node = find_first_nodes(mesh, orders);
-    std::vector<Unknown>           of_node(first_node.back() * n_components);
-    std::vector<const Unknown *>   of_cell;
+    using Unknown                             = UnknownDistribution::Unknown;
+    const std::size_t            n_components = components.size();
+    UnknownDistribution          distribution(lattice, ties, n_ranks);
+    std::vector<Unknown>         of_node(first_nodes.back() * n_components);
+    std::vector<const Unknown *> of_cell;
     for (const auto &cell : active_cells(mesh.triangulation(), mesh))
       {
-        const StrutMesh::Interval interval = StrutMesh::interval(cell);
+        const StrutMesh::Interval interval = mesh.interval(cell);
         const int                 rank     = cell->subdomain_id();
-        const unsigned int        order    = orders[interval.strut];
-        const std::size_t         first =
-          first_node[interval.strut] + std::size_t(order) * interval.number();
+        const unsigned int order = mesh.divisions()[interval.strut].order;
+        const std::size_t  first =
+          first_nodes[interval.strut] + std::size_t(order) * interval.number();
         for (unsigned int node = 0; node <= order; ++node)
           {
             Unknown *own =

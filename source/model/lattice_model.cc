@@ -80,15 +80,14 @@ namespace auxfem
       return pairs;
     }
 
-    std::vector<unsigned int> orders_of(const Scene   &scene,
-                                        const Lattice &lattice)
+    std::vector<StrutDivision> divisions_of(const Scene   &scene,
+                                            const Lattice &lattice)
     {
       const DiscretizationParameters &discretization = scene.discretization;
-      if (discretization.orders.empty())
-        return std::vector<unsigned int>(lattice.struts.size(),
-                                         discretization.order);
-      AssertDimension(discretization.orders.size(), lattice.struts.size());
-      return discretization.orders;
+      if (discretization.divisions.empty())
+        return std::vector<StrutDivision>(lattice.struts.size(),
+                                          discretization.common_division());
+      return discretization.divisions;
     }
 
     Ties all_ties(const Scene                               &scene,
@@ -115,10 +114,7 @@ namespace auxfem
                                 : std::vector<JointRelease>())
     , connector_pairs(pairs_of(scene, lattice))
     , numbering(lattice,
-                StrutMesh(lattice,
-                          scene.discretization.refinements,
-                          communicator),
-                orders_of(scene, lattice),
+                StrutMesh(lattice, divisions_of(scene, lattice), communicator),
                 all_ties(scene, lattice, releases, connector_pairs),
                 communicator)
     , rows(numbering.unknowns().owned_rows())

@@ -17,17 +17,15 @@ namespace auxfem
     }
   } // namespace
 
-  DofNumbering::DofNumbering(const Lattice                   &lattice,
-                             const StrutMesh                 &mesh,
-                             const std::vector<unsigned int> &orders,
-                             const Ties                      &ties,
-                             const MPI_Comm                   communicator)
+  DofNumbering::DofNumbering(const Lattice   &lattice,
+                             const StrutMesh &mesh,
+                             const Ties      &ties,
+                             const MPI_Comm   communicator)
     : of_lattice(lattice)
-    , of_struts(orders)
+    , of_struts(mesh.divisions())
     , node_components(components_of_nodes(lattice.dimension))
     , numbers(lattice,
               mesh,
-              orders,
               node_components,
               ties,
               dealii::Utilities::MPI::n_mpi_processes(communicator))
@@ -67,8 +65,8 @@ namespace auxfem
     std::size_t next = 0;
     for (const auto &cell : active_cells(mesh.triangulation(), mesh))
       {
-        const StrutMesh::Interval interval = StrutMesh::interval(cell);
-        const unsigned int        order    = of_struts[interval.strut];
+        const StrutMesh::Interval interval = mesh.interval(cell);
+        const unsigned int        order    = of_struts[interval.strut].order;
         const std::size_t         c        = next;
         next += (order + 1) * n_components();
         const int *const        first = numbers.cells.data() + c,
@@ -109,7 +107,7 @@ namespace auxfem
     std::set<unsigned int> used;
     for (unsigned int strut = 0; strut < of_struts.size(); ++strut)
       if (!of_lattice.struts[strut].is_rigid())
-        used.insert(of_struts[strut]);
+        used.insert(of_struts[strut].order);
     std::vector<Element>     sorted;
     std::vector<std::size_t> cells;
     for (const unsigned int order : used)
@@ -248,7 +246,7 @@ namespace auxfem
     return of_lattice;
   }
 
-  const std::vector<unsigned int> &DofNumbering::orders() const
+  const std::vector<StrutDivision> &DofNumbering::divisions() const
   {
     return of_struts;
   }

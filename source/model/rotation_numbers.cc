@@ -1,26 +1,7 @@
 #include <auxfem/model/rotation_numbers.h>
 
-#include <cmath>
-
 namespace auxfem
 {
-  namespace
-  {
-    /** By strut, if the nodes of all are numbered one after the other; @p of_any
-     * is any element, as all struts have equally many. */
-    std::vector<unsigned int>
-    first_nodes(const std::vector<unsigned int> &orders,
-                const StrutMesh::Interval       &of_any)
-    {
-      const unsigned int n_elements =
-        std::lround(1 / (of_any.end - of_any.begin));
-      std::vector<unsigned int> first(1, 0);
-      for (const unsigned int order : orders)
-        first.push_back(first.back() + order * n_elements + 1);
-      return first;
-    }
-  } // namespace
-
   std::vector<unsigned int> rotation_numbers(const Lattice      &lattice,
                                              const DofNumbering &numbering)
   {
@@ -36,14 +17,12 @@ namespace auxfem
     };
 
     // What comes later has a better claim to the name.
-    std::vector<unsigned int> first_node;
+    const std::vector<std::size_t> &first_node = numbering.global().first_nodes;
     for (unsigned int e = 0; e < numbering.elements().size(); ++e)
       {
         const StrutMesh::Interval &interval = numbering.elements()[e].interval;
         const unsigned int         order    = numbering.elements()[e].order;
-        if (first_node.empty())
-          first_node = first_nodes(numbering.orders(), interval);
-        const int *unknowns = numbering.element_unknowns(e);
+        const int                 *unknowns = numbering.element_unknowns(e);
         for (unsigned int node = 0; node <= order; ++node)
           name(unknowns[numbering.n_components() * node + first_rotation],
                n_parts + n_joints + n_ends + first_node[interval.strut] +

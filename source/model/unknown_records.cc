@@ -1,7 +1,6 @@
 #include <auxfem/model/unknown_records.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace auxfem
@@ -59,27 +58,11 @@ namespace auxfem
         serial.count_all(hinge.multipliers);
     }
 
-    /** Number of nodes of all struts before each, if all cells of a strut have
-     * as many as its order. */
-    std::vector<unsigned int>
-    first_nodes(const std::vector<unsigned int> &orders,
-                const unsigned int               n_cells_of_strut)
-    {
-      std::vector<unsigned int> first(1, 0);
-      for (const unsigned int order : orders)
-        first.push_back(first.back() + order * n_cells_of_strut + 1);
-      return first;
-    }
-
     void count_inside_struts(const DofNumbering &numbering,
                              SerialNumbers      &serial)
     {
       const auto &elements = numbering.elements();
-      if (elements.empty())
-        return;
-      const StrutMesh::Interval      &any = elements.front().interval;
-      const std::vector<unsigned int> first =
-        first_nodes(numbering.orders(), std::lround(1 / (any.end - any.begin)));
+      const auto &first    = numbering.global().first_nodes;
       for (unsigned int e = 0; e < elements.size(); ++e)
         {
           const StrutMesh::Interval &interval = elements[e].interval;

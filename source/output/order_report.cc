@@ -9,8 +9,8 @@ namespace auxfem
     char text[300];
     std::snprintf(text,
                   sizeof(text),
-                  "Orders found by a search run of %lu steps with %u unknowns "
-                  "(%.2f CPU s), for an error of %.1e "
+                  "Elements found by a search run of %lu steps with %u "
+                  "unknowns (%.2f CPU s), for an error of %.1e "
                   "(tolerance %.1e)",
                   report.steps,
                   report.unknowns,

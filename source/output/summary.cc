@@ -32,15 +32,33 @@ namespace auxfem
       return text;
     }
 
+    /** Elastic struts by a number of their elements. */
+    std::map<unsigned int, unsigned int>
+    struts_by(unsigned int StrutDivision::*number, const Counts &counts)
+    {
+      std::map<unsigned int, unsigned int> result;
+      for (const auto &[division, n] : counts.struts_of_division)
+        result[division.*number] += n;
+      return result;
+    }
+
+    Json json_of(const std::map<unsigned int, unsigned int> &struts)
+    {
+      Json json = Json::object();
+      for (const auto &[number, n] : struts)
+        json[std::to_string(number)] = n;
+      return json;
+    }
+
     Json json_of(const Counts &counts)
     {
-      Json orders = Json::object();
-      for (const auto &[order, n] : counts.struts_of_order)
-        orders[std::to_string(order)] = n;
       return {{"joints", counts.joints},
               {"struts", counts.struts},
               {"elements", counts.elements},
-              {"struts_of_order", orders},
+              {"struts_of_order",
+               json_of(struts_by(&StrutDivision::order, counts))},
+              {"struts_of_n_elements",
+               json_of(struts_by(&StrutDivision::n_elements, counts))},
               {"connectors", counts.connectors},
               {"rigid_parts", counts.rigid_parts},
               {"unknowns", counts.unknowns},
@@ -104,18 +122,26 @@ namespace auxfem
           }
     }
 
-    std::string orders_text(const Counts &counts)
+    /** What elements the struts have; their number where it is not equal. */
+    std::string divisions_text(const Counts &counts)
     {
-      if (counts.struts_of_order.empty())
+      if (counts.struts_of_division.empty())
         return "";
-      if (counts.struts_of_order.size() == 1)
+      if (counts.struts_of_division.size() == 1)
         return " of order " +
-          std::to_string(counts.struts_of_order.begin()->first);
+          std::to_string(counts.struts_of_division.begin()->first.order);
+      const bool are_equally_many =
+        struts_by(&StrutDivision::n_elements, counts).size() == 1;
       std::string text;
-      for (const auto &[order, n] : counts.struts_of_order)
-        text += (text.empty() ? ": " : ", ") + std::to_string(n) +
-          (text.empty() ? " struts of order " : " of order ") +
-          std::to_string(order);
+      for (const auto &[division, n] : counts.struts_of_division)
+        {
+          text += (text.empty() ? ": " : ", ") + std::to_string(n) +
+            (text.empty() ? " struts of order " : " of order ") +
+            std::to_string(division.order);
+          if (!are_equally_many && division.n_elements > 1)
+            text +=
+              " with " + std::to_string(division.n_elements) + " elements";
+        }
       return text;
     }
   } // namespace
@@ -140,9 +166,9 @@ namespace auxfem
     counts.struts     = equations.model().lattice.struts.size();
     counts.elements   = mine[0];
     counts.connectors = mine[1];
-    for (unsigned int s = 0; s < numbering.orders().size(); ++s)
+    for (unsigned int s = 0; s < numbering.divisions().size(); ++s)
       if (!equations.model().lattice.struts[s].is_rigid())
-        ++counts.struts_of_order[numbering.orders()[s]];
+        ++counts.struts_of_division[numbering.divisions()[s]];
     counts.rigid_parts   = equations.model().lattice.rigid_parts.size();
     counts.unknowns      = numbering.layout().n_global();
     counts.free_unknowns = numbering.unknowns().n_free();
@@ -352,7 +378,7 @@ namespace auxfem
     };
     line("Joints", counts.joints);
     line("Struts", counts.struts);
-    line("Elements", counts.elements, orders_text(counts));
+    line("Elements", counts.elements, divisions_text(counts));
     line("Connectors", counts.connectors);
     if (counts.rigid_parts > 0)
       line("Rigid parts",

@@ -50,6 +50,36 @@ namespace
       .probe("tip", "3");
   }
 
+  /** A slender strut with two short ones behind it, under @p load (N/m) along
+   * the first one. */
+  SceneText pushed_strut(const double load)
+  {
+    return static_frame("0 0; 1 0; 1.1 0; 1.2 0", "0 1; 1 2; 2 3")
+      .section({1.2e5, 4e4, 1})
+      .support("foot", "0", "clamp")
+      .set("Loads/push/Type", "line")
+      .set("Loads/push/Struts", "0")
+      .set("Loads/push/Force per length y", SceneValue(load).words + " * t")
+      .time(1, 0.1)
+      .probe("tip", "3");
+  }
+
+  /** The first one wound up to three quarters of a circle. */
+  SceneText wound_strut()
+  {
+    return pushed_strut(6).load("coil", "1", {"0", "0", "5 * t"});
+  }
+
+  SceneText wound_space_strut()
+  {
+    return static_space_frame("0 0 0; 1 0 0; 1.1 0 0; 1.2 0 0", "0 1; 1 2; 2 3")
+      .space_section({100, 50, 50, 1, 1, 1})
+      .support("foot", "0", "clamp")
+      .load("coil", "1", {"0", "0", "0"}, {"t", "0", "4 * t"})
+      .time(1, 0.1)
+      .probe("tip", "3");
+  }
+
   Scene scene_of(const SceneText &text, const double tolerance)
   {
     return read_scene_from_text(SceneText(text)
@@ -59,10 +89,10 @@ namespace
                                 "test.prm");
   }
 
-  ChosenOrders orders_of(const Scene &scene, const MPI_Comm communicator)
+  ChosenElements elements_of(const Scene &scene, const MPI_Comm communicator)
   {
     Recorder nobody;
-    return choose_orders(scene, communicator, nobody);
+    return choose_elements(scene, communicator, nobody);
   }
 
   Scene scene_of_order(const SceneText   &text,
@@ -99,31 +129,49 @@ namespace
 
   /** Motion of the tip on elements no result depends on any more. */
   std::vector<double> exact_motion(const SceneText   &text,
-                                   const unsigned int order)
+                                   const unsigned int order,
+                                   const unsigned int refinements = 2)
   {
-    const Scene    scene = scene_of_order(text, order, 2);
+    const Scene    scene = scene_of_order(text, order, refinements);
     MemoryRecorder recorder(scene, MPI_COMM_WORLD);
     LatticeRun(scene, MPI_COMM_WORLD).run(recorder);
     return tip_motion(recorder);
   }
 
-  /** Expects the error, and what is said of it, to be below the tolerance. */
-  void expect_met(const SceneText           &text,
-                  const double               tolerance,
-                  const std::vector<double> &exact,
-                  const double               factor = 1)
+  /** Takes down the elements of the run, too. */
+  class DivisionRecorder : public MemoryRecorder
   {
-    const Scene     scene = scene_of(text, tolerance);
-    MemoryRecorder  recorder(scene, MPI_COMM_WORLD);
-    const RunResult result =
-      run_with_chosen_orders(scene, MPI_COMM_WORLD, recorder);
-    ASSERT_TRUE(result.orders && result.orders->estimated_error);
-    EXPECT_EQ(result.orders->tolerance, tolerance);
-    EXPECT_LE(result.orders->predicted_error, tolerance);
-    EXPECT_LE(*result.orders->estimated_error, factor * tolerance);
+  public:
+    using MemoryRecorder::MemoryRecorder;
+
+    void begin(const Equations &equations) override
+    {
+      divisions = equations.model().numbering.divisions();
+      MemoryRecorder::begin(equations);
+    }
+
+    std::vector<StrutDivision> divisions;
+  };
+
+  /** Expects the error, and what is said of it, to be below the tolerance.
+   * Returns the elements that were chosen. */
+  std::vector<StrutDivision> expect_met(const SceneText           &text,
+                                        const double               tolerance,
+                                        const std::vector<double> &exact,
+                                        const double               factor = 1)
+  {
+    const Scene      scene = scene_of(text, tolerance);
+    DivisionRecorder recorder(scene, MPI_COMM_WORLD);
+    const RunResult  result =
+      run_with_chosen_elements(scene, MPI_COMM_WORLD, recorder);
+    const OrderReport report = result.orders.value();
+    EXPECT_EQ(report.tolerance, tolerance);
+    EXPECT_LE(report.predicted_error, tolerance);
+    EXPECT_LE(report.estimated_error.value(), factor * tolerance);
     EXPECT_LE(relative_difference(tip_motion(recorder), exact),
               factor * tolerance)
       << tolerance;
+    return recorder.divisions;
   }
 } // namespace
 
@@ -137,18 +185,37 @@ TEST(OrderChoice, StaticsMeetTheTolerance)
 TEST(OrderChoice, OneStrutThatIsBentFarMeetsTheTolerance)
 {
   // The search run's elements of low order are far from its arc.
-  const SceneText strut =
-    static_frame("0 0; 1 0; 1.1 0; 1.2 0", "0 1; 1 2; 2 3")
-      .section({1.2e5, 4e4, 1})
-      .support("foot", "0", "clamp")
-      .set("Loads/push/Type", "line")
-      .set("Loads/push/Struts", "0")
-      .set("Loads/push/Force per length y", "6 * t")
-      .time(1, 0.1)
-      .probe("tip", "3");
-  const std::vector<double> exact = exact_motion(strut, 6);
+  const std::vector<double> exact = exact_motion(pushed_strut(6), 6);
   for (const double tolerance : {1e-2, 1e-3, 1e-4})
-    expect_met(strut, tolerance, exact);
+    expect_met(pushed_strut(6), tolerance, exact);
+}
+
+TEST(OrderChoice, StrutsForWhichNoOrderIsEnoughGetMoreElements)
+{
+  for (const auto &[text, order] :
+       {std::pair(wound_strut(), 6u), std::pair(wound_space_strut(), 4u)})
+    {
+      const std::vector<double> exact = exact_motion(text, order, 3);
+      for (const double tolerance : {1e-2, 1e-4, 1e-6})
+        {
+          const std::vector<StrutDivision> divisions =
+            expect_met(text, tolerance, exact);
+          EXPECT_EQ(divisions.back().n_elements, 1u) << tolerance;
+          if (tolerance < 1e-5)
+            EXPECT_GT(divisions.front().n_elements, 1u) << tolerance;
+        }
+    }
+}
+
+TEST(OrderChoice, ElementsAreMultiplesOfThoseThatAllStrutsHave)
+{
+  for (const StrutDivision &division :
+       elements_of(
+         scene_of(wound_strut().set("Discretization/Global refinements", 1),
+                  1e-6),
+         MPI_COMM_WORLD)
+         .divisions)
+    EXPECT_EQ(division.n_elements % 2, 0u);
 }
 
 TEST(OrderChoice, DynamicsMeetTheTolerance)
@@ -168,16 +235,16 @@ TEST(OrderChoice, SpaceMeetsTheTolerance)
 
 TEST(OrderChoice, LongStrutsGetHigherOrders)
 {
-  const SceneText    straight = knee().set("Lattice/Struts", "0 1; 1 2; 2 3");
-  const ChosenOrders chosen =
-    orders_of(scene_of(straight, 1e-4), MPI_COMM_WORLD);
-  ASSERT_EQ(chosen.orders.size(), 3u);
-  EXPECT_GT(chosen.orders[0], chosen.orders[2]);
-  EXPECT_GE(chosen.orders[0], chosen.orders[1]);
+  const SceneText      straight = knee().set("Lattice/Struts", "0 1; 1 2; 2 3");
+  const ChosenElements chosen =
+    elements_of(scene_of(straight, 1e-4), MPI_COMM_WORLD);
+  ASSERT_EQ(chosen.divisions.size(), 3u);
+  EXPECT_GT(chosen.divisions[0].order, chosen.divisions[2].order);
+  EXPECT_GE(chosen.divisions[0].order, chosen.divisions[1].order);
   EXPECT_GT(chosen.report.steps, 0u);
 }
 
-TEST(OrderChoice, StrutsThatAreAlikeGetEqualOrders)
+TEST(OrderChoice, StrutsThatAreAlikeGetEqualElements)
 {
   // Else a symmetric lattice would buckle to one side.
   const SceneText arcade =
@@ -189,11 +256,10 @@ TEST(OrderChoice, StrutsThatAreAlikeGetEqualOrders)
       .time(1, 0.1);
   for (double tolerance = 0.3; tolerance > 1e-6; tolerance /= 1.3)
     {
-      const std::vector<unsigned int> orders =
-        orders_of(scene_of(arcade, tolerance), MPI_COMM_WORLD).orders;
-      EXPECT_EQ(orders[0], orders[6]) << tolerance;
-      EXPECT_EQ(orders[1], orders[5]) << tolerance;
-      EXPECT_EQ(orders[2], orders[4]) << tolerance;
+      const std::vector<StrutDivision> divisions =
+        elements_of(scene_of(arcade, tolerance), MPI_COMM_WORLD).divisions;
+      for (const auto &[one, other] : {std::pair(0, 6), {1, 5}, {2, 4}})
+        EXPECT_EQ(divisions[one], divisions[other]) << tolerance;
     }
 }
 
@@ -220,7 +286,7 @@ TEST(OrderChoice, WhatIsNotMetIsAFinding)
   const Scene     scene = scene_of(knee(), 1e-14);
   MemoryRecorder  recorder(scene, MPI_COMM_WORLD);
   const RunResult result =
-    run_with_chosen_orders(scene, MPI_COMM_WORLD, recorder);
+    run_with_chosen_elements(scene, MPI_COMM_WORLD, recorder);
   EXPECT_TRUE(std::any_of(result.findings.begin(),
                           result.findings.end(),
                           [](const Finding &finding) {
@@ -251,7 +317,9 @@ TEST(OrderChoice, SearchTellsHowFarItHasCome)
     double        time      = 0;
     bool          has_begun = false;
   } recorder;
-  run_with_chosen_orders(scene_of(hit_knee(), 1e-3), MPI_COMM_WORLD, recorder);
+  run_with_chosen_elements(scene_of(hit_knee(), 1e-3),
+                           MPI_COMM_WORLD,
+                           recorder);
   EXPECT_EQ(recorder.n_steps, 64u);
   EXPECT_DOUBLE_EQ(recorder.time, 0.1);
   EXPECT_TRUE(recorder.has_begun);
@@ -267,9 +335,9 @@ TEST(OrderChoice, MistypedProbeIsFoundBeforeTheSearch)
     }
   } recorder;
   EXPECT_THROW(
-    run_with_chosen_orders(scene_of(knee().probe("nowhere", "x > 100"), 1e-3),
-                           MPI_COMM_WORLD,
-                           recorder),
+    run_with_chosen_elements(scene_of(knee().probe("nowhere", "x > 100"), 1e-3),
+                             MPI_COMM_WORLD,
+                             recorder),
     InputError);
 }
 
@@ -280,7 +348,7 @@ TEST(OrderChoice, StrutsThatVibrateAreAFinding)
     const Scene     scene = scene_of(text, 1e-2);
     MemoryRecorder  recorder(scene, MPI_COMM_WORLD);
     const RunResult result =
-      run_with_chosen_orders(scene, MPI_COMM_WORLD, recorder);
+      run_with_chosen_elements(scene, MPI_COMM_WORLD, recorder);
     return std::any_of(result.findings.begin(),
                        result.findings.end(),
                        [](const Finding &finding) {
@@ -304,19 +372,20 @@ TEST(OrderChoice, StrutsThatVibrateAreAFinding)
 
 TEST(OrderChoice, IsTheSameOnAnyNumberOfRanks)
 {
-  for (const SceneText &text : {knee(), space_knee()})
-    EXPECT_EQ(orders_of(scene_of(text, 1e-4), MPI_COMM_WORLD).orders,
-              orders_of(scene_of(text, 1e-4), MPI_COMM_SELF).orders);
+  for (const SceneText &text :
+       {knee(), space_knee(), wound_strut(), wound_space_strut()})
+    EXPECT_EQ(elements_of(scene_of(text, 1e-4), MPI_COMM_WORLD).divisions,
+              elements_of(scene_of(text, 1e-4), MPI_COMM_SELF).divisions);
 }
 
 TEST(OrderChoice, RunThatIsResumedGoesOnAlike)
 {
   for (const SceneText &text : {hit_knee(), space_knee().time(1, 0.1)})
     {
-      const Scene        read   = scene_of(text, 1e-3);
-      const ChosenOrders found  = orders_of(read, MPI_COMM_WORLD);
-      const Scene        scene  = with_orders(read, found.orders);
-      const auto         end_of = [&](MeshErrorRecorder    &recorder,
+      const Scene          read   = scene_of(text, 1e-3);
+      const ChosenElements found  = elements_of(read, MPI_COMM_WORLD);
+      const Scene          scene  = with_divisions(read, found.divisions);
+      const auto           end_of = [&](MeshErrorRecorder    &recorder,
                               const MemoryRecorder &memory,
                               LatticeRun           &run) {
         run.advance_to_end(recorder);
@@ -349,11 +418,11 @@ TEST(OrderChoice, RunThatIsResumedGoesOnAlike)
     }
 }
 
-TEST(OrderChoice, ARunThatIsResumedKeepsItsOrders)
+TEST(OrderChoice, ARunThatIsResumedKeepsItsElements)
 {
-  const std::string text = SceneText(hit_knee())
+  const std::string text = SceneText(wound_strut())
                              .set("Discretization/Order", "auto")
-                             .set("Discretization/Tolerance", 1e-3)
+                             .set("Discretization/Tolerance", 1e-6)
                              .str();
   const RecordedRun whole = expect_same_when_resumed(text);
   ASSERT_TRUE(whole.result.orders);

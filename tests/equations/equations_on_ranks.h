@@ -133,11 +133,11 @@ namespace auxfem
       const DofNumbering       &dofs    = model.numbering;
       const Lattice            &lattice = model.lattice;
       std::vector<NamedUnknown> names(dofs.layout().n_local());
-      const dealii::FE_Q<1>     fe(dofs.orders().front());
+      const dealii::FE_Q<1>     fe(dofs.divisions().front().order);
       for (unsigned int e = 0; e < dofs.elements().size(); ++e)
         {
           const StrutMesh::Interval &interval = dofs.elements()[e].interval;
-          for (unsigned int a = 0; a <= dofs.orders().front(); ++a)
+          for (unsigned int a = 0; a <= dofs.divisions().front().order; ++a)
             for (unsigned int c = 0; c < dofs.n_components(); ++c)
               {
                 const double s = interval.begin +

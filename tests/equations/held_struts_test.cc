@@ -37,12 +37,12 @@ namespace
   {
     Held(const SceneText   &text,
          const unsigned int order,
-         const unsigned int refinements = 0)
+         const unsigned int n_elements = 1)
       : of_scene(SceneText(text).mesh(given_order).str(), {}, MPI_COMM_SELF)
       , struts(of_scene.scene,
                of_scene.model,
-               std::vector<unsigned int>(2, order),
-               refinements)
+               std::vector<StrutDivision>(2, {order, n_elements}),
+               owned_struts(of_scene.model.numbering))
     {}
 
     EquationsOnRanks of_scene;
@@ -59,7 +59,7 @@ TEST(StrutMotion, InterpolationKeepsPolynomials)
   for (const double s : {0., 0.25, 0.5, 0.75, 1.})
     for (const double value : {s, s * s, 1 - s})
       motion.displacement.push_back(value);
-  const StrutMotion finer = interpolated(motion, 4, 4);
+  const StrutMotion finer = interpolated(motion, {4, 4});
   ASSERT_EQ(finer.n_nodes(), 17u);
   ASSERT_EQ(finer.displacement.size(), 3 * 17u);
   EXPECT_TRUE(finer.velocity.empty());
@@ -120,7 +120,7 @@ TEST(HeldStruts, RigidMotionsNeedNoForces)
   for (const double s : {0., 0.5, 1.})
     for (const double value : {-s, s, pi / 2})
       motion.displacement.push_back(value);
-  Held coarse(corner(), 2), fine(corner(), 4, 1);
+  Held coarse(corner(), 2), fine(corner(), 4, 2);
   for (Held *held : {&coarse, &fine})
     {
       held->struts.move(0, motion);
@@ -145,7 +145,7 @@ TEST(HeldStruts, SettleWhereAMotionOfLowOrderIsFarFromEquilibrium)
       motion.displacement.push_back(value);
   for (const unsigned int order : {4u, 5u, 6u})
     {
-      Held held(corner().section({1e5, 4e4, 1}), order, 1);
+      Held held(corner().section({1e5, 4e4, 1}), order, 2);
       held.struts.move(0, motion);
       ASSERT_TRUE(held.struts.settle());
       EXPECT_EQ(held.struts.out_of_balance(0), 0) << order;

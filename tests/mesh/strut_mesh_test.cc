@@ -19,6 +19,13 @@ namespace
     return make_array(cell_from_text("star", "")->build(), {{nx, ny, 1}});
   }
 
+  /** Equally many elements in all struts. */
+  std::vector<StrutDivision> all_in(const Lattice     &lattice,
+                                    const unsigned int n_elements)
+  {
+    return std::vector<StrutDivision>(lattice.struts.size(), {2, n_elements});
+  }
+
   /** Number of struts of each rank. */
   std::vector<unsigned int> sizes(const std::vector<unsigned int> &ranks,
                                   const unsigned int               n_ranks)
@@ -56,43 +63,41 @@ namespace
 TEST(StrutMesh, EveryStrutIsAChainOfItsOwn)
 {
   const Lattice   lattice = stars(2, 2);
-  const StrutMesh mesh(lattice, 2, MPI_COMM_WORLD);
+  const StrutMesh mesh(lattice, all_in(lattice, 4), MPI_COMM_WORLD);
   EXPECT_EQ(mesh.triangulation().n_active_cells(), 4 * lattice.struts.size());
   EXPECT_EQ(mesh.triangulation().n_used_vertices(), 5 * lattice.struts.size());
 }
 
-TEST(StrutMesh, PlacesTellWhereACellLiesAfterRefinement)
+TEST(StrutMesh, PlacesTellWhereACellLies)
 {
-  // So many that halves of halves need most digits of the strut's number.
-  const Lattice          lattice = stars(20, 20);
-  constexpr unsigned int n_parts = 8;
-  const StrutMesh        mesh(lattice, 3, MPI_COMM_WORLD);
-  ASSERT_EQ(mesh.n_cells(), n_parts * lattice.struts.size());
+  // So many that places need most digits of the strut's number.
+  const Lattice              lattice   = stars(20, 20);
+  std::vector<StrutDivision> divisions = all_in(lattice, 1);
+  for (unsigned int s = 0; s < divisions.size(); ++s)
+    divisions[s].n_elements = 1 + s % 8;
+  const StrutMesh mesh(lattice, divisions, MPI_COMM_WORLD);
 
-  std::vector<std::set<double>> begins(lattice.struts.size());
+  std::vector<unsigned int> found(lattice.struts.size(), 0);
   for (const auto &cell : mesh.triangulation().active_cell_iterators())
     {
-      const StrutMesh::Interval interval = StrutMesh::interval(cell);
-      begins.at(interval.strut).insert(interval.begin);
-      // Halves of halves of [0, 1] are exact.
-      EXPECT_EQ(interval.end - interval.begin, 1. / n_parts);
-      EXPECT_EQ(std::fmod(interval.begin * n_parts, 1.), 0.);
+      const StrutMesh::Interval interval = mesh.interval(cell);
+      const double              n = divisions.at(interval.strut).n_elements;
+      const unsigned int        number = found[interval.strut]++;
+      EXPECT_EQ(interval.begin, number / n);
+      EXPECT_EQ(interval.end, (number + 1) / n);
+      EXPECT_EQ(interval.number(), number);
     }
-  for (const auto &of_strut : begins)
-    {
-      EXPECT_EQ(of_strut.size(), n_parts);
-      EXPECT_EQ(*of_strut.begin(), 0.);
-      EXPECT_EQ(*of_strut.rbegin(), 1. - 1. / n_parts);
-    }
+  for (unsigned int s = 0; s < divisions.size(); ++s)
+    EXPECT_EQ(found[s], divisions[s].n_elements);
 }
 
 TEST(StrutMesh, CellsOfAStrutFollowOneAnother)
 {
   const Lattice   lattice = stars(2, 1);
-  const StrutMesh mesh(lattice, 2, MPI_COMM_WORLD);
+  const StrutMesh mesh(lattice, all_in(lattice, 4), MPI_COMM_WORLD);
   for (const auto &cell : mesh.triangulation().active_cell_iterators())
     {
-      const StrutMesh::Interval interval = StrutMesh::interval(cell);
+      const StrutMesh::Interval interval = mesh.interval(cell);
       for (const unsigned int end : {0, 1})
         {
           const bool at_end =
@@ -100,8 +105,7 @@ TEST(StrutMesh, CellsOfAStrutFollowOneAnother)
           ASSERT_EQ(cell->at_boundary(end), at_end);
           if (at_end)
             continue;
-          const StrutMesh::Interval next =
-            StrutMesh::interval(cell->neighbor(end));
+          const StrutMesh::Interval next = mesh.interval(cell->neighbor(end));
           EXPECT_EQ(next.strut, interval.strut);
           EXPECT_EQ(end == 0 ? next.end : next.begin,
                     end == 0 ? interval.begin : interval.end);
@@ -113,10 +117,10 @@ TEST(StrutMesh, RigidStrutsHaveNoCells)
 {
   Lattice lattice              = stars(2, 2);
   lattice.struts[0].rigid_part = lattice.struts[7].rigid_part = 0;
-  const StrutMesh        mesh(lattice, 1, MPI_COMM_WORLD);
+  const StrutMesh        mesh(lattice, all_in(lattice, 2), MPI_COMM_WORLD);
   std::set<unsigned int> struts;
   for (const auto &cell : mesh.triangulation().active_cell_iterators())
-    struts.insert(StrutMesh::interval(cell).strut);
+    struts.insert(mesh.interval(cell).strut);
   EXPECT_EQ(struts.size(), lattice.struts.size() - 2);
   EXPECT_EQ(struts.count(0), 0u);
   EXPECT_EQ(struts.count(7), 0u);
@@ -126,10 +130,10 @@ TEST(StrutMesh, RigidStrutsHaveNoCells)
 TEST(StrutMesh, AnUnrefinedStrutIsOneCell)
 {
   const Lattice   lattice = stars(1, 1);
-  const StrutMesh mesh(lattice, 0, MPI_COMM_WORLD);
+  const StrutMesh mesh(lattice, all_in(lattice, 1), MPI_COMM_WORLD);
   for (const auto &cell : mesh.triangulation().active_cell_iterators())
     {
-      const StrutMesh::Interval interval = StrutMesh::interval(cell);
+      const StrutMesh::Interval interval = mesh.interval(cell);
       EXPECT_EQ(interval.begin, 0.);
       EXPECT_EQ(interval.end, 1.);
     }
@@ -187,15 +191,15 @@ TEST(StrutMesh, ACutMeetsFewJoints)
   EXPECT_LE(n_shared, 30);
 }
 
-TEST(StrutMesh, RefinedCellsBelongToTheRankOfTheirStrut)
+TEST(StrutMesh, CellsBelongToTheRankOfTheirStrut)
 {
   const unsigned int n_ranks =
     dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
-  const Lattice                   lattice = stars(3, 3);
-  const StrutMesh                 mesh(lattice, 2, MPI_COMM_WORLD);
+  const Lattice   lattice = stars(3, 3);
+  const StrutMesh mesh(lattice, all_in(lattice, 4), MPI_COMM_WORLD);
   const std::vector<unsigned int> ranks = partition_struts(lattice, n_ranks);
   for (const auto &cell : mesh.triangulation().active_cell_iterators())
-    EXPECT_EQ(cell->subdomain_id(), ranks[StrutMesh::interval(cell).strut]);
+    EXPECT_EQ(cell->subdomain_id(), ranks[mesh.interval(cell).strut]);
 }
 
 TEST(StrutMesh, TooManyRanksAreRefused)

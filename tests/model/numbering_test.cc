@@ -18,25 +18,24 @@ namespace
   {
     Numbered(const Lattice     &lattice,
              const unsigned int order,
-             const unsigned int refinements  = 0,
+             const unsigned int n_elements   = 1,
              const Ties        &ties         = {},
              const MPI_Comm     communicator = MPI_COMM_WORLD)
       : Numbered(lattice,
-                 std::vector<unsigned int>(lattice.struts.size(), order),
-                 refinements,
+                 std::vector<StrutDivision>(lattice.struts.size(),
+                                            {order, n_elements}),
                  ties,
                  communicator)
     {}
 
-    /** With orders by strut. */
-    Numbered(const Lattice                   &lattice,
-             const std::vector<unsigned int> &orders,
-             const unsigned int               refinements,
-             const Ties                      &ties,
-             const MPI_Comm                   communicator)
+    /** With elements by strut. */
+    Numbered(const Lattice                    &lattice,
+             const std::vector<StrutDivision> &divisions,
+             const Ties                       &ties,
+             const MPI_Comm                    communicator)
       : lattice(lattice)
-      , mesh(this->lattice, refinements, communicator)
-      , dofs(this->lattice, mesh, orders, complete(ties), communicator)
+      , mesh(this->lattice, divisions, communicator)
+      , dofs(this->lattice, mesh, complete(ties), communicator)
     {}
 
     Ties complete(Ties ties) const
@@ -87,36 +86,34 @@ TEST(DofNumbering, FourByFourStarsHave1080UnknownsAtOrderTwo)
   for (const unsigned int joint : stars_4x4.lattice.joint_sets.at("bottom"))
     for (const unsigned int c : stars_4x4.dofs.components())
       clamped.prescribed.push_back({joint, c});
-  const Numbered held(stars(4, 4), 2, 0, clamped);
+  const Numbered held(stars(4, 4), 2, 1, clamped);
   EXPECT_EQ(held.dofs.unknowns().n_free(), 1080u - 12u);
   EXPECT_EQ(held.dofs.layout().n_global(), 1080u);
 }
 
-TEST(DofNumbering, CountsFollowFromOrderAndRefinement)
+TEST(DofNumbering, CountsFollowFromOrderAndNumberOfElements)
 {
   for (unsigned int order = 1; order <= 6; ++order)
-    for (unsigned int refinements = 0; refinements <= 2; ++refinements)
+    for (unsigned int n_elements = 1; n_elements <= 4; ++n_elements)
       {
-        const Numbered     tripods(tripod(), order, refinements);
-        const unsigned int inner_nodes = order * (1u << refinements) - 1;
+        const Numbered     tripods(tripod(), order, n_elements);
+        const unsigned int inner_nodes = order * n_elements - 1;
         EXPECT_EQ(tripods.dofs.layout().n_global(), 3 * (4 + 3 * inner_nodes));
         EXPECT_EQ(tripods.dofs.groups().at(0).order, order);
       }
 }
 
-TEST(DofNumbering, StrutsOfDifferentOrderShareJointsOnly)
+TEST(DofNumbering, StrutsOfDifferentElementsShareJointsOnly)
 {
-  for (const unsigned int refinements : {0u, 1u})
+  for (const unsigned int n : {1u, 2u, 3u})
     {
       const Numbered      tripods(tripod(),
-                             {4, 1, 4},
-                             refinements,
+                             {{4, n}, {1, n}, {4, 5}},
                              {},
                              MPI_COMM_WORLD);
       const DofNumbering &dofs = tripods.dofs;
-      const unsigned int  n    = 1u << refinements;
       EXPECT_EQ(dofs.layout().n_global(),
-                3 * (4 + 2 * (4 * n - 1) + (1 * n - 1)));
+                3 * (4 + (4 * n - 1) + (n - 1) + (4 * 5 - 1)));
       ASSERT_EQ(dofs.groups().size(), 2u);
       EXPECT_EQ(dofs.groups()[0].order, 1u);
       EXPECT_EQ(dofs.groups()[1].order, 4u);
@@ -129,7 +126,7 @@ TEST(DofNumbering, StrutsOfDifferentOrderShareJointsOnly)
             const StrutMesh::Interval &interval = dofs.elements()[e].interval;
             const Strut &strut = tripods.lattice.struts[interval.strut];
             EXPECT_EQ(dofs.elements()[e].order, group.order);
-            EXPECT_EQ(dofs.orders()[interval.strut], group.order);
+            EXPECT_EQ(dofs.divisions()[interval.strut].order, group.order);
             EXPECT_EQ(dofs.n_element_unknowns(e), 3 * (group.order + 1));
             for (unsigned int node = 0; node <= group.order; ++node)
               {
@@ -145,7 +142,7 @@ TEST(DofNumbering, StrutsOfDifferentOrderShareJointsOnly)
 
 TEST(DofNumbering, StrutsShareTheUnknownsOfTheirJoint)
 {
-  const Numbered tripods(tripod(), 3, 0, {}, MPI_COMM_SELF);
+  const Numbered tripods(tripod(), 3, 1, {}, MPI_COMM_SELF);
   ASSERT_EQ(tripods.dofs.elements().size(), 3u);
   for (unsigned int e = 0; e < 3; ++e)
     {
@@ -165,7 +162,7 @@ TEST(DofNumbering, StrutsShareTheUnknownsOfTheirJoint)
 
 TEST(DofNumbering, ElementsOfAStrutShareTheNodeBetweenThem)
 {
-  const Numbered        tripods(tripod(), 2, 1, {}, MPI_COMM_SELF);
+  const Numbered        tripods(tripod(), 2, 2, {}, MPI_COMM_SELF);
   std::set<int>         unknowns;
   const DofNumbering   &dofs = tripods.dofs;
   std::vector<unsigned> of_first_strut;
@@ -188,7 +185,7 @@ TEST(DofNumbering, AReleasedEndHasARotationOfItsOwn)
 {
   Ties ties;
   ties.released = {{{true, false}}, {{false, false}}, {{false, false}}};
-  const Numbered tripods(tripod(), 2, 0, ties, MPI_COMM_SELF);
+  const Numbered tripods(tripod(), 2, 1, ties, MPI_COMM_SELF);
   EXPECT_EQ(tripods.dofs.layout().n_global(), 3u * (4 + 3) + 1);
   EXPECT_TRUE(tripods.dofs.joint_has(0, rotation_z));
   EXPECT_NE(tripods.dofs.end_rotation(0, 0),
@@ -203,7 +200,7 @@ TEST(DofNumbering, AJointWithAllStrutsReleasedHasNoRotation)
 {
   Ties ties;
   ties.released = {{{true, false}}, {{true, false}}, {{true, false}}};
-  const Numbered tripods(tripod(), 2, 0, ties, MPI_COMM_SELF);
+  const Numbered tripods(tripod(), 2, 1, ties, MPI_COMM_SELF);
   EXPECT_EQ(tripods.dofs.layout().n_global(), 3u * (4 + 3) + 2);
   EXPECT_FALSE(tripods.dofs.joint_has(0, rotation_z));
   EXPECT_EQ(tripods.dofs.joint_unknown(0, rotation_z), -1);
@@ -220,7 +217,7 @@ TEST(DofNumbering, AJointWithoutStrutsHasDisplacementsOnly)
   lattice.joints.push_back({5, 5, 0});
   Ties ties;
   ties.connected = {{0, 4, 0}};
-  const Numbered numbered(lattice, 1, 0, ties);
+  const Numbered numbered(lattice, 1, 1, ties);
   EXPECT_EQ(numbered.dofs.layout().n_global(), 3u * 4 + 2);
   EXPECT_TRUE(numbered.dofs.joint_has(4, 1));
   EXPECT_FALSE(numbered.dofs.joint_has(4, rotation_z));
@@ -228,7 +225,7 @@ TEST(DofNumbering, AJointWithoutStrutsHasDisplacementsOnly)
 
 TEST(DofNumbering, WordsNameJointOrStrutAndComponent)
 {
-  const Numbered tripods(tripod(), 2, 0, {}, MPI_COMM_SELF);
+  const Numbered tripods(tripod(), 2, 1, {}, MPI_COMM_SELF);
   const auto    &dofs = tripods.dofs;
   EXPECT_EQ(describe(dofs, dofs.joint_unknown(3, 0)),
             "horizontal displacement of joint 3 at (-1, 0)");
@@ -248,14 +245,14 @@ TEST(DofNumbering, WordsForAReleasedEndNameItsStrut)
 {
   Ties ties;
   ties.released = {{{true, false}}, {{true, false}}, {{true, false}}};
-  const Numbered tripods(tripod(), 2, 0, ties, MPI_COMM_SELF);
+  const Numbered tripods(tripod(), 2, 1, ties, MPI_COMM_SELF);
   EXPECT_EQ(describe(tripods.dofs, tripods.dofs.end_rotation(2, 0)),
             "rotation of strut 2 (joints 0 - 3)");
 }
 
 TEST(DofNumbering, KindsTellRotationsAndPrescribedUnknownsApart)
 {
-  const Numbered free(tripod(), 2, 0, {}, MPI_COMM_SELF);
+  const Numbered free(tripod(), 2, 1, {}, MPI_COMM_SELF);
   const int      x = free.dofs.joint_unknown(1, 0),
             r      = free.dofs.joint_unknown(1, rotation_z);
   EXPECT_EQ(free.dofs.unknowns().kinds[x], UnknownKind::translation);
@@ -263,7 +260,7 @@ TEST(DofNumbering, KindsTellRotationsAndPrescribedUnknownsApart)
   EXPECT_FALSE(free.dofs.unknowns().is_rotation[x]);
   Ties ties;
   ties.prescribed = {{1, rotation_z}};
-  const Numbered held(tripod(), 2, 0, ties, MPI_COMM_SELF);
+  const Numbered held(tripod(), 2, 1, ties, MPI_COMM_SELF);
   EXPECT_EQ(held.dofs.unknowns().kinds[held.dofs.joint_unknown(1, rotation_z)],
             UnknownKind::prescribed);
   EXPECT_TRUE(
@@ -272,7 +269,7 @@ TEST(DofNumbering, KindsTellRotationsAndPrescribedUnknownsApart)
 
 TEST(DofNumbering, NeighbouringUnknownsOfOneRankHaveEveryNumberOnce)
 {
-  const Numbered self(stars(2, 2), 3, 0, {}, MPI_COMM_SELF);
+  const Numbered self(stars(2, 2), 3, 1, {}, MPI_COMM_SELF);
   EXPECT_EQ(self.dofs.layout().n_owned(), self.dofs.layout().n_global());
   EXPECT_EQ(self.dofs.layout().n_local(), self.dofs.layout().n_global());
   std::set<int> unknowns;
@@ -331,7 +328,7 @@ TEST(DofNumbering, GhostsReceiveTheValuesOfTheirOwners)
 
 TEST(DofNumbering, EveryElementIsOwnedOnceAndKeptWhereItHasARow)
 {
-  const Numbered     numbered(stars(3, 3), 2, 1);
+  const Numbered     numbered(stars(3, 3), 2, 2);
   const auto        &dofs = numbered.dofs;
   const unsigned int n    = 9;
 
@@ -384,7 +381,7 @@ TEST(DofNumbering, BothEndsOfAConnectorAreKeptWhereOneIsOwned)
   for (unsigned int i = 0; i < 10; ++i)
     ties.connected.push_back({i, last - i, 0});
   ties.connected.push_back({20, invalid_index, 0});
-  const Numbered numbered(lattice, 2, 0, ties);
+  const Numbered numbered(lattice, 2, 1, ties);
   for (const JointPair &pair : ties.connected)
     if (pair.second != invalid_index)
       for (const auto &[mine, other] : {std::pair(pair.first, pair.second),
@@ -412,7 +409,7 @@ TEST(DofNumbering, BothRotationsOfASpringAreKeptWhereOneIsOwned)
     for (const RotationOwner &end : ends[joint])
       if (!(end == ends[joint].front()))
         ties.sprung.push_back({joint, ends[joint].front(), end});
-  const Numbered numbered(lattice, 1, 0, ties);
+  const Numbered numbered(lattice, 1, 1, ties);
   const auto    &dofs = numbered.dofs;
 
   EXPECT_GT(ties.sprung.size(), 0u);
@@ -433,7 +430,7 @@ TEST(DofNumbering, BothRotationsOfASpringAreKeptWhereOneIsOwned)
 TEST(DofNumbering, WordsForAGhostAreThoseOfItsOwner)
 {
   const Numbered numbered(stars(3, 3), 1);
-  const Numbered self(stars(3, 3), 1, 0, {}, MPI_COMM_SELF);
+  const Numbered self(stars(3, 3), 1, 1, {}, MPI_COMM_SELF);
   for (unsigned int joint = 0; joint < numbered.lattice.joints.size(); ++joint)
     for (const unsigned int c : numbered.dofs.components())
       if (const int unknown = numbered.dofs.joint_unknown(joint, c);
@@ -467,7 +464,7 @@ namespace
 
 TEST(DofNumbering, JointsOfRigidPartsAloneHaveNoRotation)
 {
-  const Numbered hinged(tripod_with_rigid_part(false), 2, 0, {}, MPI_COMM_SELF);
+  const Numbered hinged(tripod_with_rigid_part(false), 2, 1, {}, MPI_COMM_SELF);
   const auto    &dofs = hinged.dofs;
   // One strut with three nodes, two more joints, 2 * 3 - 3 constraints.
   EXPECT_EQ(dofs.layout().n_global(), 3u * 3 + 2 * 2 + 3);
@@ -493,7 +490,7 @@ TEST(DofNumbering, JointsOfRigidPartsAloneHaveNoRotation)
 
 TEST(DofNumbering, AClampedRotationHasAConstraintOfItsOwn)
 {
-  const Numbered clamped(tripod_with_rigid_part(true), 2, 0, {}, MPI_COMM_SELF);
+  const Numbered clamped(tripod_with_rigid_part(true), 2, 1, {}, MPI_COMM_SELF);
   EXPECT_EQ(clamped.dofs.layout().n_global(), 3u * 3 + 2 * 2 + 4);
   EXPECT_EQ(clamped.dofs.constraints().clamped_joints(0),
             std::vector<unsigned int>{0});
@@ -502,7 +499,7 @@ TEST(DofNumbering, AClampedRotationHasAConstraintOfItsOwn)
   ties.released = {{{false, false}}, {{false, false}}, {{true, false}}};
   const Numbered released(tripod_with_rigid_part(true),
                           2,
-                          0,
+                          1,
                           ties,
                           MPI_COMM_SELF);
   EXPECT_TRUE(released.dofs.constraints().clamped_joints(0).empty());

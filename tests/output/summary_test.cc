@@ -78,6 +78,31 @@ TEST(Summary, OverviewListsWhatIsSimulatedAndWhatIsNot)
   EXPECT_NE(text.back(), '\n');
 }
 
+TEST(Summary, OverviewTellsElementsOfStruts)
+{
+  const auto text_of = [](const Counts &counts) {
+    return overview_text(Scene(), counts, {}, {});
+  };
+  Counts counts;
+  counts.elements           = 12;
+  counts.struts_of_division = {{{3, 2}, 6}};
+  EXPECT_NE(text_of(counts).find("12 of order 3\n"), std::string::npos);
+  counts.struts_of_division = {{{2, 2}, 1}, {{3, 2}, 5}};
+  EXPECT_NE(text_of(counts).find("12: 1 struts of order 2, 5 of order 3\n"),
+            std::string::npos);
+  counts.struts_of_division = {{{2, 1}, 1}, {{3, 1}, 4}, {{3, 7}, 1}};
+  EXPECT_NE(text_of(counts).find("12: 1 struts of order 2, 4 of order 3, 1 of "
+                                 "order 3 with 7 elements\n"),
+            std::string::npos)
+    << text_of(counts);
+
+  Summary summary;
+  summary.counts  = counts;
+  const Json json = Json::parse(summary_json(Scene(), summary)).at("counts");
+  EXPECT_EQ(json.at("struts_of_order"), Json({{"2", 1}, {"3", 5}}));
+  EXPECT_EQ(json.at("struts_of_n_elements"), Json({{"1", 5}, {"7", 1}}));
+}
+
 TEST(Summary, OverviewHasNoEmptyList)
 {
   const std::string text =

@@ -22,8 +22,8 @@ namespace auxfem
     {
       const DofNumbering      &numbering = run.model.numbering;
       std::vector<NodeUnknown> result(numbering.layout().n_local());
-      const auto               nodes =
-        dealii::FE_Q<1>(numbering.orders().front()).get_unit_support_points();
+      const auto nodes = dealii::FE_Q<1>(numbering.divisions().front().order)
+                           .get_unit_support_points();
       for (unsigned int e = 0; e < numbering.elements().size(); ++e)
         {
           const StrutMesh::Interval &interval =

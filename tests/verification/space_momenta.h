@@ -33,8 +33,8 @@ namespace auxfem
         , momentum(run.model.numbering.layout().n_owned())
       {
         const DofNumbering &dofs = run.model.numbering;
-        const auto          points =
-          dealii::FE_Q<1>(dofs.orders().front()).get_unit_support_points();
+        const auto points = dealii::FE_Q<1>(dofs.divisions().front().order)
+                              .get_unit_support_points();
         for (unsigned int e = 0; e < dofs.elements().size(); ++e)
           for (unsigned int a = 0; a < points.size(); ++a)
             {

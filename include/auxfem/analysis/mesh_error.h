@@ -78,16 +78,18 @@ namespace auxfem
   };
 
   /**
-   * Errors (J, as the square of the energy norm) that the struts that this rank
-   * counts would have with elements of one order.
+   * Errors (J, as the square of the energy norm) that struts would have with
+   * other elements.
    *
-   * @param motions of MeshError::struts(), that their ends have; not finite if
-   *   they have none
+   * @param seen the motions that their ends have; errors are not finite where
+   *   they are not
+   * @param which struts, by their numbers in MeshError::struts()
    */
-  std::vector<double> errors_of_order(const Scene                    &scene,
-                                      const LatticeModel             &model,
-                                      const std::vector<StrutMotion> &motions,
-                                      unsigned int                    order);
+  std::vector<double> errors_of_division(const Scene                     &scene,
+                                         const LatticeModel              &model,
+                                         const MeshError                 &seen,
+                                         const std::vector<unsigned int> &which,
+                                         StrutDivision division);
 } // namespace auxfem
 
 #endif

@@ -16,7 +16,7 @@ namespace auxfem
   public:
     /**
      * @param scene, recorder must outlive the object.
-     * @param report what is known of the orders before the run
+     * @param report what is known of the choice before the run
      */
     MeshErrorRecorder(const Scene       &scene,
                       Recorder          &recorder,

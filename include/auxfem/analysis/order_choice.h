@@ -6,35 +6,38 @@
 
 namespace auxfem
 {
-  /** Orders of the elements by strut, and how they were found. */
-  struct ChosenOrders
+  /** The elements of the struts, and how they were found. */
+  struct ChosenElements
   {
-    std::vector<unsigned int> orders;
-    OrderReport               report;
+    std::vector<StrutDivision> divisions; ///< by strut
+    OrderReport                report;
   };
 
   /**
-   * The lowest orders with which the estimated errors of all struts add up to
-   * no more than `Discretization/Tolerance`; the highest possible where this is
-   * not enough. The motion that asks for them is that of a search run: the
-   * scene with one order for all struts and fewer steps, which @p recorder is
-   * told of. Collective. Throws InputError for a probe whose joints do not
-   * exist.
+   * Orders and numbers of elements, strut by strut, with which the estimated
+   * errors of all struts add up to no more than `Discretization/Tolerance`, and
+   * as few unknowns as possible; what comes nearest where none are enough. The
+   * motion that asks for them is that of a search run: the scene with one order
+   * for all struts and fewer steps, which @p recorder is told of. Where the
+   * errors of that are large, a second one has what the first found.
+   * Collective. Throws InputError for a probe whose joints do not exist.
    */
-  ChosenOrders
-  choose_orders(const Scene &scene, MPI_Comm communicator, Recorder &recorder);
+  ChosenElements choose_elements(const Scene &scene,
+                                 MPI_Comm     communicator,
+                                 Recorder    &recorder);
 
   /**
-   * A lattice's run with Discretization/Order = auto: chooses the orders, and
-   * estimates the error of the elements on the way.
+   * A lattice's run with Discretization/Order = auto: chooses the elements, and
+   * estimates their error on the way.
    */
-  RunResult run_with_chosen_orders(const Scene &scene,
-                                   MPI_Comm     communicator,
-                                   Recorder    &recorder);
+  RunResult run_with_chosen_elements(const Scene &scene,
+                                     MPI_Comm     communicator,
+                                     Recorder    &recorder);
 
-  /** The scene with these orders; none of them `auto` any more. */
-  Scene with_orders(const Scene                     &scene,
-                    const std::vector<unsigned int> &orders);
+  /** The scene with these elements, by strut, not `auto` any more; none: all
+   * struts have common_division(). */
+  Scene with_divisions(const Scene                      &scene,
+                       const std::vector<StrutDivision> &divisions);
 } // namespace auxfem
 
 #endif

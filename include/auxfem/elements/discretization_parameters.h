@@ -1,6 +1,7 @@
 #ifndef auxfem_elements_discretization_parameters_h
 #define auxfem_elements_discretization_parameters_h
 
+#include <auxfem/mesh/strut_division.h>
 #include <auxfem/parameters/subsection_schema.h>
 
 #include <optional>
@@ -14,11 +15,16 @@ namespace auxfem
     unsigned int order = 3; ///< polynomial order 1..6, in space 1..4
     /** Global refinements: 2^n elements a strut. */
     unsigned int refinements = 0;
-    /** Error of the motion that orders are chosen for, strut by strut; nothing:
-     * all struts have `order`. */
+    /** Error of the motion that elements are chosen for, strut by strut;
+     * nothing: all struts have common_division(). */
     std::optional<double> tolerance = {};
-    /** Orders by strut, where they differ; empty: all struts have `order`. */
-    std::vector<unsigned int> orders = {};
+    /** By strut, where they differ; empty: all have common_division(). */
+    std::vector<StrutDivision> divisions = {};
+
+    StrutDivision common_division() const
+    {
+      return {order, 1u << refinements};
+    }
   };
 
   /** `Discretization`. */

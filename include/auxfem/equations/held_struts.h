@@ -8,8 +8,8 @@
 namespace auxfem
 {
   /**
-   * The struts that a rank counts, each for itself with its ends held: they
-   * share no joint, so each may be in a state of its own, of any instant. Its
+   * Struts that a rank counts, each for itself with its ends held: they share
+   * no joint, so each may be in a state of its own, of any instant. Its
    * inside is in equilibrium, or not, with its line loads and weight, and with
    * the inertia of accelerations that stay as they are. No communication.
    */
@@ -20,13 +20,13 @@ namespace auxfem
      * @param scene, model must outlive the object. The elements of the model
      *   have at least two orders, so that all of a strut's are counted by one
      *   rank.
-     * @param orders of the elements here, by strut
-     * @param refinements 2^n elements a strut
+     * @param divisions of the struts here, by their numbers in the lattice
+     * @param struts which, of those that owned_struts() of the model tells
      */
-    HeldStruts(const Scene                     &scene,
-               const LatticeModel              &model,
-               const std::vector<unsigned int> &orders,
-               unsigned int                     refinements);
+    HeldStruts(const Scene               &scene,
+               const LatticeModel        &model,
+               std::vector<StrutDivision> divisions,
+               std::vector<unsigned int>  struts);
 
     HeldStruts(const HeldStruts &)            = delete;
     HeldStruts &operator=(const HeldStruts &) = delete;
@@ -94,7 +94,8 @@ namespace auxfem
     EndForces          second_end(unsigned int strut) const;
     const StrutForces &forces_of(unsigned int element) const;
 
-    const unsigned int              n_elements; ///< a strut
+    unsigned int n_elements(unsigned int strut) const;
+
     const bool                      large_rotation;
     const std::vector<unsigned int> counted;
     /** Joints apart; struts of others are none of this mesh. */
@@ -115,6 +116,10 @@ namespace auxfem
     std::vector<double>       last_work; ///< of the last correction (J)
     ///@}
   };
+
+  /** The struts that a rank counts, by their numbers in the lattice, in the
+   * order of their elements. */
+  std::vector<unsigned int> owned_struts(const DofNumbering &numbering);
 } // namespace auxfem
 
 #endif

@@ -43,12 +43,10 @@ namespace auxfem
    * The same motion at the nodes of other elements.
    * Displacements, rotations measured from the middle of the element
    * (elements/beam_3d_strains.h) and rates are interpolated as polynomials of
-   * the elements they come from, so nothing is lost if the new ones halve these
-   * or have a higher order.
+   * the elements they come from, so nothing is lost if the new ones divide
+   * these and have no lower order.
    */
-  StrutMotion interpolated(const StrutMotion &motion,
-                           unsigned int       order,
-                           unsigned int       n_elements);
+  StrutMotion interpolated(const StrutMotion &motion, StrutDivision division);
 
   /** Writes @p motion, whose nodes are those of the strut's elements, to @p state.
    */

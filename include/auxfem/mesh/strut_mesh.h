@@ -2,6 +2,7 @@
 #define auxfem_mesh_strut_mesh_h
 
 #include <auxfem/mesh/lattice.h>
+#include <auxfem/mesh/strut_division.h>
 
 #include <deal.II/distributed/shared_tria.h>
 
@@ -52,12 +53,15 @@ namespace auxfem
     };
 
     /**
-     * Makes 2^refinements cells for every strut of @p lattice and divides the
-     * struts among the ranks of @p communicator. Collective.
+     * Makes a cell for every element of the struts of @p lattice and gives each
+     * strut to one of the ranks of @p communicator. Collective.
+     *
+     * @param divisions by strut, the same on every rank; those of rigid ones
+     *   mean nothing
      */
-    StrutMesh(const Lattice &lattice,
-              unsigned int   refinements,
-              MPI_Comm       communicator);
+    StrutMesh(const Lattice             &lattice,
+              std::vector<StrutDivision> divisions,
+              MPI_Comm                   communicator);
 
     /** Empty, and not to be looped over, if all struts are rigid. */
     const Triangulation &triangulation() const;
@@ -65,19 +69,19 @@ namespace auxfem
     /** Number of active cells of all ranks. */
     unsigned int n_cells() const;
 
-    /** Number of active cells of every elastic strut. */
-    unsigned int n_cells_of_strut() const;
+    /** The elements of the struts. */
+    const std::vector<StrutDivision> &divisions() const;
 
     /** Position of an active cell. */
-    static Interval interval(const Triangulation::cell_iterator &cell);
+    Interval interval(const Triangulation::cell_iterator &cell) const;
 
     /** Rank a strut was given to, rigid ones included. */
     unsigned int rank(unsigned int strut) const;
 
   private:
-    Triangulation                   mesh;
-    const unsigned int              refinements;
-    const std::vector<unsigned int> ranks; ///< by strut
+    Triangulation                    mesh;
+    const std::vector<StrutDivision> of_struts;
+    const std::vector<unsigned int>  ranks; ///< by strut
   };
 
   /**

@@ -35,14 +35,9 @@ namespace auxfem
       std::array<int, 2> multipliers;
     };
 
-    /**
-     * @param orders polynomial orders of the elements, by strut
-     * @param components of motion that nodes have.
-     * Collective.
-     */
+    /** @param components of motion that nodes have. Collective. */
     GlobalNumbers(const Lattice                   &lattice,
                   const StrutMesh                 &mesh,
-                  const std::vector<unsigned int> &orders,
                   const std::vector<unsigned int> &components,
                   const Ties                      &ties,
                   unsigned int                     n_ranks);
@@ -52,6 +47,12 @@ namespace auxfem
     std::map<std::pair<unsigned int, unsigned int>, OfMotion> released_ends;
     std::vector<OfRigidPart>                                  rigid_parts;
     std::vector<OfHinge>                                      hinges;
+    /**
+     * Of each strut the first of its nodes, if those of all struts are numbered
+     * one after the other, and the end of the last; joints count anew at each
+     * strut.
+     */
+    std::vector<std::size_t> first_nodes;
     /** Of all elements' nodes, in the order of active cells. */
     std::vector<int> cells;
     /** Numbers owned by rank r: [first_owned[r], first_owned[r + 1]). */

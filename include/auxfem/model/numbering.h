@@ -42,25 +42,19 @@ namespace auxfem
       unsigned int begin, end;
     };
 
-    /**
-     * @param lattice must outlive the object.
-     * @param orders polynomial orders of the elements, by strut, the same on
-     *   every rank
-     * Collective.
-     */
-    DofNumbering(const Lattice                   &lattice,
-                 const StrutMesh                 &mesh,
-                 const std::vector<unsigned int> &orders,
-                 const Ties                      &ties,
-                 MPI_Comm                         communicator);
+    /** @param lattice must outlive the object. Collective. */
+    DofNumbering(const Lattice   &lattice,
+                 const StrutMesh &mesh,
+                 const Ties      &ties,
+                 MPI_Comm         communicator);
 
     DofNumbering(const DofNumbering &)            = delete;
     DofNumbering &operator=(const DofNumbering &) = delete;
 
     const Lattice &lattice() const;
 
-    /** Polynomial orders of the elements, by strut. */
-    const std::vector<unsigned int> &orders() const;
+    /** The elements of the struts, by strut. */
+    const std::vector<StrutDivision> &divisions() const;
 
     /** Unknowns a node: 3 in the plane, 6 in space. */
     unsigned int n_components() const;
@@ -157,14 +151,14 @@ namespace auxfem
     void mark_prescribed(const std::vector<JointMotion> &motions);
     void find_rotations();
 
-    const Lattice                  &of_lattice;
-    const std::vector<unsigned int> of_struts; ///< orders
-    const std::vector<unsigned int> node_components;
-    GlobalNumbers                   numbers;
-    std::vector<Element>            element_list;
-    std::vector<Group>              element_groups;
-    Kept                            kept; ///< emptied after set-up
-    std::vector<int>                element_numbers;
+    const Lattice                   &of_lattice;
+    const std::vector<StrutDivision> of_struts;
+    const std::vector<unsigned int>  node_components;
+    GlobalNumbers                    numbers;
+    std::vector<Element>             element_list;
+    std::vector<Group>               element_groups;
+    Kept                             kept; ///< emptied after set-up
+    std::vector<int>                 element_numbers;
     /** Of each element, and the end of the last. */
     std::vector<std::size_t> first_number;
     Unknowns                 of_unknowns;

@@ -26,7 +26,7 @@ namespace auxfem
     double cpu_seconds_of_estimates = 0;
   };
 
-  /** A sentence on how the orders were found, without the last line break. */
+  /** A sentence on how the elements were found, without the last line break. */
   std::string order_search_text(const OrderReport &report);
 
   /** A sentence on what the run says of their error, without the last line

@@ -58,7 +58,7 @@ namespace auxfem
     ///@{
     /**
      * Before begin(), with Discretization/Order = auto: a step is done of the
-     * scene @p search, whose motion tells the orders.
+     * scene @p search, whose motion tells which elements to take.
      */
     virtual void search_step(const Scene & /*search*/,
                              const State & /*state*/,

@@ -20,10 +20,10 @@ namespace auxfem
     unsigned int joints   = 0;
     unsigned int struts   = 0;
     unsigned int elements = 0;
-    /** Elastic struts by the polynomial order of their elements. */
-    std::map<unsigned int, unsigned int> struts_of_order;
-    unsigned int                         connectors  = 0;
-    unsigned int                         rigid_parts = 0;
+    /** Elastic struts by their elements. */
+    std::map<StrutDivision, unsigned int> struts_of_division;
+    unsigned int                          connectors  = 0;
+    unsigned int                          rigid_parts = 0;
     /** Displacements, rotations and multipliers. */
     unsigned int unknowns = 0;
     /** Displacements and rotations that are not prescribed. */

@@ -82,7 +82,8 @@ namespace auxfem
                    largest = compressions.largest_of_all(communicator);
         if (!first)
           return {};
-        const unsigned int order    = model.numbering.orders()[first->number];
+        const unsigned int order =
+          model.numbering.divisions()[first->number].order;
         const std::string  location = "strut " + std::to_string(first->number);
         std::ostringstream text;
         text.precision(3);
