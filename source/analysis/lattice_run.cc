@@ -222,7 +222,10 @@ namespace auxfem
     const auto           finish = [&](const std::string &exit_state) {
       if (!has_begun)
         recorder.begin(equations);
-      recorder.finish(solution, result(exit_state));
+      RunResult failed = result(exit_state);
+      if (failed.work.steps == 0)
+        failed.findings.push_back(nothing_computed(failed.time));
+      recorder.finish(solution, failed);
     };
     // Else ranks may know nothing of an exception of another, and would wait.
     const bool is_alone = model.numbering.layout().n_ranks() == 1;

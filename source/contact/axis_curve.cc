@@ -22,20 +22,23 @@ namespace auxfem
                          double                   low,
                          double                   high)
     {
+      // Newton's method doubles the digits: after a step as short as this what
+      // is left is round-off.
       constexpr unsigned int most_steps = 60;
-      constexpr double       digits     = 1e-15;
-      double                 at         = (low + high) / 2;
+      constexpr double       digits = 1e-15, half_the_digits = 1e-8;
+      double                 at = (low + high) / 2;
       for (unsigned int i = 0; i < most_steps; ++i)
         {
           const AxisCurve::Vector away    = curve.at(at) - point,
                                   tangent = curve.tangent(at);
           const double slope              = away * tangent;
           (slope < 0 ? low : high)        = at;
-          const double growth = tangent * tangent + away * curve.bend(at);
-          double       next   = growth > 0 ? at - slope / growth : low;
-          if (!(next > low && next < high))
+          const double growth     = tangent * tangent + away * curve.bend(at);
+          double       next       = growth > 0 ? at - slope / growth : low;
+          const bool   is_newtons = next > low && next < high;
+          if (!is_newtons)
             next = (low + high) / 2;
-          if (std::abs(next - at) <= digits)
+          if (std::abs(next - at) <= (is_newtons ? half_the_digits : digits))
             return next;
           at = next;
         }

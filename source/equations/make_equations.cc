@@ -1,4 +1,6 @@
+#include <auxfem/equations/effects/plate_contact.h>
 #include <auxfem/equations/effects/rigid_part_inertia.h>
+#include <auxfem/equations/effects/strut_contact.h>
 #include <auxfem/equations/equations.h>
 #include <auxfem/equations/make_couplings.h>
 #include <auxfem/equations/make_loads.h>

@@ -1,3 +1,5 @@
+#include <auxfem/equations/effects/plate_contact.h>
+#include <auxfem/equations/effects/strut_contact.h>
 #include <auxfem/mesh/position_function.h>
 #include <auxfem/output/contact_graphics.h>
 

@@ -8,6 +8,15 @@
 
 namespace auxfem
 {
+  Finding nothing_computed(const double time)
+  {
+    return {Verdict::not_to_be_used,
+            "The run ended before its first step was done: nothing is computed "
+            "but what it starts from.",
+            time,
+            ""};
+  }
+
   Verdict verdict_of(const std::vector<Finding> &findings)
   {
     Verdict worst = Verdict::sound;

@@ -21,7 +21,8 @@ namespace auxfem
     const auto finish = [&](const std::string &exit_state) {
       result.exit_state      = exit_state;
       result.work.iterations = scheme->work();
-      result.findings        = judgement.findings();
+      for (const Finding &finding : judgement.findings())
+        result.findings.push_back(finding);
       recorder.finish_cell(result);
     };
     recorder.begin_cell();
@@ -38,6 +39,8 @@ namespace auxfem
       }
     catch (const std::exception &failure)
       {
+        if (result.work.steps == 0)
+          result.findings = {nothing_computed(result.time)};
         finish(failure.what());
         throw;
       }

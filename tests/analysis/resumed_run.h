@@ -143,19 +143,21 @@ namespace auxfem
     }
 
     /**
-     * That a run of @p text on this rank and one that was halted early, halfway
-     * and late are the same, to the last digit. Returns the former.
+     * That a run of @p text, on this rank or those of @p communicator, and one
+     * that was halted early, halfway and late are the same, to the last digit.
+     * Returns the former.
      */
     inline RecordedRun
     expect_same_when_resumed(const std::string              &text,
-                             const std::vector<std::string> &overrides = {})
+                             const std::vector<std::string> &overrides = {},
+                             const MPI_Comm communicator = MPI_COMM_SELF)
     {
       const Scene scene = read_scene_from_text(text, "test.prm", overrides);
-      RecordedRun whole = whole_run(scene, MPI_COMM_SELF);
+      RecordedRun whole = whole_run(scene, communicator);
       for (const double part : {0.1, 0.5, 0.8})
         {
           SCOPED_TRACE(part);
-          expect_same(whole, resumed_run(scene, MPI_COMM_SELF, part));
+          expect_same(whole, resumed_run(scene, communicator, part));
         }
       return whole;
     }

@@ -118,6 +118,27 @@ namespace
     EXPECT_EQ(history().names.front(), "time");
     expect_contains(summary("exit_state"), {"'1 / t'"});
     EXPECT_EQ(std::stod(summary("time_reached")), 0);
+    expect_contains(summary("verdict"), {"not to be used"});
+    expect_contains(read_text(path("out/summary.json")),
+                    {"before its first step"});
+  }
+
+
+
+  TEST_F(FailedRun, CellThatDoesNotGetThroughItsFirstStep)
+  {
+    write("scene.prm", prm_text("cell-case-1.prm"));
+    expect_failure(run_auxfem({"scene.prm",
+                               "--output",
+                               "out",
+                               "--set",
+                               "Reduced cell/Load=1e9",
+                               "--set",
+                               "Newton/Maximum iterations=1"}),
+                   {"converge"});
+    expect_contains(summary("verdict"), {"not to be used"});
+    expect_contains(read_text(path("out/summary.json")),
+                    {"before its first step"});
   }
 
 

@@ -1,3 +1,5 @@
+#include <auxfem/equations/effects/plate_contact.h>
+
 #include <support/scene_run.h>
 #include <support/scene_text.h>
 #include <verification/result_table.h>

@@ -1,3 +1,5 @@
+#include <auxfem/equations/effects/strut_contact.h>
+
 #include <verification/result_table.h>
 #include <verification/space_run.h>
 

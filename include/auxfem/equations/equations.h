@@ -2,9 +2,7 @@
 #define auxfem_equations_equations_h
 
 #include <auxfem/equations/effects/connector_forces.h>
-#include <auxfem/equations/effects/plate_contact.h>
 #include <auxfem/equations/effects/rigid_part_constraints.h>
-#include <auxfem/equations/effects/strut_contact.h>
 #include <auxfem/equations/effects/struts.h>
 #include <auxfem/equations/solution.h>
 #include <auxfem/model/lattice_model.h>
@@ -15,6 +13,9 @@
 
 namespace auxfem
 {
+  class PlateContact;
+  class StrutContact;
+
   /** A group of connectors among the effects. */
   struct ConnectorGroup
   {
@@ -179,7 +180,7 @@ namespace auxfem
      */
     bool update_couplings(State &accepted);
 
-    /** Keeps the couplings there are. */
+    /** Keeps the couplings there are. Collective. */
     void save(Records &records) const;
 
     /** Goes on with the couplings that were saved; as update_couplings(). */
@@ -233,6 +234,12 @@ namespace auxfem
     void register_blocks();
     /** As update_couplings(), for what effects have changed and want. */
     bool couple(bool changed, const std::vector<int> &wanted, State &accepted);
+    /** Keeps the ghosts that effects have asked for, of all ranks in the order
+     * in which they came. Collective. */
+    void save_ghosts(Records &records) const;
+    /** Those of this rank; none if a run on another number of ranks is resumed.
+     */
+    std::vector<int> saved_ghosts(const Records &records) const;
 
     const LatticeModel                  &structure;
     std::vector<std::unique_ptr<Effect>> effects;

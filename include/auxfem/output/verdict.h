@@ -25,6 +25,9 @@ namespace auxfem
     std::string location; ///< e.g. `joint 3`; empty if it is everywhere
   };
 
+  /** That a run has ended at @p time (s) before its first step was done. */
+  Finding nothing_computed(double time);
+
   /** The worst of @p findings; sound without any. */
   Verdict verdict_of(const std::vector<Finding> &findings);
 

@@ -100,8 +100,8 @@ namespace
         Pressed              pressed(text, seed);
         const EvaluatedAlone at(pressed.effect,
                                 pressed.evaluation(pressed.to, kind));
-        ASSERT_FALSE(
-          static_cast<const StrutContactResults &>(*at.results).points.empty());
+        ASSERT_FALSE(static_cast<const StrutContact::Results &>(*at.results)
+                       .points.empty());
         pressed.tangent->fill(at, factors);
         double       largest = 0, error = 0;
         const double h = 1e-7;

@@ -1,0 +1,168 @@
+#ifndef auxfem_equations_plate_proximity_h
+#define auxfem_equations_plate_proximity_h
+
+#include <auxfem/contact/plate_definition.h>
+#include <auxfem/equations/contact_points.h>
+#include <auxfem/scene/scene.h>
+#include <auxfem/time/records.h>
+#include <auxfem/time/state.h>
+
+#include <optional>
+
+namespace auxfem
+{
+  /** An axis and a plate. */
+  struct PlatePair
+  {
+    unsigned int axis, plate;
+
+    bool operator<(const PlatePair &other) const
+    {
+      return std::pair(axis, plate) < std::pair(other.axis, other.plate);
+    }
+
+    bool operator==(const PlatePair &other) const
+    {
+      return axis == other.axis && plate == other.plate;
+    }
+
+    template <class Archive>
+    void serialize(Archive &archive, const unsigned int /*version*/)
+    {
+      archive &axis &plate;
+    }
+  };
+
+  /**
+   * Which axes come near which plates, and how deep they go into them. Each
+   * rank looks at the axes that it counts. Theory: doc/theory.md, Contact, What
+   * is near.
+   */
+  class PlateProximity
+  {
+  public:
+    /** A plate of the scene, and the global numbers of its displacements. */
+    struct Plate
+    {
+      const PlateDefinition *definition;
+      std::vector<int>       unknowns;
+    };
+
+    /**
+     * @param scene, model, axes, points must outlive the object; @p points are
+     * those of each axis. Throws InputError for struts without thickness, and
+     * for such as lie in a plate at rest.
+     */
+    PlateProximity(const Scene                      &scene,
+                   const LatticeModel               &model,
+                   const std::vector<ContactAxis>   &axes,
+                   const std::vector<ContactPoints> &points);
+
+    /** Follows an accepted state; whether near() has changed. Collective. */
+    bool follow(const State &accepted);
+
+    /** Pairs that touch or may do so in the next step, of all ranks, sorted. */
+    const std::vector<PlatePair> &near() const
+    {
+      return near_pairs;
+    }
+
+    /** Keeps near(), which does not follow from a state alone. */
+    void save(Records &records) const;
+    void resume(const Records &records);
+
+    /** Why struts of this rank go too deep into a plate on the straight way
+     * between the states of a step, in words for users; empty: they do not.
+     * Collective. */
+    std::string why_too_deep(const Evaluation &step) const;
+
+    /** All, in the order of the scene. */
+    const std::vector<Plate> &plates() const
+    {
+      return all_plates;
+    }
+
+    /** By plate, of the plates' points of reference. Collective. */
+    std::vector<dealii::Tensor<1, 3>> plate_values(const Vector &values) const;
+
+    /** Half of it (m), of a rigid strut without a section that of the thickest
+     * one. */
+    double thickness(unsigned int axis) const;
+
+    /** Displacement of a point of an axis that this rank counts (m). */
+    dealii::Tensor<1, 3> displacement(unsigned int axis,
+                                      unsigned int point,
+                                      const State &state) const;
+
+  private:
+    using SpaceVector = dealii::Tensor<1, 3>;
+
+    /** The last search for what is near. */
+    struct Search
+    {
+      Vector displacement; ///< m
+      double clearance;    ///< least gap of any strut, on all ranks (m)
+    };
+
+    void refuse_struts_without_thickness() const;
+    void refuse_plates_in_struts() const;
+
+    /** Gap (m) that an owned axis has at least; the plate is displaced. */
+    double least_gap(const PlatePair   &pair,
+                     const Vector      &displacement,
+                     const SpaceVector &of_plate) const;
+
+    /** Of the nodes of an owned axis against the plate (m). */
+    double largest_motion(unsigned int       axis,
+                          const Vector      &increment,
+                          const SpaceVector &of_plate) const;
+
+    /** Also keeps how far all others are from all plates. Collective. */
+    std::vector<PlatePair> find_near(const State &accepted);
+
+    /** Motion of the last or the next step (m); empty if not known. */
+    Vector motion_of_step(const State &accepted) const;
+
+    /** Whether what the last search has found tells that no strut is nearer to
+     * a plate than @p margin (m) at the displacement @p now, or after moves of
+     * at most @p further (m) that count twice. Collective. */
+    bool are_clear(const Vector &now, double further, double margin) const;
+
+    /** Largest size of the displacements in @p values, or in the change from
+     * @p from, of all nodes and plates of this rank. */
+    double largest_displacement(const Vector &values) const;
+    double largest_displacement(const Vector &values, const Vector &from) const;
+
+    /** Of struts from plates beyond which they are not near (m). */
+    double least_margin() const
+    {
+      return 4 * thickest;
+    }
+
+    /** As why_too_deep(), of a pair whose plate has gone from one place to
+     * another. */
+    std::string why_too_deep(const PlatePair   &pair,
+                             const Evaluation  &step,
+                             const SpaceVector &before,
+                             const SpaceVector &now) const;
+
+    const LatticeModel               &model;
+    const std::vector<ContactAxis>   &axes;
+    const std::vector<ContactPoints> &points_of_axes;
+    /** Part of half the thickness that a step may go deep. */
+    const double       allowed_part;
+    const double       step_length; ///< of the scene (s); 0 in statics
+    const unsigned int dimension;
+    double             thickest = 0; ///< half thickness (m)
+    std::vector<Plate> all_plates;
+    /** Of this rank: local unknowns of the axes that it counts. */
+    std::vector<std::vector<int>> owned_unknowns;
+    /** Of this rank: local unknowns of all displacements of struts and plates.
+     */
+    std::vector<int>       displacements;
+    std::optional<Search>  last_search;
+    std::vector<PlatePair> near_pairs;
+  };
+} // namespace auxfem
+
+#endif

@@ -1,0 +1,369 @@
+#include <auxfem/equations/plate_proximity.h>
+#include <auxfem/parameters/errors.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace auxfem
+{
+  namespace
+  {
+    using Vector3 = dealii::Tensor<1, 3>;
+
+    const std::string near_record = "plates: struts near them";
+
+    /** Local numbers of unknowns. */
+    std::vector<int> here(const std::vector<int> &globals,
+                          const UnknownLayout    &layout)
+    {
+      std::vector<int> locals;
+      for (const int global : globals)
+        locals.push_back(layout.local(global));
+      return locals;
+    }
+  } // namespace
+
+  PlateProximity::PlateProximity(const Scene                      &scene,
+                                 const LatticeModel               &model,
+                                 const std::vector<ContactAxis>   &axes,
+                                 const std::vector<ContactPoints> &points)
+    : model(model)
+    , axes(axes)
+    , points_of_axes(points)
+    , allowed_part(scene.contact.largest_penetration)
+    , step_length(model.simulated.inertia ? scene.time.step : 0.)
+    , dimension(model.lattice.dimension)
+  {
+    const UnknownLayout &layout = model.numbering.layout();
+    for (unsigned int i = 0; i < scene.plates.size(); ++i)
+      {
+        const GlobalNumbers::OfMotion &of_joint =
+          model.numbering.global().joints[model.lattice.joint_of_plate(i)];
+        all_plates.push_back(
+          {&scene.plates[i],
+           std::vector<int>(of_joint.begin(), of_joint.begin() + dimension)});
+      }
+    for (const ContactAxis &axis : axes)
+      {
+        thickest = std::max(thickest, axis.half_thickness);
+        owned_unknowns.push_back(axis.is_owned ? here(axis.unknowns, layout)
+                                               : std::vector<int>());
+      }
+    for (const auto &unknowns : owned_unknowns)
+      displacements.insert(displacements.end(),
+                           unknowns.begin(),
+                           unknowns.end());
+    for (const Plate &plate : all_plates)
+      for (const int global : plate.unknowns)
+        if (const int unknown = layout.local(global); layout.is_owned(unknown))
+          displacements.push_back(unknown);
+    std::sort(displacements.begin(), displacements.end());
+    displacements.erase(std::unique(displacements.begin(), displacements.end()),
+                        displacements.end());
+    refuse_struts_without_thickness();
+    refuse_plates_in_struts();
+  }
+
+  void PlateProximity::refuse_struts_without_thickness() const
+  {
+    for (const ContactAxis &axis : axes)
+      if (axis.stiffness == 0)
+        throw InputError(
+          "Plates: strut " + std::to_string(axis.strut) +
+          " has no thickness that could touch a plate, since its section is "
+          "given by its stiffnesses, or it is rigid and there is no section. "
+          "Give the section by its shape (`Shape = rectangle`, `circle`, "
+          "`tube`), or remove the plates.");
+  }
+
+  void PlateProximity::refuse_plates_in_struts() const
+  {
+    // Those that touch at rest may do so by round-off.
+    constexpr double tolerance = 1e-6;
+    for (const Plate &plate : all_plates)
+      {
+        const ContactAxis *deepest = nullptr;
+        double             depth   = 0;
+        for (unsigned int a = 0; a < axes.size(); ++a)
+          for (const dealii::Point<3> &point : points_of_axes[a].rest)
+            {
+              const ContactAxis &axis = axes[a];
+              const double       here = axis.half_thickness -
+                plate.definition->surface->distance(point -
+                                                    plate.definition->position);
+              if (here >
+                  std::max(depth, tolerance * (axis.half_thickness + thickest)))
+                {
+                  deepest = &axis;
+                  depth   = here;
+                }
+            }
+        if (deepest == nullptr)
+          continue;
+        std::ostringstream message;
+        message << plate.definition->path << ": at rest strut "
+                << deepest->strut << " reaches " << depth
+                << " m into it, half its thickness (" << deepest->half_thickness
+                << " m) included, and no strut deeper. Move the plate by its "
+                   "Position, or turn its Normal round if the lattice lies "
+                   "behind it.";
+        throw InputError(message.str());
+      }
+  }
+
+  std::vector<Vector3> PlateProximity::plate_values(const Vector &values) const
+  {
+    const UnknownLayout &layout = model.numbering.layout();
+    std::vector<double>  mine(3 * all_plates.size(), 0.);
+    for (unsigned int i = 0; i < all_plates.size(); ++i)
+      for (unsigned int c = 0; c < dimension; ++c)
+        if (const int u = layout.local(all_plates[i].unknowns[c]);
+            layout.is_owned(u))
+          mine[3 * i + c] = values[u];
+    const std::vector<double> all = layout.sum(mine);
+    std::vector<Vector3>      result;
+    for (unsigned int i = 0; i < all_plates.size(); ++i)
+      result.push_back(Vector3({all[3 * i], all[3 * i + 1], all[3 * i + 2]}));
+    return result;
+  }
+
+  double PlateProximity::least_gap(const PlatePair &pair,
+                                   const Vector    &displacement,
+                                   const Vector3   &of_plate) const
+  {
+    const ContactAxis     &axis = axes[pair.axis];
+    std::array<Vector3, 2> ends = {{axis.ends[0], axis.ends[1]}};
+    for (unsigned int end = 0; end < 2; ++end)
+      for (unsigned int c = 0; c < dimension; ++c)
+        ends[end][c] +=
+          displacement[owned_unknowns[pair.axis][end * dimension + c]];
+    // No point of a line is farther from the middle between its ends than half
+    // its length, here that at rest with 10 % of uneven stretch, or what the
+    // ends are apart.
+    const double reach =
+      0.55 * std::max(axis.length, (ends[1] - ends[0]).norm());
+    const PlateDefinition &plate = *all_plates[pair.plate].definition;
+    return plate.surface->distance((ends[0] + ends[1]) / 2 - plate.position -
+                                   of_plate) -
+      reach - axis.half_thickness;
+  }
+
+  double PlateProximity::largest_motion(const unsigned int a,
+                                        const Vector      &increment,
+                                        const Vector3     &of_plate) const
+  {
+    const std::vector<int> &unknowns = owned_unknowns[a];
+    double                  largest  = 0;
+    for (std::size_t node = 0; node < unknowns.size(); node += dimension)
+      {
+        double square = 0;
+        for (unsigned int c = 0; c < dimension; ++c)
+          square += std::pow(increment[unknowns[node + c]] - of_plate[c], 2);
+        largest = std::max(largest, square);
+      }
+    return std::sqrt(largest);
+  }
+
+  double PlateProximity::largest_displacement(const Vector &values) const
+  {
+    double largest = 0;
+    for (const int unknown : displacements)
+      largest = std::max(largest, std::abs(values[unknown]));
+    return std::sqrt(dimension) * largest;
+  }
+
+  double PlateProximity::largest_displacement(const Vector &values,
+                                              const Vector &from) const
+  {
+    double largest = 0;
+    for (const int unknown : displacements)
+      largest = std::max(largest, std::abs(values[unknown] - from[unknown]));
+    return std::sqrt(dimension) * largest;
+  }
+
+  bool PlateProximity::are_clear(const Vector &now,
+                                 const double  further,
+                                 const double  margin) const
+  {
+    if (!near_pairs.empty() || !last_search)
+      return false;
+    // The gap of least_gap() changes by at most 3.1 times the largest motion
+    // of nodes and plates, and a relative motion is at most twice that.
+    constexpr double most = 4;
+    const double     motion =
+      largest_displacement(now, last_search->displacement) + further;
+    return last_search->clearance >
+      margin + most * model.numbering.layout().largest(motion);
+  }
+
+  Vector PlateProximity::motion_of_step(const State &accepted) const
+  {
+    Vector motion;
+    if (step_length > 0)
+      {
+        motion = *accepted.velocity;
+        scale(step_length, motion);
+      }
+    else if (accepted.before)
+      {
+        motion = accepted.displacement;
+        add_multiple(-1, accepted.before->displacement, motion);
+      }
+    return motion;
+  }
+
+  std::vector<PlatePair> PlateProximity::find_near(const State &accepted)
+  {
+    // What will come near in the next step counts too, and twice as much; what
+    // is near stays so until it is twice as far away, as the pattern of the
+    // tangent is made anew with each change.
+    constexpr double           steps = 2, leaving = 2;
+    const Vector               motion  = motion_of_step(accepted);
+    const std::vector<Vector3> places  = plate_values(accepted.displacement),
+                               motions = motion.empty()
+      ? std::vector<Vector3>(all_plates.size())
+      : plate_values(motion);
+    std::vector<PlatePair> mine;
+    double                 clearance = std::numeric_limits<double>::infinity();
+    for (unsigned int a = 0; a < axes.size(); ++a)
+      if (axes[a].is_owned)
+        for (unsigned int p = 0; p < all_plates.size(); ++p)
+          {
+            double margin = least_margin();
+            if (!motion.empty())
+              margin += steps * largest_motion(a, motion, motions[p]);
+            if (std::binary_search(near_pairs.begin(),
+                                   near_pairs.end(),
+                                   PlatePair{a, p}))
+              margin *= leaving;
+            const double gap =
+              least_gap({a, p}, accepted.displacement, places[p]);
+            clearance = std::min(clearance, gap);
+            if (gap < margin)
+              mine.push_back({a, p});
+          }
+    const UnknownLayout &layout = model.numbering.layout();
+    last_search = Search{accepted.displacement, -layout.largest(-clearance)};
+    if (layout.n_ranks() == 1)
+      return mine;
+    std::vector<PlatePair> all;
+    for (const auto &part :
+         dealii::Utilities::MPI::all_gather(layout.communicator(), mine))
+      all.insert(all.end(), part.begin(), part.end());
+    std::sort(all.begin(), all.end());
+    return all;
+  }
+
+  bool PlateProximity::follow(const State &accepted)
+  {
+    const double next_way = step_length > 0
+      ? step_length * largest_displacement(*accepted.velocity)
+      : accepted.before ? largest_displacement(accepted.displacement,
+                                               accepted.before->displacement)
+                        : 0;
+    if (are_clear(accepted.displacement, next_way, least_margin()))
+      return false;
+    std::vector<PlatePair> now = find_near(accepted);
+    if (now == near_pairs)
+      return false;
+    near_pairs = std::move(now);
+    return true;
+  }
+
+  void PlateProximity::save(Records &records) const
+  {
+    std::vector<double> pairs = {double(near_pairs.size())};
+    for (const PlatePair &pair : near_pairs)
+      {
+        pairs.push_back(pair.axis);
+        pairs.push_back(pair.plate);
+      }
+    records.keep(near_record, pairs);
+  }
+
+  void PlateProximity::resume(const Records &records)
+  {
+    const std::vector<double> pairs =
+      records.values(near_record, records.values_per_item(near_record));
+    near_pairs.clear();
+    for (std::size_t i = 1; i < pairs.size(); i += 2)
+      near_pairs.push_back({static_cast<unsigned int>(pairs[i]),
+                            static_cast<unsigned int>(pairs[i + 1])});
+  }
+
+  std::string PlateProximity::why_too_deep(const Evaluation &step) const
+  {
+    if (are_clear(step.to.displacement,
+                  largest_displacement(step.to.displacement,
+                                       step.from.displacement),
+                  0))
+      return "";
+    Vector increment = step.to.displacement;
+    add_multiple(-1, step.from.displacement, increment);
+    const std::vector<Vector3> places  = plate_values(step.to.displacement),
+                               motions = plate_values(increment);
+    for (unsigned int a = 0; a < axes.size(); ++a)
+      if (axes[a].is_owned)
+        for (unsigned int p = 0; p < all_plates.size(); ++p)
+          // Between its nodes an axis may move by more than they.
+          if (least_gap({a, p}, step.to.displacement, places[p]) <
+              2 * largest_motion(a, increment, motions[p]))
+            if (const std::string why =
+                  why_too_deep({a, p}, step, places[p] - motions[p], places[p]);
+                !why.empty())
+              return why;
+    return "";
+  }
+
+  std::string PlateProximity::why_too_deep(const PlatePair  &pair,
+                                           const Evaluation &step,
+                                           const Vector3    &before,
+                                           const Vector3    &now) const
+  {
+    const ContactAxis     &axis  = axes[pair.axis];
+    const PlateDefinition &plate = *all_plates[pair.plate].definition;
+    const bool             is_coupled =
+      std::binary_search(near_pairs.begin(), near_pairs.end(), pair);
+    const double allowed =
+      is_coupled ? allowed_part * thickness(pair.axis) : 0.;
+    const auto at =
+      [&](const unsigned int i, const State &state, const Vector3 &of_plate) {
+        return points_of_axes[pair.axis].rest[i] - plate.position - of_plate +
+          displacement(pair.axis, i, state);
+      };
+    for (unsigned int i = 0; i < points_of_axes[pair.axis].size(); ++i)
+      {
+        const double depth = axis.half_thickness -
+          plate.surface->least_distance(at(i, step.from, before),
+                                        at(i, step.to, now));
+        if (depth <= allowed)
+          continue;
+        std::ostringstream why;
+        why << "strut " << axis.strut << " would go " << depth
+            << " m into the plate \"" << plate.name << '"';
+        if (is_coupled)
+          why << ", more than Contact/Largest penetration allows";
+        return why.str();
+      }
+    return "";
+  }
+
+  double PlateProximity::thickness(const unsigned int axis) const
+  {
+    return axes[axis].half_thickness > 0 ? axes[axis].half_thickness : thickest;
+  }
+
+  dealii::Tensor<1, 3> PlateProximity::displacement(const unsigned int axis,
+                                                    const unsigned int point,
+                                                    const State &state) const
+  {
+    return points_of_axes[axis].displacement(point,
+                                             dimension,
+                                             owned_unknowns[axis].data(),
+                                             state.displacement.data());
+  }
+} // namespace auxfem
