@@ -21,6 +21,7 @@ namespace auxfem
                         std::pair(": acceleration", &state.acceleration),
                         std::pair(": algorithmic acceleration",
                                   &state.algorithmic_acceleration),
+                        std::pair(": compensation", &state.compensation),
                         std::pair(": unknowns without mass",
                                   &state.is_massless)};
     }

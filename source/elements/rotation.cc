@@ -16,15 +16,6 @@ namespace auxfem
     }
   } // namespace
 
-  Quaternion exponential(const SpaceVector &rotation_vector)
-  {
-    // Where the square of a tiny vector underflows, angle is inexact, but the
-    // quotient is 1/2 all the same.
-    const double angle = rotation_vector.norm();
-    return {std::cos(angle / 2),
-            (angle > 0 ? std::sin(angle / 2) / angle : 0.5) * rotation_vector};
-  }
-
   SpaceTensor cross_product_tensor(const SpaceVector &v)
   {
     SpaceTensor result;

@@ -36,6 +36,10 @@ namespace auxfem
     : dt(step.dt)
     , rate(rate_of(step.from.displacement, step.to.displacement, dt))
   {
+    if (step.to.compensation)
+      add_multiple(1.,
+                   rate_of(*step.from.compensation, *step.to.compensation, dt),
+                   rate);
     for (const int i : *step.to.plane_rotations)
       rate[i] = cayley_rotation(dt * rate[i]) / dt;
     for (const std::array<int, 3> &at : *step.to.space_rotations)

@@ -84,7 +84,10 @@ namespace auxfem
                 StrutMesh(lattice, std::move(divisions), MPI_COMM_SELF),
                 no_ties(lattice),
                 MPI_COMM_SELF)
-    , forces(make_strut_forces(model, lattice, numbering))
+    , forces(make_strut_forces(model,
+                               lattice,
+                               numbering,
+                               /*high_frequency_damping=*/0))
     , inertia(make_strut_inertia(model, lattice, numbering))
     , loads(loads_of_struts(scene, model, lattice, numbering))
     , pattern(numbering.unknowns())

@@ -26,9 +26,9 @@ namespace auxfem
       layout.path                           = has_load_factor(scene);
       layout.algorithmic_acceleration =
         scene.time.implicit_scheme().uses_algorithmic_acceleration();
-      layout.n_rotations = model.n_large_rotations();
-      if (scene.time.implicit_scheme().balances_means() &&
-          model.simulated.large_rotation)
+      layout.compensation = scene.time.implicit_scheme().balances_means();
+      layout.n_rotations  = model.n_large_rotations();
+      if (layout.compensation && model.simulated.large_rotation)
         {
           for (unsigned int i = 0; i < layout.n_rotations; ++i)
             layout.space_rotations.push_back(model.numbering.rotations()[i]);
@@ -112,8 +112,11 @@ namespace auxfem
   void Equations::make_internal_forces(const Scene &scene)
   {
     const SimulatedEffects &simulated = structure.simulated;
-    for (auto &struts :
-         make_strut_forces(structure, structure.lattice, structure.numbering))
+    for (auto &struts : make_strut_forces(
+           structure,
+           structure.lattice,
+           structure.numbering,
+           scene.time.implicit_scheme().high_frequency_damping()))
       {
         reporting_effects.struts.push_back(
           {struts.get(), static_cast<unsigned int>(effects.size())});

@@ -22,12 +22,14 @@ namespace auxfem
   std::vector<std::unique_ptr<StrutForces>>
   make_strut_forces(const LatticeModel &model,
                     const Lattice      &lattice,
-                    const DofNumbering &numbering)
+                    const DofNumbering &numbering,
+                    const double        high_frequency_damping)
   {
     const StrutModel beams{
       model.simulated.large_rotation,
       model.simulated.shear_flexibility,
-      has_damping(model, &Section::stiffness_proportional_damping)};
+      has_damping(model, &Section::stiffness_proportional_damping),
+      high_frequency_damping};
     std::vector<std::unique_ptr<StrutForces>> forces;
     for (const DofNumbering::Group &group : numbering.groups())
       forces.push_back(

@@ -23,6 +23,8 @@ namespace auxfem
       acceleration.emplace(n_unknowns, 0.);
     if (layout.algorithmic_acceleration)
       algorithmic_acceleration.emplace(n_unknowns, 0.);
+    if (layout.compensation)
+      compensation.emplace(n_unknowns, 0.);
   }
 
   void State::take_ghosts(const UnknownLayout &layout)
@@ -39,9 +41,12 @@ namespace auxfem
       }
     residual.resize(layout.n_local(), 0.);
     largest_forces.resize(layout.n_local(), 0.);
-    for (std::optional<Vector> *rate :
-         {&velocity, &acceleration, &algorithmic_acceleration, &is_massless})
-      if (*rate)
-        take(**rate);
+    for (std::optional<Vector> *values : {&velocity,
+                                          &acceleration,
+                                          &algorithmic_acceleration,
+                                          &compensation,
+                                          &is_massless})
+      if (*values)
+        take(**values);
   }
 } // namespace auxfem

@@ -25,6 +25,11 @@ namespace auxfem
     return false;
   }
 
+  double ImplicitScheme::high_frequency_damping() const
+  {
+    return 0;
+  }
+
   bool ImplicitScheme::carries_on_alternating_errors() const
   {
     return false;

@@ -181,6 +181,18 @@ TEST(Checkpoint, ALatticeInSpaceWithEverythingGoesOnFromIt)
                    {std::string("Time/Scheme=") + scheme, "Solver/Type=klu"});
 }
 
+TEST(Checkpoint, DampedIncrementsOfStrainsGoOnFromIt)
+{
+  for (const SceneText &scene :
+       {star_with_everything(2, 2), space_star_with_everything()})
+    for (const char *large_rotation : {"on", "off"})
+      compare_halves(scene,
+                     {"Time/Scheme=energy-momentum",
+                      "Time/Damping of energy-momentum=0.1",
+                      std::string("Effects/Large rotation=") + large_rotation,
+                      "Solver/Type=klu"});
+}
+
 namespace
 {
   /** Two struts in free space that turn by 40 rad in 2 s. */

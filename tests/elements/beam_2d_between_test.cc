@@ -12,11 +12,12 @@ namespace
   // Sums of some hundred products of numbers around one.
   constexpr double between_round_off = 1e-13;
 
-  template <class Beam>
-  Beam2D::EnergyRate mean_force(const Beam                  &beam,
+  template <class Beam, class Damping = NoIncrementDamping>
+  Beam2D::StepEnergy mean_force(const Beam                  &beam,
                                 const typename Beam::Vector &u0,
                                 const typename Beam::Vector &u1,
-                                typename Beam::Vector       &force)
+                                typename Beam::Vector       &force,
+                                const Damping               &damping = {})
   {
     return Beam2D::mean_force<Beam::order, true>(beam.shape,
                                                  beam.gauss_frames(),
@@ -25,7 +26,8 @@ namespace
                                                  u0.data(),
                                                  u1.data(),
                                                  dt,
-                                                 force.data());
+                                                 force.data(),
+                                                 damping);
   }
 
   /** Strain energy of displacements @p u. */
@@ -84,13 +86,13 @@ TEST(Beam2DBetween, WorkOnAStepIsTheChangeOfEnergyAndWhatIsLost)
   for_each_step([](const auto &beam, const auto &u0, const auto &u1) {
     auto       force  = u0;
     const auto energy = mean_force(beam, u0, u1, force);
-    EXPECT_GT(energy.dissipation, 0);
+    EXPECT_GT(energy.lost, 0);
     EXPECT_NEAR(energy.strain,
                 strain_energy(beam, u1),
                 between_round_off * (1 + energy.strain));
     EXPECT_NEAR(product(force, travel(u0, u1)),
-                energy.strain - strain_energy(beam, u0) + energy.dissipation,
-                between_round_off * (1 + energy.strain + energy.dissipation));
+                energy.strain - strain_energy(beam, u0) + energy.lost,
+                between_round_off * (1 + energy.strain + energy.lost));
   });
 }
 
@@ -105,7 +107,7 @@ TEST(Beam2DBetween, WhatIsLostIsThatOfTheMeanRateOfStrain)
       u1[3 * a] = 0.3 * beam.nodes[a][0];
     }
   const auto energy = mean_force(beam, u0, u1, force);
-  EXPECT_NEAR(energy.dissipation, 0.4 * 3 * 0.04 * 1.6 / dt, between_round_off);
+  EXPECT_NEAR(energy.lost, 0.4 * 3 * 0.04 * 1.6 / dt, between_round_off);
   // The mean stretch 0.2 and its rate.
   EXPECT_NEAR(force[3], 3 * 0.2 + 0.4 * 3 * 0.2 / dt, between_round_off);
 }
@@ -143,7 +145,7 @@ TEST(Beam2DBetween, AStepThatTurnsAsAWholeLoadsNothing)
                                    beam.moved(rest, 1.9, {{0.1, 0.5}}),
                                    force);
     EXPECT_NEAR(largest(force), 0, between_round_off);
-    EXPECT_NEAR(energy.dissipation, 0, between_round_off);
+    EXPECT_NEAR(energy.lost, 0, between_round_off);
   });
 }
 
@@ -206,5 +208,42 @@ TEST(Beam2DBetween, TangentIsThatOfDifferencesUpToTheTurnOfTheStep)
       }
     EXPECT_LT(error[0], 0.05);
     EXPECT_LT(error[1], 0.15 * error[0] + 1e-9);
+  });
+}
+
+TEST(Beam2DBetween, DampedIncrementsNeverCreateEnergy)
+{
+  for_each_step([](const auto &beam, const auto &u0, const auto &u1) {
+    using Beam                 = std::decay_t<decltype(beam)>;
+    constexpr int    n         = 3 * Beam::order;
+    constexpr double chi       = 0.1;
+    const auto       last      = irregular<std::array<double, n>>(0.5, 3);
+    auto             now       = last;
+    const auto       square_of = [&beam](const auto &increments) {
+      double sum = 0;
+      for (int i = 0; i < n; ++i)
+        sum += beam.shape.weight[i / 3] * beam.jacobian *
+          (i % 3 == 0     ? beam.section.axial
+                   : i % 3 == 1 ? beam.section.shear
+                                : beam.section.bending) *
+          increments[i] * increments[i];
+      return sum;
+    };
+    for (const double dt_before : {0., 0.1, dt, 0.9})
+      {
+        IncrementDamping damping(chi, dt, dt_before);
+        damping.last        = last.data();
+        damping.now         = now.data();
+        auto         force  = u0;
+        const auto   energy = mean_force(beam, u0, u1, force, damping);
+        const double allowed =
+          between_round_off * (1 + energy.strain + energy.lost);
+        EXPECT_NEAR(product(force, travel(u0, u1)),
+                    energy.strain - strain_energy(beam, u0) + energy.lost +
+                      energy.taken,
+                    allowed);
+        const double before = dt_before > 0 ? square_of(last) : 0.;
+        EXPECT_GE(energy.taken, chi / 4 * (square_of(now) - before) - allowed);
+      }
   });
 }

@@ -3,6 +3,8 @@
 #include <elements/some_rotation.h>
 #include <gtest/gtest.h>
 
+#include <vector>
+
 #include "beam_3d_on_trial.h"
 
 using namespace auxfem;
@@ -14,6 +16,11 @@ namespace
 
   // Sums of some hundred products of numbers around one.
   constexpr double step_round_off = 1e-12;
+
+  SpaceVector part_of(const double *values)
+  {
+    return SpaceVector({values[0], values[1], values[2]});
+  }
 
   /** A beam on trial in a step. */
   template <class Beam>
@@ -37,7 +44,8 @@ namespace
                        SpaceVector({1.3, -1.8, 0.5})))
     {}
 
-    Beam3D::StepEnergy force(Vector &result) const
+    template <class Damping = NoIncrementDamping>
+    Beam3D::StepEnergy force(Vector &result, const Damping &damping = {}) const
     {
       return Beam3D::mean_force(beam.shape,
                                 beam.frames.data(),
@@ -46,7 +54,48 @@ namespace
                                 start.data(),
                                 end.data(),
                                 rate_of_step,
-                                result.data());
+                                result.data(),
+                                damping);
+    }
+
+    /** Work of @p force on the step. */
+    double work(const Vector &force) const
+    {
+      double sum = 0;
+      for (int a = 0; a <= Beam::order; ++a)
+        sum += part_of(&force[6 * a]) *
+            (end[a].displacement - start[a].displacement) +
+          part_of(&force[6 * a + 3]) *
+            cayley_rotation(end[a].rotation * conjugate(start[a].rotation));
+      return sum;
+    }
+
+    /** Moments about the mean places of the step, and forces. */
+    std::array<SpaceVector, 2> resultants(const Vector &force) const
+    {
+      std::array<SpaceVector, 2> sums;
+      for (int a = 0; a <= Beam::order; ++a)
+        {
+          const SpaceVector f     = part_of(&force[6 * a]),
+                            place = beam.positions[a] +
+            (start[a].displacement + end[a].displacement) / 2;
+          sums[0] +=
+            part_of(&force[6 * a + 3]) + dealii::cross_product_3d(place, f);
+          sums[1] += f;
+        }
+      return sums;
+    }
+
+    /** Twice the energy of strains that are @p increments, point by point. */
+    double square_of(const std::vector<double> &increments) const
+    {
+      double sum = 0;
+      for (int g = 0; g < Beam::order; ++g)
+        sum += 2 * beam.shape.weight[g] * beam.jacobian *
+          Beam3D::energy_density(beam.section,
+                                 {part_of(&increments[6 * g]),
+                                  part_of(&increments[6 * g + 3])});
+      return sum;
     }
 
     double strain_energy(const Nodes &nodes) const
@@ -88,11 +137,6 @@ namespace
     }
   };
 
-  SpaceVector part_of(const double *values)
-  {
-    return SpaceVector({values[0], values[1], values[2]});
-  }
-
   template <class Check>
   void for_each_step_in_space(const Check &check)
   {
@@ -110,16 +154,9 @@ TEST(Beam3DBetween, WorkOnAStepIsTheChangeOfEnergyAndWhatIsLost)
     using Beam = std::decay_t<decltype(step.beam)>;
     typename Beam::Vector force;
     const auto            energy = step.force(force);
-    double                work   = 0;
-    for (int a = 0; a <= Beam::order; ++a)
-      work += part_of(&force[6 * a]) *
-          (step.end[a].displacement - step.start[a].displacement) +
-        part_of(&force[6 * a + 3]) *
-          cayley_rotation(step.end[a].rotation *
-                          conjugate(step.start[a].rotation));
     EXPECT_GT(energy.lost, 0);
     EXPECT_NEAR(energy.strain, step.strain_energy(step.end), step_round_off);
-    EXPECT_NEAR(work,
+    EXPECT_NEAR(step.work(force),
                 energy.strain - step.strain_energy(step.start) + energy.lost,
                 step_round_off * (1 + energy.strain + energy.lost));
   });
@@ -131,19 +168,8 @@ TEST(Beam3DBetween, NoWorkOnRigidMotionsAboutTheMeanPlaces)
     using Beam = std::decay_t<decltype(step.beam)>;
     typename Beam::Vector force;
     step.force(force);
-    SpaceVector sum, moment;
-    for (int a = 0; a <= Beam::order; ++a)
-      {
-        const SpaceVector f     = part_of(&force[6 * a]),
-                          place = step.beam.positions[a] +
-          (step.start[a].displacement + step.end[a].displacement) / 2;
-        sum += f;
-        moment +=
-          part_of(&force[6 * a + 3]) + dealii::cross_product_3d(place, f);
-      }
-    const double allowed = step_round_off * (1 + largest(force));
-    EXPECT_LT(sum.norm(), allowed);
-    EXPECT_LT(moment.norm(), allowed);
+    for (const SpaceVector &resultant : step.resultants(force))
+      EXPECT_LT(resultant.norm(), step_round_off * (1 + largest(force)));
   });
 }
 
@@ -183,5 +209,36 @@ TEST(Beam3DBetween, TangentIsThatOfDifferencesUpToTheSectionForces)
                  fine   = BeamInStep<Beam>(beam, 1e-3, 3).error_of_tangent();
     EXPECT_LT(coarse, 0.2);
     EXPECT_LT(fine, 0.12 * coarse + 1e-8);
+  });
+}
+
+TEST(Beam3DBetween, DampedIncrementsNeverCreateEnergyAndKeepMomenta)
+{
+  for_each_step_in_space([](const auto &step) {
+    using Beam              = std::decay_t<decltype(step.beam)>;
+    constexpr int       n   = 6 * Beam::order;
+    constexpr double    chi = 0.1;
+    std::vector<double> last(n), now(n);
+    const auto          some = irregular<std::array<double, n>>(0.5, 3);
+    std::copy(some.begin(), some.end(), last.begin());
+    for (const double dt_before : {0., 0.1, 0.3, 0.7})
+      {
+        IncrementDamping damping(chi, 0.3, dt_before);
+        damping.last = last.data();
+        damping.now  = now.data();
+        typename Beam::Vector force;
+        const auto            energy = step.force(force, damping);
+        const double          allowed =
+          step_round_off * (1 + energy.strain + energy.lost + largest(force));
+        EXPECT_NEAR(step.work(force),
+                    energy.strain - step.strain_energy(step.start) +
+                      energy.lost + energy.taken,
+                    allowed);
+        for (const SpaceVector &resultant : step.resultants(force))
+          EXPECT_LT(resultant.norm(), allowed);
+        const double before = dt_before > 0 ? step.square_of(last) : 0.;
+        EXPECT_GE(energy.taken,
+                  chi / 4 * (step.square_of(now) - before) - allowed);
+      }
   });
 }

@@ -71,11 +71,11 @@ namespace
     });
     EXPECT_EQ(run.work().steps, n_long_steps);
     ComparisonTable table(title + ", energy-momentum, 100,000 steps");
-    table.row("largest change of energy", energy, 0, 2e-8);
+    table.row("largest change of energy", energy, 0, 1e-9);
     if (!meter)
       return;
-    table.row("of momentum", linear, 0, 1e-8);
-    table.row("of moment of momentum", angular, 0, 1e-8);
+    table.row("of momentum", linear, 0, 1e-9);
+    table.row("of moment of momentum", angular, 0, 1e-9);
   }
 } // namespace
 
@@ -119,7 +119,7 @@ TEST(EnergyMomentumLong, FrameInSpace)
   });
   ComparisonTable table(
     "Tumbling frame in space, energy-momentum, 100,000 steps");
-  table.row("largest change of energy", energy, 0, 2e-8);
-  table.row("of momentum", linear, 0, 1e-8);
-  table.row("of moment of momentum", angular, 0, 1e-8);
+  table.row("largest change of energy", energy, 0, 1e-9);
+  table.row("of momentum", linear, 0, 1e-9);
+  table.row("of moment of momentum", angular, 0, 1e-9);
 }

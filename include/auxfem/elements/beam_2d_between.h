@@ -3,6 +3,7 @@
 
 #include <auxfem/elements/beam_2d.h>
 #include <auxfem/elements/cayley_rotation.h>
+#include <auxfem/elements/increment_damping.h>
 
 /**
  * @file
@@ -184,22 +185,52 @@ namespace auxfem
     }
 
     /**
+     * Adds those of @p damping at Gauss point @p g; returns what it takes in the
+     * step (J/m).
+     */
+    inline double add_damping(const StepKinematics   &k,
+                              const Stiffness        &stiffness,
+                              const IncrementDamping &damping,
+                              const int               g,
+                              MeanForces             &forces)
+    {
+      const Strains &d = k.increment;
+      const double   N = stiffness.axial * damping(3 * g, d.epsilon),
+                   Q   = stiffness.shear * damping(3 * g + 1, d.gamma),
+                   M   = stiffness.bending * damping(3 * g + 2, d.kappa);
+      forces.axial += N;
+      forces.shear += Q;
+      forces.bending += M;
+      return N * d.epsilon + Q * d.gamma + M * d.kappa;
+    }
+
+    /** Strain energy at the end of a step, energy lost in it and taken by
+     * IncrementDamping (J). */
+    struct StepEnergy
+    {
+      double strain = 0, lost = 0, taken = 0;
+    };
+
+    /**
      * Mean force of an element over a step; as internal_force().
      * @param u0, u1 displacements at start and end
      * @param dt length of the step (s), used only if @p damped
-     * @return strain energy at the end and the energy lost in the step (J).
      */
-    template <int order, bool damped>
-    inline EnergyRate mean_force(const BeamShape<order> &shape,
-                                 const Frame            *frames,
-                                 const double            jacobian,
-                                 const Stiffness        &stiffness,
-                                 const double           *u0,
-                                 const double           *u1,
-                                 const double            dt,
-                                 double                 *force)
+    template <int  order,
+              bool damped,
+              class HighFrequencyDamping = NoIncrementDamping>
+    inline StepEnergy
+    mean_force(const BeamShape<order>                      &shape,
+               const Frame                                 *frames,
+               const double                                 jacobian,
+               const Stiffness                             &stiffness,
+               const double                                *u0,
+               const double                                *u1,
+               const double                                 dt,
+               double                                      *force,
+               [[maybe_unused]] const HighFrequencyDamping &damping = {})
     {
-      EnergyRate                  energy;
+      StepEnergy                  energy;
       const double                inverse_jacobian = 1 / jacobian;
       const NodeIncrements<order> increments(u0, u1);
       for (int i = 0; i < 3 * (order + 1); ++i)
@@ -222,7 +253,10 @@ namespace auxfem
              stiffness.shear * k.end.gamma * k.end.gamma +
              stiffness.bending * k.end.kappa * k.end.kappa);
           if (damped)
-            energy.dissipation += weight * add_damping(k, stiffness, dt, mean);
+            energy.lost += weight * add_damping(k, stiffness, dt, mean);
+          if constexpr (HighFrequencyDamping::is_used)
+            energy.taken +=
+              weight * add_damping(k, stiffness, damping, g, mean);
           const double fx = w * (k.cosine * mean.axial - k.sine * mean.shear),
                        fy = w * (k.sine * mean.axial + k.cosine * mean.shear),
                        m  = weight *
@@ -245,22 +279,28 @@ namespace auxfem
      * @param stiffness_factor, damping_factor how means and rates of strains
      *   follow those at the end
      */
-    template <int order, bool damped>
-    inline void mean_tangent(const BeamShape<order> &shape,
-                             const Frame            *frames,
-                             const double            jacobian,
-                             const Stiffness        &stiffness,
-                             const double           *u0,
-                             const double           *u1,
-                             const double            dt,
-                             const double            stiffness_factor,
-                             const double            damping_factor,
-                             double                 *matrix)
+    template <int  order,
+              bool damped,
+              class HighFrequencyDamping = NoIncrementDamping>
+    inline void
+    mean_tangent(const BeamShape<order>                      &shape,
+                 const Frame                                 *frames,
+                 const double                                 jacobian,
+                 const Stiffness                             &stiffness,
+                 const double                                *u0,
+                 const double                                *u1,
+                 const double                                 dt,
+                 const double                                 stiffness_factor,
+                 const double                                 damping_factor,
+                 double                                      *matrix,
+                 [[maybe_unused]] const HighFrequencyDamping &damping = {})
     {
       constexpr int n                = 3 * (order + 1);
       const double  inverse_jacobian = 1 / jacobian;
-      const double  material         = stiffness_factor +
+      double        material         = stiffness_factor +
         (damped ? stiffness.damping_time * damping_factor : 0.);
+      if constexpr (HighFrequencyDamping::is_used)
+        material += damping.in_tangent;
       const NodeIncrements<order> increments(u0, u1);
       for (int i = 0; i < n * n; ++i)
         matrix[i] = 0;
@@ -273,6 +313,8 @@ namespace auxfem
           MeanForces mean = mean_forces(k, stiffness);
           if (damped)
             add_damping(k, stiffness, dt, mean);
+          if constexpr (HighFrequencyDamping::is_used)
+            add_damping(k, stiffness, damping, g, mean);
           // Mean N and Q by x', y' and phi at the end.
           const double EA = material * stiffness.axial,
                        GA = material * stiffness.shear, c = k.end.cosine,

@@ -26,39 +26,20 @@ namespace auxfem
     return 2 * std::tan(angle / 2);
   }
 
-  /**
-   * @name Functions of half the rotation increment of a step, which is small. Series are exact
-   * to the last digit there and cost a fraction of the library's functions.
-   */
+  /** @name Functions of half the rotation increment of a step, which is small. */
   ///@{
   /** sin(x) / x. */
   inline double sinc(const double x)
   {
     const double y = x * x;
-    if (y > 0.1)
-      return std::sin(x) / x;
-    return 1 -
-      y * (1. / 6) *
-      (1 -
-       y * (1. / 20) *
-         (1 -
-          y * (1. / 42) *
-            (1 - y * (1. / 72) * (1 - y * (1. / 110) * (1 - y * (1. / 156))))));
+    return y > largest_small_square ? std::sin(x) / x : sinc_series(y);
   }
 
   /** cos(x). */
   inline double cosine_of_small(const double x)
   {
     const double y = x * x;
-    if (y > 0.1)
-      return std::cos(x);
-    return 1 -
-      y * (1. / 2) *
-      (1 -
-       y * (1. / 12) *
-         (1 -
-          y * (1. / 30) *
-            (1 - y * (1. / 56) * (1 - y * (1. / 90) * (1 - y * (1. / 132))))));
+    return y > largest_small_square ? std::cos(x) : cosine_series(y);
   }
   ///@}
 
@@ -81,6 +62,16 @@ namespace auxfem
   inline SpaceVector cayley_rotation(const SpaceVector &rotation_vector)
   {
     return cayley_rotation(exponential(rotation_vector));
+  }
+
+  /** The mean of @p v and what the rotation with @p c makes of it:
+   * (I - [c]x / 2)^-1 v. */
+  inline SpaceVector mean_over_rotation(const SpaceVector &c,
+                                        const SpaceVector &v)
+  {
+    const SpaceVector half = c / 2;
+    return (v + dealii::cross_product_3d(half, v) + (half * v) * half) /
+      (1 + half.norm_square());
   }
 
   /**

@@ -38,41 +38,29 @@ namespace auxfem
                                                 inertia * motion.velocity));
     }
 
-    /** Moment of momentum of a node at one end of a step. */
-    struct TurningMomentum
-    {
-      Quaternion  rotation; ///< P
-      SpaceVector momentum; ///< J W, material
-    };
-
     /**
      * Mean torque over a step between two states: the change of P J W over
      * @p dt, and with mass-proportional damping @p alpha (1/s) alpha times its
      * mean. On Cayley's measure c of the rotation, dt times the mean of W, it
      * does the work of the kinetic energy, as P_0 c = P_1 c.
-     * @param rate (J W_1 - J W_0) / dt
+     * @param start, end P_0, P_1
+     * @param momentum J (W_0 + W_1) / 2
+     * @param rate J (W_1 - W_0) / dt
      */
-    inline SpaceVector mean_torque(const TurningMomentum &start,
-                                   const TurningMomentum &end,
-                                   const SpaceVector     &rate,
-                                   const double           dt,
-                                   const double           alpha)
+    inline SpaceVector mean_torque(const Quaternion  &start,
+                                   const Quaternion  &end,
+                                   const SpaceVector &momentum,
+                                   const SpaceVector &rate,
+                                   const double       dt,
+                                   const double       alpha)
     {
-      const auto mean = [&](const SpaceVector &material) {
-        return (rotated(start.rotation, material) +
-                rotated(end.rotation, material)) /
-          2;
-      };
       // P_1 - P_0 is [c]x times their mean; differences of P J W would lose
       // digits.
-      const SpaceVector turn =
-        cayley_rotation(end.rotation * conjugate(start.rotation));
-      return mean(rate) +
-        dealii::cross_product_3d(turn / dt,
-                                 mean((start.momentum + end.momentum) / 2)) +
-        alpha / 2 *
-        (rotated(start.rotation, start.momentum) +
-         rotated(end.rotation, end.momentum));
+      const SpaceVector turn = cayley_rotation(end * conjugate(start));
+      const SpaceVector L = mean_over_rotation(turn, rotated(start, momentum)),
+                        L_rate = mean_over_rotation(turn, rotated(start, rate));
+      return L_rate + dealii::cross_product_3d(turn / dt, L) +
+        alpha * (L + dealii::cross_product_3d(dt / 4 * turn, L_rate));
     }
 
     /** Derivatives of the torque. */

@@ -1,6 +1,8 @@
 #ifndef auxfem_elements_rotation_h
 #define auxfem_elements_rotation_h
 
+#include <auxfem/elements/small_angle.h>
+
 #include <deal.II/base/tensor.h>
 
 #include <cmath>
@@ -71,7 +73,15 @@ namespace auxfem
    * The rotation by |@p rotation_vector| (rad, any size) about its direction:
    * R = exp([rotation_vector]x).
    */
-  Quaternion exponential(const SpaceVector &rotation_vector);
+  inline Quaternion exponential(const SpaceVector &rotation_vector)
+  {
+    const double square = rotation_vector.norm_square() / 4;
+    if (square < largest_small_square)
+      return {cosine_series(square), sinc_series(square) / 2 * rotation_vector};
+    const double half_angle = std::sqrt(square);
+    return {std::cos(half_angle),
+            std::sin(half_angle) / half_angle / 2 * rotation_vector};
+  }
 
   /**
    * The inverse of exponential(): angle (rad, at most pi) times axis. Accurate

@@ -46,21 +46,62 @@ namespace auxfem
     return sum;
   }
 
-  /** a, b and their derivatives. */
-  struct RotationCoefficients
+  /** a and b. */
+  struct TangentCoefficients
   {
-    double a, b;     ///< as in T
+    double a, b;   ///< as in T
+    double square; ///< t^2
+
+    /** Values are not set. */
+    TangentCoefficients() = default;
+
+    explicit TangentCoefficients(const SpaceVector &p) : square(p * p)
+    {
+      if (square < small_square)
+        {
+          a = power_series(series_of_a, square);
+          b = power_series(series_of_b, square);
+        }
+      else
+        {
+          const double t = std::sqrt(square);
+          a              = (1 - std::cos(t)) / square;
+          b              = (1 - std::sin(t) / t) / square;
+        }
+    }
+
+  protected:
+    /** Below, quotients would cancel. */
+    static constexpr double small_square = 0.25;
+
+    static constexpr std::array<double, 7> series_of_a = {{1. / 2,
+                                                           -1. / 24,
+                                                           1. / 720,
+                                                           -1. / 40320,
+                                                           1. / 3628800,
+                                                           -1. / 479001600,
+                                                           1. / 87178291200.}};
+    static constexpr std::array<double, 7> series_of_b = {
+      {1. / 6,
+       -1. / 120,
+       1. / 5040,
+       -1. / 362880,
+       1. / 39916800,
+       -1. / 6227020800.,
+       1. / 1307674368000.}};
+  };
+
+  /** a, b and their derivatives. */
+  struct RotationCoefficients : public TangentCoefficients
+  {
     double da, db;   ///< a', b'
     double dda, ddb; ///< a'', b''
-    double square;   ///< t^2
 
     /** Values are not set. */
     RotationCoefficients() = default;
 
-    explicit RotationCoefficients(const SpaceVector &p) : square(p * p)
+    explicit RotationCoefficients(const SpaceVector &p) : TangentCoefficients(p)
     {
-      // Below, quotients would cancel.
-      constexpr double small_square = 0.25;
       if (square < small_square)
         from_series();
       else
@@ -70,35 +111,19 @@ namespace auxfem
   private:
     void from_series()
     {
-      constexpr std::array<double, 7> of_a = {{1. / 2,
-                                               -1. / 24,
-                                               1. / 720,
-                                               -1. / 40320,
-                                               1. / 3628800,
-                                               -1. / 479001600,
-                                               1. / 87178291200.}},
-                                      of_b = {{1. / 6,
-                                               -1. / 120,
-                                               1. / 5040,
-                                               -1. / 362880,
-                                               1. / 39916800,
-                                               -1. / 6227020800.,
-                                               1. / 1307674368000.}};
       // The derivative of x^k, x = t^2, by t and over t is 2 k x^(k - 1).
       std::array<double, 6> of_da, of_db;
       std::array<double, 5> of_dda, of_ddb;
       for (int k = 0; k < 6; ++k)
         {
-          of_da[k] = 2 * (k + 1) * of_a[k + 1];
-          of_db[k] = 2 * (k + 1) * of_b[k + 1];
+          of_da[k] = 2 * (k + 1) * series_of_a[k + 1];
+          of_db[k] = 2 * (k + 1) * series_of_b[k + 1];
         }
       for (int k = 0; k < 5; ++k)
         {
           of_dda[k] = 2 * (k + 1) * of_da[k + 1];
           of_ddb[k] = 2 * (k + 1) * of_db[k + 1];
         }
-      a   = power_series(of_a, square);
-      b   = power_series(of_b, square);
       da  = power_series(of_da, square);
       db  = power_series(of_db, square);
       dda = power_series(of_dda, square);
@@ -109,8 +134,6 @@ namespace auxfem
     {
       const double t = std::sqrt(square), sine = std::sin(t) / t,
                    cosine = std::cos(t);
-      a                   = (1 - cosine) / square;
-      b                   = (1 - sine) / square;
       da                  = (sine - 2 * a) / square;
       db                  = (a - 3 * b) / square;
       dda                 = ((cosine - sine) / square - 4 * da) / square;
@@ -119,11 +142,20 @@ namespace auxfem
   };
 
   /** T. */
-  inline SpaceTensor tangent_operator(const RotationCoefficients &c,
-                                      const SpaceVector          &p)
+  inline SpaceTensor tangent_operator(const TangentCoefficients &c,
+                                      const SpaceVector         &p)
   {
     return plus_identity(c.b * dyad(p, p) - c.a * cross_product_tensor(p),
                          1 - c.b * c.square);
+  }
+
+  /** T @p q. */
+  inline SpaceVector tangent_product(const TangentCoefficients &c,
+                                     const SpaceVector         &p,
+                                     const SpaceVector         &q)
+  {
+    return (1 - c.b * c.square) * q + (c.b * (p * q)) * p -
+      c.a * dealii::cross_product_3d(p, q);
   }
 
   /** p (p . v) - t^2 v. */
@@ -171,6 +203,18 @@ namespace auxfem
                                 p) +
                            c.b * (dyad(p, q) - 2. * dyad(q, p)),
                          c.b * (p * q));
+  }
+
+  /** tangent_derivative() times @p v. */
+  inline SpaceVector tangent_derivative_product(const RotationCoefficients &c,
+                                                const SpaceVector          &p,
+                                                const SpaceVector          &q,
+                                                const SpaceVector          &v)
+  {
+    using dealii::cross_product_3d;
+    return c.a * cross_product_3d(q, v) +
+      (p * v) * (c.db * across_twice(c, p, q) - c.da * cross_product_3d(p, q)) +
+      c.b * ((q * v) * p - 2. * (p * v) * q + (p * q) * v);
   }
 
   /** Second derivative of m . T q by p; symmetric. */

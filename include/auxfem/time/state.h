@@ -42,6 +42,7 @@ namespace auxfem
     bool path         = false; ///< paths of equilibria
     /** Alpha methods other than Newmark. */
     bool algorithmic_acceleration = false;
+    bool compensation             = false; ///< schemes that balance means
     /** Rotations in space kept as quaternions; none if they stay small. */
     unsigned int n_rotations = 0;
     /** Local unknowns that are large rotations in the plane; for schemes that
@@ -105,6 +106,13 @@ namespace auxfem
     std::optional<Vector> algorithmic_acceleration;
 
     /**
+     * Kahan's compensation: the displacement is `displacement` and this
+     * together, to twice the digits. What moves far away would else deform by
+     * the round-off of its positions (see relative_displacement()).
+     */
+    std::optional<Vector> compensation;
+
+    /**
      * Not 0 for free unknowns with neither mass nor constraint; known from the
      * start of a run with inertia on. Schemes that would let their
      * accelerations grow keep them in equilibrium.
@@ -150,6 +158,15 @@ namespace auxfem
     double largest_energy = 0; ///< mechanical or dissipated (J)
     ///@}
   };
+
+  /** By how much the displacement of @p unknown is more than that of @p other,
+   * to the last digit of the difference, at a state with compensation. */
+  inline double
+  relative_displacement(const State &state, const int unknown, const int other)
+  {
+    const Vector &u = state.displacement, &c = *state.compensation;
+    return (u[unknown] - u[other]) + (c[unknown] - c[other]);
+  }
 
   /** The argument of time histories: the time (s), on a path of equilibria the
    * load factor. */

@@ -96,6 +96,12 @@ namespace auxfem
     virtual bool balances_means() const;
 
     /**
+     * The factor chi by which a scheme that balances means damps the highest
+     * frequencies of struts (elements/increment_damping.h); 0: not at all.
+     */
+    virtual double high_frequency_damping() const;
+
+    /**
      * Whether errors of velocity and acceleration that change sign from step to
      * step are neither damped nor fed back by an algorithmic acceleration, so
      * that restoring consistent rates after a step removes them.

@@ -2,6 +2,8 @@
 #include <auxfem/elements/beam_dispatch.h>
 #include <auxfem/equations/effects/beam_forces.h>
 
+#include <deal.II/base/numbers.h>
+
 #include <cmath>
 
 namespace auxfem
@@ -91,54 +93,78 @@ namespace auxfem
                                                        block);
       }
 
-      /** Displacements at start and end of a step. */
+      /** Displacements at start and end of a step relative to the first node,
+       * rotations but for full turns. */
       struct Displacements
       {
         Displacements(const int *unknowns, const Evaluation &step)
         {
-          const double *from = step.from.displacement.data(),
-                       *to   = step.to.displacement.data();
-          for (int i = 0; i < n; ++i)
-            {
-              start[i] = from[unknowns[i]];
-              end[i]   = to[unknowns[i]];
-            }
+          const double turns =
+            std::round(step.from.displacement[unknowns[2]] / turn);
+          gather(unknowns, step.from, turns, start);
+          gather(unknowns, step.to, turns, end);
         }
 
         double start[n], end[n];
+
+      private:
+        /** 2 pi, and what the number lacks. */
+        static constexpr double turn         = 2 * dealii::numbers::PI,
+                                rest_of_turn = 2.4492935982947064e-16;
+
+        static void gather(const int   *unknowns,
+                           const State &state,
+                           const double turns,
+                           double      *u)
+        {
+          for (int i = 0; i < n; i += n_components)
+            {
+              const int *node = unknowns + i;
+              for (int c = 0; c < 2; ++c)
+                u[i + c] = relative_displacement(state, node[c], unknowns[c]);
+              double rotation = state.displacement[node[2]];
+              if (turns != 0)
+                rotation =
+                  std::fma(-turns, turn, rotation) - turns * rest_of_turn;
+              u[i + 2] = rotation + (*state.compensation)[node[2]];
+            }
+        }
       };
 
-      static BeamEnergy mean_force(const BeamShape<order> &shape,
-                                   const Frame            *frames,
-                                   const double            jacobian,
-                                   const Stiffness        &stiffness,
-                                   const DofNumbering & /*numbering*/,
-                                   const int        *unknowns,
-                                   const Evaluation &step,
-                                   double           *force)
+      template <class HighFrequencyDamping>
+      static Beam2D::StepEnergy mean_force(const BeamShape<order> &shape,
+                                           const Frame            *frames,
+                                           const double            jacobian,
+                                           const Stiffness        &stiffness,
+                                           const DofNumbering & /*numbering*/,
+                                           const int                  *unknowns,
+                                           const Evaluation           &step,
+                                           const HighFrequencyDamping &damping,
+                                           double                     *force)
       {
-        const Displacements      u(unknowns, step);
-        const Beam2D::EnergyRate energy =
-          Beam2D::mean_force<order, damped>(shape,
-                                            frames,
-                                            jacobian,
-                                            stiffness,
-                                            u.start,
-                                            u.end,
-                                            step.dt,
-                                            force);
-        return {energy.strain, energy.dissipation};
+        const Displacements u(unknowns, step);
+        return Beam2D::mean_force<order, damped>(shape,
+                                                 frames,
+                                                 jacobian,
+                                                 stiffness,
+                                                 u.start,
+                                                 u.end,
+                                                 step.dt,
+                                                 force,
+                                                 damping);
       }
 
+      template <class HighFrequencyDamping>
       static void mean_tangent(const BeamShape<order> &shape,
                                const Frame            *frames,
                                const double            jacobian,
                                const Stiffness        &stiffness,
                                const DofNumbering & /*numbering*/,
-                               const int            *unknowns,
-                               const Evaluation     &step,
-                               const TangentFactors &factors,
-                               double               *block)
+                               const int                  *unknowns,
+                               const Evaluation           &step,
+                               const TangentFactors       &factors,
+                               const HighFrequencyDamping &damping,
+                               double                     *block)
       {
         const Displacements u(unknowns, step);
         Beam2D::mean_tangent<order, damped>(shape,
@@ -150,7 +176,8 @@ namespace auxfem
                                             step.dt,
                                             factors.stiffness,
                                             factors.damping,
-                                            block);
+                                            block,
+                                            damping);
       }
 
       static Stiffness stiffness(const Section &section)

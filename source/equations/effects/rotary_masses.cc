@@ -55,12 +55,13 @@ namespace auxfem
   {
     const RotaryInertia::Motion start = motion(mass, step.from),
                                 end   = motion(mass, step.to);
-    return RotaryInertia::mean_torque(
-      {step.from.rotations[mass.rotation], mass.inertia * start.velocity},
-      {step.to.rotations[mass.rotation], mass.inertia * end.velocity},
-      mass.inertia * end.acceleration,
-      step.dt,
-      0.);
+    return RotaryInertia::mean_torque(step.from.rotations[mass.rotation],
+                                      step.to.rotations[mass.rotation],
+                                      mass.inertia *
+                                        ((start.velocity + end.velocity) / 2),
+                                      mass.inertia * end.acceleration,
+                                      step.dt,
+                                      0.);
   }
 
   void RotaryMasses::add_residual(const Evaluation &evaluation,

@@ -256,18 +256,31 @@ namespace auxfem
                             const double       alpha,
                             double            *residual) const
       {
-        const int     *unknowns = numbering.element_unknowns(group.begin + e);
-        const Rotating start(*this, e, step.from, step.from.velocity->data()),
-          end(*this, e, step.to, step.to.velocity->data());
+        const int *unknowns = numbering.element_unknowns(group.begin + e);
+        const auto before   = gather(step.from.velocity->data(), unknowns, 3),
+                   now      = gather(step.to.velocity->data(), unknowns, 3);
+        NodeVectors<order> mean;
         for (int i = 0; i <= order; ++i)
-          scatter(RotaryInertia::mean_torque({start.rotation[i],
-                                              start.momentum[i]},
-                                             {end.rotation[i], end.momentum[i]},
-                                             end.rate[i],
-                                             step.dt,
-                                             alpha),
-                  unknowns + n_components * i + 3,
-                  residual);
+          mean[i] = (before[i] + now[i]) / 2;
+        const NodeVectors<order> momentum = momenta(e, mean),
+                                 rate =
+                                   momenta(e,
+                                           gather(step.to.acceleration->data(),
+                                                  unknowns,
+                                                  3));
+        for (int i = 0; i <= order; ++i)
+          {
+            const int *spin     = unknowns + n_components * i + 3;
+            const int  rotation = numbering.rotations().with(*spin);
+            scatter(RotaryInertia::mean_torque(step.from.rotations[rotation],
+                                               step.to.rotations[rotation],
+                                               momentum[i],
+                                               rate[i],
+                                               step.dt,
+                                               alpha),
+                    spin,
+                    residual);
+          }
       }
 
       /** @param mass factor of the mass matrix, damping included. */

@@ -193,50 +193,73 @@ namespace auxfem
             block);
       }
 
-      static BeamEnergy mean_force(const BeamShape<order> &shape,
-                                   const Frame            *frames,
-                                   const double            jacobian,
-                                   const Stiffness        &stiffness,
-                                   const DofNumbering     &numbering,
-                                   const int              *unknowns,
-                                   const Evaluation       &step,
-                                   double                 *force)
+      /** Nodes at one end of a step, displacements relative to the first. */
+      static std::array<Beam3D::Node, order + 1>
+      nodes_in_step(const DofNumbering &numbering,
+                    const int          *unknowns,
+                    const State        &state)
       {
-        const Beam3D::StepEnergy energy =
-          Beam3D::mean_force(shape,
-                             frames,
-                             jacobian,
-                             stiffness.elastic,
-                             motion(numbering, unknowns, step.from).nodes,
-                             motion(numbering, unknowns, step.to).nodes,
-                             damped ? stiffness.damping_time / step.dt : 0.,
-                             force);
-        return {energy.strain, energy.lost};
+        std::array<Beam3D::Node, order + 1> nodes;
+        for (int a = 0; a <= order; ++a)
+          {
+            const int *node = unknowns + n_components * a;
+            for (int c = 0; c < 3; ++c)
+              nodes[a].displacement[c] =
+                relative_displacement(state, node[c], unknowns[c]);
+            nodes[a].rotation =
+              state.rotations[numbering.rotations().with(node[3])];
+          }
+        return nodes;
       }
 
-      static void mean_tangent(const BeamShape<order> &shape,
-                               const Frame            *frames,
-                               const double            jacobian,
-                               const Stiffness        &stiffness,
-                               const DofNumbering     &numbering,
-                               const int              *unknowns,
-                               const Evaluation       &step,
-                               const TangentFactors   &factors,
-                               double                 *block)
+      template <class HighFrequencyDamping>
+      static Beam3D::StepEnergy mean_force(const BeamShape<order> &shape,
+                                           const Frame            *frames,
+                                           const double            jacobian,
+                                           const Stiffness        &stiffness,
+                                           const DofNumbering     &numbering,
+                                           const int              *unknowns,
+                                           const Evaluation       &step,
+                                           const HighFrequencyDamping &damping,
+                                           double                     *force)
       {
-        Beam3D::mean_tangent(shape,
-                             frames,
-                             jacobian,
-                             stiffness.elastic,
-                             motion(numbering, unknowns, step.from).nodes,
-                             motion(numbering, unknowns, step.to).nodes,
-                             damped ? stiffness.damping_time / step.dt : 0.,
-                             factors.stiffness,
-                             factors.stiffness +
-                               (damped
-                                  ? stiffness.damping_time * factors.damping
-                                  : 0.),
-                             block);
+        return Beam3D::mean_force(
+          shape,
+          frames,
+          jacobian,
+          stiffness.elastic,
+          nodes_in_step(numbering, unknowns, step.from).data(),
+          nodes_in_step(numbering, unknowns, step.to).data(),
+          damped ? stiffness.damping_time / step.dt : 0.,
+          force,
+          damping);
+      }
+
+      template <class HighFrequencyDamping>
+      static void mean_tangent(const BeamShape<order>     &shape,
+                               const Frame                *frames,
+                               const double                jacobian,
+                               const Stiffness            &stiffness,
+                               const DofNumbering         &numbering,
+                               const int                  *unknowns,
+                               const Evaluation           &step,
+                               const TangentFactors       &factors,
+                               const HighFrequencyDamping &damping,
+                               double                     *block)
+      {
+        Beam3D::mean_tangent(
+          shape,
+          frames,
+          jacobian,
+          stiffness.elastic,
+          nodes_in_step(numbering, unknowns, step.from).data(),
+          nodes_in_step(numbering, unknowns, step.to).data(),
+          damped ? stiffness.damping_time / step.dt : 0.,
+          factors.stiffness,
+          factors.stiffness +
+            (damped ? stiffness.damping_time * factors.damping : 0.),
+          block,
+          damping);
       }
 
       static Stiffness stiffness(const Section &section)

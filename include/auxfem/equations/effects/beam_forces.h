@@ -1,22 +1,25 @@
 #ifndef auxfem_equations_effects_beam_forces_h
 #define auxfem_equations_effects_beam_forces_h
 
+#include <auxfem/elements/increment_damping.h>
 #include <auxfem/equations/effects/struts.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace auxfem
 {
   /**
    * Strain energy (J) of an element and power lost in it (W); of mean forces
-   * over a step the energy lost in it (J).
+   * over a step the energy lost in it and taken by the damping of high
+   * frequencies (J).
    */
   struct BeamEnergy
   {
-    double strain = 0, dissipation = 0;
+    double strain = 0, dissipation = 0, taken = 0;
   };
 
   /** What struts do in one evaluation. */
@@ -47,8 +50,8 @@ namespace auxfem
    * rest, `motion`, `internal_force`, `tangent` for its forces,
    * `geometric_tangent`, `elastic_forces`, `viscous_forces` (of several motions
    * of the same positions) at its Gauss points, and `rotation`, `axes` for
-   * output, `strain_product` for energies. With `has_mean_forces` and large
-   * rotations it has `mean_force` and `mean_tangent` over a step.
+   * output, `strain_product` for energies. With large rotations it has
+   * `mean_force` and `mean_tangent` over a step.
    */
   template <class Beam>
   class BeamForces : public StrutForces
@@ -58,12 +61,13 @@ namespace auxfem
                const DofNumbering         &numbering,
                const DofNumbering::Group  &group,
                const std::vector<Section> &sections,
-               const bool                  shear_flexibility)
+               const StrutModel           &model)
       : lattice(lattice)
       , numbering(numbering)
       , group(group)
       , sections(sections)
-      , shape(!shear_flexibility)
+      , shape(!model.shear_flexibility)
+      , high_frequency_damping(model.high_frequency_damping)
     {
       const unsigned int n_elements = group.end - group.begin;
       frames.resize(std::size_t(n_elements) * order);
@@ -81,7 +85,7 @@ namespace auxfem
           data.jacobian =
             length * (element.interval.end - element.interval.begin) / 2;
           data.stiffness = Beam::stiffness(section);
-          if (!shear_flexibility)
+          if (!model.shear_flexibility)
             Beam::hold_shear(data.stiffness,
                              12 /
                                (BeamShape<order>::shear_made_up_for * 4 *
@@ -110,6 +114,8 @@ namespace auxfem
     void register_in(StateLayout &layout) override
     {
       strain_entry = layout.energies.enter(strain_energy_entry());
+      if (high_frequency_damping > 0)
+        remember_increments(layout);
       if (!Beam::is_damped)
         return;
       layout.velocity = true;
@@ -132,14 +138,14 @@ namespace auxfem
     {
       auto &of_struts = static_cast<BeamResults &>(*results);
       if (evaluation.kind == Evaluation::Kind::between)
-        {
+        with_damping_of_increments(evaluation, [&](const auto &damping_of) {
           sum_forces(
             [&](const unsigned int e, double *force) {
-              return mean_force(evaluation, e, force);
+              return mean_force(evaluation, e, damping_of(e), force);
             },
             residual,
             of_struts);
-        }
+        });
       else
         sum_forces(
           [&](const unsigned int e, double *force) {
@@ -155,17 +161,23 @@ namespace auxfem
 
     void add_tangent(const Evaluation &evaluation,
                      const EffectResults * /*results*/,
-                     const TangentFactors &factors,
+                     const TangentFactors &of_scheme,
                      TangentMatrix        &matrix) const override
     {
+      TangentFactors factors = of_scheme;
       if (factors.stiffness == 0 && factors.damping == 0)
         return;
-      if constexpr (!Beam::is_linear)
-        if (evaluation.kind == Evaluation::Kind::between)
-          {
-            add_mean_tangent(evaluation, factors, matrix);
-            return;
-          }
+      if (evaluation.kind == Evaluation::Kind::between)
+        with_damping_of_increments(
+          evaluation,
+          [&]([[maybe_unused]] const auto &damping_of) {
+            if constexpr (!Beam::is_linear)
+              add_mean_tangent(evaluation, factors, damping_of, matrix);
+            else if constexpr (decltype(damping_of(0))::is_used)
+              factors.stiffness += damping_of(0).in_tangent;
+          });
+      if (!Beam::is_linear && evaluation.kind == Evaluation::Kind::between)
+        return;
       double block[n * n];
       for (unsigned int e = 0; e < of_elements.size(); ++e)
         {
@@ -223,6 +235,8 @@ namespace auxfem
                       const EffectResults *results,
                       EnergyAccount       &account) const override
     {
+      if (high_frequency_damping > 0 && step.kind == Evaluation::Kind::between)
+        account.add_in_step(numerical_entry, energy_of(results).taken);
       if constexpr (Beam::is_damped)
         {
           if (!account.takes_time())
@@ -257,18 +271,25 @@ namespace auxfem
         raise_nodes(e, of_struts.forces[e], forces);
     }
 
-    void raise_uncertain_forces(const Evaluation & /*evaluation*/,
+    void raise_uncertain_forces(const Evaluation &evaluation,
                                 const EffectResults * /*results*/,
                                 const double largest_displacement,
                                 const double largest_rotation,
                                 double      *forces) const override
     {
+      // Mean forces take displacements relative to a node, which are those of
+      // an element that turns at most: twice its length.
+      const double most =
+        !Beam::is_linear && evaluation.kind == Evaluation::Kind::between
+        ? 4
+        : std::numeric_limits<double>::infinity();
       for (unsigned int e = 0; e < of_elements.size(); ++e)
-        raise_nodes(e,
-                    Beam::largest_stiffness(of_elements[e].stiffness) *
-                      (largest_displacement / of_elements[e].jacobian +
-                       std::min(1., largest_rotation)),
-                    forces);
+        raise_nodes(
+          e,
+          Beam::largest_stiffness(of_elements[e].stiffness) *
+            (std::min(most, largest_displacement / of_elements[e].jacobian) +
+             std::min(1., largest_rotation)),
+          forces);
     }
 
     std::vector<StrutPoint> sample(const State       &state,
@@ -449,6 +470,9 @@ namespace auxfem
     static constexpr int order        = Beam::order;
     static constexpr int n_components = Beam::n_components;
     static constexpr int n            = n_components * (order + 1);
+    /** What the damping of high frequencies remembers of an element. */
+    static constexpr int n_increments =
+      Beam::is_linear ? n : order * n_components;
     /** Components of displacements, before those of rotations. */
     static constexpr int n_translations = n_components == 3 ? 2 : 3;
 
@@ -650,6 +674,7 @@ namespace auxfem
             {
               energy.strain += of_element.strain;
               energy.dissipation += of_element.dissipation;
+              energy.taken += of_element.taken;
             }
           for (int i = 0; i < n; ++i)
             residual[unknowns[i]] += force[i];
@@ -698,44 +723,121 @@ namespace auxfem
                                   force);
     }
 
-    /** Over the step between two states. */
-    BeamEnergy mean_force(const Evaluation  &step,
-                          const unsigned int e,
-                          double            *force) const
+    /** Makes room for what the damping of high frequencies remembers. */
+    void remember_increments(StateLayout &layout)
     {
-      const int *unknowns = unknowns_of(e);
-      if constexpr (Beam::is_linear)
-        {
-          const typename Beam::Motion start = Beam::motion(numbering,
-                                                           unknowns,
-                                                           step.from),
-                                      end   = Beam::motion(numbering,
-                                                         unknowns,
-                                                         step.to);
-          typename Beam::Motion mean        = end;
-          for (int i = 0; i < n; ++i)
-            {
-              mean.u[i] = (start.u[i] + end.u[i]) / 2;
-              if (Beam::is_damped)
-                mean.v[i] = (end.u[i] - start.u[i]) / step.dt;
-            }
-          const double strain_at_end = internal_force(e, end, force).strain;
-          return {strain_at_end,
-                  step.dt * internal_force(e, mean, force).dissipation};
-        }
-      else
-        return Beam::mean_force(shape,
-                                &frames[std::size_t(e) * order],
-                                of_elements[e].jacobian,
-                                of_elements[e].stiffness,
-                                numbering,
-                                unknowns,
-                                step,
-                                force);
+      const std::string name = "struts of order " + std::to_string(order);
+      std::vector<unsigned int> numbers;
+      numbers.reserve(of_elements.size());
+      for (unsigned int e = group.begin; e < group.end; ++e)
+        numbers.push_back(number_in_lattice(numbering.elements()[e].interval));
+      first_increment =
+        layout.history.keep(name + ": increments", numbers, n_increments);
+      length_of_step  = layout.history.keep(name + ": length of the last step",
+                                           {0},
+                                           /*values_per_item=*/1);
+      numerical_entry = layout.energies.enter(numerical_energy_entry());
     }
 
+    /** The same on any number of ranks. */
+    static unsigned int number_in_lattice(const StrutMesh::Interval &interval)
+    {
+      const auto of_strut = std::lround(1 / (interval.end - interval.begin));
+      return interval.strut * of_strut + interval.number();
+    }
+
+    /**
+     * Calls @p act with a function of an element that says how the increments in
+     * the @p step between two states are damped.
+     */
+    template <class Action>
+    void with_damping_of_increments(const Evaluation &step,
+                                    const Action     &act) const
+    {
+      if (high_frequency_damping == 0)
+        {
+          act([](unsigned int) { return NoIncrementDamping(); });
+          return;
+        }
+      IncrementDamping damping(high_frequency_damping,
+                               step.dt,
+                               step.from.history[length_of_step]);
+      step.to.history[length_of_step] = step.dt;
+      act([&](const unsigned int e) {
+        const std::size_t at = first_increment + std::size_t(e) * n_increments;
+        damping.last         = step.from.history.data() + at;
+        damping.now          = step.to.history.data() + at;
+        return damping;
+      });
+    }
+
+    /** Over the step between two states. */
+    template <class HighFrequencyDamping>
+    BeamEnergy mean_force(const Evaluation           &step,
+                          const unsigned int          e,
+                          const HighFrequencyDamping &damping,
+                          double                     *force) const
+    {
+      if constexpr (Beam::is_linear)
+        return linear_mean_force(step, e, damping, force);
+      else
+        {
+          const auto energy = Beam::mean_force(shape,
+                                               &frames[std::size_t(e) * order],
+                                               of_elements[e].jacobian,
+                                               of_elements[e].stiffness,
+                                               numbering,
+                                               unknowns_of(e),
+                                               step,
+                                               damping,
+                                               force);
+          return {energy.strain, energy.lost, energy.taken};
+        }
+    }
+
+    /** The same by the forces of mean unknowns, and of what the damping adds to
+     * them: increments of unknowns stand for those of strains. */
+    template <class HighFrequencyDamping>
+    BeamEnergy
+    linear_mean_force(const Evaluation                            &step,
+                      const unsigned int                           e,
+                      [[maybe_unused]] const HighFrequencyDamping &damping,
+                      double                                      *force) const
+    {
+      using Motion          = typename Beam::Motion;
+      const int   *unknowns = unknowns_of(e);
+      const Motion start    = Beam::motion(numbering, unknowns, step.from),
+                   end      = Beam::motion(numbering, unknowns, step.to);
+      Motion       mean     = end;
+      const double strain   = internal_force(e, end, force).strain;
+      double       taken    = 0;
+      for (int i = 0; i < n; ++i)
+        {
+          mean.u[i] = (start.u[i] + end.u[i]) / 2;
+          if (Beam::is_damped)
+            mean.v[i] = (end.u[i] - start.u[i]) / step.dt;
+        }
+      if constexpr (HighFrequencyDamping::is_used)
+        {
+          Motion added{};
+          for (int i = 0; i < n; ++i)
+            {
+              added.u[i] = damping(i, end.u[i] - start.u[i]);
+              mean.u[i] += added.u[i];
+            }
+          internal_force(e, added, force);
+          for (int i = 0; i < n; ++i)
+            taken += force[i] * (end.u[i] - start.u[i]);
+        }
+      return {strain,
+              step.dt * internal_force(e, mean, force).dissipation,
+              taken};
+    }
+
+    template <class DampingOf>
     void add_mean_tangent(const Evaluation     &step,
                           const TangentFactors &factors,
+                          const DampingOf      &damping_of,
                           TangentMatrix        &matrix) const
     {
       double block[n * n];
@@ -749,6 +851,7 @@ namespace auxfem
                              unknowns_of(e),
                              step,
                              factors,
+                             damping_of(e),
                              block);
           matrix.add(group.begin + e, block);
         }
@@ -783,9 +886,12 @@ namespace auxfem
     const DofNumbering::Group         group;
     const std::vector<Section>       &sections;
     const BeamShape<order>            shape;
+    const double                      high_frequency_damping;
     std::vector<Element>              of_elements;
     std::vector<typename Beam::Frame> frames;
     unsigned int strain_entry = 0, damping_entry = 0, numerical_entry = 0;
+    /** In State::history: increments of the last step, its length. */
+    std::size_t first_increment = 0, length_of_step = 0;
   };
 
   /** @name Struts of a polynomial order, all variants. */
@@ -821,7 +927,7 @@ namespace auxfem
         numbering,
         group,
         sections,
-        model.shear_flexibility);
+        model);
     };
     const std::true_type  yes;
     const std::false_type no;

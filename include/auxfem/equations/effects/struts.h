@@ -60,6 +60,8 @@ namespace auxfem
     bool large_rotation    = true;
     bool shear_flexibility = true;
     bool damping           = false; ///< stiffness-proportional
+    /** ImplicitScheme::high_frequency_damping(). */
+    double high_frequency_damping = 0;
   };
 
   /** Internal forces of the struts of one polynomial order: geometrically exact
