@@ -565,9 +565,10 @@ namespace auxfem
       << " s (half of it would be less than Time/Smallest time step = "
       << control->shortest() << " s): " << last_failure
       << ".\nAll steps until then are in the output folder. A smaller smallest "
-         "step, numerical damping (Scheme = generalized-alpha) or, in statics, "
-         "prescribed motion in place of a force may carry it further; an "
-         "unstable structure will not be carried by any.";
+         "step, numerical damping (Scheme = generalized-alpha), where things "
+         "hit each other Scheme = energy-momentum, or, in statics, prescribed "
+         "motion in place of a force may carry it further; an unstable "
+         "structure will not be carried by any.";
     throw ComputationError(message.str());
   }
 } // namespace auxfem

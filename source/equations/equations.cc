@@ -12,13 +12,6 @@ namespace auxfem
 {
   namespace
   {
-    /** Global numbers, and so ghosts, are those of a number of ranks. */
-    std::string ghosts_record(const UnknownLayout &layout)
-    {
-      return "couplings: ghosts on " + std::to_string(layout.n_ranks()) +
-        " ranks";
-    }
-
     /**
      * Calls @p take(result, value) for the values in some rows, for four
      * results in turn, as one would wait for itself.
@@ -353,48 +346,12 @@ namespace auxfem
   {
     for (const auto &effect : effects)
       effect->save(records);
-    save_ghosts(records);
-  }
-
-  void Equations::save_ghosts(Records &records) const
-  {
-    if (!with_ghosts)
-      return;
-    const UnknownLayout &layout = with_ghosts->layout;
-    std::vector<int>     mine;
-    for (unsigned int local = structure.numbering.layout().n_local();
-         local < layout.n_local();
-         ++local)
-      mine.push_back(layout.global(local));
-    std::vector<double> of_all;
-    for (const std::vector<int> &of_rank :
-         dealii::Utilities::MPI::all_gather(layout.communicator(), mine))
-      {
-        of_all.push_back(of_rank.size());
-        of_all.insert(of_all.end(), of_rank.begin(), of_rank.end());
-      }
-    records.keep(ghosts_record(layout), of_all);
-  }
-
-  std::vector<int> Equations::saved_ghosts(const Records &records) const
-  {
-    const UnknownLayout &layout = structure.numbering.layout();
-    const std::string    name   = ghosts_record(layout);
-    if (!records.has(name))
-      return {};
-    const std::vector<double> of_all =
-      records.values(name, records.values_per_item(name));
-    auto of_rank = of_all.begin();
-    for (unsigned int rank = 0; rank < layout.rank(); ++rank)
-      of_rank += 1 + static_cast<std::size_t>(*of_rank);
-    return {of_rank + 1, of_rank + 1 + static_cast<std::size_t>(*of_rank)};
   }
 
   bool Equations::resume(State &accepted, const Records &records)
   {
-    // Those there were, in their order, by which sums over the ranks go.
-    std::vector<int> wanted  = saved_ghosts(records);
     bool             changed = false;
+    std::vector<int> wanted;
     for (const auto &effect : effects)
       changed = effect->resume(records, wanted) || changed;
     return couple(changed, wanted, accepted);

@@ -1,4 +1,5 @@
 #include <analysis/resumed_run.h>
+#include <support/run_program.h>
 #include <support/scene_text.h>
 
 using namespace auxfem;
@@ -66,6 +67,18 @@ TEST(ContactResume, StrutsThatFallOnEachOtherGoOnToTheLastDigit)
                              {},
                              MPI_COMM_WORLD);
   EXPECT_EQ(run.rows.size(), 121u);
+}
+
+TEST(ContactResume, ALatticeThatFoldsGoesOnToTheLastDigit)
+{
+  expect_same_when_resumed(prm_text("crush.prm"),
+                           {"Lattice/Cells x=3",
+                            "Lattice/Cells y=3",
+                            "Constants=H = 81.9615e-3, crush = 0.6, T = 0.5",
+                            "Plates/upper plate/Position=41 mm, 68.8115 mm",
+                            "Time/End time=0.2",
+                            "Time/Time step=4 ms"},
+                           MPI_COMM_WORLD);
 }
 
 TEST(ContactResume, PressedWithoutInertiaItGoesOnToTheLastDigit)

@@ -1,3 +1,4 @@
+#include <auxfem/equations/effects/plate_contact.h>
 #include <auxfem/equations/effects/strut_contact.h>
 
 #include <verification/result_table.h>

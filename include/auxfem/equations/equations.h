@@ -180,7 +180,7 @@ namespace auxfem
      */
     bool update_couplings(State &accepted);
 
-    /** Keeps the couplings there are. Collective. */
+    /** Keeps the couplings there are. */
     void save(Records &records) const;
 
     /** Goes on with the couplings that were saved; as update_couplings(). */
@@ -234,12 +234,6 @@ namespace auxfem
     void register_blocks();
     /** As update_couplings(), for what effects have changed and want. */
     bool couple(bool changed, const std::vector<int> &wanted, State &accepted);
-    /** Keeps the ghosts that effects have asked for, of all ranks in the order
-     * in which they came. Collective. */
-    void save_ghosts(Records &records) const;
-    /** Those of this rank; none if a run on another number of ranks is resumed.
-     */
-    std::vector<int> saved_ghosts(const Records &records) const;
 
     const LatticeModel                  &structure;
     std::vector<std::unique_ptr<Effect>> effects;

@@ -7,6 +7,7 @@
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
+#include <map>
 #include <sstream>
 
 namespace auxfem
@@ -43,9 +44,11 @@ namespace auxfem
                                   const std::string &noun,
                                   const std::string &path)
     {
-      std::vector<Item> items;
-      for (const auto &text : dealii::Utilities::split_string_list(value, ';'))
+      std::vector<Item>  items;
+      std::istringstream list(value);
+      for (std::string text; std::getline(list, text, ';');)
         {
+          text = dealii::Utilities::trim(text);
           Item item;
           item.text  = text;
           item.where = path + "/" + entry + ": " + noun + " " +
@@ -160,23 +163,31 @@ namespace auxfem
                "plane. Give a normal perpendicular to the chord."));
     }
 
+    /** Struts by the numbers of their joints, the lower one first. */
+    using StrutsOfJoints =
+      std::map<std::pair<unsigned int, unsigned int>, std::vector<std::size_t>>;
+
+    std::pair<unsigned int, unsigned int> joints_of(const UnitStrut &strut)
+    {
+      return std::minmax(strut.first, strut.second);
+    }
+
     /** Whether two struts between the same joints have the same axis. */
     bool are_equal(const UnitStrut            &strut,
                    const dealii::Tensor<1, 3> &chord,
                    const UnitStrut            &other,
                    const UnitCell             &cell)
     {
-      if (std::minmax(strut.first, strut.second) !=
-          std::minmax(other.first, other.second))
-        return false;
       const dealii::Tensor<1, 3> difference =
         rise_of_arc(chord, strut.sagitta, strut.normal) -
         rise_of_arc(chord_of(other, cell), other.sagitta, other.normal);
       return difference.norm() <= relative_chord_tolerance * chord.norm();
     }
 
-    void
-    check_strut(const UnitStrut &strut, const UnitCell &cell, const Item &item)
+    void check_strut(const UnitStrut      &strut,
+                     const UnitCell       &cell,
+                     const StrutsOfJoints &of_joints,
+                     const Item           &item)
     {
       const dealii::Tensor<1, 3> chord = chord_of(strut, cell);
       if (chord.norm() == 0.)
@@ -185,11 +196,13 @@ namespace auxfem
                          "position. Make a ring of two or more arcs.");
       check_normal(strut, chord, item);
 
-      for (const UnitStrut &other : cell.struts)
-        if (are_equal(strut, chord, other, cell))
+      const auto between = of_joints.find(joints_of(strut));
+      if (between == of_joints.end())
+        return;
+      for (const std::size_t other : between->second)
+        if (are_equal(strut, chord, cell.struts[other], cell))
           throw InputError(item.where + "repeats strut " +
-                           std::to_string(&other - cell.struts.data()) +
-                           ". Remove one of them.");
+                           std::to_string(other) + ". Remove one of them.");
     }
 
     [[noreturn]] void refuse_strut(const Item        &item,
@@ -242,12 +255,14 @@ namespace auxfem
                      const SceneContext &context,
                      UnitCell           &cell)
     {
+      StrutsOfJoints of_joints;
       for (const Item &item :
            split_items(value, struts_entry.name, "strut", context.path))
         {
           const UnitStrut strut =
             read_strut(item, cell.joints.size(), context.dimension);
-          check_strut(strut, cell, item);
+          check_strut(strut, cell, of_joints, item);
+          of_joints[joints_of(strut)].push_back(cell.struts.size());
           cell.struts.push_back(strut);
         }
     }
