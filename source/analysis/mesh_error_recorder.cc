@@ -23,14 +23,13 @@ namespace auxfem
     {
       std::ostringstream text;
       text.precision(2);
-      text
-        << "The elements make an error of " << *report.estimated_error
-        << " in the motion of the joints, by estimate, more than "
-           "Discretization/Tolerance = "
-        << report.tolerance
-        << ": the motion is not that of the search run, or no elements are "
-           "good enough for some struts. Take a tolerance so much smaller, or "
-           "raise it to that error.";
+      text << "The elements make an error of " << *report.estimated_error
+           << " in the motion of the joints, by estimate, more than "
+              "Discretization/Tolerance = "
+           << report.tolerance
+           << ": the motion is not that of the search run, or no elements are "
+              "good enough for some struts. Lower the tolerance by as much, or "
+              "raise it to that error if it may stay.";
       return {Verdict::doubtful, text.str(), time, ""};
     }
 

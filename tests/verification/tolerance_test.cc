@@ -1,6 +1,13 @@
+#include <auxfem/analysis/lattice_run.h>
+#include <auxfem/output/recorder.h>
+
 #include <gtest/gtest.h>
 #include <study/report_cells.h>
 #include <support/scene_text.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "result_table.h"
 
@@ -88,6 +95,131 @@ namespace
                            5);
   }
 
+  /** Displacements (m) and rotations (rad) of all nodes at the ends of the
+   * scene's steps. */
+  class AllMotions : public Recorder
+  {
+  public:
+    void begin(const Equations &equations) override
+    {
+      rows = equations.model().rows;
+    }
+
+    void start(const Solution &solution) override
+    {
+      states.push_back(solution.state);
+    }
+
+    void step(const Solution &solution, const StepReport &) override
+    {
+      states.push_back(solution.state);
+    }
+
+    /** Root mean squares of state @p i, or of what differs in it from @p other:
+     * displacements, rotations. */
+    std::array<double, 2> sizes(const std::size_t       i,
+                                const AllMotions *const other = nullptr) const
+    {
+      const State &state = states.at(i);
+      const auto   mean  = [&](const std::vector<int> &of_rows) {
+        double sum = 0;
+        for (const int row : of_rows)
+          {
+            const double value = state.displacement[row] -
+              (other != nullptr ? other->states.at(i).displacement[row] : 0.);
+            sum += value * value;
+          }
+        return std::sqrt(sum / of_rows.size());
+      };
+      if (state.rotations.empty())
+        return {{mean(rows.free_translations), mean(rows.free_rotations)}};
+      double sum = 0;
+      for (std::size_t r = 0; r < state.rotations.size(); ++r)
+        {
+          const Quaternion &turned = state.rotations[r];
+          sum += rotation_vector(
+                   other != nullptr
+                     ? conjugate(other->states.at(i).rotations[r]) * turned
+                     : turned)
+                   .norm_square();
+        }
+      return {{mean(rows.free_translations),
+               std::sqrt(sum / rows.free_rotations.size())}};
+    }
+
+    /** Largest difference to @p exact over the largest motion. */
+    std::array<double, 2> errors(const AllMotions &exact) const
+    {
+      EXPECT_EQ(states.size(), exact.states.size());
+      std::array<double, 2> largest{{0, 0}}, difference{{0, 0}};
+      for (std::size_t i = 0; i < states.size(); ++i)
+        for (unsigned int c = 0; c < 2; ++c)
+          {
+            largest[c]    = std::max(largest[c], exact.sizes(i)[c]);
+            difference[c] = std::max(difference[c], sizes(i, &exact)[c]);
+          }
+      return {{difference[0] / largest[0], difference[1] / largest[1]}};
+    }
+
+  private:
+    std::vector<State> states;
+    OwnedRows          rows;
+  };
+
+  AllMotions motions_of(SceneText          scene,
+                        const std::string &scheme,
+                        const unsigned int order,
+                        const double       tolerance)
+  {
+    scene.set("Time/Scheme", scheme).set("Time/Relative tolerance", tolerance);
+    if (scheme == "esdirk")
+      scene.set("Time/Order of esdirk", order);
+    const Scene read = read_scene_from_text(scene.str(), "test.prm");
+    AllMotions  motions;
+    LatticeRun(read, MPI_COMM_WORLD).run(motions);
+    return motions;
+  }
+
+  /**
+   * Expects the worse error of displacements and rotations, which the tolerance
+   * is of, to be at most three times what is asked for, by Newmark's method
+   * also at least a twelfth.
+   * @param tightest, tightest_of_stages powers of 1/10
+   */
+  void expect_met_by_all_motions(const std::string &name,
+                                 const SceneText   &scene,
+                                 const unsigned int tightest,
+                                 const unsigned int tightest_of_stages)
+  {
+    const AllMotions exact =
+      motions_of(scene, "esdirk", 4, 0.01 * std::pow(0.1, tightest_of_stages));
+    ResultTable table("Error of all motions, asked for and made, " + name,
+                      {"scheme",
+                       "relative tolerance",
+                       "error of displacements",
+                       "error of rotations"});
+    for (const auto &[scheme, order] :
+         {std::pair("newmark", 2), {"esdirk", 3}, {"esdirk", 4}})
+      for (unsigned int i = 2;
+           i <= (order == 2 ? tightest : tightest_of_stages);
+           ++i)
+        {
+          const double tolerance = std::pow(0.1, i);
+          const auto   errors =
+            motions_of(scene, scheme, order, tolerance).errors(exact);
+          table.row({std::string(scheme) +
+                       (order == 2 ? "" : " " + std::to_string(order)),
+                     formatted("%.0e", tolerance),
+                     formatted("%.1e", errors[0]),
+                     formatted("%.1e", errors[1])});
+          const double error = std::max(errors[0], errors[1]);
+          EXPECT_LT(error, 3 * tolerance) << name << ' ' << scheme << order;
+          // Long steps of high order err less than anyone would ask for.
+          EXPECT_GT(error, tolerance / (order == 2 ? 12 : 250))
+            << name << ' ' << scheme << order;
+        }
+  }
+
   /** By Newmark's method to 1e-5, by Runge-Kutta schemes to 10^-@p tightest. */
   void expect_tolerances_kept_by_all(const std::string &name,
                                      const SceneText   &scene,
@@ -143,4 +275,24 @@ TEST(Tolerance, IsKeptByAStarLatticeWithMaxwellConnectors)
     star_lattice(),
     "top",
     6);
+}
+
+TEST(Tolerance, IsMetByAllMotionsTogether)
+{
+  SceneText damped = frame_in(2);
+  damped.set("Loads/push/Force y", "-40 * min(t / 0.2, 1)");
+  SceneText undamped = damped;
+  undamped.remove("Sections/rod/Stiffness-proportional damping");
+  SceneText in_space = frame_in(3);
+  in_space.set("Loads/push/Force z", "40 * max(0, 1 - abs(t - 0.1) / 0.1)");
+  expect_met_by_all_motions("frame in the plane", damped, 5, 6);
+  expect_met_by_all_motions("frame in the plane without damping",
+                            undamped,
+                            5,
+                            6);
+  expect_met_by_all_motions("frame in space", in_space, 5, 6);
+  expect_met_by_all_motions("star lattice with Maxwell connectors",
+                            star_lattice(),
+                            4,
+                            5);
 }

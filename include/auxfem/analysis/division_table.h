@@ -3,6 +3,9 @@
 
 #include <auxfem/analysis/mesh_error.h>
 
+#include <limits>
+#include <vector>
+
 namespace auxfem
 {
   /**
@@ -46,7 +49,8 @@ namespace auxfem
     struct OfStrut
     {
       std::vector<Candidate> candidates;
-      /** Nodes of the cheapest that is good enough in any case. */
+      /** Nodes of the cheapest that is good enough in any case; invalid_index:
+       * there is none yet. */
       unsigned int n_inner_nodes = invalid_index;
       /** Smallest error (J) so far, and with fewer elements. */
       double error = std::numeric_limits<double>::infinity(), former = error;
