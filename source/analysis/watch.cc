@@ -44,7 +44,8 @@ namespace auxfem
       watches.push_back(make_load_speed_watch(scene, equations));
     if (!equations.is_linear() && !equations.reporting().connectors.empty())
       watches.push_back(make_connector_watch(equations));
-    if (equations.reporting().plates != nullptr)
+    if (equations.reporting().plates != nullptr ||
+        equations.reporting().strut_contact != nullptr)
       watches.push_back(make_contact_watch(equations));
     if (has_struts && has_inertia)
       watches.push_back(make_wave_watch(scene, equations));

@@ -15,7 +15,7 @@ namespace auxfem
     double       size;      ///< how far it goes
     double       time;      ///< s
     unsigned int number;    ///< of the strut or joint
-    unsigned int group = 0; ///< of the connector
+    unsigned int group = 0; ///< of the connector, or what else it is with
   };
 
   /** What happens during a run, each rank seeing its own parts: the first and

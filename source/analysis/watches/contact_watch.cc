@@ -1,6 +1,7 @@
 #include <auxfem/analysis/occurrences.h>
 #include <auxfem/analysis/watch.h>
 #include <auxfem/equations/effects/plate_contact.h>
+#include <auxfem/equations/effects/strut_contact.h>
 
 #include <sstream>
 
@@ -8,12 +9,14 @@ namespace auxfem
 {
   namespace
   {
-    const std::string contact_record = "watch: penetration";
+    const std::string into_plates_record = "watch: penetration into plates",
+                      into_struts_record = "watch: penetration into struts";
 
     /** Of the thickness of a strut. Its face is then strained by a fifth. */
     constexpr double doubtful_penetration = 0.1;
 
-    /** Of struts that go so deep into plates that the law of contact shows. */
+    /** Of struts that go so deep into plates or into each other that the law of
+     * contact shows. */
     class ContactWatch : public Watch
     {
     public:
@@ -26,44 +29,75 @@ namespace auxfem
                 const EvaluationResults &results,
                 TangentSolver & /*solver*/) override
       {
-        const auto deepest = equations.reporting().plates->deepest(
-          equations.plate_results(results));
-        if (deepest && deepest->part > doubtful_penetration)
-          beyond.add(
-            {deepest->part, step.to.time, deepest->strut, deepest->plate});
+        const ReportingEffects &effects = equations.reporting();
+        if (effects.plates != nullptr)
+          note(effects.plates->deepest(equations.plate_results(results)),
+               step.to.time,
+               into_plates);
+        if (effects.strut_contact != nullptr)
+          note(effects.strut_contact->deepest(
+                 equations.strut_contact_results(results)),
+               step.to.time,
+               into_struts);
       }
 
       std::vector<Finding> findings() const override
       {
-        const auto largest = beyond.largest_of_all(communicator);
-        if (!largest)
-          return {};
-        const std::string location = "strut " + std::to_string(largest->number);
-        std::ostringstream text;
-        text.precision(3);
-        text << "At t = " << largest->time << " s " << location << " goes "
-             << 100 * largest->size << " % of its thickness into the plate \""
-             << equations.reporting().plates->name(largest->group)
-             << "\". Beyond " << 100 * doubtful_penetration
-             << " % results depend on how stiff its face is taken to be: raise "
-                "Contact/Stiffness, or let things move more slowly.";
-        return {{Verdict::doubtful, text.str(), largest->time, location}};
+        std::vector<Finding> all;
+        if (const auto largest = into_plates.largest_of_all(communicator))
+          all.push_back(
+            finding(*largest,
+                    "the plate \"" +
+                      equations.reporting().plates->name(largest->group) +
+                      '"'));
+        if (const auto largest = into_struts.largest_of_all(communicator))
+          all.push_back(finding(*largest,
+                                largest->group == largest->number
+                                  ? "itself"
+                                  : "strut " + std::to_string(largest->group)));
+        return all;
       }
 
       void save(Records &records) const override
       {
-        beyond.save(records, contact_record, communicator);
+        into_plates.save(records, into_plates_record, communicator);
+        into_struts.save(records, into_struts_record, communicator);
       }
 
       void resume(const Records &records) override
       {
-        beyond.resume(records, contact_record);
+        into_plates.resume(records, into_plates_record);
+        into_struts.resume(records, into_struts_record);
       }
 
     private:
+      static void note(const std::optional<Penetration> &deepest,
+                       const double                      time,
+                       Occurrences                      &occurrences)
+      {
+        if (deepest && deepest->part > doubtful_penetration)
+          occurrences.add(
+            {deepest->part, time, deepest->strut, deepest->other});
+      }
+
+      /** @param other what the strut goes into, in the user's words */
+      static Finding finding(const Occurrence  &largest,
+                             const std::string &other)
+      {
+        const std::string  location = "strut " + std::to_string(largest.number);
+        std::ostringstream text;
+        text.precision(3);
+        text << "At t = " << largest.time << " s " << location << " goes "
+             << 100 * largest.size << " % of its thickness into " << other
+             << ". Beyond " << 100 * doubtful_penetration
+             << " % results depend on how stiff its face is taken to be: raise "
+                "Contact/Stiffness, or let things move more slowly.";
+        return {Verdict::doubtful, text.str(), largest.time, location};
+      }
+
       const Equations &equations;
       const MPI_Comm   communicator;
-      Occurrences      beyond;
+      Occurrences      into_plates, into_struts; ///< group: what they go into
     };
   } // namespace
 

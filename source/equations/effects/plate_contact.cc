@@ -311,7 +311,7 @@ namespace auxfem
           for (unsigned int c = 0; c < 3; ++c)
             forces[3 * touch.plate + c] -= force[c];
           double &largest = penetrations[touch.plate];
-          largest         = std::max(largest, penetration(touch));
+          largest         = std::max(largest, penetration(touch).part);
         }
     const UnknownLayout &layout = model.numbering.layout();
     forces                      = layout.sum(forces);
@@ -324,21 +324,11 @@ namespace auxfem
     return of_plates;
   }
 
-  std::optional<DeepestContact>
-  PlateContact::deepest(const EffectResults &results) const
+  Penetration PlateContact::penetration(const PlateTouch &touch) const
   {
-    std::optional<DeepestContact> found;
-    for (const PlateTouch &touch : points_of(&results))
-      if (is_owned(touch))
-        if (const double part = penetration(touch);
-            part > (found ? found->part : 0.))
-          found = {part, axes[touch.axis].strut, touch.plate};
-    return found;
-  }
-
-  double PlateContact::penetration(const PlateTouch &touch) const
-  {
-    return touch.depth / (2 * proximity.thickness(touch.axis));
+    return {touch.depth / (2 * proximity.thickness(touch.axis)),
+            axes[touch.axis].strut,
+            touch.plate};
   }
 
   std::vector<ContactReport>

@@ -122,6 +122,13 @@ namespace auxfem
             parameters.smoothing * curves.thickness(touch.axis, touch.other)};
   }
 
+  Penetration StrutContact::penetration(const StrutTouch &touch) const
+  {
+    return {touch.depth / curves.thickness(touch.axis, touch.other),
+            axes[touch.axis].strut,
+            axes[touch.other].strut};
+  }
+
   void StrutContact::touch(const FacingStrut       &of_axis,
                            const NearCurves        &now,
                            const Evaluation        &evaluation,
@@ -372,7 +379,7 @@ namespace auxfem
            axes[touch.axis].half_thickness * touch.opposites.back().normal,
            force,
            touch.depth,
-           touch.depth / curves.thickness(touch.axis, touch.other)});
+           penetration(touch).part});
       }
     return all;
   }

@@ -6,6 +6,8 @@
 #include <auxfem/equations/effect.h>
 #include <auxfem/equations/sliding.h>
 
+#include <optional>
+
 namespace auxfem
 {
   /** A point of a strut that touches something. */
@@ -18,6 +20,14 @@ namespace auxfem
     double        force    = 0;  ///< across the face (N)
     double        slope    = 0;  ///< its derivative by the depth (N/m)
     FrictionForce friction = {}; ///< on the strut
+  };
+
+  /** How deep a strut has gone into what it touches. */
+  struct Penetration
+  {
+    double       part; ///< of the thickness
+    unsigned int strut;
+    unsigned int other; ///< the strut or plate that it touches
   };
 
   /** Points that touch in an evaluation. */
@@ -86,6 +96,18 @@ namespace auxfem
           account.add(contact_entry, law_at(point).energy(point.depth));
     }
 
+    /** The largest of the struts of this rank, if any touches. */
+    std::optional<Penetration> deepest(const EffectResults &results) const
+    {
+      std::optional<Penetration> found;
+      for (const Point &point : points_of(&results))
+        if (is_owned(point))
+          if (const Penetration here = penetration(point);
+              here.part > (found ? found->part : 0.))
+            found = here;
+      return found;
+    }
+
     void account_step(const Evaluation    &step,
                       const EffectResults *results,
                       EnergyAccount       &account) const override
@@ -141,6 +163,8 @@ namespace auxfem
     virtual std::vector<Point> touching(const Evaluation &evaluation) const = 0;
 
     virtual ContactLaw law_at(const Point &point) const = 0;
+
+    virtual Penetration penetration(const Point &point) const = 0;
 
     /** Of a point less that of what it touches, of values by local unknown. */
     virtual dealii::Tensor<1, 3> difference(const Point  &point,

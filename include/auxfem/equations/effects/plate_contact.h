@@ -34,13 +34,6 @@ namespace auxfem
     double largest_penetration = 0;
   };
 
-  /** Where a strut has gone deepest into a plate. */
-  struct DeepestContact
-  {
-    double       part; ///< of the thickness of the strut
-    unsigned int strut, plate;
-  };
-
   /** A point of a strut that touches a plate, for output. */
   struct ContactReport
   {
@@ -100,9 +93,6 @@ namespace auxfem
     std::vector<PlateReport> reports(const EffectResults &results,
                                      const State         &state) const;
 
-    /** Of the struts of this rank, if any touches. */
-    std::optional<DeepestContact> deepest(const EffectResults &results) const;
-
     /** All points that touch, of this rank. */
     std::vector<ContactReport> contacts(const EffectResults &results,
                                         const State         &state) const;
@@ -122,6 +112,7 @@ namespace auxfem
     std::vector<PlateTouch>
                 touching(const Evaluation &evaluation) const override;
     ContactLaw  law_at(const PlateTouch &touch) const override;
+    Penetration penetration(const PlateTouch &touch) const override;
     SpaceVector difference(const PlateTouch &touch,
                            const Vector     &values) const override;
 
@@ -145,9 +136,6 @@ namespace auxfem
     dealii::Tensor<2, 3> stiffness_of(const PlateTouch &touch,
                                       double            by_position,
                                       double            by_velocity) const;
-
-    /** Depth over the thickness of the strut. */
-    double penetration(const PlateTouch &touch) const;
 
     const std::vector<ContactPoints> points_of_axes; ///< of each axis
     PlateProximity                   proximity;

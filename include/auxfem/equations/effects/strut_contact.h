@@ -87,8 +87,10 @@ namespace auxfem
     const std::vector<AxisPair> &near() const override;
     std::vector<int> unknowns_of(const AxisPair &pair) const override;
     std::vector<StrutTouch>
-                touching(const Evaluation &evaluation) const override;
-    ContactLaw  law_at(const StrutTouch &touch) const override;
+               touching(const Evaluation &evaluation) const override;
+    ContactLaw law_at(const StrutTouch &touch) const override;
+    /** Over the mean thickness of both. */
+    Penetration penetration(const StrutTouch &touch) const override;
     SpaceVector difference(const StrutTouch &touch,
                            const Vector     &values) const override;
 
