@@ -100,10 +100,14 @@ namespace auxfem
       double              *a  = trial.acceleration->data();
       for (const int i : *trial.plane_rotations)
         {
-          // What Cayley's measure grows by beyond the increment.
-          const double before = (u[i] - u0[i]) + (c[i] - c0[i]);
-          const double more =
-            cayley_rotation(before + du[i]) - cayley_rotation(before) - du[i];
+          // What Cayley's measure grows by beyond the increment, by
+          // tan x - tan y = sin(x - y) / (cos x cos y).
+          const double before = ((u[i] - u0[i]) + (c[i] - c0[i])) / 2,
+                       half   = du[i] / 2;
+          const double more   = du[i] *
+            (sinc(half) /
+               (cosine_of_small(before + half) * cosine_of_small(before)) -
+             1);
           v[i] += 2 * f.damping * more;
           a[i] += f.mass * more;
         }

@@ -47,7 +47,11 @@ namespace auxfem
           }
         reference        = (half[0] + half[1]) / 2;
         reference_cosine = cosine_of_small(reference);
-        for (int a = 0; a <= order; ++a)
+        // Both ends are as far from their mean.
+        const double of_ends = reference_cosine / sinc(half[0] - reference);
+        for (int end = 0; end < 2; ++end)
+          c[end] = cosines[end] * of_ends;
+        for (int a = 2; a <= order; ++a)
           c[a] = cosines[a] * reference_cosine / sinc(half[a] - reference);
         for (int end = 0; end < 2; ++end)
           of_end[end] = cosines[end] / (cosines[0] + cosines[1]);
