@@ -202,7 +202,9 @@ TEST(OrderChoice, StrutsForWhichNoOrderIsEnoughGetMoreElements)
             expect_met(text, tolerance, exact);
           EXPECT_EQ(divisions.back().n_elements, 1u) << tolerance;
           if (tolerance < 1e-5)
-            EXPECT_GT(divisions.front().n_elements, 1u) << tolerance;
+            {
+              EXPECT_GT(divisions.front().n_elements, 1u) << tolerance;
+            }
         }
     }
 }

@@ -400,7 +400,7 @@ namespace auxfem
       SpaceVector moments[order + 1], at_ends;
       sum.find_moments(element.at_middle, moments, at_ends);
       const double correction =
-        on_missing == 0 ? 0. : on_missing / element.square;
+        element.square > 0 ? on_missing / element.square : 0.;
       for (int a = 0; a <= order; ++a)
         for (int i = 0; i < 3; ++i)
           {
