@@ -303,7 +303,8 @@ namespace auxfem
     forget();
     if (!records.has(stages_record))
       return;
-    const UnknownRecords unknowns(equations.model().numbering);
+    const UnknownRecords unknowns(equations.model().numbering,
+                                  equations.unknowns().layout);
     dt_before = records.values(stages_record, 1)[0];
     for (unsigned int j = 0; j < n(); ++j)
       before.push_back(

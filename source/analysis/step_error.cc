@@ -220,7 +220,8 @@ namespace auxfem
         motions.largest     = *value++;
       }
     displacements.resume(displacement_record,
-                         UnknownRecords(equations.model().numbering),
+                         UnknownRecords(equations.model().numbering,
+                                        equations.unknowns().layout),
                          records);
   }
 } // namespace auxfem

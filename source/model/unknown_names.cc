@@ -141,16 +141,17 @@ namespace auxfem
   {
     namespace MPI = dealii::Utilities::MPI;
 
-    const UnknownLayout &layout   = numbering.layout();
-    const auto           interval = std::max_element(size.begin(), size.end());
-    const double         largest  = size.empty() ? -1. : *interval;
+    const UnknownLayout &layout  = numbering.layout();
+    const auto           end     = size.begin() + layout.n_owned();
+    const auto           found   = std::max_element(size.begin(), end);
+    const double         largest = found == end ? -1. : *found;
     // Every rank gets the words of the lowest rank that has the largest value.
     const unsigned int who =
       MPI::min(largest == layout.largest(largest) ? layout.rank()
                                                   : layout.n_ranks(),
                layout.communicator());
     const std::string words =
-      who == layout.rank() ? describe(numbering, interval - size.begin()) : "";
+      who == layout.rank() ? describe(numbering, found - size.begin()) : "";
     return MPI::broadcast(layout.communicator(), words, who);
   }
 

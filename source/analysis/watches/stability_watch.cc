@@ -68,7 +68,7 @@ namespace auxfem
                                            const TangentFactors &factors)
       {
         const DofNumbering &numbering = equations.model().numbering;
-        const auto         &kinds     = numbering.unknowns().kinds;
+        const auto         &kinds     = equations.unknowns().kinds;
         Vector              weight(kinds.size(), 0.), mode;
         const auto          is_translation = [&kinds](const unsigned int i) {
           return kinds[i] == UnknownKind::translation;
