@@ -301,10 +301,9 @@ namespace auxfem
   void History::note_penetration(const Solution &solution)
   {
     if (const StrutContact *struts = equations.reporting().strut_contact)
-      for (const StrutContactReport &report :
-           struts->contacts(equations.strut_contact_results(solution.results),
-                            solution.state))
-        penetration_so_far = std::max(penetration_so_far, report.penetration);
+      if (const auto deepest =
+            struts->deepest(equations.strut_contact_results(solution.results)))
+        penetration_so_far = std::max(penetration_so_far, deepest->part);
   }
 
   unsigned int History::add_strains(const State &state, unsigned int column)
