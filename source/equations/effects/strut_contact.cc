@@ -378,8 +378,7 @@ namespace auxfem
            now - rest,
            axes[touch.axis].half_thickness * touch.opposites.back().normal,
            force,
-           touch.depth,
-           penetration(touch).part});
+           touch.depth});
       }
     return all;
   }

@@ -15,8 +15,6 @@ namespace auxfem
     dealii::Tensor<1, 3> to_face;      ///< from the face to the axis, now (m)
     dealii::Tensor<1, 3> force;        ///< on the strut (N)
     double               depth;        ///< of penetration (m)
-    /** Over the mean thickness of both. */
-    double penetration;
   };
 
   /**
