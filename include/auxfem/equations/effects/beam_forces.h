@@ -2,6 +2,7 @@
 #define auxfem_equations_effects_beam_forces_h
 
 #include <auxfem/elements/increment_damping.h>
+#include <auxfem/equations/effects/step_starts.h>
 #include <auxfem/equations/effects/struts.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -50,8 +51,9 @@ namespace auxfem
    * rest, `motion`, `internal_force`, `tangent` for its forces,
    * `geometric_tangent`, `elastic_forces`, `viscous_forces` (of several motions
    * of the same positions) at its Gauss points, and `rotation`, `axes` for
-   * output, `strain_product` for energies. With large rotations it has
-   * `mean_force` and `mean_tangent` over a step.
+   * output, `strain_product` for energies. With large rotations it has a type
+   * `StepStart`, what the iterations of a step have in common, and `mean_force`
+   * and `mean_tangent` over a step.
    */
   template <class Beam>
   class BeamForces : public StrutForces
@@ -129,23 +131,31 @@ namespace auxfem
 
     std::unique_ptr<EffectResults> make_results() const override
     {
-      return std::make_unique<BeamResults>(of_elements.size());
+      return std::make_unique<Results>(of_elements.size());
     }
 
     void add_residual(const Evaluation &evaluation,
                       double           *residual,
                       EffectResults    *results) const override
     {
-      auto &of_struts = static_cast<BeamResults &>(*results);
+      auto &of_struts = static_cast<Results &>(*results);
       if (evaluation.kind == Evaluation::Kind::between)
-        with_damping_of_increments(evaluation, [&](const auto &damping_of) {
-          sum_forces(
-            [&](const unsigned int e, double *force) {
-              return mean_force(evaluation, e, damping_of(e), force);
-            },
-            residual,
-            of_struts);
-        });
+        {
+          if constexpr (!Beam::is_linear)
+            find_starts(evaluation.from, of_struts.starts);
+          with_damping_of_increments(evaluation, [&](const auto &damping_of) {
+            sum_forces(
+              [&](const unsigned int e, double *force) {
+                return mean_force(evaluation,
+                                  e,
+                                  of_struts,
+                                  damping_of(e),
+                                  force);
+              },
+              residual,
+              of_struts);
+          });
+        }
       else
         sum_forces(
           [&](const unsigned int e, double *force) {
@@ -159,10 +169,10 @@ namespace auxfem
           of_struts);
     }
 
-    void add_tangent(const Evaluation &evaluation,
-                     const EffectResults * /*results*/,
-                     const TangentFactors &of_scheme,
-                     TangentMatrix        &matrix) const override
+    void add_tangent(const Evaluation                     &evaluation,
+                     [[maybe_unused]] const EffectResults *results,
+                     const TangentFactors                 &of_scheme,
+                     TangentMatrix &matrix) const override
     {
       TangentFactors factors = of_scheme;
       if (factors.stiffness == 0 && factors.damping == 0)
@@ -172,7 +182,11 @@ namespace auxfem
           evaluation,
           [&]([[maybe_unused]] const auto &damping_of) {
             if constexpr (!Beam::is_linear)
-              add_mean_tangent(evaluation, factors, damping_of, matrix);
+              add_mean_tangent(evaluation,
+                               static_cast<const Results &>(*results),
+                               factors,
+                               damping_of,
+                               matrix);
             else if constexpr (decltype(damping_of(0))::is_used)
               factors.stiffness += damping_of(0).in_tangent;
           });
@@ -476,6 +490,14 @@ namespace auxfem
     /** Components of displacements, before those of rotations. */
     static constexpr int n_translations = n_components == 3 ? 2 : 3;
 
+    struct Results : public BeamResults
+    {
+      using BeamResults::BeamResults;
+
+      /** Of mean forces over a step. */
+      StepStarts<typename Beam::StepStart> starts;
+    };
+
     struct Element
     {
       double                   length; ///< of the strut (m)
@@ -771,12 +793,26 @@ namespace auxfem
       });
     }
 
+    void find_starts(const State                          &from,
+                     StepStarts<typename Beam::StepStart> &starts) const
+    {
+      starts.update(from, of_elements.size(), [&](const unsigned int e) {
+        return typename Beam::StepStart(shape,
+                                        &frames[std::size_t(e) * order],
+                                        of_elements[e].jacobian,
+                                        numbering,
+                                        unknowns_of(e),
+                                        from);
+      });
+    }
+
     /** Over the step between two states. */
     template <class HighFrequencyDamping>
-    BeamEnergy mean_force(const Evaluation           &step,
-                          const unsigned int          e,
-                          const HighFrequencyDamping &damping,
-                          double                     *force) const
+    BeamEnergy mean_force(const Evaluation               &step,
+                          const unsigned int              e,
+                          [[maybe_unused]] const Results &results,
+                          const HighFrequencyDamping     &damping,
+                          double                         *force) const
     {
       if constexpr (Beam::is_linear)
         return linear_mean_force(step, e, damping, force);
@@ -788,6 +824,7 @@ namespace auxfem
                                                of_elements[e].stiffness,
                                                numbering,
                                                unknowns_of(e),
+                                               results.starts[e],
                                                step,
                                                damping,
                                                force);
@@ -836,6 +873,7 @@ namespace auxfem
 
     template <class DampingOf>
     void add_mean_tangent(const Evaluation     &step,
+                          const Results        &results,
                           const TangentFactors &factors,
                           const DampingOf      &damping_of,
                           TangentMatrix        &matrix) const
@@ -849,6 +887,7 @@ namespace auxfem
                              of_elements[e].stiffness,
                              numbering,
                              unknowns_of(e),
+                             results.starts[e],
                              step,
                              factors,
                              damping_of(e),
