@@ -12,6 +12,13 @@ namespace
   // Sums of some hundred products of numbers around one.
   constexpr double between_round_off = 1e-13;
 
+  template <class Beam>
+  Beam2D::StepStart<Beam::order> start_of(const Beam                  &beam,
+                                          const typename Beam::Vector &u0)
+  {
+    return {beam.shape, beam.gauss_frames(), beam.jacobian, u0.data()};
+  }
+
   template <class Beam, class Damping = NoIncrementDamping>
   Beam2D::StepEnergy mean_force(const Beam                  &beam,
                                 const typename Beam::Vector &u0,
@@ -20,10 +27,9 @@ namespace
                                 const Damping               &damping = {})
   {
     return Beam2D::mean_force<Beam::order, true>(beam.shape,
-                                                 beam.gauss_frames(),
                                                  beam.jacobian,
                                                  beam.section,
-                                                 u0.data(),
+                                                 start_of(beam, u0),
                                                  u1.data(),
                                                  dt,
                                                  force.data(),
@@ -184,7 +190,7 @@ TEST(Beam2DBetween, TangentIsThatOfDifferencesUpToTheTurnOfTheStep)
                                                 beam.gauss_frames(),
                                                 beam.jacobian,
                                                 beam.section,
-                                                u0.data(),
+                                                start_of(beam, u0),
                                                 u1.data(),
                                                 dt,
                                                 0.5,

@@ -32,7 +32,54 @@ namespace auxfem
 {
   namespace Beam2D
   {
-    /** Rotation increments of the nodes of an element in a step. */
+    /** Strains, or increments of strains. */
+    struct Strains
+    {
+      double epsilon, gamma, kappa;
+    };
+
+    /** A Gauss point at the start of a step. */
+    struct PointAtStart
+    {
+      Strains strains;
+      double  cosine, sine; ///< of t
+      double  x, y;         ///< r'
+    };
+
+    /** An element at the start of a step, which iterations have in common. */
+    template <int order>
+    struct StepStart
+    {
+      /** Values are not set. */
+      StepStart() = default;
+
+      /** Of displacements @p u. */
+      StepStart(const BeamShape<order> &shape,
+                const Frame            *frames,
+                const double            jacobian,
+                const double           *u)
+      {
+        std::copy(u, u + 3 * (order + 1), displacements);
+        for (int g = 0; g < order; ++g)
+          {
+            const Frame     &frame = frames[g];
+            const Gradient   d     = interpolate(shape, g, 1 / jacobian, u);
+            const Kinematics k     = kinematics<true>(frame, d);
+            points[g]              = {{k.epsilon, k.gamma, k.kappa},
+                                      k.cosine,
+                                      k.sine,
+                                      frame.axial * frame.cosine - frame.shear * frame.sine +
+                                        d.ux,
+                                      frame.axial * frame.sine + frame.shear * frame.cosine +
+                                        d.uy};
+          }
+      }
+
+      double       displacements[3 * (order + 1)];
+      PointAtStart points[order];
+    };
+
+    /** Increments of the displacements of an element in a step. */
     template <int order>
     struct NodeIncrements
     {
@@ -42,6 +89,8 @@ namespace auxfem
         double cosines[order + 1];
         for (int a = 0; a <= order; ++a)
           {
+            x[a]       = u1[3 * a] - u0[3 * a];
+            y[a]       = u1[3 * a + 1] - u0[3 * a + 1];
             half[a]    = (u1[3 * a + 2] - u0[3 * a + 2]) / 2;
             cosines[a] = cosine_of_small(half[a]);
           }
@@ -53,15 +102,103 @@ namespace auxfem
           c[end] = cosines[end] * of_ends;
         for (int a = 2; a <= order; ++a)
           c[a] = cosines[a] * reference_cosine / sinc(half[a] - reference);
-        for (int end = 0; end < 2; ++end)
-          of_end[end] = cosines[end] / (cosines[0] + cosines[1]);
+        of_end[0] = cosines[0] / (cosines[0] + cosines[1]);
+        of_end[1] = 1 - of_end[0];
       }
 
+      double x[order + 1], y[order + 1];  ///< of translations
       double half[order + 1];             ///< d_a
       double reference, reference_cosine; ///< d_r
       double c[order + 1];                ///< c_a
       double of_end[2];                   ///< dphi_r by dphi_a
     };
+
+    /** Increments at a Gauss point. */
+    struct PointIncrements
+    {
+      template <int order>
+      PointIncrements(const BeamShape<order>      &shape,
+                      const int                    g,
+                      const double                 inverse_jacobian,
+                      const NodeIncrements<order> &nodes)
+      {
+        for (int a = 0; a <= order; ++a)
+          {
+            x += shape.derivative[g][a] * nodes.x[a];
+            y += shape.derivative[g][a] * nodes.y[a];
+            kappa += shape.rotation_derivative[g][a] * nodes.half[a];
+            half += shape.value[g][a] * nodes.half[a];
+          }
+        x *= inverse_jacobian;
+        y *= inverse_jacobian;
+        kappa *= 2 * inverse_jacobian;
+      }
+
+      double x = 0, y = 0; ///< of r'
+      double kappa = 0;
+      double half  = 0; ///< d_g
+    };
+
+    /** Kinematics of a Gauss point over a step. */
+    struct StepKinematics
+    {
+      Strains start, increment;
+      /** Means of t, n = (-sine, cosine) over the step; not of unit length. */
+      double cosine, sine;
+      double half_cosine;   ///< cos(d_g), the length of these means
+      double x, y;          ///< mean of r'
+      double stretch, slip; ///< mean of r' times the means of t and n
+
+      Strains end() const
+      {
+        return {start.epsilon + increment.epsilon,
+                start.gamma + increment.gamma,
+                start.kappa + increment.kappa};
+      }
+
+      Strains mean() const
+      {
+        return {start.epsilon + increment.epsilon / 2,
+                start.gamma + increment.gamma / 2,
+                start.kappa + increment.kappa / 2};
+      }
+    };
+
+    inline StepKinematics step_kinematics(const PointAtStart    &start,
+                                          const PointIncrements &d)
+    {
+      StepKinematics k;
+      k.start                = start.strains;
+      const double half_sine = d.half * sinc(d.half);
+      k.half_cosine          = cosine_of_small(d.half);
+      k.cosine =
+        k.half_cosine * (k.half_cosine * start.cosine - half_sine * start.sine);
+      k.sine =
+        k.half_cosine * (k.half_cosine * start.sine + half_sine * start.cosine);
+      k.x       = start.x + d.x / 2;
+      k.y       = start.y + d.y / 2;
+      k.stretch = k.cosine * k.x + k.sine * k.y;
+      k.slip    = k.cosine * k.y - k.sine * k.x;
+
+      // By increments, not as differences of strains; with them those at the
+      // end cost no sine and cosine.
+      const double turn = 2 * half_sine / k.half_cosine;
+      k.increment       = {k.cosine * d.x + k.sine * d.y + k.slip * turn,
+                           k.cosine * d.y - k.sine * d.x - k.stretch * turn,
+                           d.kappa};
+      return k;
+    }
+
+    /** How far the rotation of a Gauss point is from d_r, over what nodes with
+     * their c_a give. */
+    template <int order>
+    inline double rotation_scale(const NodeIncrements<order> &nodes,
+                                 const PointIncrements       &point,
+                                 const StepKinematics        &k)
+    {
+      return sinc(point.half - nodes.reference) /
+        (k.half_cosine * nodes.reference_cosine);
+    }
 
     /**
      * How the rotation at a Gauss point and its slope follow those of the nodes
@@ -70,28 +207,22 @@ namespace auxfem
     template <int order>
     struct RotationShapes
     {
-      /** @param cosine of d_g */
       RotationShapes(const BeamShape<order>      &shape,
                      const int                    g,
                      const NodeIncrements<order> &increments,
-                     const double                 cosine)
+                     const double                 scale)
       {
-        double half = 0, sum = 0, slope = 0;
+        double sum = 0, slope = 0;
         for (int a = 0; a <= order; ++a)
           {
-            half += shape.value[g][a] * increments.half[a];
-            value[a]      = shape.value[g][a] * increments.c[a];
-            derivative[a] = shape.derivative[g][a] * increments.c[a];
+            value[a]      = shape.value[g][a] * increments.c[a] * scale;
+            derivative[a] = shape.rotation_derivative[g][a] * increments.c[a];
             sum += value[a];
             slope += derivative[a];
           }
-        const double scale = sinc(half - increments.reference) /
-          (cosine * increments.reference_cosine);
-        for (int a = 0; a <= order; ++a)
-          value[a] *= scale;
         for (int end = 0; end < 2; ++end)
           {
-            value[end] += increments.of_end[end] * (1 - scale * sum);
+            value[end] += increments.of_end[end] * (1 - sum);
             derivative[end] -= increments.of_end[end] * slope;
           }
       }
@@ -99,59 +230,6 @@ namespace auxfem
       double value[order + 1];      ///< dphi_g by dphi_a
       double derivative[order + 1]; ///< dkappa_g by dphi_a, times J
     };
-
-    /** Increments of strains. */
-    struct Strains
-    {
-      double epsilon, gamma, kappa;
-    };
-
-    /** Kinematics of a Gauss point over a step. */
-    struct StepKinematics
-    {
-      Kinematics start, end;
-      Strains    increment;
-      /** Means of t, n = (-sine, cosine) over the step; not of unit length. */
-      double cosine, sine;
-      double half_cosine;   ///< cos(d_g), the length of these means
-      double x, y;          ///< mean of r'
-      double stretch, slip; ///< mean of r' times the means of t and n
-    };
-
-    inline StepKinematics
-    step_kinematics(const Frame &frame, const Gradient &d0, const Gradient &d1)
-    {
-      StepKinematics k;
-      k.start           = kinematics<true>(frame, d0);
-      const double half = (d1.phi - d0.phi) / 2, half_sine = half * sinc(half);
-      k.half_cosine = cosine_of_small(half);
-      k.cosine      = k.half_cosine *
-        (k.half_cosine * k.start.cosine - half_sine * k.start.sine);
-      k.sine = k.half_cosine *
-        (k.half_cosine * k.start.sine + half_sine * k.start.cosine);
-      k.x = frame.axial * frame.cosine - frame.shear * frame.sine +
-        (d0.ux + d1.ux) / 2;
-      k.y = frame.axial * frame.sine + frame.shear * frame.cosine +
-        (d0.uy + d1.uy) / 2;
-      k.stretch = k.cosine * k.x + k.sine * k.y;
-      k.slip    = k.cosine * k.y - k.sine * k.x;
-
-      // By increments, not as differences of strains; with them those at the
-      // end cost no further sine and cosine.
-      const double ux = d1.ux - d0.ux, uy = d1.uy - d0.uy;
-      const double increment = 2 * half_sine / k.half_cosine;
-      k.increment   = {k.cosine * ux + k.sine * uy + k.slip * increment,
-                       k.cosine * uy - k.sine * ux - k.stretch * increment,
-                       d1.kappa - d0.kappa};
-      k.end.epsilon = k.start.epsilon + k.increment.epsilon;
-      k.end.gamma   = k.start.gamma + k.increment.gamma;
-      k.end.kappa   = d1.kappa;
-      k.end.stretch = k.end.epsilon + frame.axial;
-      k.end.slip    = k.end.gamma + frame.shear;
-      k.end.cosine  = 2 * k.cosine - k.start.cosine;
-      k.end.sine    = 2 * k.sine - k.start.sine;
-      return k;
-    }
 
     /** Mean section forces over a step: N, Q (N), M (N m). */
     struct MeanForces
@@ -163,9 +241,10 @@ namespace auxfem
     inline MeanForces mean_forces(const StepKinematics &k,
                                   const Stiffness      &stiffness)
     {
-      return {stiffness.axial * (k.start.epsilon + k.end.epsilon) / 2,
-              stiffness.shear * (k.start.gamma + k.end.gamma) / 2,
-              stiffness.bending * (k.start.kappa + k.end.kappa) / 2};
+      const Strains mean = k.mean();
+      return {stiffness.axial * mean.epsilon,
+              stiffness.shear * mean.gamma,
+              stiffness.bending * mean.kappa};
     }
 
     /**
@@ -217,7 +296,7 @@ namespace auxfem
 
     /**
      * Mean force of an element over a step; as internal_force().
-     * @param u0, u1 displacements at start and end
+     * @param u1 displacements at the end
      * @param dt length of the step (s), used only if @p damped
      */
     template <int  order,
@@ -225,10 +304,9 @@ namespace auxfem
               class HighFrequencyDamping = NoIncrementDamping>
     inline StepEnergy
     mean_force(const BeamShape<order>                      &shape,
-               const Frame                                 *frames,
                const double                                 jacobian,
                const Stiffness                             &stiffness,
-               const double                                *u0,
+               const StepStart<order>                      &start,
                const double                                *u1,
                const double                                 dt,
                double                                      *force,
@@ -236,26 +314,23 @@ namespace auxfem
     {
       StepEnergy                  energy;
       const double                inverse_jacobian = 1 / jacobian;
-      const NodeIncrements<order> increments(u0, u1);
+      const NodeIncrements<order> increments(start.displacements, u1);
+      // By dphi_a - dphi_r over c_a, and by rotations of all nodes alike.
+      double by_rotations[order + 1] = {}, by_all = 0;
       for (int i = 0; i < 3 * (order + 1); ++i)
         force[i] = 0;
       for (int g = 0; g < order; ++g)
         {
-          const StepKinematics k =
-            step_kinematics(frames[g],
-                            interpolate(shape, g, inverse_jacobian, u0),
-                            interpolate(shape, g, inverse_jacobian, u1));
-          MeanForces                  mean = mean_forces(k, stiffness);
-          const RotationShapes<order> rotation(shape,
-                                               g,
-                                               increments,
-                                               k.half_cosine);
-          const double                w      = shape.weight[g];
-          const double                weight = w * jacobian;
+          const PointIncrements point(shape, g, inverse_jacobian, increments);
+          const StepKinematics  k    = step_kinematics(start.points[g], point);
+          const Strains         end  = k.end();
+          MeanForces            mean = mean_forces(k, stiffness);
+          const double          w    = shape.weight[g];
+          const double          weight = w * jacobian;
           energy.strain += weight / 2 *
-            (stiffness.axial * k.end.epsilon * k.end.epsilon +
-             stiffness.shear * k.end.gamma * k.end.gamma +
-             stiffness.bending * k.end.kappa * k.end.kappa);
+            (stiffness.axial * end.epsilon * end.epsilon +
+             stiffness.shear * end.gamma * end.gamma +
+             stiffness.bending * end.kappa * end.kappa);
           if (damped)
             energy.lost += weight * add_damping(k, stiffness, dt, mean);
           if constexpr (HighFrequencyDamping::is_used)
@@ -265,14 +340,24 @@ namespace auxfem
                        fy = w * (k.sine * mean.axial + k.cosine * mean.shear),
                        m  = weight *
             (mean.axial * k.slip - mean.shear * k.stretch);
+          const double by_value   = m * rotation_scale(increments, point, k),
+                       by_bending = w * mean.bending;
           for (int a = 0; a <= order; ++a)
             {
               force[3 * a] += shape.derivative[g][a] * fx;
               force[3 * a + 1] += shape.derivative[g][a] * fy;
-              force[3 * a + 2] += rotation.derivative[a] * w * mean.bending +
-                rotation.value[a] * m;
+              by_rotations[a] += shape.rotation_derivative[g][a] * by_bending +
+                shape.value[g][a] * by_value;
             }
+          by_all += m;
         }
+      for (int a = 0; a <= order; ++a)
+        {
+          force[3 * a + 2] = increments.c[a] * by_rotations[a];
+          by_all -= force[3 * a + 2];
+        }
+      for (int end = 0; end < 2; ++end)
+        force[3 * end + 2] += increments.of_end[end] * by_all;
       return energy;
     }
 
@@ -291,7 +376,7 @@ namespace auxfem
                  const Frame                                 *frames,
                  const double                                 jacobian,
                  const Stiffness                             &stiffness,
-                 const double                                *u0,
+                 const StepStart<order>                      &start,
                  const double                                *u1,
                  const double                                 dt,
                  const double                                 stiffness_factor,
@@ -305,26 +390,30 @@ namespace auxfem
         (damped ? stiffness.damping_time * damping_factor : 0.);
       if constexpr (HighFrequencyDamping::is_used)
         material += damping.in_tangent;
-      const NodeIncrements<order> increments(u0, u1);
+      const NodeIncrements<order> increments(start.displacements, u1);
       for (int i = 0; i < n * n; ++i)
         matrix[i] = 0;
       for (int g = 0; g < order; ++g)
         {
-          const StepKinematics k =
-            step_kinematics(frames[g],
-                            interpolate(shape, g, inverse_jacobian, u0),
-                            interpolate(shape, g, inverse_jacobian, u1));
-          MeanForces mean = mean_forces(k, stiffness);
+          const PointIncrements point(shape, g, inverse_jacobian, increments);
+          const StepKinematics  k    = step_kinematics(start.points[g], point);
+          MeanForces            mean = mean_forces(k, stiffness);
           if (damped)
             add_damping(k, stiffness, dt, mean);
           if constexpr (HighFrequencyDamping::is_used)
             add_damping(k, stiffness, damping, g, mean);
           // Mean N and Q by x', y' and phi at the end.
-          const double EA = material * stiffness.axial,
-                       GA = material * stiffness.shear, c = k.end.cosine,
-                       s     = k.end.sine;
-          const double dN[3] = {EA * c, EA * s, EA * k.end.slip},
-                       dQ[3] = {-GA * s, GA * c, -GA * k.end.stretch};
+          const double EA     = material * stiffness.axial,
+                       GA     = material * stiffness.shear,
+                       c      = 2 * k.cosine - start.points[g].cosine,
+                       s      = 2 * k.sine - start.points[g].sine;
+          const Strains end   = k.end();
+          const double  dN[3] = {EA * c,
+                                 EA * s,
+                                 EA * (end.gamma + frames[g].shear)},
+                       dQ[3]  = {-GA * s,
+                                 GA * c,
+                                 -GA * (end.epsilon + frames[g].axial)};
           double G[3][3];
           for (int j = 0; j < 3; ++j)
             {
@@ -345,7 +434,9 @@ namespace auxfem
           const RotationShapes<order> rotation(shape,
                                                g,
                                                increments,
-                                               k.half_cosine);
+                                               rotation_scale(increments,
+                                                              point,
+                                                              k));
           const double                w = shape.weight[g];
           const double                bending =
             w * inverse_jacobian * material * stiffness.bending;
@@ -369,7 +460,8 @@ namespace auxfem
                     block[2 * n + i] += vd * G[2][i];
                   }
                 block[2 * n + 2] += vv * G[2][2] +
-                  bending * rotation.derivative[a] * shape.derivative[g][b];
+                  bending * rotation.derivative[a] *
+                    shape.rotation_derivative[g][b];
               }
         }
     }

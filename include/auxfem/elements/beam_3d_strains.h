@@ -144,10 +144,11 @@ namespace auxfem
       SpaceVector stretch, psi, gradient;
       for (int a = 0; a <= order; ++a)
         {
-          const double derivative = shape.derivative[g][a] * inverse_jacobian;
-          stretch += derivative * nodes[a].displacement;
+          stretch +=
+            shape.derivative[g][a] * inverse_jacobian * nodes[a].displacement;
           psi += shape.value[g][a] * relative.psi[a];
-          gradient += derivative * relative.psi[a];
+          gradient += shape.rotation_derivative[g][a] * inverse_jacobian *
+            relative.psi[a];
         }
       const RotationCoefficients c(psi);
       const Quaternion           turn     = exponential(psi);

@@ -93,29 +93,28 @@ namespace auxfem
                                                        block);
       }
 
-      /** Displacements at start and end of a step relative to the first node,
-       * rotations but for full turns. */
-      struct Displacements
+      /** An element at the start of a step; displacements relative to the first
+       * node, rotations but for full turns. */
+      struct StepStart
       {
-        Displacements(const int *unknowns, const Evaluation &step)
+        /** Values are not set. */
+        StepStart() = default;
+
+        StepStart(const BeamShape<order> &shape,
+                  const Frame            *frames,
+                  const double            jacobian,
+                  const DofNumbering & /*numbering*/,
+                  const int   *unknowns,
+                  const State &state)
+          : turns(std::round(state.displacement[unknowns[2]] / turn))
         {
-          const double turns =
-            std::round(step.from.displacement[unknowns[2]] / turn);
-          gather(unknowns, step.from, turns, start);
-          gather(unknowns, step.to, turns, end);
+          double u[n];
+          gather(unknowns, state, u);
+          element = {shape, frames, jacobian, u};
         }
 
-        double start[n], end[n];
-
-      private:
-        /** 2 pi, and what the number lacks. */
-        static constexpr double turn         = 2 * dealii::numbers::PI,
-                                rest_of_turn = 2.4492935982947064e-16;
-
-        static void gather(const int   *unknowns,
-                           const State &state,
-                           const double turns,
-                           double      *u)
+        /** Displacements of the same kind at another state. */
+        void gather(const int *unknowns, const State &state, double *u) const
         {
           for (int i = 0; i < n; i += n_components)
             {
@@ -129,26 +128,36 @@ namespace auxfem
               u[i + 2] = rotation + (*state.compensation)[node[2]];
             }
         }
+
+        Beam2D::StepStart<order> element;
+
+      private:
+        /** 2 pi, and what the number lacks. */
+        static constexpr double turn         = 2 * dealii::numbers::PI,
+                                rest_of_turn = 2.4492935982947064e-16;
+
+        double turns;
       };
 
       template <class HighFrequencyDamping>
       static Beam2D::StepEnergy mean_force(const BeamShape<order> &shape,
-                                           const Frame            *frames,
-                                           const double            jacobian,
-                                           const Stiffness        &stiffness,
+                                           const Frame * /*frames*/,
+                                           const double     jacobian,
+                                           const Stiffness &stiffness,
                                            const DofNumbering & /*numbering*/,
                                            const int                  *unknowns,
+                                           const StepStart            &start,
                                            const Evaluation           &step,
                                            const HighFrequencyDamping &damping,
                                            double                     *force)
       {
-        const Displacements u(unknowns, step);
+        double end[n];
+        start.gather(unknowns, step.to, end);
         return Beam2D::mean_force<order, damped>(shape,
-                                                 frames,
                                                  jacobian,
                                                  stiffness,
-                                                 u.start,
-                                                 u.end,
+                                                 start.element,
+                                                 end,
                                                  step.dt,
                                                  force,
                                                  damping);
@@ -161,18 +170,20 @@ namespace auxfem
                                const Stiffness        &stiffness,
                                const DofNumbering & /*numbering*/,
                                const int                  *unknowns,
+                               const StepStart            &start,
                                const Evaluation           &step,
                                const TangentFactors       &factors,
                                const HighFrequencyDamping &damping,
                                double                     *block)
       {
-        const Displacements u(unknowns, step);
+        double end[n];
+        start.gather(unknowns, step.to, end);
         Beam2D::mean_tangent<order, damped>(shape,
                                             frames,
                                             jacobian,
                                             stiffness,
-                                            u.start,
-                                            u.end,
+                                            start.element,
+                                            end,
                                             step.dt,
                                             factors.stiffness,
                                             factors.damping,

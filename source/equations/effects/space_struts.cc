@@ -212,6 +212,24 @@ namespace auxfem
         return nodes;
       }
 
+      /** An element at the start of a step. */
+      struct StepStart
+      {
+        /** Values are not set. */
+        StepStart() = default;
+
+        StepStart(const BeamShape<order> & /*shape*/,
+                  const Frame * /*frames*/,
+                  const double /*jacobian*/,
+                  const DofNumbering &numbering,
+                  const int          *unknowns,
+                  const State        &state)
+          : nodes(nodes_in_step(numbering, unknowns, state))
+        {}
+
+        std::array<Beam3D::Node, order + 1> nodes;
+      };
+
       template <class HighFrequencyDamping>
       static Beam3D::StepEnergy mean_force(const BeamShape<order> &shape,
                                            const Frame            *frames,
@@ -219,6 +237,7 @@ namespace auxfem
                                            const Stiffness        &stiffness,
                                            const DofNumbering     &numbering,
                                            const int              *unknowns,
+                                           const StepStart        &start,
                                            const Evaluation       &step,
                                            const HighFrequencyDamping &damping,
                                            double                     *force)
@@ -228,7 +247,7 @@ namespace auxfem
           frames,
           jacobian,
           stiffness.elastic,
-          nodes_in_step(numbering, unknowns, step.from).data(),
+          start.nodes.data(),
           nodes_in_step(numbering, unknowns, step.to).data(),
           damped ? stiffness.damping_time / step.dt : 0.,
           force,
@@ -242,24 +261,26 @@ namespace auxfem
                                const Stiffness            &stiffness,
                                const DofNumbering         &numbering,
                                const int                  *unknowns,
+                               const StepStart            &start,
                                const Evaluation           &step,
                                const TangentFactors       &factors,
                                const HighFrequencyDamping &damping,
                                double                     *block)
       {
-        Beam3D::mean_tangent(
-          shape,
-          frames,
-          jacobian,
-          stiffness.elastic,
-          nodes_in_step(numbering, unknowns, step.from).data(),
-          nodes_in_step(numbering, unknowns, step.to).data(),
-          damped ? stiffness.damping_time / step.dt : 0.,
-          factors.stiffness,
-          factors.stiffness +
-            (damped ? stiffness.damping_time * factors.damping : 0.),
-          block,
-          damping);
+        Beam3D::mean_tangent(shape,
+                             frames,
+                             jacobian,
+                             stiffness.elastic,
+                             start.nodes.data(),
+                             nodes_in_step(numbering, unknowns, step.to).data(),
+                             damped ? stiffness.damping_time / step.dt : 0.,
+                             factors.stiffness,
+                             factors.stiffness +
+                               (damped
+                                  ? stiffness.damping_time * factors.damping
+                                  : 0.),
+                             block,
+                             damping);
       }
 
       static Stiffness stiffness(const Section &section)

@@ -2,6 +2,7 @@
 #define auxfem_equations_effects_beam_forces_h
 
 #include <auxfem/elements/increment_damping.h>
+#include <auxfem/equations/effects/step_starts.h>
 #include <auxfem/equations/effects/struts.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -50,8 +51,9 @@ namespace auxfem
    * rest, `motion`, `internal_force`, `tangent` for its forces,
    * `geometric_tangent`, `elastic_forces`, `viscous_forces` (of several motions
    * of the same positions) at its Gauss points, and `rotation`, `axes` for
-   * output, `strain_product` for energies. With large rotations it has
-   * `mean_force` and `mean_tangent` over a step.
+   * output, `strain_product` for energies. With large rotations it has a type
+   * `StepStart`, what the iterations of a step have in common, and `mean_force`
+   * and `mean_tangent` over a step.
    */
   template <class Beam>
   class BeamForces : public StrutForces
@@ -129,23 +131,31 @@ namespace auxfem
 
     std::unique_ptr<EffectResults> make_results() const override
     {
-      return std::make_unique<BeamResults>(of_elements.size());
+      return std::make_unique<Results>(of_elements.size());
     }
 
     void add_residual(const Evaluation &evaluation,
                       double           *residual,
                       EffectResults    *results) const override
     {
-      auto &of_struts = static_cast<BeamResults &>(*results);
+      auto &of_struts = static_cast<Results &>(*results);
       if (evaluation.kind == Evaluation::Kind::between)
-        with_damping_of_increments(evaluation, [&](const auto &damping_of) {
-          sum_forces(
-            [&](const unsigned int e, double *force) {
-              return mean_force(evaluation, e, damping_of(e), force);
-            },
-            residual,
-            of_struts);
-        });
+        {
+          if constexpr (!Beam::is_linear)
+            find_starts(evaluation.from, of_struts.starts);
+          with_damping_of_increments(evaluation, [&](const auto &damping_of) {
+            sum_forces(
+              [&](const unsigned int e, double *force) {
+                return mean_force(evaluation,
+                                  e,
+                                  of_struts,
+                                  damping_of(e),
+                                  force);
+              },
+              residual,
+              of_struts);
+          });
+        }
       else
         sum_forces(
           [&](const unsigned int e, double *force) {
@@ -159,10 +169,10 @@ namespace auxfem
           of_struts);
     }
 
-    void add_tangent(const Evaluation &evaluation,
-                     const EffectResults * /*results*/,
-                     const TangentFactors &of_scheme,
-                     TangentMatrix        &matrix) const override
+    void add_tangent(const Evaluation                     &evaluation,
+                     [[maybe_unused]] const EffectResults *results,
+                     const TangentFactors                 &of_scheme,
+                     TangentMatrix &matrix) const override
     {
       TangentFactors factors = of_scheme;
       if (factors.stiffness == 0 && factors.damping == 0)
@@ -172,7 +182,11 @@ namespace auxfem
           evaluation,
           [&]([[maybe_unused]] const auto &damping_of) {
             if constexpr (!Beam::is_linear)
-              add_mean_tangent(evaluation, factors, damping_of, matrix);
+              add_mean_tangent(evaluation,
+                               static_cast<const Results &>(*results),
+                               factors,
+                               damping_of,
+                               matrix);
             else if constexpr (decltype(damping_of(0))::is_used)
               factors.stiffness += damping_of(0).in_tangent;
           });
@@ -305,9 +319,12 @@ namespace auxfem
       const typename Beam::Motion motion =
         Beam::motion(numbering, unknowns, state);
       SectionForces elastic[order], viscous[1][order] = {};
-      elastic_forces(e, motion, elastic);
+      section_forces(e, motion, elastic);
       if constexpr (Beam::is_damped)
-        viscous_forces(e, {motion}, viscous);
+        {
+          viscous_forces(e, {motion}, viscous);
+          find_moments(viscous[0]);
+        }
 
       std::vector<StrutPoint> points(n_points);
       for (unsigned int i = 0; i < n_points; ++i)
@@ -384,7 +401,7 @@ namespace auxfem
       const unsigned int e        = of_numbering - group.begin;
       const int         *unknowns = unknowns_of(e);
       SectionForces      elastic[order];
-      elastic_forces(e, Beam::motion(numbering, unknowns, state), elastic);
+      section_forces(e, Beam::motion(numbering, unknowns, state), elastic);
       ScaledMotion motion;
       for (const SectionForces &forces : elastic)
         motion.strains.push_back(
@@ -476,6 +493,14 @@ namespace auxfem
     /** Components of displacements, before those of rotations. */
     static constexpr int n_translations = n_components == 3 ? 2 : 3;
 
+    struct Results : public BeamResults
+    {
+      using BeamResults::BeamResults;
+
+      /** Of mean forces over a step. */
+      StepStarts<typename Beam::StepStart> starts;
+    };
+
     struct Element
     {
       double                   length; ///< of the strut (m)
@@ -505,7 +530,8 @@ namespace auxfem
       return result;
     }
 
-    /** At the Gauss points of element @p e. */
+    /** At the Gauss points of element @p e, moments such that they do work on
+     * its curvatures. */
     void elastic_forces(const unsigned int           e,
                         const typename Beam::Motion &motion,
                         SectionForces (&of_points)[order]) const
@@ -516,6 +542,32 @@ namespace auxfem
                            of_elements[e].stiffness,
                            motion,
                            of_points);
+    }
+
+    /** The same with the moments that the sections have. */
+    void section_forces(const unsigned int           e,
+                        const typename Beam::Motion &motion,
+                        SectionForces (&of_points)[order]) const
+    {
+      elastic_forces(e, motion, of_points);
+      find_moments(of_points);
+    }
+
+    /** Makes of moments that do work on curvatures those of the sections. */
+    void find_moments(SectionForces (&of_points)[order]) const
+    {
+      for (unsigned int k = 3; k < 6; ++k)
+        {
+          double on_curvatures[order];
+          for (int g = 0; g < order; ++g)
+            on_curvatures[g] = of_points[g][k];
+          for (int g = 0; g < order; ++g)
+            {
+              of_points[g][k] = 0;
+              for (int h = 0; h < order; ++h)
+                of_points[g][k] += shape.moment[g][h] * on_curvatures[h];
+            }
+        }
     }
 
     /** Of damping, at the Gauss points of element @p e, by each of several
@@ -643,7 +695,7 @@ namespace auxfem
                           const Section     &section) const
     {
       SectionForces elastic[order];
-      elastic_forces(e,
+      section_forces(e,
                      Beam::motion(numbering, unknowns_of(e), state),
                      elastic);
       const auto &fibres  = section.fibre_distances;
@@ -771,12 +823,26 @@ namespace auxfem
       });
     }
 
+    void find_starts(const State                          &from,
+                     StepStarts<typename Beam::StepStart> &starts) const
+    {
+      starts.update(from, of_elements.size(), [&](const unsigned int e) {
+        return typename Beam::StepStart(shape,
+                                        &frames[std::size_t(e) * order],
+                                        of_elements[e].jacobian,
+                                        numbering,
+                                        unknowns_of(e),
+                                        from);
+      });
+    }
+
     /** Over the step between two states. */
     template <class HighFrequencyDamping>
-    BeamEnergy mean_force(const Evaluation           &step,
-                          const unsigned int          e,
-                          const HighFrequencyDamping &damping,
-                          double                     *force) const
+    BeamEnergy mean_force(const Evaluation               &step,
+                          const unsigned int              e,
+                          [[maybe_unused]] const Results &results,
+                          const HighFrequencyDamping     &damping,
+                          double                         *force) const
     {
       if constexpr (Beam::is_linear)
         return linear_mean_force(step, e, damping, force);
@@ -788,6 +854,7 @@ namespace auxfem
                                                of_elements[e].stiffness,
                                                numbering,
                                                unknowns_of(e),
+                                               results.starts[e],
                                                step,
                                                damping,
                                                force);
@@ -836,6 +903,7 @@ namespace auxfem
 
     template <class DampingOf>
     void add_mean_tangent(const Evaluation     &step,
+                          const Results        &results,
                           const TangentFactors &factors,
                           const DampingOf      &damping_of,
                           TangentMatrix        &matrix) const
@@ -849,6 +917,7 @@ namespace auxfem
                              of_elements[e].stiffness,
                              numbering,
                              unknowns_of(e),
+                             results.starts[e],
                              step,
                              factors,
                              damping_of(e),
