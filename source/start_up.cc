@@ -44,10 +44,10 @@ namespace auxfem
   std::string missing_instructions()
   {
 #if defined(__AVX2__) && defined(__GNUC__)
-    if (!__builtin_cpu_supports("avx2") || !__builtin_cpu_supports("fma"))
+    if (!__builtin_cpu_supports("avx2"))
       return "This auxfem was compiled for processors with the vector "
-             "instructions AVX2 and FMA, which this one has not. Compile it "
-             "here, or with -DAUXFEM_VECTOR_INSTRUCTIONS=OFF for any.";
+             "instructions AVX2, which this one has not. Compile it here, or "
+             "with -DAUXFEM_VECTOR_INSTRUCTIONS=OFF for any.";
 #endif
     return "";
   }
