@@ -9,7 +9,9 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
+#include <iostream>
 #include <memory>
+#include <string>
 
 namespace
 {
@@ -32,6 +34,12 @@ namespace
 
 int main(int argc, char *argv[])
 {
+  if (const std::string missing = missing_instructions(); !missing.empty())
+    {
+      std::cerr << missing << std::endl;
+      return 2;
+    }
+
   StartTimes start;
   start.program = seconds_since_process_start();
 

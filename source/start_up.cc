@@ -41,6 +41,17 @@ namespace auxfem
                       ticks / sysconf(_SC_CLK_TCK));
   }
 
+  std::string missing_instructions()
+  {
+#if defined(__AVX2__) && defined(__GNUC__)
+    if (!__builtin_cpu_supports("avx2"))
+      return "This auxfem was compiled for processors with the vector "
+             "instructions AVX2, which this one has not. Compile it here, or "
+             "with -DAUXFEM_VECTOR_INSTRUCTIONS=OFF for any.";
+#endif
+    return "";
+  }
+
   bool has_mpi_launcher()
   {
     const char *const variables[] = {"OMPI_COMM_WORLD_SIZE",

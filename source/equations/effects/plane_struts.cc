@@ -53,12 +53,13 @@ namespace auxfem
         return motion;
       }
 
-      static BeamEnergy internal_force(const BeamShape<order> &shape,
-                                       const Frame            *frames,
-                                       const double            jacobian,
-                                       const Stiffness        &stiffness,
-                                       const Motion           &motion,
-                                       double                 *force)
+      [[gnu::flatten]] static BeamEnergy
+      internal_force(const BeamShape<order> &shape,
+                     const Frame            *frames,
+                     const double            jacobian,
+                     const Stiffness        &stiffness,
+                     const Motion           &motion,
+                     double                 *force)
       {
         const Beam2D::EnergyRate energy =
           Beam2D::internal_force<order, large_rotation, damped>(shape,

@@ -87,12 +87,13 @@ namespace auxfem
         return motion;
       }
 
-      static BeamEnergy internal_force(const BeamShape<order> &shape,
-                                       const Frame            *frames,
-                                       const double            jacobian,
-                                       const Stiffness        &stiffness,
-                                       const Motion           &motion,
-                                       double                 *force)
+      [[gnu::flatten]] static BeamEnergy
+      internal_force(const BeamShape<order> &shape,
+                     const Frame            *frames,
+                     const double            jacobian,
+                     const Stiffness        &stiffness,
+                     const Motion           &motion,
+                     double                 *force)
       {
         BeamEnergy energy;
         if constexpr (large_rotation)
@@ -361,12 +362,13 @@ namespace auxfem
       }
 
       template <std::size_t n_motions>
-      static void viscous_forces(const BeamShape<order> &shape,
-                                 const Frame            *frames,
-                                 const double            jacobian,
-                                 const Stiffness        &stiffness,
-                                 const Motion (&motions)[n_motions],
-                                 SectionForces (&of_points)[n_motions][order])
+      [[gnu::flatten]] static void
+      viscous_forces(const BeamShape<order> &shape,
+                     const Frame            *frames,
+                     const double            jacobian,
+                     const Stiffness        &stiffness,
+                     const Motion (&motions)[n_motions],
+                     SectionForces (&of_points)[n_motions][order])
       {
         const auto viscous = [&stiffness](const SpaceVector &gamma_rate,
                                           const SpaceVector &kappa_rate) {
