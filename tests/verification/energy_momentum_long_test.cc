@@ -8,12 +8,15 @@
 using namespace auxfem;
 using namespace auxfem::testing_support;
 
-// A hundred thousand steps of free, undamped structures with Scheme =
+// Twenty thousand steps of free, undamped structures with Scheme =
 // energy-momentum.
 
 namespace
 {
-  constexpr unsigned int n_long_steps = 100000;
+  constexpr unsigned int n_long_steps = 20000;
+
+  /** Of what stays constant, relative: 1e-14 a step. */
+  constexpr double allowed_drift = 2e-10;
 
   /** A star cell of nylon strips, thrown by its upper half. */
   SceneText tumbling_cell()
@@ -59,7 +62,7 @@ namespace
     double        energy = 0, linear = 0, angular = 0;
     run.run([&] {
       energy = std::max(energy, std::abs(run.balance()) / run.initial_balance);
-      if (!meter || run.state.step % 1000 != 0)
+      if (!meter || run.state.step % 200 != 0)
         return;
       const Momenta now = (*meter)();
       linear            = std::max(linear,
@@ -70,12 +73,12 @@ namespace
                  std::abs(now.moment - start.moment) / std::abs(start.moment));
     });
     EXPECT_EQ(run.work().steps, n_long_steps);
-    ComparisonTable table(title + ", energy-momentum, 100,000 steps");
-    table.row("largest change of energy", energy, 0, 1e-9);
+    ComparisonTable table(title + ", energy-momentum, 20,000 steps");
+    table.row("largest change of energy", energy, 0, allowed_drift);
     if (!meter)
       return;
-    table.row("of momentum", linear, 0, 1e-9);
-    table.row("of moment of momentum", angular, 0, 1e-9);
+    table.row("of momentum", linear, 0, allowed_drift);
+    table.row("of moment of momentum", angular, 0, allowed_drift);
   }
 } // namespace
 
@@ -108,7 +111,7 @@ TEST(EnergyMomentumLong, FrameInSpace)
   double             energy = 0, linear = 0, angular = 0;
   run.run([&] {
     energy = std::max(energy, std::abs(run.balance()) / run.initial_balance);
-    if (run.state.step % 1000 != 0)
+    if (run.state.step % 200 != 0)
       return;
     const SpaceMomenta now = meter();
     linear                 = std::max(linear,
@@ -118,8 +121,8 @@ TEST(EnergyMomentumLong, FrameInSpace)
                (now.angular - start.angular).norm() / start.angular.norm());
   });
   ComparisonTable table(
-    "Tumbling frame in space, energy-momentum, 100,000 steps");
-  table.row("largest change of energy", energy, 0, 1e-9);
-  table.row("of momentum", linear, 0, 1e-9);
-  table.row("of moment of momentum", angular, 0, 1e-9);
+    "Tumbling frame in space, energy-momentum, 20,000 steps");
+  table.row("largest change of energy", energy, 0, allowed_drift);
+  table.row("of momentum", linear, 0, allowed_drift);
+  table.row("of moment of momentum", angular, 0, allowed_drift);
 }

@@ -194,7 +194,7 @@ namespace
     std::vector<std::string> overrides;
     double                   step; ///< s
     /** Reference: esdirk with steps this much shorter. */
-    unsigned int refinement = 8;
+    unsigned int refinement = 4;
   };
 
   std::vector<std::string> with(std::vector<std::string> overrides,
