@@ -10,7 +10,8 @@ namespace auxfem
 {
   namespace
   {
-    const std::string prefix = "singular_", table_name = "singular_points.csv",
+    const std::string series_prefix = "singular_",
+                      table_name    = "singular_points.csv",
                       files_record = "output: singular points, length of their "
                                      "table";
 
@@ -54,7 +55,7 @@ namespace auxfem
   {
     FolderContents contents{{table_name, "singular_points.units.csv"}, {}};
     for (const char *series : {"solution", "rigid_parts", "connectors"})
-      contents.series.push_back(prefix + series);
+      contents.series.push_back(series_prefix + series);
     return contents;
   }
 
@@ -107,7 +108,7 @@ namespace auxfem
                              singular_columns);
     });
     if (scene.output.graphics)
-      graphics.emplace(scene, equations, folder, communicator, prefix);
+      graphics.emplace(scene, equations, folder, communicator, series_prefix);
     if (graphics && goes_on_from != nullptr)
       graphics->resume(*goes_on_from);
   }
