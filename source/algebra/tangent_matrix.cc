@@ -2,7 +2,6 @@
 
 #include <deal.II/base/exceptions.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace auxfem

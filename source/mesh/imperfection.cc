@@ -2,7 +2,6 @@
 #include <auxfem/mesh/imperfection.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace auxfem
 {

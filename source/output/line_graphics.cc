@@ -6,8 +6,6 @@
 
 #include <cctype>
 #include <cerrno>
-#include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iomanip>

@@ -3,7 +3,6 @@
 #include <auxfem/output/shape_amplitude.h>
 #include <auxfem/output/singular_point_files.h>
 
-#include <limits>
 #include <sstream>
 
 namespace auxfem

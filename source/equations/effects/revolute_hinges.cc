@@ -1,6 +1,5 @@
 #include <auxfem/equations/effects/revolute_hinges.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace auxfem

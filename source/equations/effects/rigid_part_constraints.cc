@@ -1,7 +1,6 @@
 #include <auxfem/equations/effects/rigid_part_constraints.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace auxfem
 {
