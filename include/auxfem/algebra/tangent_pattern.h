@@ -4,6 +4,7 @@
 #include <auxfem/algebra/unknowns.h>
 
 #include <cstddef>
+#include <functional>
 
 namespace auxfem
 {
@@ -27,6 +28,24 @@ namespace auxfem
      * its number; blocks are numbered in the order in which they come.
      */
     std::size_t register_block(const int *unknowns, unsigned int n);
+
+    /**
+     * Announces a block for each of @p items, on the array of unknowns that
+     * @p unknowns_of (a member or a function) gives of it. Returns the number of
+     * the first.
+     */
+    template <class Items, class UnknownsOf>
+    std::size_t register_blocks(const Items      &items,
+                                const UnknownsOf &unknowns_of)
+    {
+      const std::size_t first_of_items = n_blocks();
+      for (const auto &item : items)
+        {
+          const auto &unknowns = std::invoke(unknowns_of, item);
+          register_block(std::data(unknowns), std::size(unknowns));
+        }
+      return first_of_items;
+    }
 
     /** No blocks; @p unknowns must outlive the object. */
     void reset(const Unknowns &unknowns);

@@ -2,7 +2,7 @@
 #define auxfem_equations_equations_h
 
 #include <auxfem/equations/effects/connector_forces.h>
-#include <auxfem/equations/effects/rigid_part_constraints.h>
+#include <auxfem/equations/effects/rigid_part_group.h>
 #include <auxfem/equations/effects/struts.h>
 #include <auxfem/equations/solution.h>
 #include <auxfem/model/lattice_model.h>
@@ -42,7 +42,7 @@ namespace auxfem
      * elastic struts. */
     std::vector<StrutGroup> struts;
     /** nullptr if the scene has no rigid parts. */
-    const RigidPartConstraints *rigid_parts = nullptr;
+    const RigidPartGroup       *rigid_parts = nullptr;
     std::vector<ConnectorGroup> connectors;
     /** nullptr if the scene has no plates. */
     const PlateContact *plates        = nullptr;

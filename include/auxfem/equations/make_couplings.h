@@ -1,7 +1,7 @@
 #ifndef auxfem_equations_make_couplings_h
 #define auxfem_equations_make_couplings_h
 
-#include <auxfem/equations/effects/revolute_hinges.h>
+#include <auxfem/equations/constraints.h>
 #include <auxfem/model/joint_releases.h>
 
 #include <memory>
@@ -21,7 +21,7 @@ namespace auxfem
    * The revolute hinges. nullptr if the scene has none.
    * @param length by which their constraints become lengths (m).
    */
-  std::unique_ptr<RevoluteHinges>
+  std::unique_ptr<Constraints>
   make_revolute_hinges(const std::vector<JointRelease> &releases,
                        const DofNumbering              &numbering,
                        bool                             large_rotation,
