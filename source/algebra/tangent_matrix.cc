@@ -31,16 +31,6 @@ namespace auxfem
     std::fill(entries.begin(), entries.end(), 0.);
   }
 
-  const TangentPattern &TangentMatrix::pattern() const
-  {
-    return of_pattern;
-  }
-
-  unsigned long TangentMatrix::version() const
-  {
-    return built_version;
-  }
-
   /** Calls action(unknowns, n, values) for each block. */
   template <class Action>
   void TangentMatrix::for_each_block(const Action &action) const
@@ -83,11 +73,6 @@ namespace auxfem
     for (unsigned int i = 0; i < further_diagonal.size(); ++i)
       if (unknowns.kinds[i] != UnknownKind::prescribed)
         further_diagonal[i] += of_owned[i];
-  }
-
-  const std::vector<double> &TangentMatrix::added_diagonal() const
-  {
-    return further_diagonal;
   }
 
   std::vector<double> TangentMatrix::diagonal() const

@@ -373,11 +373,6 @@ namespace auxfem
     return sum * lattice.length(lattice.struts[strut]) / n;
   }
 
-  unsigned int HeldStruts::n_elements(const unsigned int strut) const
-  {
-    return numbering.divisions()[strut].n_elements;
-  }
-
   double HeldStruts::strain_energy() const
   {
     double sum = 0;

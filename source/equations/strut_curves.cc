@@ -224,12 +224,6 @@ namespace auxfem
     basis_of[a]->values_at(parameter, values, slopes);
   }
 
-  std::array<unsigned int, 2>
-  StrutCurves::axes_of(const unsigned int strut) const
-  {
-    return axes_of_struts.at(strut);
-  }
-
   bool StrutCurves::are_neighbours(const unsigned int one,
                                    const unsigned int other) const
   {

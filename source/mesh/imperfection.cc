@@ -36,11 +36,6 @@ namespace auxfem
     , middles(lattice.struts.size())
   {}
 
-  dealii::Tensor<1, 3> GeometryOffsets::mean_of_ends(const Strut &strut) const
-  {
-    return (joints[strut.joints[0]] + joints[strut.joints[1]]) / 2;
-  }
-
   double GeometryOffsets::largest() const
   {
     double largest = 0;

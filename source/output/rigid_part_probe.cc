@@ -126,11 +126,6 @@ namespace auxfem
         rotations[i][c] = components[3 * i + c];
   }
 
-  const std::vector<SpaceVector> &RigidPartRotations::values() const
-  {
-    return rotations;
-  }
-
   bool RigidPartProbe::is_one(const ProbeDefinition &definition)
   {
     return definition.selection.compare(0, prefix.size(), prefix) == 0;

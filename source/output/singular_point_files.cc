@@ -160,11 +160,6 @@ namespace auxfem
     return names;
   }
 
-  unsigned int SingularPointFiles::number() const
-  {
-    return n_written;
-  }
-
   std::vector<std::string> SingularPointFiles::series() const
   {
     return graphics ? graphics->series() : std::vector<std::string>();

@@ -51,11 +51,17 @@ namespace auxfem
     void reset(const Unknowns &unknowns);
 
     /** A number that grows with every change. */
-    unsigned long version() const;
+    unsigned long version() const
+    {
+      return changes;
+    }
 
     const Unknowns &unknowns() const;
 
-    std::size_t n_blocks() const;
+    std::size_t n_blocks() const
+    {
+      return first.size() - 1;
+    }
 
     /** Begin and end of the unknowns of a block. */
     ///@{

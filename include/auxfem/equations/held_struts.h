@@ -94,7 +94,10 @@ namespace auxfem
     EndForces          second_end(unsigned int strut) const;
     const StrutForces &forces_of(unsigned int element) const;
 
-    unsigned int n_elements(unsigned int strut) const;
+    unsigned int n_elements(const unsigned int strut) const
+    {
+      return numbering.divisions()[strut].n_elements;
+    }
 
     const bool                      large_rotation;
     const std::vector<unsigned int> counted;

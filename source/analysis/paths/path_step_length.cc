@@ -83,11 +83,6 @@ namespace auxfem
     next /= 3;
   }
 
-  bool PathStepLength::is_exhausted() const
-  {
-    return next < smallest;
-  }
-
   void PathStepLength::save(Records &records) const
   {
     records.keep(length_record,

@@ -93,11 +93,6 @@ namespace auxfem
     return s.real() > round_off_of_growth(*this);
   }
 
-  bool ComplexMode::swings() const
-  {
-    return s.imag() > 0;
-  }
-
   double ComplexMode::ratio() const
   {
     return (0. - s.real()) / std::abs(s);

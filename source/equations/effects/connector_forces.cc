@@ -604,16 +604,6 @@ namespace auxfem
     return "";
   }
 
-  const std::string &ConnectorForces::name() const
-  {
-    return group_name;
-  }
-
-  unsigned int ConnectorForces::n_reported() const
-  {
-    return owned.size();
-  }
-
   ConnectorReport ConnectorForces::report(const unsigned int   i,
                                           const State         &state,
                                           const EffectResults *results) const
