@@ -1,6 +1,6 @@
 #include <auxfem/equations/effects/beam_forces.h>
 #include <auxfem/equations/held_struts.h>
-#include <auxfem/equations/make_loads.h>
+#include <auxfem/equations/make_effects.h>
 
 #include <algorithm>
 #include <cmath>

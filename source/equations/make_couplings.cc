@@ -1,6 +1,6 @@
 #include <auxfem/equations/effects/revolute_hinges.h>
 #include <auxfem/equations/effects/rotational_springs.h>
-#include <auxfem/equations/make_couplings.h>
+#include <auxfem/equations/make_effects.h>
 
 #include <algorithm>
 

@@ -2,10 +2,7 @@
 #include <auxfem/equations/effects/plate_contact.h>
 #include <auxfem/equations/effects/strut_contact.h>
 #include <auxfem/equations/equations.h>
-#include <auxfem/equations/make_couplings.h>
-#include <auxfem/equations/make_loads.h>
-#include <auxfem/equations/make_masses.h>
-#include <auxfem/equations/make_struts.h>
+#include <auxfem/equations/make_effects.h>
 #include <auxfem/equations/prescribed_motion.h>
 #include <auxfem/model/initial_velocities.h>
 #include <auxfem/model/proportional_loads.h>

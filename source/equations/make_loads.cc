@@ -1,6 +1,6 @@
 #include <auxfem/equations/effects/applied_loads.h>
 #include <auxfem/equations/effects/follower_loads.h>
-#include <auxfem/equations/make_loads.h>
+#include <auxfem/equations/make_effects.h>
 #include <auxfem/mesh/sets.h>
 #include <auxfem/model/line_rule.h>
 #include <auxfem/model/proportional_loads.h>

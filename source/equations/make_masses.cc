@@ -1,5 +1,5 @@
 #include <auxfem/equations/effects/masses.h>
-#include <auxfem/equations/make_masses.h>
+#include <auxfem/equations/make_effects.h>
 #include <auxfem/mesh/sets.h>
 #include <auxfem/model/unknown_names.h>
 #include <auxfem/parameters/errors.h>

@@ -2,7 +2,7 @@
 #define auxfem_equations_held_struts_h
 
 #include <auxfem/algebra/strut_condensation.h>
-#include <auxfem/equations/make_struts.h>
+#include <auxfem/equations/make_effects.h>
 #include <auxfem/equations/strut_motion.h>
 
 namespace auxfem

@@ -1,5 +1,5 @@
 #include <auxfem/equations/effects/rotational_springs.h>
-#include <auxfem/equations/make_loads.h>
+#include <auxfem/equations/make_effects.h>
 
 #include <equations/effects/mean_step.h>
 #include <mesh/cell_from_text.h>
