@@ -3,7 +3,6 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/numbers.h>
 
-#include <algorithm>
 #include <cmath>
 #include <numeric>
 

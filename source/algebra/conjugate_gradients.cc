@@ -5,7 +5,6 @@
 #include <deal.II/lac/la_parallel_vector.h>
 #include <deal.II/lac/solver_cg.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace auxfem

@@ -231,16 +231,6 @@ namespace auxfem
                  communicator);
   }
 
-  std::optional<Inertia> FirstRankSolver::inertia() const
-  {
-    return inertia_of_all;
-  }
-
-  std::optional<int> FirstRankSolver::determinant_sign() const
-  {
-    return sign_of_all;
-  }
-
   std::size_t FirstRankSolver::memory() const
   {
     return n_ranks == 1 || gathered ? solver->memory() : 0;

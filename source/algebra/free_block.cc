@@ -49,14 +49,4 @@ namespace auxfem
       for (unsigned int i = 0; i < free.layout.n_owned(); ++i)
         assembly.add_to_diagonal(i, matrix.added_diagonal()[free.unknowns[i]]);
   }
-
-  const SparseMatrix &FreeBlock::matrix() const
-  {
-    return assembly.matrix();
-  }
-
-  const UnknownSelection &FreeBlock::selection() const
-  {
-    return free;
-  }
 } // namespace auxfem

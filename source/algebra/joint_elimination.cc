@@ -28,11 +28,6 @@ namespace auxfem
     , most_at_once(most_at_once)
   {}
 
-  unsigned int JointElimination::version() const
-  {
-    return n_patterns;
-  }
-
   const JointRows &JointElimination::rows() const
   {
     return *joint_rows;
@@ -43,19 +38,9 @@ namespace auxfem
     return *left;
   }
 
-  unsigned long JointElimination::n_negative() const
-  {
-    return negative;
-  }
-
   unsigned int JointElimination::size(const unsigned int group) const
   {
     return groups->rows(group).size();
-  }
-
-  const int *JointElimination::exchanges_of(const std::size_t pivot) const
-  {
-    return is_definite[pivot] ? nullptr : &exchanges[first_exchange[pivot]];
   }
 
   bool JointElimination::factorize(const SparseMatrix &matrix)

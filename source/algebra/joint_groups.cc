@@ -195,29 +195,4 @@ namespace auxfem
           constrained[*group] = true;
       }
   }
-
-  unsigned int JointGroups::n_groups() const
-  {
-    return in_group.size();
-  }
-
-  std::optional<unsigned int> JointGroups::group(const unsigned int row) const
-  {
-    return of_row[row];
-  }
-
-  const std::vector<int> &JointGroups::rows(const unsigned int group) const
-  {
-    return in_group[group];
-  }
-
-  unsigned int JointGroups::number_in_group(const unsigned int row) const
-  {
-    return number[row];
-  }
-
-  bool JointGroups::has_multipliers(const unsigned int group) const
-  {
-    return constrained[group];
-  }
 } // namespace auxfem

@@ -85,16 +85,6 @@ namespace auxfem
         staying.push_back(group);
   }
 
-  const std::vector<JointOrder::Pivot> &JointOrder::pivots() const
-  {
-    return order;
-  }
-
-  std::size_t JointOrder::n_entries() const
-  {
-    return n_used;
-  }
-
   std::size_t JointOrder::position(const unsigned int row,
                                    const unsigned int column) const
   {
@@ -102,17 +92,6 @@ namespace auxfem
     return find_link(at_first[*groups.group(row)], group)->block +
       groups.number_in_group(row) * groups.rows(group).size() +
       groups.number_in_group(column);
-  }
-
-  const std::vector<unsigned int> &JointOrder::left() const
-  {
-    return staying;
-  }
-
-  const std::vector<JointOrder::Link> &
-  JointOrder::links(const unsigned int group) const
-  {
-    return adjacent[group];
   }
 
   std::size_t JointOrder::memory() const

@@ -125,16 +125,6 @@ namespace auxfem
     return *row_layout;
   }
 
-  std::optional<unsigned int> JointRows::row(const unsigned int unknown) const
-  {
-    return rows[unknown];
-  }
-
-  std::optional<unsigned int> JointRows::unknown(const unsigned int row) const
-  {
-    return unknown_of_row[row];
-  }
-
   std::vector<std::vector<double>> JointRows::rigid_body_modes() const
   {
     const std::vector<dealii::Point<3>> &joints = *unknowns.positions;

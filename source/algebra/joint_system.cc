@@ -219,19 +219,9 @@ namespace auxfem
     return assembly->matrix();
   }
 
-  const Unknowns &JointSystem::unknowns() const
-  {
-    return of_joints;
-  }
-
   const std::vector<int> &JointSystem::kept() const
   {
     return selection->unknowns;
-  }
-
-  const std::vector<int> &JointSystem::prescribed() const
-  {
-    return prescribed_unknowns;
   }
 
   const int *JointSystem::ends(const std::size_t number) const

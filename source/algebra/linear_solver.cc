@@ -160,11 +160,6 @@ namespace auxfem
     return "";
   }
 
-  bool LinearSolver::is_exact() const
-  {
-    return serves_matrix;
-  }
-
   std::optional<Inertia> LinearSolver::inertia()
   {
     const std::optional<Inertia> inner = condensation.inner_inertia();
@@ -241,16 +236,6 @@ namespace auxfem
       }
 #endif
     return true;
-  }
-
-  const std::string &LinearSolver::why() const
-  {
-    return why_failed;
-  }
-
-  const std::string &LinearSolver::method() const
-  {
-    return description_of_current;
   }
 
   unsigned long LinearSolver::n_iterations() const

@@ -1,4 +1,3 @@
-#include <auxfem/algebra/direct_solvers.h>
 #include <auxfem/algebra/iterative_solver.h>
 #include <auxfem/algebra/linear_solver_method.h>
 

@@ -150,11 +150,6 @@ namespace auxfem
       }
   }
 
-  const SparseMatrix &SparseAssembly::matrix() const
-  {
-    return sum;
-  }
-
   void SparseAssembly::reset(const Symmetry symmetry)
   {
     std::fill(sum.entries.begin(), sum.entries.end(), 0.);

@@ -17,11 +17,6 @@ namespace auxfem
     : tangent(matrix)
   {}
 
-  const std::string &StrutCondensation::words() const
-  {
-    return why_not;
-  }
-
   const SparseMatrix &StrutCondensation::matrix() const
   {
     return system->matrix();
@@ -30,21 +25,6 @@ namespace auxfem
   const Unknowns &StrutCondensation::joints() const
   {
     return system->unknowns();
-  }
-
-  unsigned long StrutCondensation::version() const
-  {
-    return built_version;
-  }
-
-  const std::optional<Inertia> &StrutCondensation::inner_inertia() const
-  {
-    return inertia;
-  }
-
-  int StrutCondensation::inner_determinant_sign() const
-  {
-    return determinant;
   }
 
   std::size_t StrutCondensation::memory() const

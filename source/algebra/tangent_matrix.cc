@@ -2,7 +2,6 @@
 
 #include <deal.II/base/exceptions.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace auxfem
@@ -30,16 +29,6 @@ namespace auxfem
         built_version = of_pattern.version();
       }
     std::fill(entries.begin(), entries.end(), 0.);
-  }
-
-  const TangentPattern &TangentMatrix::pattern() const
-  {
-    return of_pattern;
-  }
-
-  unsigned long TangentMatrix::version() const
-  {
-    return built_version;
   }
 
   /** Calls action(unknowns, n, values) for each block. */
@@ -84,11 +73,6 @@ namespace auxfem
     for (unsigned int i = 0; i < further_diagonal.size(); ++i)
       if (unknowns.kinds[i] != UnknownKind::prescribed)
         further_diagonal[i] += of_owned[i];
-  }
-
-  const std::vector<double> &TangentMatrix::added_diagonal() const
-  {
-    return further_diagonal;
   }
 
   std::vector<double> TangentMatrix::diagonal() const

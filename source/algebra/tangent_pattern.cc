@@ -24,18 +24,8 @@ namespace auxfem
     return n_blocks() - 1;
   }
 
-  unsigned long TangentPattern::version() const
-  {
-    return changes;
-  }
-
   const Unknowns &TangentPattern::unknowns() const
   {
     return *all;
-  }
-
-  std::size_t TangentPattern::n_blocks() const
-  {
-    return first.size() - 1;
   }
 } // namespace auxfem

@@ -126,11 +126,6 @@ namespace auxfem
     return before;
   }
 
-  const Vector *ConsistentRates::impulses() const
-  {
-    return impulses_of_supports.empty() ? nullptr : &impulses_of_supports;
-  }
-
   bool ConsistentRates::prepare_mass(const Evaluation &evaluation)
   {
     solver.assemble(evaluation, results, {0., 0., 1.});

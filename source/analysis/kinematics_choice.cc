@@ -4,7 +4,6 @@
 #include <auxfem/model/effect_definition.h>
 
 #include <algorithm>
-#include <optional>
 #include <sstream>
 
 namespace auxfem

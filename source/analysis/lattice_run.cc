@@ -95,11 +95,6 @@ namespace auxfem
     stepper.start(solution);
   }
 
-  StepReport LatticeRun::advance(Recorder &recorder)
-  {
-    return stepper.advance(solution, recorder);
-  }
-
   Records LatticeRun::checkpoint(const Recorder &recorder) const
   {
     Records taken;
@@ -173,24 +168,9 @@ namespace auxfem
     recorder.start(solution);
   }
 
-  TangentSolver &LatticeRun::solver()
-  {
-    return stepper.solver();
-  }
-
   void LatticeRun::add_effort(const Work &elsewhere)
   {
     work_done.add_effort(elsewhere);
-  }
-
-  const Work &LatticeRun::work() const
-  {
-    return work_done;
-  }
-
-  Work &LatticeRun::work()
-  {
-    return work_done;
   }
 
   RunResult LatticeRun::result(const std::string &exit_state) const
@@ -200,11 +180,6 @@ namespace auxfem
             work_done,
             stepper.findings(),
             stepper.estimated_error()};
-  }
-
-  Watches &LatticeRun::watches()
-  {
-    return stepper.watches();
   }
 
   RunResult LatticeRun::run(Recorder &recorder)

@@ -150,11 +150,6 @@ namespace auxfem
       }
   }
 
-  void Newton::drop_factorization()
-  {
-    kept.reset();
-  }
-
   void Newton::save(Records &records) const
   {
     std::vector<double> values = {has_failed ? 1. : 0.};

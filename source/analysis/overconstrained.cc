@@ -2,7 +2,6 @@
 #include <auxfem/model/unknown_names.h>
 #include <auxfem/parameters/errors.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace auxfem

@@ -281,11 +281,6 @@ namespace auxfem
     dt_before = dt;
   }
 
-  void Stages::forget()
-  {
-    before.clear();
-  }
-
   void Stages::save(Records &records) const
   {
     if (before.empty())

@@ -21,16 +21,6 @@ namespace auxfem
     , work(work)
   {}
 
-  const Equations &TangentSolver::equations() const
-  {
-    return equation_system;
-  }
-
-  const LatticeModel &TangentSolver::model() const
-  {
-    return equation_system.model();
-  }
-
   void TangentSolver::residual(const Evaluation  &evaluation,
                                EvaluationResults &results)
   {
@@ -82,11 +72,6 @@ namespace auxfem
     return auxfem::solve_by_conjugate_gradients(tangent, values);
   }
 
-  const std::string &TangentSolver::why() const
-  {
-    return solver.why();
-  }
-
   std::optional<Inertia> TangentSolver::new_inertia()
   {
     const Stopwatch watch(work.wall.factorize);
@@ -94,16 +79,6 @@ namespace auxfem
       return std::nullopt;
     has_new_inertia = false;
     return solver.inertia();
-  }
-
-  const LinearSolver &TangentSolver::linear_solver() const
-  {
-    return solver;
-  }
-
-  TangentMatrix &TangentSolver::matrix()
-  {
-    return tangent;
   }
 
   void TangentSolver::save(const std::string &name,

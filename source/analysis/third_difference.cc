@@ -43,11 +43,6 @@ namespace auxfem
     before.push_back({time, value});
   }
 
-  bool ThirdDifference::has_begun() const
-  {
-    return !before.empty();
-  }
-
   void ThirdDifference::save(const std::string    &name,
                              const UnknownRecords &unknowns,
                              Records              &records) const
@@ -70,10 +65,5 @@ namespace auxfem
           records.has(of_sample))
         before.push_back({records.values(of_sample + ": time", 1)[0],
                           unknowns.values(of_sample, records)});
-  }
-
-  void ThirdDifference::forget()
-  {
-    before.clear();
   }
 } // namespace auxfem

@@ -94,11 +94,6 @@ namespace auxfem
     return error ? std::optional<double>(error->total()) : std::nullopt;
   }
 
-  Watches &TimeStepper::watches()
-  {
-    return watches_of_scene;
-  }
-
   TangentSolver &TimeStepper::solver()
   {
     return solvers->tangent;

@@ -1,6 +1,5 @@
 #include <auxfem/contact/axis_curve.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 

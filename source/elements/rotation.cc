@@ -2,8 +2,6 @@
 
 #include <deal.II/base/exceptions.h>
 
-#include <cmath>
-
 namespace auxfem
 {
   namespace

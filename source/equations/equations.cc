@@ -126,26 +126,6 @@ namespace auxfem
     return forces->report(i, state, results.of_effects[effect].get());
   }
 
-  const LatticeModel &Equations::model() const
-  {
-    return structure;
-  }
-
-  const StateLayout &Equations::layout() const
-  {
-    return state_layout;
-  }
-
-  const TangentPattern &Equations::pattern() const
-  {
-    return tangent_pattern;
-  }
-
-  const ReportingEffects &Equations::reporting() const
-  {
-    return reporting_effects;
-  }
-
   bool Equations::is_linear() const
   {
     // Turns in a step are measured by a nonlinear function.
@@ -171,11 +151,6 @@ namespace auxfem
     for (const auto &effect : effects)
       results.of_effects.push_back(effect->make_results());
     return results;
-  }
-
-  Solution Equations::initial_solution() const
-  {
-    return {initial_state(), make_results()};
   }
 
   void Equations::residual(const Evaluation  &evaluation,

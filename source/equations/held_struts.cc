@@ -1,6 +1,6 @@
 #include <auxfem/equations/effects/beam_forces.h>
 #include <auxfem/equations/held_struts.h>
-#include <auxfem/equations/make_loads.h>
+#include <auxfem/equations/make_effects.h>
 
 #include <algorithm>
 #include <cmath>
@@ -371,11 +371,6 @@ namespace auxfem
           }
       }
     return sum * lattice.length(lattice.struts[strut]) / n;
-  }
-
-  unsigned int HeldStruts::n_elements(const unsigned int strut) const
-  {
-    return numbering.divisions()[strut].n_elements;
   }
 
   double HeldStruts::strain_energy() const

@@ -1,6 +1,6 @@
+#include <auxfem/equations/effects/revolute_hinges.h>
 #include <auxfem/equations/effects/rotational_springs.h>
-#include <auxfem/equations/effects/space_springs.h>
-#include <auxfem/equations/make_couplings.h>
+#include <auxfem/equations/make_effects.h>
 
 #include <algorithm>
 
@@ -58,23 +58,23 @@ namespace auxfem
       return nullptr;
     if (large_rotations)
       {
-        auto springs = std::make_unique<SpaceSprings>(numbering);
+        std::vector<SpaceSpring> springs;
         for_each_spring(releases,
                         numbering,
                         [&](const unsigned int number,
                             const double       stiffness,
                             const auto        &base,
                             const auto        &end) {
-                          springs->add(base[0] < 0
-                                         ? -1
+                          springs.push_back(
+                            {base[0] < 0 ? -1
                                          : numbering.rotations().with(base[0]),
-                                       numbering.rotations().with(end[0]),
-                                       stiffness,
-                                       number);
+                             numbering.rotations().with(end[0]),
+                             stiffness,
+                             number});
                         });
-        return springs;
+        return make_space_springs(numbering, springs);
       }
-    auto springs = std::make_unique<RotationalSprings>(numbering);
+    std::vector<RotationalSpring> springs;
     for_each_spring(releases,
                     numbering,
                     [&](const unsigned int /*number*/,
@@ -83,37 +83,35 @@ namespace auxfem
                         const auto  &end) {
                       for (unsigned int c = 0; c < 3; ++c)
                         if (end[c] >= 0)
-                          springs->add(base[c], end[c], stiffness);
+                          springs.push_back({{{base[c], end[c]}}, stiffness});
                     });
-    return springs;
+    return make_rotational_springs(numbering, std::move(springs));
   }
 
-  std::unique_ptr<RevoluteHinges>
+  std::unique_ptr<Constraints>
   make_revolute_hinges(const std::vector<JointRelease> &releases,
                        const DofNumbering              &numbering,
                        const bool                       large_rotation,
                        const double                     length)
   {
-    std::unique_ptr<RevoluteHinges> hinges;
-    unsigned int                    number = 0;
+    std::vector<RevoluteHinge> hinges;
+    unsigned int               number = 0;
     for (const JointRelease &release : releases)
       if (release.definition->type == JointDefinition::Type::revolute)
         for (const RotationPair &pair : release.pairs)
           {
-            if (!hinges)
-              hinges = std::make_unique<RevoluteHinges>(numbering,
-                                                        large_rotation,
-                                                        length);
             const std::array<int, 2> multipliers = {
               {numbering.constraints().hinge_multiplier(number, 0),
                numbering.constraints().hinge_multiplier(number, 1)}};
             ++number;
             if (multipliers[0] >= 0)
-              hinges->add(spins(numbering, pair.base),
-                          spins(numbering, pair.end),
-                          multipliers,
-                          release.definition->axis);
+              hinges.push_back({spins(numbering, pair.base),
+                                spins(numbering, pair.end),
+                                multipliers,
+                                release.definition->axis});
           }
-    return hinges;
+    return number > 0
+      ? make_revolute_hinges(numbering, large_rotation, length, hinges)
+      : nullptr;
   }
 } // namespace auxfem

@@ -1,11 +1,8 @@
+#include <auxfem/equations/effects/masses.h>
 #include <auxfem/equations/effects/plate_contact.h>
-#include <auxfem/equations/effects/rigid_part_inertia.h>
 #include <auxfem/equations/effects/strut_contact.h>
 #include <auxfem/equations/equations.h>
-#include <auxfem/equations/make_couplings.h>
-#include <auxfem/equations/make_loads.h>
-#include <auxfem/equations/make_masses.h>
-#include <auxfem/equations/make_struts.h>
+#include <auxfem/equations/make_effects.h>
 #include <auxfem/equations/prescribed_motion.h>
 #include <auxfem/model/initial_velocities.h>
 #include <auxfem/model/proportional_loads.h>
@@ -174,13 +171,12 @@ namespace auxfem
     if (!structure.lattice.rigid_parts.empty())
       {
         auto of_parts =
-          std::make_unique<RigidPartConstraints>(structure.bodies,
-                                                 structure.lattice,
-                                                 structure.numbering,
-                                                 simulated.large_rotation,
-                                                 simulated.gravity
-                                                   ? scene.gravity
-                                                   : dealii::Tensor<1, 3>());
+          make_rigid_part_constraints(structure.bodies,
+                                      {structure.lattice,
+                                       structure.numbering,
+                                       simulated.large_rotation,
+                                       simulated.gravity ? scene.gravity
+                                                         : SpaceVector()});
         reporting_effects.rigid_parts = of_parts.get();
         reporting_effects.constraints.push_back(of_parts.get());
         effects.push_back(std::move(of_parts));
@@ -200,7 +196,7 @@ namespace auxfem
     const SimulatedEffects &simulated = structure.simulated;
     const RigidBodies      &bodies    = structure.bodies;
     if (!bodies.in_plane.empty() || !bodies.bars.empty())
-      effects.push_back(std::make_unique<RigidPartInertia>(bodies));
+      effects.push_back(make_rigid_part_inertia(bodies));
     for (auto &inertia :
          make_strut_inertia(structure, structure.lattice, structure.numbering))
       effects.push_back(std::move(inertia));

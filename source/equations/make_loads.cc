@@ -1,6 +1,6 @@
 #include <auxfem/equations/effects/applied_loads.h>
 #include <auxfem/equations/effects/follower_loads.h>
-#include <auxfem/equations/make_loads.h>
+#include <auxfem/equations/make_effects.h>
 #include <auxfem/mesh/sets.h>
 #include <auxfem/model/line_rule.h>
 #include <auxfem/model/proportional_loads.h>
@@ -33,7 +33,7 @@ namespace auxfem
                        const Lattice             &lattice,
                        const DofNumbering        &numbering,
                        const Scene               &scene,
-                       AppliedLoads              &loads)
+                       std::vector<AppliedLoad>  &loads)
     {
       const std::vector<unsigned int> joints =
         select_joints(lattice,
@@ -44,9 +44,9 @@ namespace auxfem
         {
           if (definition.components[c].is_zero())
             continue;
-          const unsigned int load =
-            loads.add_load(proportional(definition.components[c], scene),
-                           work_of(definition.name));
+          AppliedLoad load{proportional(definition.components[c], scene),
+                           work_of(definition.name),
+                           {}};
           for (const unsigned int joint : joints)
             {
               if (!numbering.joint_has(joint, c))
@@ -55,8 +55,9 @@ namespace auxfem
                                  why_no_rotation(numbering, joint));
               const int unknown = numbering.joint_unknown(joint, c);
               if (unknown >= 0)
-                loads.add_weight(load, unknown, 1.);
+                load.weights.push_back({unknown, 1.});
             }
+          loads.push_back(std::move(load));
         }
     }
 
@@ -64,13 +65,12 @@ namespace auxfem
                            const Lattice             &lattice,
                            const DofNumbering        &numbering,
                            const Scene               &scene,
-                           FollowerLoads             &loads)
+                           std::vector<FollowerLoad> &loads)
     {
       auto components = definition.components;
       for (TimeFunction &component : components)
         component = proportional(component, scene);
-      const unsigned int load =
-        loads.add_load(components, work_of(definition.name));
+      FollowerLoad load{components, work_of(definition.name), {}};
       for (const unsigned int joint :
            select_joints(lattice,
                          definition.joints,
@@ -82,19 +82,19 @@ namespace auxfem
                              "/Direction = follows the joint: " +
                              why_no_rotation(numbering, joint));
           if (numbering.joint_unknown(joint, rotation_z) >= 0)
-            loads.add_joint(load, joint);
+            load.joints.push_back(joint);
         }
+      loads.push_back(std::move(load));
     }
 
     /** Adds a force per length of @p per_length(strut) along component @p c on all chosen struts. */
     template <class PerLength>
-    void add_along_struts(const unsigned int       load,
-                          const unsigned int       c,
+    void add_along_struts(const unsigned int       c,
                           const std::vector<bool> &chosen,
                           const Lattice           &lattice,
                           const DofNumbering      &numbering,
                           const PerLength         &per_length,
-                          AppliedLoads            &loads)
+                          AppliedLoad             &load)
     {
       const unsigned int n = numbering.n_components();
       for (const DofNumbering::Group &group : numbering.groups())
@@ -110,21 +110,19 @@ namespace auxfem
               const double force = per_length(strut) * lattice.length(strut) *
                 (interval.end - interval.begin) / 2;
               for (unsigned int a = 0; a < rule.integrals.size(); ++a)
-                loads.add_weight(load,
-                                 numbering.element_unknowns(e)[n * a + c],
-                                 force * rule.integrals[a]);
+                load.weights.push_back(
+                  {numbering.element_unknowns(e)[n * a + c],
+                   force * rule.integrals[a]});
             }
         }
     }
 
     /** Adds @p force, by its @p shares. */
-    void add_shares(const unsigned int load,
-                    const ForceShares &shares,
-                    const double       force,
-                    AppliedLoads      &loads)
+    void
+    add_shares(const ForceShares &shares, const double force, AppliedLoad &load)
     {
       for (const auto &[unknown, share] : shares)
-        loads.add_weight(load, unknown, force * share);
+        load.weights.push_back({unknown, force * share});
     }
 
     /** Calls @p action for the rigid parts of all kinds. */
@@ -137,33 +135,31 @@ namespace auxfem
     }
 
     /** Adds a unit force per length along component @p c of the chosen rigid struts. */
-    void add_along_rigid_struts(const unsigned int       load,
-                                const unsigned int       c,
+    void add_along_rigid_struts(const unsigned int       c,
                                 const std::vector<bool> &chosen,
                                 const Lattice           &lattice,
                                 const DofNumbering      &numbering,
                                 const RigidBodies       &bodies,
-                                AppliedLoads            &loads)
+                                AppliedLoad             &load)
     {
       for_each_body(bodies, [&](const auto &body) {
         for (const unsigned int number : lattice.rigid_parts[body.part].struts)
           if (const Strut &strut = lattice.struts[number]; chosen[number])
-            add_shares(load,
-                       force_shares(body,
+            add_shares(force_shares(body,
                                     lattice,
                                     numbering,
                                     lattice.centroid(strut),
                                     c),
                        lattice.length(strut),
-                       loads);
+                       load);
       });
     }
 
-    void add_line_loads(const Scene        &scene,
-                        const Lattice      &lattice,
-                        const DofNumbering &numbering,
-                        const RigidBodies  &bodies,
-                        AppliedLoads       &loads)
+    void add_line_loads(const Scene              &scene,
+                        const Lattice            &lattice,
+                        const DofNumbering       &numbering,
+                        const RigidBodies        &bodies,
+                        std::vector<AppliedLoad> &loads)
     {
       for (const LineLoadDefinition &definition : scene.line_loads)
         {
@@ -184,24 +180,23 @@ namespace auxfem
             {
               if (definition.components[c].is_zero())
                 continue;
-              const unsigned int load =
-                loads.add_load(proportional(definition.components[c], scene),
-                               work_of(definition.name));
+              AppliedLoad load{proportional(definition.components[c], scene),
+                               work_of(definition.name),
+                               {}};
               add_along_struts(
-                load,
                 c,
                 chosen,
                 lattice,
                 numbering,
                 [](const Strut &) { return 1.; },
-                loads);
-              add_along_rigid_struts(load,
-                                     c,
+                load);
+              add_along_rigid_struts(c,
                                      chosen,
                                      lattice,
                                      numbering,
                                      bodies,
-                                     loads);
+                                     load);
+              loads.push_back(std::move(load));
             }
         }
     }
@@ -211,20 +206,20 @@ namespace auxfem
                      const DofNumbering         &numbering,
                      const std::vector<Section> &sections,
                      const RigidBodies          &bodies,
-                     AppliedLoads               &loads)
+                     std::vector<AppliedLoad>   &loads)
     {
       const std::vector<bool> all(lattice.struts.size(), true);
       for (unsigned int c = 0; c < lattice.dimension; ++c)
         {
           if (scene.gravity[c] == 0)
             continue;
-          const unsigned int load = loads.add_load(
+          AppliedLoad load{
             proportional(constant(scene.gravity[c], scene.context), scene),
             {EnergyKind::work,
              "gravity_work",
-             "work of the weight since the start"});
+             "work of the weight since the start"},
+            {}};
           add_along_struts(
-            load,
             c,
             all,
             lattice,
@@ -232,14 +227,13 @@ namespace auxfem
             [&](const Strut &strut) {
               return sections[strut.section].mass_per_length();
             },
-            loads);
+            load);
           for_each_body(bodies, [&](const auto &body) {
             const RigidPart &part = lattice.rigid_parts[body.part];
             add_shares(
-              load,
               force_shares(body, lattice, numbering, part.centre_of_mass, c),
               part.mass,
-              loads);
+              load);
           });
           for (const MassDefinition &mass : scene.masses)
             for (const unsigned int joint :
@@ -248,9 +242,9 @@ namespace auxfem
                                scene.context,
                                mass.path + "/Joints"))
               if (numbering.joint_unknown(joint, c) >= 0)
-                loads.add_weight(load,
-                                 numbering.joint_unknown(joint, c),
-                                 mass.mass);
+                load.weights.push_back(
+                  {numbering.joint_unknown(joint, c), mass.mass});
+          loads.push_back(std::move(load));
         }
     }
   } // namespace
@@ -265,23 +259,25 @@ namespace auxfem
   {
     const bool raised_from_zero =
       !scene.time.scheme->is_dynamic() && !scene.time.static_start;
-    auto dead = std::make_unique<AppliedLoads>(numbering, raised_from_zero);
-    auto follower_loads =
-      std::make_unique<FollowerLoads>(lattice, numbering, raised_from_zero);
+    std::vector<AppliedLoad>  dead;
+    std::vector<FollowerLoad> follower_loads;
     for (const JointLoadDefinition &load : scene.joint_loads)
       // Without large rotations nothing turns.
       if (load.follows_joint && simulated.large_rotation)
-        add_follower_load(load, lattice, numbering, scene, *follower_loads);
+        add_follower_load(load, lattice, numbering, scene, follower_loads);
       else
-        add_dead_load(load, lattice, numbering, scene, *dead);
-    add_line_loads(scene, lattice, numbering, bodies, *dead);
+        add_dead_load(load, lattice, numbering, scene, dead);
+    add_line_loads(scene, lattice, numbering, bodies, dead);
     if (simulated.gravity)
-      add_gravity(scene, lattice, numbering, sections, bodies, *dead);
+      add_gravity(scene, lattice, numbering, sections, bodies, dead);
     std::vector<std::unique_ptr<Effect>> effects;
-    if (!dead->empty())
-      effects.push_back(std::move(dead));
-    if (!follower_loads->empty())
-      effects.push_back(std::move(follower_loads));
+    if (!dead.empty())
+      effects.push_back(make_applied_loads(numbering, raised_from_zero, dead));
+    if (!follower_loads.empty())
+      effects.push_back(make_follower_loads(lattice,
+                                            numbering,
+                                            raised_from_zero,
+                                            follower_loads));
     return effects;
   }
 } // namespace auxfem

@@ -1,6 +1,5 @@
-#include <auxfem/equations/effects/point_masses.h>
-#include <auxfem/equations/effects/rotary_masses.h>
-#include <auxfem/equations/make_masses.h>
+#include <auxfem/equations/effects/masses.h>
+#include <auxfem/equations/make_effects.h>
 #include <auxfem/mesh/sets.h>
 #include <auxfem/model/unknown_names.h>
 #include <auxfem/parameters/errors.h>
@@ -43,9 +42,9 @@ namespace auxfem
               const RigidBodies  &bodies,
               const bool          large_rotation)
   {
-    auto points = std::make_unique<PointMasses>(numbering);
-    auto rotary = std::make_unique<RotaryMasses>(numbering, large_rotation);
-    const bool is_spatial = lattice.dimension == 3;
+    std::vector<PointMass>  points;
+    std::vector<RotaryMass> rotary;
+    const bool              is_spatial = lattice.dimension == 3;
     for (const MassDefinition &mass : scene.masses)
       for (const unsigned int joint : select_joints(lattice,
                                                     mass.joints,
@@ -59,12 +58,12 @@ namespace auxfem
               if (unknown < 0 || share(mass, c) == 0 ||
                   (is_spatial && c >= first_rotation))
                 continue;
-              points->add(unknown, share(mass, c));
+              points.push_back({unknown, share(mass, c)});
             }
           const int spin = numbering.joint_unknown(joint, rotation_z);
           if (is_spatial && spin >= 0 && mass.rotary_inertia.norm() > 0)
-            rotary->add(numbering.rotations().with(spin),
-                        along_global_axes(mass.rotary_inertia));
+            rotary.push_back({numbering.rotations().with(spin),
+                              along_global_axes(mass.rotary_inertia)});
         }
     for (const RotatingBody &body : bodies.rotating)
       {
@@ -72,15 +71,16 @@ namespace auxfem
         if (part.mass == 0)
           continue;
         for (const int unknown : body.centre)
-          points->add(unknown, part.mass);
-        rotary->add(numbering.rotations().with(body.rotation[0]),
-                    part.rotary_inertia);
+          points.push_back({unknown, part.mass});
+        rotary.push_back(
+          {numbering.rotations().with(body.rotation[0]), part.rotary_inertia});
       }
     std::vector<std::unique_ptr<Effect>> effects;
-    if (!points->empty())
-      effects.push_back(std::move(points));
-    if (!rotary->empty())
-      effects.push_back(std::move(rotary));
+    if (!points.empty())
+      effects.push_back(make_point_masses(numbering, std::move(points)));
+    if (!rotary.empty())
+      effects.push_back(
+        make_rotary_masses(numbering, large_rotation, std::move(rotary)));
     return effects;
   }
 } // namespace auxfem

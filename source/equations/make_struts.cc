@@ -1,5 +1,5 @@
 #include <auxfem/equations/effects/strut_inertia.h>
-#include <auxfem/equations/make_struts.h>
+#include <auxfem/equations/make_effects.h>
 
 #include <algorithm>
 

@@ -54,12 +54,6 @@ namespace auxfem
     return 1 + std::clamp<double>(n, 4, most);
   }
 
-  double StrutContactPoints::parameter(const unsigned int axis,
-                                       const unsigned int point) const
-  {
-    return double(point) / (n_points(axis) - 1);
-  }
-
   double StrutContactPoints::weight(const unsigned int a,
                                     const unsigned int point) const
   {

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace auxfem
 {
@@ -223,12 +222,6 @@ namespace auxfem
                           double            *slopes) const
   {
     basis_of[a]->values_at(parameter, values, slopes);
-  }
-
-  std::array<unsigned int, 2>
-  StrutCurves::axes_of(const unsigned int strut) const
-  {
-    return axes_of_struts.at(strut);
   }
 
   bool StrutCurves::are_neighbours(const unsigned int one,

@@ -3,7 +3,6 @@
 #include <auxfem/model/line_rule.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace auxfem
 {

@@ -6,7 +6,6 @@
 #include <boost/iterator/function_output_iterator.hpp>
 
 #include <algorithm>
-#include <limits>
 
 namespace auxfem
 {

@@ -143,12 +143,6 @@ namespace auxfem
     return std::sqrt(square);
   }
 
-  double StrutProximity::gap(const AxisPair            &pair,
-                             const std::vector<double> &u) const
-  {
-    return gap_of(pair, curve(pair[0], u), curve(pair[1], u));
-  }
-
   std::vector<AxisPair>
   StrutProximity::pairs_in_boxes(const std::vector<double> &from,
                                  const std::vector<double> &to,

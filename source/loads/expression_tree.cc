@@ -187,11 +187,6 @@ namespace auxfem
     root = node;
   }
 
-  bool ExpressionTree::is_constant(const Index node) const
-  {
-    return nodes[node].operation == Operation::constant;
-  }
-
   void ExpressionTree::note_switch(const Index node)
   {
     const std::array<Index, 3> &operands = nodes[node].operands;
@@ -224,11 +219,6 @@ namespace auxfem
         default:
           break;
       }
-  }
-
-  const std::vector<ExpressionTree::Switch> &ExpressionTree::switches() const
-  {
-    return switching;
   }
 
   template <typename Number>

@@ -199,22 +199,12 @@ namespace auxfem
     return limit(t, TimeSide::after);
   }
 
-  double TableHistory::limit(const double t, const TimeSide side) const
-  {
-    return jet(t, side).value;
-  }
-
   Jet<double> TableHistory::jet(const double t, const TimeSide side) const
   {
     const auto next = side == TimeSide::after
       ? std::upper_bound(times.begin(), times.end(), t)
       : std::lower_bound(times.begin(), times.end(), t);
     return between(next - times.begin(), t);
-  }
-
-  std::optional<double> TableHistory::last_time() const
-  {
-    return times.back();
   }
 
   std::vector<TimeEvent>

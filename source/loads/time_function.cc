@@ -172,9 +172,4 @@ namespace auxfem
              checked(jet.first, t, "the first derivative"),
              checked(jet.second, t, "the second derivative")}};
   }
-
-  bool TimeFunction::is_zero() const
-  {
-    return !history;
-  }
 } // namespace auxfem

@@ -2,7 +2,6 @@
 #include <auxfem/mesh/imperfection.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace auxfem
 {
@@ -36,11 +35,6 @@ namespace auxfem
     : joints(lattice.n_structural_joints())
     , middles(lattice.struts.size())
   {}
-
-  dealii::Tensor<1, 3> GeometryOffsets::mean_of_ends(const Strut &strut) const
-  {
-    return (joints[strut.joints[0]] + joints[strut.joints[1]]) / 2;
-  }
 
   double GeometryOffsets::largest() const
   {

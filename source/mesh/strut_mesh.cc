@@ -96,24 +96,9 @@ namespace auxfem
     mesh.create_triangulation(vertices, cells, dealii::SubCellData());
   }
 
-  const StrutMesh::Triangulation &StrutMesh::triangulation() const
-  {
-    return mesh;
-  }
-
   unsigned int StrutMesh::n_cells() const
   {
     return mesh.n_active_cells();
-  }
-
-  const std::vector<StrutDivision> &StrutMesh::divisions() const
-  {
-    return of_struts;
-  }
-
-  unsigned int StrutMesh::rank(const unsigned int strut) const
-  {
-    return ranks[strut];
   }
 
   StrutMesh::Interval

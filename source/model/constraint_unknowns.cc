@@ -35,46 +35,6 @@ namespace auxfem
       keep(multipliers);
   }
 
-  const std::vector<unsigned int> &ConstraintUnknowns::rigid_parts() const
-  {
-    return kept_rigid_parts;
-  }
-
-  int ConstraintUnknowns::motion(const unsigned int rigid_part,
-                                 const unsigned int component) const
-  {
-    return of_rigid_part[rigid_part].motion[component];
-  }
-
-  const std::vector<unsigned int> &
-  ConstraintUnknowns::clamped_joints(const unsigned int rigid_part) const
-  {
-    return of_rigid_part[rigid_part].clamped_joints;
-  }
-
-  int ConstraintUnknowns::multiplier(const unsigned int rigid_part,
-                                     const unsigned int number) const
-  {
-    return of_rigid_part[rigid_part].multipliers[number];
-  }
-
-  unsigned int
-  ConstraintUnknowns::n_multipliers(const unsigned int rigid_part) const
-  {
-    return of_rigid_part[rigid_part].multipliers.size();
-  }
-
-  int ConstraintUnknowns::hinge_multiplier(const unsigned int hinge,
-                                           const unsigned int number) const
-  {
-    return of_hinge[hinge][number];
-  }
-
-  const std::vector<int> &ConstraintUnknowns::multipliers() const
-  {
-    return kept_multipliers;
-  }
-
   unsigned int ConstraintUnknowns::n_multipliers() const
   {
     unsigned int sum = 2 * of_hinge.size();

@@ -241,56 +241,6 @@ namespace auxfem
       add_global(part.motion);
   }
 
-  const Lattice &DofNumbering::lattice() const
-  {
-    return of_lattice;
-  }
-
-  const std::vector<StrutDivision> &DofNumbering::divisions() const
-  {
-    return of_struts;
-  }
-
-  unsigned int DofNumbering::n_components() const
-  {
-    return node_components.size();
-  }
-
-  const std::vector<unsigned int> &DofNumbering::components() const
-  {
-    return node_components;
-  }
-
-  const Unknowns &DofNumbering::unknowns() const
-  {
-    return of_unknowns;
-  }
-
-  const ConstraintUnknowns &DofNumbering::constraints() const
-  {
-    return of_constraints;
-  }
-
-  const SpatialRotations &DofNumbering::rotations() const
-  {
-    return in_space;
-  }
-
-  const GlobalNumbers &DofNumbering::global() const
-  {
-    return numbers;
-  }
-
-  const std::vector<DofNumbering::Element> &DofNumbering::elements() const
-  {
-    return element_list;
-  }
-
-  const std::vector<DofNumbering::Group> &DofNumbering::groups() const
-  {
-    return element_groups;
-  }
-
   int DofNumbering::joint_unknown(const unsigned int joint,
                                   const unsigned int component) const
   {

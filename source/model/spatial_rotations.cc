@@ -17,31 +17,10 @@ namespace auxfem
     rotations.push_back(spins);
   }
 
-  unsigned int SpatialRotations::size() const
-  {
-    return rotations.size();
-  }
-
   const std::array<int, 3> &
   SpatialRotations::operator[](const unsigned int i) const
   {
     return rotations[i];
-  }
-
-  std::vector<std::array<int, 3>>::const_iterator
-  SpatialRotations::begin() const
-  {
-    return rotations.begin();
-  }
-
-  std::vector<std::array<int, 3>>::const_iterator SpatialRotations::end() const
-  {
-    return rotations.end();
-  }
-
-  int SpatialRotations::with(const unsigned int unknown) const
-  {
-    return of_unknown[unknown];
   }
 
   unsigned int SpatialRotations::axis(const unsigned int unknown) const

@@ -111,11 +111,6 @@ namespace auxfem
     , serial(serial_numbers(numbering, layout))
   {}
 
-  unsigned int UnknownRecords::serial_number(const unsigned int local) const
-  {
-    return serial[local];
-  }
-
   std::vector<unsigned int> UnknownRecords::owned() const
   {
     return {serial.begin(), serial.begin() + layout.n_owned()};

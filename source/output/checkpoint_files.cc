@@ -6,7 +6,6 @@
 #include <cerrno>
 #include <cstdio>
 #include <fstream>
-#include <optional>
 #include <system_error>
 #include <utility>
 

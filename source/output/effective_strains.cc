@@ -93,11 +93,6 @@ namespace auxfem
     spans_of(lattice);
   }
 
-  const std::vector<unsigned int> &EffectiveStrains::axes() const
-  {
-    return with_strain;
-  }
-
   std::vector<Column> EffectiveStrains::columns() const
   {
     std::vector<Column> result;
@@ -156,16 +151,6 @@ namespace auxfem
     time_then = records.values(time_record, 1)[0];
     for (const unsigned int axis : records.items(strain_record))
       strains.at(axis) = records.values(strain_record, {axis}, 1)[0];
-  }
-
-  double LargestStrain::time() const
-  {
-    return time_then;
-  }
-
-  std::optional<double> LargestStrain::along(const unsigned int axis) const
-  {
-    return strains[axis];
   }
 
   std::optional<double>

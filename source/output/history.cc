@@ -434,31 +434,11 @@ namespace auxfem
     penetration_so_far = records.values(penetration_record, 1)[0];
   }
 
-  const std::vector<Column> &History::columns() const
-  {
-    return column_list;
-  }
-
-  const EnergyRecord &History::energies() const
-  {
-    return record;
-  }
-
-  double History::largest_rotation() const
-  {
-    return rotation_so_far;
-  }
-
   std::optional<double> History::largest_penetration() const
   {
     return equations.reporting().plates || equations.reporting().strut_contact
       ? std::optional(penetration_so_far)
       : std::nullopt;
-  }
-
-  const LargestStrain &History::largest_strain() const
-  {
-    return strain_so_far;
   }
 
   void refuse_columns_of_nothing(const Scene &scene, const Lattice &lattice)

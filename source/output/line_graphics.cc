@@ -6,8 +6,6 @@
 
 #include <cctype>
 #include <cerrno>
-#include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iomanip>
@@ -101,11 +99,6 @@ namespace auxfem
     set_flags(flags);
   }
 
-  const std::vector<LineGraphics::Patch> &LineGraphics::get_patches() const
-  {
-    return patches;
-  }
-
   std::vector<std::string> LineGraphics::get_dataset_names() const
   {
     std::vector<std::string> names;
@@ -188,11 +181,6 @@ namespace auxfem
     ++n_written;
     on_first_rank(communicator,
                   [&]() { append_to_record(time, name + "/" + file); });
-  }
-
-  const std::string &GraphicsSeries::series_name() const
-  {
-    return name;
   }
 
   std::string GraphicsSeries::record_name(const std::string &series)

@@ -54,16 +54,6 @@ namespace auxfem
       row_list.push_back(history->values(solution));
   }
 
-  const std::vector<Column> &MemoryRecorder::columns() const
-  {
-    return column_list;
-  }
-
-  const std::vector<std::vector<double>> &MemoryRecorder::rows() const
-  {
-    return row_list;
-  }
-
   std::vector<double> MemoryRecorder::column(const std::string &name) const
   {
     const auto position = std::find_if(column_list.begin(),

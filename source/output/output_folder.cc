@@ -104,11 +104,6 @@ namespace auxfem
       "with --output DIR or the parameter Output/Directory.");
   }
 
-  std::string OutputFolder::file(const std::string &name) const
-  {
-    return path + "/" + name;
-  }
-
   void OutputFolder::make_folder() const
   {
     std::error_code error;

@@ -126,11 +126,6 @@ namespace auxfem
         rotations[i][c] = components[3 * i + c];
   }
 
-  const std::vector<SpaceVector> &RigidPartRotations::values() const
-  {
-    return rotations;
-  }
-
   bool RigidPartProbe::is_one(const ProbeDefinition &definition)
   {
     return definition.selection.compare(0, prefix.size(), prefix) == 0;
@@ -149,12 +144,12 @@ namespace auxfem
     : name(definition.name)
     , equations(equations)
   {
-    const Lattice  &lattice         = equations.model().lattice;
-    const Selection selection       = select(definition, scene, lattice);
-    n_dimensions                    = lattice.dimension;
-    has_forces                      = !selection.joints.empty();
-    n_parts                         = selection.parts.size();
-    const RigidPartConstraints &all = *equations.reporting().rigid_parts;
+    const Lattice  &lattice   = equations.model().lattice;
+    const Selection selection = select(definition, scene, lattice);
+    n_dimensions              = lattice.dimension;
+    has_forces                = !selection.joints.empty();
+    n_parts                   = selection.parts.size();
+    const RigidPartGroup &all = *equations.reporting().rigid_parts;
     for (unsigned int i = 0; i < all.n_reported(); ++i)
       {
         if (!std::binary_search(selection.parts.begin(),

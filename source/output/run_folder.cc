@@ -87,11 +87,6 @@ namespace auxfem
       folder.refuse("parameters.prm cannot be written", errno);
   }
 
-  std::ostream &RunFolder::log()
-  {
-    return log_file;
-  }
-
   void RunFolder::claim_series(const std::string &name)
   {
     folder.claim_series(name);

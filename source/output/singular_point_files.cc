@@ -3,7 +3,6 @@
 #include <auxfem/output/shape_amplitude.h>
 #include <auxfem/output/singular_point_files.h>
 
-#include <limits>
 #include <sstream>
 
 namespace auxfem
@@ -160,11 +159,6 @@ namespace auxfem
       for (const std::string &name : series())
         names.push_back(name + ".pvd");
     return names;
-  }
-
-  unsigned int SingularPointFiles::number() const
-  {
-    return n_written;
   }
 
   std::vector<std::string> SingularPointFiles::series() const

@@ -238,10 +238,10 @@ namespace auxfem
     if (!rigid_part_series)
       return;
 
-    const Lattice              &lattice = equations.model().lattice;
-    const RigidPartConstraints &parts   = *equations.reporting().rigid_parts;
-    LineGraphics                graphics(rigid_part_fields());
-    std::vector<float>          values;
+    const Lattice        &lattice = equations.model().lattice;
+    const RigidPartGroup &parts   = *equations.reporting().rigid_parts;
+    LineGraphics          graphics(rigid_part_fields());
+    std::vector<float>    values;
     for (unsigned int i = 0; i < parts.n_reported(); ++i)
       {
         const RigidPartReport report   = parts.report(i, state);

@@ -13,13 +13,6 @@ namespace auxfem
 
 
 
-  bool Mistakes::empty() const
-  {
-    return messages.empty();
-  }
-
-
-
   void Mistakes::throw_if_any(const std::string &file) const
   {
     // at two or three lines a mistake, these fill a screen

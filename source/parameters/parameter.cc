@@ -239,13 +239,6 @@ namespace auxfem
 
 
 
-  Range Range::any()
-  {
-    return {};
-  }
-
-
-
   Range Range::positive()
   {
     Range range        = non_negative();
@@ -260,20 +253,6 @@ namespace auxfem
     Range range;
     range.minimum = 0;
     return range;
-  }
-
-
-
-  Range Range::closed(const double minimum, const double maximum)
-  {
-    return {minimum, maximum, false, false};
-  }
-
-
-
-  Range Range::open(const double minimum, const double maximum)
-  {
-    return {minimum, maximum, true, true};
   }
 
 
@@ -400,13 +379,6 @@ namespace auxfem
 
 
 
-  bool Boolean::value(const std::string &text) const
-  {
-    return text == "true";
-  }
-
-
-
   Choice::Choice(const std::string              &name,
                  const std::string              &default_value,
                  const std::vector<std::string> &choices,
@@ -425,13 +397,6 @@ namespace auxfem
 
 
 
-  std::string Choice::value(const std::string &text) const
-  {
-    return text;
-  }
-
-
-
   Text::Text(const std::string &name,
              const std::string &default_value,
              const std::string &sentence,
@@ -447,13 +412,6 @@ namespace auxfem
                 0,
                 required}
   {}
-
-
-
-  std::string Text::value(const std::string &text) const
-  {
-    return text;
-  }
 
 
 

@@ -44,20 +44,6 @@ namespace auxfem
 
 
 
-  const std::string &ParameterValues::text(const Parameter &parameter) const
-  {
-    return texts.at(parameter.name);
-  }
-
-
-
-  bool ParameterValues::is_word(const Parameter &parameter) const
-  {
-    return parameter.is_word(text(parameter));
-  }
-
-
-
   bool ParameterValues::is_default(const Parameter &parameter) const
   {
     return text(parameter) == parameter.default_value;

@@ -12,11 +12,6 @@ namespace auxfem
     , part_mass(cell.part_mass)
   {}
 
-  double CellEquations::angle(const double rotation) const
-  {
-    return angle_at_rest + rotation;
-  }
-
   double CellEquations::extension(const CellVector &position) const
   {
     // No difference of nearly equal sines: small motions keep all digits.
@@ -106,11 +101,6 @@ namespace auxfem
   {
     return 0.5 *
       (motion.velocity * (mass(motion.position[0]) * motion.velocity));
-  }
-
-  bool CellEquations::is_always_regular() const
-  {
-    return bar_mass > 0;
   }
 
   void CellEquations::refuse_singular(const double rotation) const

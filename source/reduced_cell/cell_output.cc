@@ -1,4 +1,3 @@
-#include <auxfem/output/run_folder.h>
 #include <auxfem/output/summary.h>
 #include <auxfem/reduced_cell/cell_history.h>
 #include <auxfem/reduced_cell/cell_output.h>

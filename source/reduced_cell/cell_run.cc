@@ -55,11 +55,6 @@ namespace auxfem
     std::cout << cell_overview_text(scene) << std::flush;
   }
 
-  void CellHistory::cell(const CellSample &sample)
-  {
-    samples.push_back(sample);
-  }
-
   void CellHistory::finish_cell(const RunResult &result)
   {
     exit_state = result.exit_state;

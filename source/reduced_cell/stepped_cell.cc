@@ -29,11 +29,6 @@ namespace auxfem
     , energies(cell_energies())
   {}
 
-  const CellEquations &SteppedCell::equations() const
-  {
-    return cell;
-  }
-
   void SteppedCell::begin_step(const unsigned long step)
   {
     const double end                    = scene.time.time_at(step);
@@ -42,16 +37,6 @@ namespace auxfem
     time                                = end;
     load_before                         = load_now;
     load_now                            = scene.reduced_cell->load.value(end);
-  }
-
-  double SteppedCell::dt() const
-  {
-    return connector_motion.dt;
-  }
-
-  double SteppedCell::load() const
-  {
-    return load_now;
   }
 
   const ConnectorResponse &SteppedCell::connector(const CellMotion &motion)
@@ -96,11 +81,6 @@ namespace auxfem
     return {x[2], (x[3] - x[1]) / (2 * dt)};
   }
 
-  const CellVector &TwoStepGrid::before() const
-  {
-    return x[0];
-  }
-
   void TwoStepGrid::shift(const CellVector &next)
   {
     x = {{x[1], x[2], x[3], next}};
@@ -122,10 +102,5 @@ namespace auxfem
   {
     cell.begin_step(++step);
     return sample();
-  }
-
-  unsigned long TwoStepScheme::work() const
-  {
-    return step + 1;
   }
 } // namespace auxfem

@@ -2,7 +2,6 @@
 #include <auxfem/parameters/errors.h>
 #include <auxfem/scene/scene_subsections.h>
 
-#include <algorithm>
 #include <cmath>
 #include <map>
 #include <sstream>

@@ -2,7 +2,6 @@
 #include <auxfem/study/tried_values.h>
 #include <auxfem/time/schemes.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
 

@@ -11,16 +11,6 @@ namespace auxfem
     , c(coefficients)
   {}
 
-  const AlphaFamily::Coefficients &AlphaFamily::coefficients() const
-  {
-    return c;
-  }
-
-  bool AlphaFamily::carries_on_alternating_errors() const
-  {
-    return c.gamma == 0.5 && !uses_algorithmic_acceleration();
-  }
-
   bool AlphaFamily::keeps_massless_in_equilibrium() const
   {
     return c.gamma == 2 * c.beta;
@@ -33,11 +23,6 @@ namespace auxfem
     if (std::abs(c.gamma + shift - 0.5) > round_off)
       return {};
     return c.beta + shift / 2 - 1. / 6;
-  }
-
-  bool AlphaFamily::uses_algorithmic_acceleration() const
-  {
-    return c.alpha_m != 0 || c.alpha_f != 0;
   }
 
   void AlphaFamily::predict(const State &from, const double dt, State &to) const

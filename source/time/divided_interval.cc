@@ -23,16 +23,6 @@ namespace auxfem
     return std::abs(target - time - step) < 1e-6 * step ? step : target - time;
   }
 
-  bool DividedInterval::leads_to(const double other) const
-  {
-    return target == other;
-  }
-
-  bool DividedInterval::is_open() const
-  {
-    return target.has_value();
-  }
-
   PlannedStep DividedInterval::next() const
   {
     const double piece = whole / number_of_pieces;
@@ -56,16 +46,6 @@ namespace auxfem
     number           = ahead / number_of_pieces;
     number_of_pieces = pieces;
     return true;
-  }
-
-  unsigned int DividedInterval::pieces() const
-  {
-    return number_of_pieces;
-  }
-
-  double DividedInterval::length() const
-  {
-    return whole;
   }
 
   std::vector<double> DividedInterval::values() const

@@ -16,11 +16,6 @@ namespace auxfem
     return list.size() - 1;
   }
 
-  const std::vector<EnergyEntry> &EnergyLedger::entries() const
-  {
-    return list;
-  }
-
   bool EnergyLedger::has(const EnergyKind kind) const
   {
     return std::any_of(list.begin(),
@@ -94,16 +89,6 @@ namespace auxfem
     return values[entry];
   }
 
-  std::vector<double> &Energies::amounts()
-  {
-    return values;
-  }
-
-  const std::vector<double> &Energies::amounts() const
-  {
-    return values;
-  }
-
   double Energies::sum(const EnergyKind kind) const
   {
     double result = 0;
@@ -113,43 +98,8 @@ namespace auxfem
     return result;
   }
 
-  double Energies::kinetic() const
-  {
-    return sum(EnergyKind::kinetic);
-  }
-
-  double Energies::strain() const
-  {
-    return sum(EnergyKind::strain);
-  }
-
-  double Energies::stored() const
-  {
-    return sum(EnergyKind::stored);
-  }
-
-  double Energies::dissipated() const
-  {
-    return sum(EnergyKind::dissipated);
-  }
-
-  double Energies::numerical() const
-  {
-    return sum(EnergyKind::numerical);
-  }
-
   double Energies::external() const
   {
     return sum(EnergyKind::work);
-  }
-
-  double Energies::total() const
-  {
-    return kinetic() + strain() + stored();
-  }
-
-  double Energies::balance(const double initial_total) const
-  {
-    return total() + dissipated() + numerical() - external() - initial_total;
   }
 } // namespace auxfem

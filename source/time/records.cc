@@ -31,11 +31,6 @@ namespace auxfem
     return first;
   }
 
-  const std::vector<Record> &RecordLayout::list() const
-  {
-    return records;
-  }
-
   std::size_t RecordLayout::n_values() const
   {
     return records.empty() ? 0
@@ -138,16 +133,6 @@ namespace auxfem
                        first + record.items.size() * record.values_per_item});
         }
     return result;
-  }
-
-  unsigned int Records::values_per_item(const std::string &name) const
-  {
-    return find(name).values_per_item;
-  }
-
-  const std::vector<unsigned int> &Records::items(const std::string &name) const
-  {
-    return find(name).items;
   }
 
   std::vector<double> Records::values(const std::string               &name,

@@ -75,16 +75,6 @@ namespace auxfem
            "as accurate for the same time.";
   }
 
-  const ButcherTableau *RungeKutta::stages() const
-  {
-    return &tableau;
-  }
-
-  unsigned int RungeKutta::order() const
-  {
-    return tableau.order;
-  }
-
   std::complex<double> RungeKutta::response(const double angle) const
   {
     // y' = i angle y over a step of length one, y_0 = 1.

@@ -67,13 +67,6 @@ namespace auxfem
                    *trial.velocity);
   }
 
-  bool QuasiStatic::is_dynamic() const
-  {
-    return false;
-  }
-
-
-
   Equilibrium::Equilibrium() : ImplicitScheme("static equilibrium")
   {}
 
@@ -96,13 +89,6 @@ namespace auxfem
   {
     add_multiple(1., increment, trial.displacement);
   }
-
-  bool Equilibrium::is_dynamic() const
-  {
-    return false;
-  }
-
-
 
   TimeSchemeEntry static_entry()
   {

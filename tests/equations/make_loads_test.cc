@@ -1,4 +1,4 @@
-#include <auxfem/equations/make_loads.h>
+#include <auxfem/equations/make_effects.h>
 
 #include <deal.II/base/numbers.h>
 

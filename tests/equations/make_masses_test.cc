@@ -1,4 +1,4 @@
-#include <auxfem/equations/make_masses.h>
+#include <auxfem/equations/make_effects.h>
 
 #include <equations/effects/space_effect.h>
 #include <gtest/gtest.h>

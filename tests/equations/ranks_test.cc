@@ -270,10 +270,9 @@ TEST(Ranks, RigidPartsAreReportedOnceAndAlike)
   const std::string text = stars_with_rigid_parts();
   const Advanced    all(text, {slow_shaker}, MPI_COMM_WORLD),
     alone(text, {slow_shaker}, MPI_COMM_SELF);
-  const RigidPartConstraints &parts =
-                               *all.on_ranks.equations.reporting().rigid_parts,
-                             &reference = *alone.on_ranks.equations.reporting()
-                                             .rigid_parts;
+  const RigidPartGroup &parts = *all.on_ranks.equations.reporting().rigid_parts,
+                       &reference =
+                         *alone.on_ranks.equations.reporting().rigid_parts;
   EXPECT_EQ(dealii::Utilities::MPI::sum(parts.n_reported(), MPI_COMM_WORLD),
             alone.on_ranks.lattice.rigid_parts.size());
   for (unsigned int i = 0; i < parts.n_reported(); ++i)

@@ -75,9 +75,8 @@ namespace
     SpaceVector hinge_force(const std::string &bar,
                             const std::string &name) const
     {
-      const RigidPartConstraints &parts =
-        *run.equations.reporting().rigid_parts;
-      const unsigned int strut = run.lattice.strut_sets.at(bar).front();
+      const RigidPartGroup &parts = *run.equations.reporting().rigid_parts;
+      const unsigned int    strut = run.lattice.strut_sets.at(bar).front();
       for (unsigned int i = 0; i < parts.n_reported(); ++i)
         if (parts.part(i) == run.lattice.struts[strut].rigid_part)
           {

@@ -3,7 +3,6 @@
 
 #include <auxfem/algebra/sparse_matrix.h>
 
-#include <memory>
 #include <optional>
 
 namespace auxfem

@@ -16,13 +16,22 @@ namespace auxfem
   public:
     explicit FirstRankSolver(std::unique_ptr<DirectSolver> solver);
 
-    FactorizationOutcome   analyse(const SparseMatrix &matrix) override;
-    FactorizationOutcome   factorize(const SparseMatrix &matrix) override;
-    void                   solve(double *x) override;
-    std::optional<Inertia> inertia() const override;
-    std::optional<int>     determinant_sign() const override;
-    std::size_t            memory() const override;
-    std::vector<double>    pivot_entries() const override;
+    FactorizationOutcome analyse(const SparseMatrix &matrix) override;
+    FactorizationOutcome factorize(const SparseMatrix &matrix) override;
+    void                 solve(double *x) override;
+
+    std::optional<Inertia> inertia() const override
+    {
+      return inertia_of_all;
+    }
+
+    std::optional<int> determinant_sign() const override
+    {
+      return sign_of_all;
+    }
+
+    std::size_t         memory() const override;
+    std::vector<double> pivot_entries() const override;
     void take_pivots_of(const std::vector<double> &entries) override;
 
   private:

@@ -23,10 +23,16 @@ namespace auxfem
     /** Takes the entries of @p matrix; its pattern must be the one it was. */
     void assemble(const TangentMatrix &matrix);
 
-    const SparseMatrix &matrix() const;
+    const SparseMatrix &matrix() const
+    {
+      return assembly.matrix();
+    }
 
     /** Which unknowns the rows of matrix() are. */
-    const UnknownSelection &selection() const;
+    const UnknownSelection &selection() const
+    {
+      return free;
+    }
 
   private:
     const UnknownSelection free;

@@ -38,7 +38,10 @@ namespace auxfem
     bool factorize(const SparseMatrix &matrix);
 
     /** How often rows() and the pattern of S have changed. */
-    unsigned int version() const;
+    unsigned int version() const
+    {
+      return n_patterns;
+    }
 
     /** The rows that are left. */
     const JointRows &rows() const;
@@ -47,7 +50,10 @@ namespace auxfem
     const SparseMatrix &matrix() const;
 
     /** Negative eigenvalues of A_EE of this rank, if A is symmetric. */
-    unsigned long n_negative() const;
+    unsigned long n_negative() const
+    {
+      return negative;
+    }
 
     /** Makes @p g from the right-hand side @p b, owned rows. */
     void reduce(const double *b, double *g);
@@ -77,7 +83,10 @@ namespace auxfem
 
     unsigned int size(unsigned int group) const;
     /** nullptr for positive definite blocks. */
-    const int *exchanges_of(std::size_t pivot) const;
+    const int *exchanges_of(const std::size_t pivot) const
+    {
+      return is_definite[pivot] ? nullptr : &exchanges[first_exchange[pivot]];
+    }
 
     const Unknowns                  &unknowns;
     const std::size_t                most_at_once;

@@ -34,16 +34,32 @@ namespace auxfem
                 const std::vector<double>              &scale,
                 const std::vector<std::pair<int, int>> &merged);
 
-    unsigned int n_groups() const;
+    unsigned int n_groups() const
+    {
+      return in_group.size();
+    }
 
     /** Group of an owned row; none of prescribed ones. */
-    std::optional<unsigned int> group(unsigned int row) const;
+    std::optional<unsigned int> group(const unsigned int row) const
+    {
+      return of_row[row];
+    }
 
     /** Rows of a group, and the number of a row among them. */
-    const std::vector<int> &rows(unsigned int group) const;
-    unsigned int            number_in_group(unsigned int row) const;
+    const std::vector<int> &rows(const unsigned int group) const
+    {
+      return in_group[group];
+    }
 
-    bool has_multipliers(unsigned int group) const;
+    unsigned int number_in_group(const unsigned int row) const
+    {
+      return number[row];
+    }
+
+    bool has_multipliers(const unsigned int group) const
+    {
+      return constrained[group];
+    }
 
   private:
     class Assignment;

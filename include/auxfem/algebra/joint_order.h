@@ -44,17 +44,30 @@ namespace auxfem
                unsigned int        most_neighbours,
                std::size_t         most_at_once);
 
-    const std::vector<Pivot> &pivots() const;
+    const std::vector<Pivot> &pivots() const
+    {
+      return order;
+    }
 
     /** Entries of all blocks, row by row in each. */
-    std::size_t n_entries() const;
+    std::size_t n_entries() const
+    {
+      return n_used;
+    }
 
     /** Position of entry (@p row, @p column) of the matrix, both in groups. */
     std::size_t position(unsigned int row, unsigned int column) const;
 
     /** Groups that stay, and the blocks of their rows, in order of groups. */
-    const std::vector<unsigned int> &left() const;
-    const std::vector<Link>         &links(unsigned int group) const;
+    const std::vector<unsigned int> &left() const
+    {
+      return staying;
+    }
+
+    const std::vector<Link> &links(const unsigned int group) const
+    {
+      return adjacent[group];
+    }
 
     /** Memory of all this (bytes). */
     std::size_t memory() const;

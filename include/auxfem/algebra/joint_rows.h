@@ -26,10 +26,16 @@ namespace auxfem
     const UnknownLayout &layout() const;
 
     /** Row of a local unknown; none if it was not taken. */
-    std::optional<unsigned int> row(unsigned int unknown) const;
+    std::optional<unsigned int> row(const unsigned int unknown) const
+    {
+      return rows[unknown];
+    }
 
     /** Unknown of an owned row; none if the row stands for nothing. */
-    std::optional<unsigned int> unknown(unsigned int row) const;
+    std::optional<unsigned int> unknown(const unsigned int row) const
+    {
+      return unknown_of_row[row];
+    }
 
     /**
      * The rows as unknowns of their own, those that stand for nothing

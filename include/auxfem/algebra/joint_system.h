@@ -32,13 +32,19 @@ namespace auxfem
     const SparseMatrix &matrix() const;
 
     /** The unknowns of matrix(). */
-    const Unknowns &unknowns() const;
+    const Unknowns &unknowns() const
+    {
+      return of_joints;
+    }
 
     /** Local unknowns of the pattern, by those of the system. */
     const std::vector<int> &kept() const;
 
     /** Prescribed ones among unknowns(), ghosts included. */
-    const std::vector<int> &prescribed() const;
+    const std::vector<int> &prescribed() const
+    {
+      return prescribed_unknowns;
+    }
 
     /** Entries zero but for prescribed rows. */
     void reset(Symmetry symmetry);

@@ -45,7 +45,10 @@ namespace auxfem
 
     /** Whether the last factorization is that of the matrix, not of its
      * symmetric part. */
-    bool is_exact() const;
+    bool is_exact() const
+    {
+      return serves_matrix;
+    }
 
     /**
      * Numbers of eigenvalues of all free unknowns and multipliers, of the
@@ -72,11 +75,17 @@ namespace auxfem
 
     /** Why the last factorize() or solve() failed, as a part of a sentence;
      * empty if it did not. */
-    const std::string &why() const;
+    const std::string &why() const
+    {
+      return why_failed;
+    }
 
     /** Which method solves, and why, e.g. `CHOLMOD (symmetric matrix, 300
      * unknowns at joints)`; empty before the first factorization. */
-    const std::string &method() const;
+    const std::string &method() const
+    {
+      return description_of_current;
+    }
 
     /** Iterations of all solutions so far; 0 for direct types. */
     unsigned long n_iterations() const;

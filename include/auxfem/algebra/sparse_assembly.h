@@ -26,7 +26,10 @@ namespace auxfem
                    const std::vector<std::size_t> &first,
                    const std::vector<int>         &unknowns);
 
-    const SparseMatrix &matrix() const;
+    const SparseMatrix &matrix() const
+    {
+      return sum;
+    }
 
     /**
      * All entries zero.

@@ -40,7 +40,10 @@ namespace auxfem
     FactorizationOutcome condense(Symmetry symmetry);
 
     /** Which strut has not been condensed; empty if all have. */
-    const std::string &words() const;
+    const std::string &words() const
+    {
+      return why_not;
+    }
 
     /** S. Valid until a condense() after a change of the pattern. */
     const SparseMatrix &matrix() const;
@@ -49,18 +52,27 @@ namespace auxfem
     const Unknowns &joints() const;
 
     /** Version of the pattern that matrix() was made for. */
-    unsigned long version() const;
+    unsigned long version() const
+    {
+      return built_version;
+    }
 
     /**
      * Of A_II, over all ranks; none if it is unsymmetric. The inertia of A is
      * the sum of this and that of S (Haynsworth 1968), whose prescribed rows
      * add one positive eigenvalue each.
      */
-    const std::optional<Inertia> &inner_inertia() const;
+    const std::optional<Inertia> &inner_inertia() const
+    {
+      return inertia;
+    }
 
     /** Of the determinant of A_II over all ranks, 1 or -1; that of A is the
      * product of this and that of S. */
-    int inner_determinant_sign() const;
+    int inner_determinant_sign() const
+    {
+      return determinant;
+    }
 
     /**
      * Makes the right-hand side @p g of S, owned rows with room for ghosts,

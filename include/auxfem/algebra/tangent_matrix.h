@@ -45,10 +45,16 @@ namespace auxfem
         entries[i] += values[i - begin];
     }
 
-    const TangentPattern &pattern() const;
+    const TangentPattern &pattern() const
+    {
+      return of_pattern;
+    }
 
     /** Version of the pattern that the matrix has. */
-    unsigned long version() const;
+    unsigned long version() const
+    {
+      return built_version;
+    }
 
     /** The row-major values of a block. */
     const double *values(const std::size_t block) const
@@ -78,7 +84,10 @@ namespace auxfem
 
     /** What was added by add_to_diagonal(), zero in prescribed rows; empty if
      * nothing was. */
-    const std::vector<double> &added_diagonal() const;
+    const std::vector<double> &added_diagonal() const
+    {
+      return further_diagonal;
+    }
 
     /** The diagonal of the owned rows; 1 if prescribed. */
     std::vector<double> diagonal() const;

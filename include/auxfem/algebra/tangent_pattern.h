@@ -4,6 +4,7 @@
 #include <auxfem/algebra/unknowns.h>
 
 #include <cstddef>
+#include <functional>
 
 namespace auxfem
 {
@@ -28,15 +29,39 @@ namespace auxfem
      */
     std::size_t register_block(const int *unknowns, unsigned int n);
 
+    /**
+     * Announces a block for each of @p items, on the array of unknowns that
+     * @p unknowns_of (a member or a function) gives of it. Returns the number of
+     * the first.
+     */
+    template <class Items, class UnknownsOf>
+    std::size_t register_blocks(const Items      &items,
+                                const UnknownsOf &unknowns_of)
+    {
+      const std::size_t first_of_items = n_blocks();
+      for (const auto &item : items)
+        {
+          const auto &unknowns = std::invoke(unknowns_of, item);
+          register_block(std::data(unknowns), std::size(unknowns));
+        }
+      return first_of_items;
+    }
+
     /** No blocks; @p unknowns must outlive the object. */
     void reset(const Unknowns &unknowns);
 
     /** A number that grows with every change. */
-    unsigned long version() const;
+    unsigned long version() const
+    {
+      return changes;
+    }
 
     const Unknowns &unknowns() const;
 
-    std::size_t n_blocks() const;
+    std::size_t n_blocks() const
+    {
+      return first.size() - 1;
+    }
 
     /** Begin and end of the unknowns of a block. */
     ///@{

@@ -71,7 +71,10 @@ namespace auxfem
      * Impulses of supports (N s, N m s) in the last start() or renew(), in
      * their rows; nullptr if nothing was struck.
      */
-    const Vector *impulses() const;
+    const Vector *impulses() const
+    {
+      return impulses_of_supports.empty() ? nullptr : &impulses_of_supports;
+    }
 
   private:
     /** M at evaluation.to; false if it is singular. */

@@ -57,7 +57,10 @@ namespace auxfem
     void start();
 
     /** The next step of the scene, as TimeStepper::advance(). */
-    StepReport advance(Recorder &recorder);
+    StepReport advance(Recorder &recorder)
+    {
+      return stepper.advance(solution, recorder);
+    }
 
     /**
      * All that a run of the same scene needs to go on from here: the solution
@@ -95,20 +98,33 @@ namespace auxfem
     RunResult run(Recorder &recorder, const Advance &advance);
 
     /** What looks at accepted steps. */
-    Watches &watches();
+    Watches &watches()
+    {
+      return stepper.watches();
+    }
 
     /** All that has been done so far; whoever takes the run further adds to it.
      */
     ///@{
-    const Work &work() const;
-    Work       &work();
+    const Work &work() const
+    {
+      return work_done;
+    }
+
+    Work &work()
+    {
+      return work_done;
+    }
     ///@}
 
     /** What was done elsewhere counts here too, but for its steps. */
     void add_effort(const Work &elsewhere);
 
     /** As TimeStepper::solver(), before the run. */
-    TangentSolver &solver();
+    TangentSolver &solver()
+    {
+      return stepper.solver();
+    }
 
   private:
     void refuse_undetermined();

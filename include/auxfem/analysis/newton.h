@@ -74,7 +74,10 @@ namespace auxfem
                  AddedEquation        *added = nullptr);
 
     /** Forgets the factorization (the state jumped). */
-    void drop_factorization();
+    void drop_factorization()
+    {
+      kept.reset();
+    }
 
     /** Keeps the factorization with its solver, and what it belongs to. */
     void save(Records &records) const;

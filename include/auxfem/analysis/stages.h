@@ -49,7 +49,10 @@ namespace auxfem
     void accept();
 
     /** What follows is not predicted by what has been. */
-    void forget();
+    void forget()
+    {
+      before.clear();
+    }
 
     /** Keeps what the next step is predicted by. */
     void save(Records &records) const;

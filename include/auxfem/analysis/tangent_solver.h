@@ -23,8 +23,15 @@ namespace auxfem
                   const SolverParameters &parameters,
                   Work                   &work);
 
-    const Equations    &equations() const;
-    const LatticeModel &model() const;
+    const Equations &equations() const
+    {
+      return equation_system;
+    }
+
+    const LatticeModel &model() const
+    {
+      return equation_system.model();
+    }
 
     /** Equations::residual(). */
     void residual(const Evaluation &evaluation, EvaluationResults &results);
@@ -60,7 +67,10 @@ namespace auxfem
     bool solve_by_conjugate_gradients(Vector &values);
 
     /** Why the last factorization or solution failed. */
-    const std::string &why() const;
+    const std::string &why() const
+    {
+      return solver.why();
+    }
 
     /**
      * Inertia of the last factorization, as LinearSolver::inertia(); none if it
@@ -69,9 +79,15 @@ namespace auxfem
     std::optional<Inertia> new_inertia();
 
     /** Which linear solver, its factorization. */
-    const LinearSolver &linear_solver() const;
+    const LinearSolver &linear_solver() const
+    {
+      return solver;
+    }
 
-    TangentMatrix &matrix();
+    TangentMatrix &matrix()
+    {
+      return tangent;
+    }
 
     /**
      * Keeps what later factorizations depend on beside their matrix, and the

@@ -30,10 +30,16 @@ namespace auxfem
     void add(double time, const Vector &value);
 
     /** Whether there is a value yet. */
-    bool has_begun() const;
+    bool has_begun() const
+    {
+      return !before.empty();
+    }
 
     /** Begins anew. */
-    void forget();
+    void forget()
+    {
+      before.clear();
+    }
 
     /** @name Of values at unknowns.
      * @param name begins the names of the records */

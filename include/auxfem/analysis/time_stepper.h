@@ -58,7 +58,10 @@ namespace auxfem
     std::optional<double> estimated_error() const;
 
     /** Those that look at its steps. */
-    Watches &watches();
+    Watches &watches()
+    {
+      return watches_of_scene;
+    }
 
     /** What the watches have found so far. */
     std::vector<Finding> findings() const;

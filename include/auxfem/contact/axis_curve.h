@@ -3,7 +3,6 @@
 
 #include <deal.II/base/tensor.h>
 
-#include <algorithm>
 #include <array>
 
 namespace auxfem

@@ -3,7 +3,6 @@
 
 #include <deal.II/base/tensor.h>
 
-#include <array>
 #include <memory>
 #include <vector>
 

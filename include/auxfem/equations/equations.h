@@ -2,7 +2,7 @@
 #define auxfem_equations_equations_h
 
 #include <auxfem/equations/effects/connector_forces.h>
-#include <auxfem/equations/effects/rigid_part_constraints.h>
+#include <auxfem/equations/effects/rigid_part_group.h>
 #include <auxfem/equations/effects/struts.h>
 #include <auxfem/equations/solution.h>
 #include <auxfem/model/lattice_model.h>
@@ -42,7 +42,7 @@ namespace auxfem
      * elastic struts. */
     std::vector<StrutGroup> struts;
     /** nullptr if the scene has no rigid parts. */
-    const RigidPartConstraints *rigid_parts = nullptr;
+    const RigidPartGroup       *rigid_parts = nullptr;
     std::vector<ConnectorGroup> connectors;
     /** nullptr if the scene has no plates. */
     const PlateContact *plates        = nullptr;
@@ -72,10 +72,25 @@ namespace auxfem
               const LatticeModel                  &model,
               std::vector<std::unique_ptr<Effect>> further = {});
 
-    const LatticeModel     &model() const;
-    const StateLayout      &layout() const;
-    const TangentPattern   &pattern() const;
-    const ReportingEffects &reporting() const;
+    const LatticeModel &model() const
+    {
+      return structure;
+    }
+
+    const StateLayout &layout() const
+    {
+      return state_layout;
+    }
+
+    const TangentPattern &pattern() const
+    {
+      return tangent_pattern;
+    }
+
+    const ReportingEffects &reporting() const
+    {
+      return reporting_effects;
+    }
 
     /** Those of the model, with the ghosts that effects have asked for. */
     const Unknowns &unknowns() const;
@@ -103,7 +118,10 @@ namespace auxfem
     EvaluationResults make_results() const;
 
     /** initial_state() with room for its results. */
-    Solution initial_solution() const;
+    Solution initial_solution() const
+    {
+      return {initial_state(), make_results()};
+    }
 
     /**
      * Fills the residual and the internal variables of evaluation.to, and

@@ -2,7 +2,7 @@
 #define auxfem_equations_held_struts_h
 
 #include <auxfem/algebra/strut_condensation.h>
-#include <auxfem/equations/make_struts.h>
+#include <auxfem/equations/make_effects.h>
 #include <auxfem/equations/strut_motion.h>
 
 namespace auxfem
@@ -94,7 +94,10 @@ namespace auxfem
     EndForces          second_end(unsigned int strut) const;
     const StrutForces &forces_of(unsigned int element) const;
 
-    unsigned int n_elements(unsigned int strut) const;
+    unsigned int n_elements(const unsigned int strut) const
+    {
+      return numbering.divisions()[strut].n_elements;
+    }
 
     const bool                      large_rotation;
     const std::vector<unsigned int> counted;

@@ -63,7 +63,10 @@ namespace auxfem
                            double                      parameter) const;
 
     /** Of a point along its axis. */
-    double parameter(unsigned int axis, unsigned int point) const;
+    double parameter(const unsigned int axis, const unsigned int point) const
+    {
+      return double(point) / (n_points(axis) - 1);
+    }
 
     /** Length that a point stands for (m). */
     double weight(unsigned int axis, unsigned int point) const;

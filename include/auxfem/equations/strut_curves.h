@@ -90,7 +90,10 @@ namespace auxfem
     parts_apart(unsigned int axis, double parameter, unsigned int other) const;
 
     /** Axes of a strut: [begin, end) in the list. */
-    std::array<unsigned int, 2> axes_of(unsigned int strut) const;
+    std::array<unsigned int, 2> axes_of(const unsigned int strut) const
+    {
+      return axes_of_struts.at(strut);
+    }
 
     const std::vector<ContactAxis> &list() const
     {

@@ -6,7 +6,6 @@
 
 #include <optional>
 #include <set>
-#include <string>
 
 namespace auxfem
 {
@@ -99,11 +98,15 @@ namespace auxfem
     /** Whether the gap of a pair (m) is smaller than @p least or becomes so
      * soon, if it goes on shrinking as it did since the last look, up to @p u.
      */
-    bool   comes_near(const AxisPair            &pair,
-                      double                     gap,
-                      const std::vector<double> &u,
-                      double                     least) const;
-    double gap(const AxisPair &pair, const std::vector<double> &u) const;
+    bool comes_near(const AxisPair            &pair,
+                    double                     gap,
+                    const std::vector<double> &u,
+                    double                     least) const;
+
+    double gap(const AxisPair &pair, const std::vector<double> &u) const
+    {
+      return gap_of(pair, curve(pair[0], u), curve(pair[1], u));
+    }
 
     /** Pairs without a common node whose axes, on the way between two states,
      * are less than twice @p margin apart (m). */

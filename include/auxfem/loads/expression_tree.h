@@ -96,7 +96,10 @@ namespace auxfem
     }
 
     /** Operations that may switch. */
-    const std::vector<Switch> &switches() const;
+    const std::vector<Switch> &switches() const
+    {
+      return switching;
+    }
 
     /** Margin of the switching operation @p node. */
     template <typename Number>
@@ -110,7 +113,11 @@ namespace auxfem
       std::array<Index, 3> operands;
     };
 
-    bool is_constant(Index node) const;
+    bool is_constant(const Index node) const
+    {
+      return nodes[node].operation == Operation::constant;
+    }
+
     void note_switch(Index node);
 
     template <typename Number>

@@ -31,14 +31,20 @@ namespace auxfem
 
     double value(double t) const override;
 
-    double limit(double t, TimeSide side) const override;
+    double limit(const double t, const TimeSide side) const override
+    {
+      return jet(t, side).value;
+    }
 
     Jet<double> jet(double t, TimeSide side) const override;
 
     std::vector<TimeEvent>
     events(double begin, double end, unsigned int derivatives) const override;
 
-    std::optional<double> last_time() const override;
+    std::optional<double> last_time() const override
+    {
+      return times.back();
+    }
 
   private:
     void   read_reference(const std::string  &reference,

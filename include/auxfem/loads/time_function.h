@@ -120,7 +120,10 @@ namespace auxfem
      * True if it is zero at all times by construction: an empty text, `0`, or
      * an expression without `t` that is zero.
      */
-    bool is_zero() const;
+    bool is_zero() const
+    {
+      return !history;
+    }
 
   private:
     /** @p result, which is @p what of the function at @p t. */

@@ -15,7 +15,10 @@ namespace auxfem
     std::vector<dealii::Tensor<1, 3>> joints, middles;
 
     /** That of the middle of a strut that keeps its shape (m). */
-    dealii::Tensor<1, 3> mean_of_ends(const Strut &strut) const;
+    dealii::Tensor<1, 3> mean_of_ends(const Strut &strut) const
+    {
+      return (joints[strut.joints[0]] + joints[strut.joints[1]]) / 2;
+    }
 
     /** The largest of all (m). */
     double largest() const;

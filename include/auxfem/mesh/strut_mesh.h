@@ -64,19 +64,28 @@ namespace auxfem
               MPI_Comm                   communicator);
 
     /** Empty, and not to be looped over, if all struts are rigid. */
-    const Triangulation &triangulation() const;
+    const Triangulation &triangulation() const
+    {
+      return mesh;
+    }
 
     /** Number of active cells of all ranks. */
     unsigned int n_cells() const;
 
     /** The elements of the struts. */
-    const std::vector<StrutDivision> &divisions() const;
+    const std::vector<StrutDivision> &divisions() const
+    {
+      return of_struts;
+    }
 
     /** Position of an active cell. */
     Interval interval(const Triangulation::cell_iterator &cell) const;
 
     /** Rank a strut was given to, rigid ones included. */
-    unsigned int rank(unsigned int strut) const;
+    unsigned int rank(const unsigned int strut) const
+    {
+      return ranks[strut];
+    }
 
   private:
     Triangulation                    mesh;

@@ -19,17 +19,27 @@ namespace auxfem
                        const std::vector<unsigned int> &rigid_parts);
 
     /** Rigid parts kept on this rank, with all their unknowns. */
-    const std::vector<unsigned int> &rigid_parts() const;
+    const std::vector<unsigned int> &rigid_parts() const
+    {
+      return kept_rigid_parts;
+    }
 
     /**
      * An unknown of a rigid part's own, RigidPart::has_rotation: displacement
      * of its centre of mass, rotation.
      */
-    int motion(unsigned int rigid_part, unsigned int component) const;
+    int motion(const unsigned int rigid_part,
+               const unsigned int component) const
+    {
+      return of_rigid_part[rigid_part].motion[component];
+    }
 
     /** In the plane: joints whose rotation is tied to that of a rigid part. */
     const std::vector<unsigned int> &
-    clamped_joints(unsigned int rigid_part) const;
+    clamped_joints(const unsigned int rigid_part) const
+    {
+      return of_rigid_part[rigid_part].clamped_joints;
+    }
 
     /**
      * A multiplier of a rigid part: of one with a rotation of its own 3 k + c
@@ -37,16 +47,30 @@ namespace auxfem
      * joints, then d for each joint k = 2, 3, ... of the part in d dimensions;
      * then, in the plane, one for each of its clamped joints.
      */
-    int multiplier(unsigned int rigid_part, unsigned int number) const;
+    int multiplier(const unsigned int rigid_part,
+                   const unsigned int number) const
+    {
+      return of_rigid_part[rigid_part].multipliers[number];
+    }
 
     /** Number of multipliers of a rigid part; the same on every rank. */
-    unsigned int n_multipliers(unsigned int rigid_part) const;
+    unsigned int n_multipliers(const unsigned int rigid_part) const
+    {
+      return of_rigid_part[rigid_part].multipliers.size();
+    }
 
     /** Multiplier @p number (0, 1) of a pair of Ties::hinged. */
-    int hinge_multiplier(unsigned int hinge, unsigned int number) const;
+    int hinge_multiplier(const unsigned int hinge,
+                         const unsigned int number) const
+    {
+      return of_hinge[hinge][number];
+    }
 
     /** The multipliers kept on this rank. */
-    const std::vector<int> &multipliers() const;
+    const std::vector<int> &multipliers() const
+    {
+      return kept_multipliers;
+    }
 
     /** Number of all multipliers, over all ranks. */
     unsigned int n_multipliers() const;

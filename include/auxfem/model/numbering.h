@@ -51,17 +51,29 @@ namespace auxfem
     DofNumbering(const DofNumbering &)            = delete;
     DofNumbering &operator=(const DofNumbering &) = delete;
 
-    const Lattice &lattice() const;
+    const Lattice &lattice() const
+    {
+      return of_lattice;
+    }
 
     /** The elements of the struts, by strut. */
-    const std::vector<StrutDivision> &divisions() const;
+    const std::vector<StrutDivision> &divisions() const
+    {
+      return of_struts;
+    }
 
     /** Unknowns a node: 3 in the plane, 6 in space. */
-    unsigned int n_components() const;
+    unsigned int n_components() const
+    {
+      return node_components.size();
+    }
 
     /** The components of motion that nodes have: 0, 1, 5 in the plane, else
      * all. */
-    const std::vector<unsigned int> &components() const;
+    const std::vector<unsigned int> &components() const
+    {
+      return node_components;
+    }
 
     /** How the unknowns, prescribed ones included, are spread over the ranks.
      */
@@ -71,23 +83,38 @@ namespace auxfem
     }
 
     /** What kinds of unknowns they are. */
-    const Unknowns &unknowns() const;
+    const Unknowns &unknowns() const
+    {
+      return of_unknowns;
+    }
 
     /** Unknowns of rigid parts and hinges. */
-    const ConstraintUnknowns &constraints() const;
+    const ConstraintUnknowns &constraints() const
+    {
+      return of_constraints;
+    }
 
     /** The rotations in space. */
-    const SpatialRotations &rotations() const;
+    const SpatialRotations &rotations() const
+    {
+      return in_space;
+    }
 
     /** Elements kept on this rank by ascending order, those of a strut one
      * after the other. */
-    const std::vector<Element> &elements() const;
+    const std::vector<Element> &elements() const
+    {
+      return element_list;
+    }
 
     /**
      * The elements by order: a group for every order that an elastic strut of
      * the lattice has, empty if none of them is kept on this rank.
      */
-    const std::vector<Group> &groups() const;
+    const std::vector<Group> &groups() const
+    {
+      return element_groups;
+    }
 
     /**
      * Local numbers of the unknowns of element @p e, n_components() at each of
@@ -129,7 +156,10 @@ namespace auxfem
                          unsigned int         component) const;
 
     /** The numbers that are the same on every rank. */
-    const GlobalNumbers &global() const;
+    const GlobalNumbers &global() const
+    {
+      return numbers;
+    }
 
   private:
     /** Marks in order what each rank keeps of the unknowns of others. */

@@ -19,16 +19,29 @@ namespace auxfem
      * are not (-1). */
     void add(const std::array<int, 3> &spins);
 
-    unsigned int size() const;
+    unsigned int size() const
+    {
+      return rotations.size();
+    }
 
     /** Local numbers of the spins of rotation @p i. */
     const std::array<int, 3> &operator[](unsigned int i) const;
 
-    std::vector<std::array<int, 3>>::const_iterator begin() const;
-    std::vector<std::array<int, 3>>::const_iterator end() const;
+    std::vector<std::array<int, 3>>::const_iterator begin() const
+    {
+      return rotations.begin();
+    }
+
+    std::vector<std::array<int, 3>>::const_iterator end() const
+    {
+      return rotations.end();
+    }
 
     /** Index of the rotation that a local unknown is a spin of; -1: none. */
-    int with(unsigned int unknown) const;
+    int with(const unsigned int unknown) const
+    {
+      return of_unknown[unknown];
+    }
 
     /** Axis, 0 to 2, about which a local unknown is the spin. */
     unsigned int axis(unsigned int unknown) const;

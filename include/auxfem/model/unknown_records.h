@@ -23,7 +23,10 @@ namespace auxfem
     UnknownRecords(const DofNumbering &numbering, const UnknownLayout &layout);
 
     /** Serial number of a local unknown. */
-    unsigned int serial_number(unsigned int local) const;
+    unsigned int serial_number(const unsigned int local) const
+    {
+      return serial[local];
+    }
 
     /** Keeps the owned ones of @p values at local unknowns. */
     void

@@ -30,7 +30,10 @@ namespace auxfem
     static void check(const Lattice &lattice);
 
     /** Axes with a strain: 0, 1, 2 for x, y, z. */
-    const std::vector<unsigned int> &axes() const;
+    const std::vector<unsigned int> &axes() const
+    {
+      return with_strain;
+    }
 
     /** `strain.x` and so on, for each of the axes. */
     std::vector<Column> columns() const;
@@ -68,10 +71,16 @@ namespace auxfem
     void resume(const Records &records);
 
     /** When it was (s). */
-    double time() const;
+    double time() const
+    {
+      return time_then;
+    }
 
     /** Strain along an axis then; nothing if that has none. */
-    std::optional<double> along(unsigned int axis) const;
+    std::optional<double> along(const unsigned int axis) const
+    {
+      return strains[axis];
+    }
 
     /**
      * Effective Poisson's ratio of a lateral axis, 0 or 2: minus the strain

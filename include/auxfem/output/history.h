@@ -43,7 +43,10 @@ namespace auxfem
             const Equations &equations,
             MPI_Comm         communicator);
 
-    const std::vector<Column> &columns() const;
+    const std::vector<Column> &columns() const
+    {
+      return column_list;
+    }
 
     /**
      * The numbers of the row of a solution, as of the rows before: whole turns
@@ -63,7 +66,10 @@ namespace auxfem
     ///@}
 
     /** Energies up to the last row. */
-    const EnergyRecord &energies() const;
+    const EnergyRecord &energies() const
+    {
+      return record;
+    }
 
     /** Takes note of the energies and rotations of a state that gets no row. */
     void note(const State &state);
@@ -82,14 +88,20 @@ namespace auxfem
      * those before resume() of all ranks. In space only those of probes and
      * rigid parts count revolutions.
      */
-    double largest_rotation() const;
+    double largest_rotation() const
+    {
+      return rotation_so_far;
+    }
 
     /** Largest penetration in all rows so far, over the thickness of the strut,
      * on this rank; none without contact. */
     std::optional<double> largest_penetration() const;
 
     /** Effective strains in all rows so far; none unless they are wanted. */
-    const LargestStrain &largest_strain() const;
+    const LargestStrain &largest_strain() const
+    {
+      return strain_so_far;
+    }
 
   private:
     enum class Quantity

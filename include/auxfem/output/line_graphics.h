@@ -51,8 +51,12 @@ namespace auxfem
   private:
     using Patch = dealii::DataOutBase::Patch<1, 3>;
 
-    const std::vector<Patch> &get_patches() const override;
-    std::vector<std::string>  get_dataset_names() const override;
+    const std::vector<Patch> &get_patches() const override
+    {
+      return patches;
+    }
+
+    std::vector<std::string> get_dataset_names() const override;
     std::vector<std::tuple<
       unsigned int,
       unsigned int,
@@ -87,7 +91,10 @@ namespace auxfem
     void write(LineGraphics &graphics, double time);
 
     /** That of the record and of the folder. */
-    const std::string &series_name() const;
+    const std::string &series_name() const
+    {
+      return name;
+    }
 
     /** Keeps the number of files so far. */
     void save(Records &records) const;

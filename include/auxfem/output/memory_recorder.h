@@ -30,8 +30,15 @@ namespace auxfem
     void                  between(const Solution &solution) override;
     void step(const Solution &solution, const StepReport &report) override;
 
-    const std::vector<Column>              &columns() const;
-    const std::vector<std::vector<double>> &rows() const;
+    const std::vector<Column> &columns() const
+    {
+      return column_list;
+    }
+
+    const std::vector<std::vector<double>> &rows() const
+    {
+      return row_list;
+    }
 
     /** The numbers of a column, from t = 0 on. Throws InputError if there is no
      * such column. */

@@ -79,11 +79,15 @@ namespace auxfem
       int number = -1;
     };
 
-    std::string file(const std::string &name) const;
-    void        make_folder() const;
-    void        lock();
-    void        read_list();
-    void        write_list();
+    std::string file(const std::string &name) const
+    {
+      return path + "/" + name;
+    }
+
+    void make_folder() const;
+    void lock();
+    void read_list();
+    void write_list();
 
     /** Files in the folder, by name, that @p contents would replace. */
     std::vector<std::string> former(const FolderContents &contents) const;

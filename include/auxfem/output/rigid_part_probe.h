@@ -27,7 +27,10 @@ namespace auxfem
     void resume(const Records &records);
 
     /** By the number of the part in RigidPartConditions::report() (rad). */
-    const std::vector<SpaceVector> &values() const;
+    const std::vector<SpaceVector> &values() const
+    {
+      return rotations;
+    }
 
   private:
     /** Numbers of the parts in the lattice. */

@@ -35,7 +35,10 @@ namespace auxfem
     void claim_series(const std::string &name);
 
     /** log.txt. */
-    std::ostream &log();
+    std::ostream &log()
+    {
+      return log_file;
+    }
 
   private:
     OutputFolder  folder;

@@ -47,7 +47,10 @@ namespace auxfem
     std::vector<std::string> files() const;
 
     /** How many there are. */
-    unsigned int number() const;
+    unsigned int number() const
+    {
+      return n_written;
+    }
 
     /** Names of the series for ParaView. */
     std::vector<std::string> series() const;

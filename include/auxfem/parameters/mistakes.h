@@ -13,7 +13,10 @@ namespace auxfem
     /** Adds one complete message. */
     void add(const std::string &message);
 
-    bool empty() const;
+    bool empty() const
+    {
+      return messages.empty();
+    }
 
     /**
      * Throws InputError with all messages if there is any; of very many, the

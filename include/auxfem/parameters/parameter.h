@@ -28,15 +28,26 @@ namespace auxfem
     bool   maximum_open = false; ///< the maximum itself is not allowed
 
     /** All finite numbers. */
-    static Range any();
+    static Range any()
+    {
+      return {};
+    }
+
     /** > 0. */
     static Range positive();
     /** >= 0. */
     static Range non_negative();
     /** Both bounds allowed. */
-    static Range closed(double minimum, double maximum);
+    static Range closed(const double minimum, const double maximum)
+    {
+      return {minimum, maximum, false, false};
+    }
+
     /** Neither bound allowed. */
-    static Range open(double minimum, double maximum);
+    static Range open(const double minimum, const double maximum)
+    {
+      return {minimum, maximum, true, true};
+    }
 
     bool contains(double value) const;
 
@@ -155,7 +166,10 @@ namespace auxfem
             bool               default_value,
             const std::string &sentence);
 
-    bool value(const std::string &text) const;
+    bool value(const std::string &text) const
+    {
+      return text == "true";
+    }
   };
 
   /** One word out of several. */
@@ -167,7 +181,10 @@ namespace auxfem
            const std::vector<std::string> &choices,
            const std::string              &sentence);
 
-    std::string value(const std::string &text) const;
+    std::string value(const std::string &text) const
+    {
+      return text;
+    }
   };
 
   /** Free text, checked by whoever uses it (names of sets, file names, ...). */
@@ -178,7 +195,10 @@ namespace auxfem
          const std::string &sentence,
          bool               required = false);
 
-    std::string value(const std::string &text) const;
+    std::string value(const std::string &text) const
+    {
+      return text;
+    }
   };
 
   /**

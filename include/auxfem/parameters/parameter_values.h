@@ -30,7 +30,10 @@ namespace auxfem
     void set(const std::string &name, const std::string &text);
 
     /** The text of @p parameter, without blanks around it. */
-    const std::string &text(const Parameter &parameter) const;
+    const std::string &text(const Parameter &parameter) const
+    {
+      return texts.at(parameter.name);
+    }
 
     /** Value of @p parameter in its own type, quantities in SI. */
     template <class Typed>
@@ -49,7 +52,10 @@ namespace auxfem
     }
 
     /** Whether the value is one of the parameter's words. */
-    bool is_word(const Parameter &parameter) const;
+    bool is_word(const Parameter &parameter) const
+    {
+      return parameter.is_word(text(parameter));
+    }
 
     bool is_default(const Parameter &parameter) const;
 

@@ -57,7 +57,10 @@ namespace auxfem
     explicit CellEquations(const ReducedCellDefinition &cell);
 
     /** Angle theta (rad) at @p rotation. */
-    double angle(double rotation) const;
+    double angle(const double rotation) const
+    {
+      return angle_at_rest + rotation;
+    }
 
     /** Y1, rise of the upper part and extension of the connector (m). */
     double extension(const CellVector &position) const;
@@ -98,7 +101,10 @@ namespace auxfem
     double kinetic_energy(const CellMotion &motion) const;
 
     /** Whether M has an inverse at every angle: m1 > 0. */
-    bool is_always_regular() const;
+    bool is_always_regular() const
+    {
+      return bar_mass > 0;
+    }
 
     /**
      * Throws ComputationError if the bars, without mass, have come upright or

@@ -19,7 +19,11 @@ namespace auxfem
   /** Keeps the time history of a cell in memory. */
   struct CellHistory : public Recorder
   {
-    void cell(const CellSample &sample) override;
+    void cell(const CellSample &sample) override
+    {
+      samples.push_back(sample);
+    }
+
     void finish_cell(const RunResult &result) override;
 
     std::vector<CellSample> samples;

@@ -7,7 +7,6 @@
 #include <deal.II/base/numbers.h>
 
 #include <memory>
-#include <vector>
 
 namespace auxfem
 {

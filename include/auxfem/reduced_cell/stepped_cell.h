@@ -18,16 +18,25 @@ namespace auxfem
     /** @param scene must outlive the object. */
     explicit SteppedCell(const Scene &scene);
 
-    const CellEquations &equations() const;
+    const CellEquations &equations() const
+    {
+      return cell;
+    }
 
     /** Begins the step number @p step (from 1; 0: the start, of length zero). */
     void begin_step(unsigned long step);
 
     /** Length of the step begun (s). */
-    double dt() const;
+    double dt() const
+    {
+      return connector_motion.dt;
+    }
 
     /** f1 at its end (N). */
-    double load() const;
+    double load() const
+    {
+      return load_now;
+    }
 
     /** Force and tangents of the connector at its end, for @p motion there. */
     const ConnectorResponse &connector(const CellMotion &motion);
@@ -64,7 +73,10 @@ namespace auxfem
     CellMotion motion(double dt) const;
 
     /** x(i-2). */
-    const CellVector &before() const;
+    const CellVector &before() const
+    {
+      return x[0];
+    }
 
     /** Goes on to i + 1; @p next is x(i+2). */
     void shift(const CellVector &next);
@@ -77,9 +89,13 @@ namespace auxfem
   class TwoStepScheme : public CellScheme
   {
   public:
-    CellSample    start() override;
-    CellSample    advance() override;
-    unsigned long work() const override;
+    CellSample start() override;
+    CellSample advance() override;
+
+    unsigned long work() const override
+    {
+      return step + 1;
+    }
 
   protected:
     /**

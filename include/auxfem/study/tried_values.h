@@ -4,7 +4,6 @@
 #include <auxfem/study/settings.h>
 
 #include <algorithm>
-#include <optional>
 #include <string>
 #include <vector>
 

@@ -48,7 +48,10 @@ namespace auxfem
      */
     static Coefficients generalized_alpha(double spectral_radius);
 
-    const Coefficients &coefficients() const;
+    const Coefficients &coefficients() const
+    {
+      return c;
+    }
 
     void predict(const State &from, double dt, State &to) const override;
     TangentFactors factors(const State &from, double dt) const override;
@@ -56,8 +59,16 @@ namespace auxfem
                            const Vector &increment,
                            double        dt,
                            State        &trial) const override;
-    bool           carries_on_alternating_errors() const override;
-    bool           uses_algorithmic_acceleration() const override;
+
+    bool carries_on_alternating_errors() const override
+    {
+      return c.gamma == 0.5 && !uses_algorithmic_acceleration();
+    }
+
+    bool uses_algorithmic_acceleration() const override
+    {
+      return c.alpha_m != 0 || c.alpha_f != 0;
+    }
 
     /**
      * From the Taylor series of the formulas above: a_n is v' at a time delta

@@ -24,10 +24,16 @@ namespace auxfem
     void start(double time, double target, double step, unsigned int pieces);
 
     /** Whether it is under way, and to @p target (s). */
-    bool leads_to(double target) const;
+    bool leads_to(const double other) const
+    {
+      return target == other;
+    }
 
     /** Whether it is under way. */
-    bool is_open() const;
+    bool is_open() const
+    {
+      return target.has_value();
+    }
 
     /** The next piece. */
     PlannedStep next() const;
@@ -40,10 +46,16 @@ namespace auxfem
     bool divide(unsigned int pieces);
 
     /** Pieces that make the whole. */
-    unsigned int pieces() const;
+    unsigned int pieces() const
+    {
+      return number_of_pieces;
+    }
 
     /** Of the whole (s). */
-    double length() const;
+    double length() const
+    {
+      return whole;
+    }
 
     /** What restore() needs. */
     std::vector<double>           values() const;

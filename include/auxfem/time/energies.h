@@ -40,7 +40,10 @@ namespace auxfem
     /** Number of the entry with the name of @p entry, made if there is none. */
     unsigned int enter(const EnergyEntry &entry);
 
-    const std::vector<EnergyEntry> &entries() const;
+    const std::vector<EnergyEntry> &entries() const
+    {
+      return list;
+    }
 
     bool has(EnergyKind kind) const;
 
@@ -74,32 +77,65 @@ namespace auxfem
     double  operator[](unsigned int entry) const;
 
     /** Amounts in the order of the entries. */
-    std::vector<double>       &amounts();
-    const std::vector<double> &amounts() const;
+    std::vector<double> &amounts()
+    {
+      return values;
+    }
+
+    const std::vector<double> &amounts() const
+    {
+      return values;
+    }
 
     /** Sum of all entries of a kind. */
     double sum(EnergyKind kind) const;
 
     /** @name Sums by kind. */
     ///@{
-    double kinetic() const;
-    double strain() const;
-    double stored() const;
-    double dissipated() const;
+    double kinetic() const
+    {
+      return sum(EnergyKind::kinetic);
+    }
+
+    double strain() const
+    {
+      return sum(EnergyKind::strain);
+    }
+
+    double stored() const
+    {
+      return sum(EnergyKind::stored);
+    }
+
+    double dissipated() const
+    {
+      return sum(EnergyKind::dissipated);
+    }
+
     /** Taken by the time integration. */
-    double numerical() const;
+    double numerical() const
+    {
+      return sum(EnergyKind::numerical);
+    }
+
     /** Work of loads and prescribed motion. */
     double external() const;
     ///@}
 
     /** Mechanical energy: kinetic + strain + stored. */
-    double total() const;
+    double total() const
+    {
+      return kinetic() + strain() + stored();
+    }
 
     /**
      * total + dissipated + numerical - external - @p initial_total: zero to
      * round-off for linear scenes, else but for the error of the step length.
      */
-    double balance(double initial_total) const;
+    double balance(const double initial_total) const
+    {
+      return total() + dissipated() + numerical() - external() - initial_total;
+    }
 
   private:
     std::shared_ptr<const EnergyLedger> entries;

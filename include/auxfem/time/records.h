@@ -41,7 +41,10 @@ namespace auxfem
                      const std::vector<unsigned int> &items,
                      unsigned int                     values_per_item);
 
-    const std::vector<Record> &list() const;
+    const std::vector<Record> &list() const
+    {
+      return records;
+    }
 
     /** Values of all records. */
     std::size_t n_values() const;
@@ -88,7 +91,10 @@ namespace auxfem
     Records all_of(const std::string &owner) const;
 
     /** Items of a record. Throws InputError if there is no such record. */
-    const std::vector<unsigned int> &items(const std::string &name) const;
+    const std::vector<unsigned int> &items(const std::string &name) const
+    {
+      return find(name).items;
+    }
 
     /**
      * The values of @p items in a record, which may have others beside them and
@@ -110,7 +116,10 @@ namespace auxfem
 
     /** Values of each item of a record. Throws InputError if there is no such
      * record. */
-    unsigned int values_per_item(const std::string &name) const;
+    unsigned int values_per_item(const std::string &name) const
+    {
+      return find(name).values_per_item;
+    }
 
     template <class Archive>
     void serialize(Archive &archive, const unsigned int /*version*/)

@@ -82,9 +82,17 @@ namespace auxfem
     /** Their positions are constraints. */
     std::optional<std::string> note_on_rigid_parts() const override;
 
-    const ButcherTableau *stages() const override;
-    unsigned int          order() const override;
-    double                amplification(double angle) const override;
+    const ButcherTableau *stages() const override
+    {
+      return &tableau;
+    }
+
+    unsigned int order() const override
+    {
+      return tableau.order;
+    }
+
+    double amplification(double angle) const override;
 
     /**
      * Of an oscillation that turns by z in a step the differences give 4

@@ -38,7 +38,11 @@ namespace auxfem
                            const Vector &increment,
                            double        dt,
                            State        &trial) const override;
-    bool           is_dynamic() const override;
+
+    bool is_dynamic() const override
+    {
+      return false;
+    }
   };
 
   /**
@@ -57,7 +61,11 @@ namespace auxfem
                            const Vector &increment,
                            double        dt,
                            State        &trial) const override;
-    bool           is_dynamic() const override;
+
+    bool is_dynamic() const override
+    {
+      return false;
+    }
   };
 } // namespace auxfem
 

@@ -39,16 +39,25 @@ namespace auxfem
     virtual ~TimeScheme() = default;
 
     /** The word in `Time/Scheme`. */
-    const std::string &name() const;
+    const std::string &name() const
+    {
+      return scheme_name;
+    }
 
     /** Whether motion and time are related by inertia at all. */
-    virtual bool is_dynamic() const;
+    virtual bool is_dynamic() const
+    {
+      return true;
+    }
 
     /**
      * What a user who computes rigid parts should know of the scheme; nothing
      * if there is nothing to say.
      */
-    virtual std::optional<std::string> note_on_rigid_parts() const;
+    virtual std::optional<std::string> note_on_rigid_parts() const
+    {
+      return {};
+    }
 
   private:
     const std::string scheme_name;
@@ -93,26 +102,38 @@ namespace auxfem
      * Whether forces are balanced in the mean over a step, not at its end. The
      * acceleration is the mean one then and does not enter the next step.
      */
-    virtual bool balances_means() const;
+    virtual bool balances_means() const
+    {
+      return false;
+    }
 
     /**
      * The factor chi by which a scheme that balances means damps the highest
      * frequencies of struts (elements/increment_damping.h); 0: not at all.
      */
-    virtual double high_frequency_damping() const;
+    virtual double high_frequency_damping() const
+    {
+      return 0;
+    }
 
     /**
      * Whether errors of velocity and acceleration that change sign from step to
      * step are neither damped nor fed back by an algorithmic acceleration, so
      * that restoring consistent rates after a step removes them.
      */
-    virtual bool carries_on_alternating_errors() const;
+    virtual bool carries_on_alternating_errors() const
+    {
+      return false;
+    }
 
     /**
      * Whether rates of unknowns without mass (State::is_massless) are kept from
      * growing.
      */
-    virtual bool keeps_massless_in_equilibrium() const;
+    virtual bool keeps_massless_in_equilibrium() const
+    {
+      return false;
+    }
 
     /**
      * The number c with which c dt^2 times a change of acceleration is the
@@ -120,7 +141,10 @@ namespace auxfem
      * scheme with stages, what these differ by from its embedded scheme.
      * Nothing if there is no such estimate.
      */
-    virtual std::optional<double> error_constant() const;
+    virtual std::optional<double> error_constant() const
+    {
+      return {};
+    }
 
     /**
      * What is left after a step of the amplitude of an oscillation that turns
@@ -134,19 +158,31 @@ namespace auxfem
      * trapezoidal rule, its error taken from third differences of displacements
      * at the ends of steps, would miss @p by_trapezoidal_rule.
      */
-    virtual double missed_way(double by_trapezoidal_rule) const;
+    virtual double missed_way(const double by_trapezoidal_rule) const
+    {
+      return by_trapezoidal_rule;
+    }
 
     /** Power of the step's length with which the error of many steps goes. */
-    virtual unsigned int order() const;
+    virtual unsigned int order() const
+    {
+      return 2;
+    }
 
     /**
      * The stages of a step, each of which is a step of this scheme (see
      * RungeKutta); nullptr: a step is one.
      */
-    virtual const ButcherTableau *stages() const;
+    virtual const ButcherTableau *stages() const
+    {
+      return nullptr;
+    }
 
     /** Whether the state must carry the algorithmic acceleration. */
-    virtual bool uses_algorithmic_acceleration() const;
+    virtual bool uses_algorithmic_acceleration() const
+    {
+      return false;
+    }
   };
 } // namespace auxfem
 

@@ -36,9 +36,4 @@ namespace auxfem
   {
     return std::sqrt(product(increment, increment));
   }
-
-  const Vector &PathMetric::weights() const
-  {
-    return weight;
-  }
 } // namespace auxfem

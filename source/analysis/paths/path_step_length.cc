@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace auxfem
 {
@@ -82,11 +81,6 @@ namespace auxfem
   {
     too_long = next / 1.5;
     next /= 3;
-  }
-
-  bool PathStepLength::is_exhausted() const
-  {
-    return next < smallest;
   }
 
   void PathStepLength::save(Records &records) const

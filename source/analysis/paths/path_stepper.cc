@@ -24,11 +24,6 @@ namespace auxfem
     , rotations(solver.model().numbering)
   {}
 
-  const PathMetric &PathStepper::metric() const
-  {
-    return of_path;
-  }
-
   PathPoint PathStepper::start(const Solution &solution, const bool is_reversed)
   {
     Solution         at{solution.state, equations.make_results()};

@@ -31,11 +31,6 @@ namespace auxfem
     return solver.equations().unknowns().layout.n_global() <= most;
   }
 
-  unsigned long CharacteristicEquation::n_factorizations() const
-  {
-    return n_done;
-  }
-
   bool CharacteristicEquation::factorize(const Complex s)
   {
     ++n_done;

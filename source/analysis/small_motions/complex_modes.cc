@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace auxfem
 {
@@ -92,11 +91,6 @@ namespace auxfem
   bool ComplexMode::grows() const
   {
     return s.real() > round_off_of_growth(*this);
-  }
-
-  bool ComplexMode::swings() const
-  {
-    return s.imag() > 0;
   }
 
   double ComplexMode::ratio() const

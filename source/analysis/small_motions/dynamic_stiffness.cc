@@ -22,11 +22,6 @@ namespace auxfem
     solver.residual(evaluation(), results);
   }
 
-  Evaluation DynamicStiffness::evaluation()
-  {
-    return Evaluation::equilibrium(at_rest, now);
-  }
-
   void DynamicStiffness::set(const std::complex<double> s)
   {
     if (damping == Damping::all)
@@ -75,11 +70,6 @@ namespace auxfem
   bool DynamicStiffness::factorize(ComplexFactors &factors) const
   {
     return factors.factorize(solver.matrix(), imaginary);
-  }
-
-  bool DynamicStiffness::factorize()
-  {
-    return solver.factorize();
   }
 
   std::string DynamicStiffness::solve(const Values &b, Values &x)

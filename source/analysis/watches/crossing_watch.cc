@@ -11,7 +11,6 @@
 #include <boost/serialization/utility.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <optional>
 #include <set>

@@ -1,165 +1,191 @@
 #include <auxfem/equations/effects/applied_loads.h>
 #include <auxfem/equations/load_values.h>
+#include <auxfem/equations/node_rotations.h>
 #include <auxfem/equations/path_work.h>
 #include <auxfem/equations/step_travel.h>
 
 namespace auxfem
 {
-  AppliedLoads::AppliedLoads(const DofNumbering &numbering,
-                             const bool          raised_from_zero)
-    : numbering(numbering)
-    , rotations(numbering)
-    , raised_from_zero(raised_from_zero)
-  {}
-
-  unsigned int AppliedLoads::add_load(const TimeFunction &time_history,
-                                      const EnergyEntry  &work)
+  namespace
   {
-    loads.push_back({time_history, work, {}});
-    return loads.size() - 1;
-  }
+    /**
+     * Dead loads: a fixed distribution over the unknowns times a function of
+     * time. Joint forces, line loads and gravity all take this form.
+     */
+    class AppliedLoads : public Effect
+    {
+    public:
+      AppliedLoads(const DofNumbering             &numbering,
+                   const bool                      raised_from_zero,
+                   const std::vector<AppliedLoad> &loads)
+        : numbering(numbering)
+        , rotations(numbering)
+        , raised_from_zero(raised_from_zero)
+        , loads(loads.begin(), loads.end())
+      {}
 
-  void AppliedLoads::add_weight(const unsigned int load,
-                                const int          unknown,
-                                const double       weight)
-  {
-    loads[load].weights.push_back({unknown, weight});
-  }
-
-  bool AppliedLoads::empty() const
-  {
-    return loads.empty();
-  }
-
-  bool AppliedLoads::is_linear() const
-  {
-    return true;
-  }
-
-  void AppliedLoads::register_in(StateLayout &layout)
-  {
-    for (Load &load : loads)
-      load.work_entry = layout.energies.enter(load.work);
-  }
-
-  double AppliedLoads::value_before(const Load       &load,
-                                    const Evaluation &step) const
-  {
-    return raised_from_zero && step.from.time == 0
-      ? 0.
-      : value_at_start(load.time_history, step);
-  }
-
-  void AppliedLoads::add_residual(const Evaluation &evaluation,
-                                  double           *residual,
-                                  EffectResults * /*results*/) const
-  {
-    if (evaluation.kind == Evaluation::Kind::between)
+      bool is_linear() const override
       {
-        add_mean_loads(evaluation, residual);
-        return;
+        return true;
       }
-    for (const Load &load : loads)
+
+      void register_in(StateLayout &layout) override
       {
-        const double value = value_at_end(load.time_history, evaluation);
-        for (const Weight &w : load.weights)
-          residual[w.unknown] -= value * w.weight;
+        for (Load &load : loads)
+          load.work_entry = layout.energies.enter(load.work);
       }
-  }
 
-  void AppliedLoads::add_mean_loads(const Evaluation &step,
-                                    double           *residual) const
-  {
-    const StepTravel travel(step, numbering);
-    for (const Load &load : loads)
+      void add_residual(const Evaluation &evaluation,
+                        double           *residual,
+                        EffectResults * /*results*/) const override
       {
-        const double value = mean_value(load, step);
-        for (const Weight &w : load.weights)
-          residual[w.unknown] -=
-            value * w.weight * travel.increment_per_travel(w.unknown);
+        if (evaluation.kind == Evaluation::Kind::between)
+          {
+            add_mean_loads(evaluation, residual);
+            return;
+          }
+        for (const Load &load : loads)
+          {
+            const double value = value_at_end(load.time_history, evaluation);
+            for (const AppliedLoad::Weight &w : load.weights)
+              residual[w.unknown] -= value * w.weight;
+          }
       }
-  }
 
-  double AppliedLoads::mean_value(const Load       &load,
-                                  const Evaluation &step) const
-  {
-    return (value_before(load, step) + value_at_end(load.time_history, step)) /
-      2;
-  }
-
-  void AppliedLoads::add_load_derivative(const Evaluation &evaluation,
-                                         double           *derivative) const
-  {
-    for (const Load &load : loads)
+      void add_load_derivative(const Evaluation &evaluation,
+                               double           *derivative) const override
       {
-        const double rate =
-          load.time_history.jet(time_of_loads(evaluation.to))[1];
-        for (const Weight &w : load.weights)
-          derivative[w.unknown] -= rate * w.weight;
+        for (const Load &load : loads)
+          {
+            const double rate =
+              load.time_history.jet(time_of_loads(evaluation.to))[1];
+            for (const AppliedLoad::Weight &w : load.weights)
+              derivative[w.unknown] -= rate * w.weight;
+          }
       }
-  }
 
-  void AppliedLoads::account_step(const Evaluation &step,
-                                  const EffectResults * /*results*/,
-                                  EnergyAccount &account) const
-  {
-    // The mean force over the step times the displacement: exact for the
-    // average-acceleration rule and between two states, second order otherwise.
-    const PathWork path(step);
-    for (const Load &load : loads)
+      void account_step(const Evaluation &step,
+                        const EffectResults * /*results*/,
+                        EnergyAccount &account) const override
       {
-        double along = 0;
-        for (const Weight &w : load.weights)
-          if (numbering.layout().is_owned(w.unknown))
-            along += w.weight * motion(step, w.unknown);
-        account.add_in_step(load.work_entry, mean_value(load, step) * along);
-        if (path.state_before() != nullptr)
-          account.add_in_step(load.work_entry, work_of_path(load, step, path));
+        // The mean force over the step times the displacement: exact for the
+        // average-acceleration rule and between two states, second order
+        // otherwise.
+        const PathWork path(step);
+        for (const Load &load : loads)
+          {
+            double along = 0;
+            for (const AppliedLoad::Weight &w : load.weights)
+              if (numbering.layout().is_owned(w.unknown))
+                along += w.weight * motion(step, w.unknown);
+            account.add_in_step(load.work_entry,
+                                mean_value(load, step) * along);
+            if (path.state_before() != nullptr)
+              account.add_in_step(load.work_entry,
+                                  work_of_path(load, step, path));
+          }
       }
-  }
 
-  void AppliedLoads::account_stage(const Evaluation &stage,
-                                   const EffectResults * /*results*/,
-                                   EnergyAccount &account) const
-  {
-    for (const Load &load : loads)
+      void account_stage(const Evaluation &stage,
+                         const EffectResults * /*results*/,
+                         EnergyAccount &account) const override
       {
-        double along = 0;
-        for (const Weight &w : load.weights)
-          if (numbering.layout().is_owned(w.unknown))
-            along += w.weight * rotations.spatial_rate(stage.to, w.unknown);
-        account.add_power(load.work_entry,
-                          value_at_end(load.time_history, stage) * along);
+        for (const Load &load : loads)
+          {
+            double along = 0;
+            for (const AppliedLoad::Weight &w : load.weights)
+              if (numbering.layout().is_owned(w.unknown))
+                along += w.weight * rotations.spatial_rate(stage.to, w.unknown);
+            account.add_power(load.work_entry,
+                              value_at_end(load.time_history, stage) * along);
+          }
       }
-  }
 
-  double AppliedLoads::work_of_path(const Load       &load,
-                                    const Evaluation &step,
-                                    const PathWork   &path) const
-  {
-    const State::Before   &before = *path.state_before();
-    PathWork::Values       displacement{};
-    const PathWork::Values force{{load.time_history.value(before.time_of_loads),
-                                  value_before(load, step),
-                                  value_at_end(load.time_history, step)}};
-    for (const Weight &w : load.weights)
-      if (numbering.layout().is_owned(w.unknown) &&
-          (step.to.rotations.empty() ||
-           numbering.rotations().with(w.unknown) < 0))
-        {
-          displacement[0] += w.weight * before.displacement[w.unknown];
-          displacement[1] += w.weight * step.from.displacement[w.unknown];
-          displacement[2] += w.weight * step.to.displacement[w.unknown];
-        }
-    return path.beyond_mean(force, displacement);
-  }
+    private:
+      struct Load : AppliedLoad
+      {
+        Load(const AppliedLoad &load) : AppliedLoad(load)
+        {}
 
-  double AppliedLoads::motion(const Evaluation &step, const int unknown) const
+        unsigned int work_entry = 0; ///< of the ledger
+      };
+      /** Value when the step begins. */
+      double value_before(const Load &load, const Evaluation &step) const
+      {
+        return raised_from_zero && step.from.time == 0
+          ? 0.
+          : value_at_start(load.time_history, step);
+      }
+
+      /** By a curved path, of all but moments on large rotations in space (J).
+       */
+      double work_of_path(const Load       &load,
+                          const Evaluation &step,
+                          const PathWork   &path) const
+      {
+        const State::Before   &before = *path.state_before();
+        PathWork::Values       displacement{};
+        const PathWork::Values force{
+          {load.time_history.value(before.time_of_loads),
+           value_before(load, step),
+           value_at_end(load.time_history, step)}};
+        for (const AppliedLoad::Weight &w : load.weights)
+          if (numbering.layout().is_owned(w.unknown) &&
+              (step.to.rotations.empty() ||
+               numbering.rotations().with(w.unknown) < 0))
+            {
+              displacement[0] += w.weight * before.displacement[w.unknown];
+              displacement[1] += w.weight * step.from.displacement[w.unknown];
+              displacement[2] += w.weight * step.to.displacement[w.unknown];
+            }
+        return path.beyond_mean(force, displacement);
+      }
+
+      /** Mean over the step. */
+      double mean_value(const Load &load, const Evaluation &step) const
+      {
+        return (value_before(load, step) +
+                value_at_end(load.time_history, step)) /
+          2;
+      }
+
+      /** Of a step between two states: such that moments too do their work. */
+      void add_mean_loads(const Evaluation &step, double *residual) const
+      {
+        const StepTravel travel(step, numbering);
+        for (const Load &load : loads)
+          {
+            const double value = mean_value(load, step);
+            for (const AppliedLoad::Weight &w : load.weights)
+              residual[w.unknown] -=
+                value * w.weight * travel.increment_per_travel(w.unknown);
+          }
+      }
+
+      /** How far an unknown moved in the step, rotations in the global frame.
+       */
+      double motion(const Evaluation &step, const int unknown) const
+      {
+        if (const int i = numbering.rotations().with(unknown);
+            i >= 0 && !step.to.rotations.empty())
+          return rotations
+            .spatial_increment(step, i)[numbering.rotations().axis(unknown)];
+        return step.to.displacement[unknown] - step.from.displacement[unknown];
+      }
+
+      const DofNumbering &numbering;
+      const NodeRotations rotations;
+      const bool          raised_from_zero;
+      std::vector<Load>   loads;
+    };
+
+  } // namespace
+
+  std::unique_ptr<Effect>
+  make_applied_loads(const DofNumbering             &numbering,
+                     const bool                      raised_from_zero,
+                     const std::vector<AppliedLoad> &loads)
   {
-    if (const int i = numbering.rotations().with(unknown);
-        i >= 0 && !step.to.rotations.empty())
-      return rotations
-        .spatial_increment(step, i)[numbering.rotations().axis(unknown)];
-    return step.to.displacement[unknown] - step.from.displacement[unknown];
+    return std::make_unique<AppliedLoads>(numbering, raised_from_zero, loads);
   }
 } // namespace auxfem

@@ -113,13 +113,7 @@ namespace auxfem
 
   void ConnectorForces::register_blocks(TangentPattern &pattern)
   {
-    for (unsigned int i = 0; i < connectors.size(); ++i)
-      {
-        const std::size_t block =
-          pattern.register_block(connectors[i].unknowns.data(), 6);
-        if (i == 0)
-          first_block = block;
-      }
+    first_block = pattern.register_blocks(connectors, &Ends::unknowns);
   }
 
   std::unique_ptr<EffectResults> ConnectorForces::make_results() const
@@ -608,16 +602,6 @@ namespace auxfem
           return words.str();
         }
     return "";
-  }
-
-  const std::string &ConnectorForces::name() const
-  {
-    return group_name;
-  }
-
-  unsigned int ConnectorForces::n_reported() const
-  {
-    return owned.size();
   }
 
   ConnectorReport ConnectorForces::report(const unsigned int   i,

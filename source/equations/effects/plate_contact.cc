@@ -18,11 +18,6 @@ namespace auxfem
     , proximity(scene, model, axes, points_of_axes)
   {}
 
-  const std::vector<PlatePair> &PlateContact::near() const
-  {
-    return proximity.near();
-  }
-
   std::vector<int> PlateContact::unknowns_of(const PlatePair &pair) const
   {
     std::vector<int>        unknowns = axes[pair.axis].unknowns;
@@ -275,11 +270,6 @@ namespace auxfem
                                    std::max(slope, touch.slope) * length));
                         });
       }
-  }
-
-  bool PlateContact::may_touch() const
-  {
-    return !near().empty();
   }
 
   std::string PlateContact::why_not_acceptable(const Evaluation &step) const

@@ -60,13 +60,7 @@ namespace auxfem
 
       void register_blocks(TangentPattern &pattern) override
       {
-        for (unsigned int i = 0; i < joints.size(); ++i)
-          {
-            const std::size_t block =
-              pattern.register_block(joints[i].unknowns.data(), 12);
-            if (i == 0)
-              first_block = block;
-          }
+        first_block = pattern.register_blocks(joints, &Joint::unknowns);
       }
 
       void add_residual(const Evaluation &evaluation,

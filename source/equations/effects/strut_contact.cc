@@ -12,11 +12,6 @@ namespace auxfem
     , proximity(model, curves)
   {}
 
-  const std::vector<AxisPair> &StrutContact::near() const
-  {
-    return proximity.near();
-  }
-
   std::vector<int> StrutContact::unknowns_of(const AxisPair &pair) const
   {
     std::vector<int> unknowns = axes[pair[0]].unknowns;
@@ -225,12 +220,6 @@ namespace auxfem
     return {curves, dimension, touch, of_pair.pair, of_pair.unknowns};
   }
 
-  dealii::Tensor<1, 3> StrutContact::difference(const StrutTouch &touch,
-                                                const Vector     &values) const
-  {
-    return motion_of(touch).difference(values);
-  }
-
   void StrutContact::rub(const Evaluation &evaluation, StrutTouch &touch) const
   {
     touch.friction =
@@ -313,11 +302,6 @@ namespace auxfem
         raise(forces,
               unknown,
               touch.force + touch.slope * largest_displacement);
-  }
-
-  bool StrutContact::may_touch() const
-  {
-    return proximity.may_touch();
   }
 
   std::optional<std::array<unsigned int, 2>>

@@ -169,8 +169,7 @@ namespace auxfem
 
   void StrutInertia::register_in(StateLayout &layout)
   {
-    kinetic_entry   = layout.energies.enter(kinetic_energy_entry());
-    numerical_entry = layout.energies.enter(numerical_energy_entry());
+    InertiaEffect::register_in(layout);
     if (is_damped)
       damping_entry = layout.energies.enter(mass_damping_entry());
   }
@@ -190,17 +189,6 @@ namespace auxfem
   const double *StrutInertia::DampedVelocity::values() const
   {
     return means.empty() ? evaluation.to.velocity->data() : means.data();
-  }
-
-  void StrutInertia::account(const Evaluation & /*evaluation*/,
-                             const EffectResults * /*results*/,
-                             EnergyAccount &account) const
-  {
-    account.add_inertia(kinetic_entry,
-                        numerical_entry,
-                        [&](const Vector &x, const Vector &y) {
-                          return mass_product(x, y);
-                        });
   }
 
   void StrutInertia::account_step(const Evaluation & /*step*/,

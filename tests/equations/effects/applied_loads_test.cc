@@ -19,19 +19,18 @@ namespace
   {
     explicit LoadsAlone(const bool raised_from_zero = false)
       : of_scene(frame_scene("0 0; 1 0", "0 1"), {}, MPI_COMM_SELF)
-      , loads(of_scene.dofs(), raised_from_zero)
       , from(of_scene.equations.initial_state())
       , to(from)
     {
-      const EnergyEntry  work{EnergyKind::work, "load_work", "work of loads"};
-      const unsigned int growing = loads.add_load(course("3 * t"), work);
-      loads.add_weight(growing, 1, 1.);
-      loads.add_weight(growing, 2, -2.);
-      loads.add_weight(loads.add_load(course("5"), work), 2, 1.);
+      const EnergyEntry work{EnergyKind::work, "load_work", "work of loads"};
+      loads              = make_applied_loads(of_scene.dofs(),
+                                 raised_from_zero,
+                                 {{course("3 * t"), work, {{1, 1.}, {2, -2.}}},
+                                               {course("5"), work, {{2, 1.}}}});
       from.time          = 0.5;
       to.time            = 1.5;
       StateLayout layout = of_scene.equations.layout();
-      loads.register_in(layout);
+      loads->register_in(layout);
       work_entry = layout.energies.enter(work);
       make_room(layout, from);
       make_room(layout, to);
@@ -39,13 +38,13 @@ namespace
 
     EvaluatedAlone evaluated()
     {
-      return {loads, Evaluation::step(from, to, 1.)};
+      return {*loads, Evaluation::step(from, to, 1.)};
     }
 
-    EquationsOnRanks of_scene;
-    AppliedLoads     loads;
-    State            from, to;
-    unsigned int     work_entry;
+    EquationsOnRanks        of_scene;
+    std::unique_ptr<Effect> loads;
+    State                   from, to;
+    unsigned int            work_entry;
   };
 } // namespace
 
@@ -63,17 +62,17 @@ TEST(AppliedLoads, OnAPathTheyAreThoseOfTheLoadFactor)
   applied.to.path.emplace();
   const auto residual = [&](const double load_factor) {
     applied.to.path->load_factor = load_factor;
-    return EvaluatedAlone(applied.loads,
+    return EvaluatedAlone(*applied.loads,
                           Evaluation::step(applied.from, applied.to, 1.))
       .residual;
   };
   const std::vector<double> less = residual(0.25), more = residual(1.25);
   applied.to.path->load_factor = 0.75;
   std::vector<double> derivative(less.size(), 0.);
-  applied.loads.add_load_derivative(Evaluation::step(applied.from,
-                                                     applied.to,
-                                                     1.),
-                                    derivative.data());
+  applied.loads->add_load_derivative(Evaluation::step(applied.from,
+                                                      applied.to,
+                                                      1.),
+                                     derivative.data());
   for (unsigned int i = 0; i < less.size(); ++i)
     EXPECT_NEAR(derivative[i], more[i] - less[i], 1e-14);
   EXPECT_NE(derivative[1], 0);
@@ -106,5 +105,5 @@ TEST(AppliedLoads, LoadsRaisedFromZeroDoLessWorkInTheFirstStep)
 
 TEST(AppliedLoads, DeadLoadsAreLinear)
 {
-  EXPECT_TRUE(LoadsAlone().loads.is_linear());
+  EXPECT_TRUE(LoadsAlone().loads->is_linear());
 }

@@ -25,14 +25,16 @@ namespace
     LoadInSpace()
       : SpaceEffect(space_frame("0 0 0; 1 0 0.3; 1.5 0.9 0.2", "0 1; 1 2"),
                     true)
-      , loads(of_scene.lattice, of_scene.dofs(), false)
+      , loads(make_follower_loads(
+          of_scene.lattice,
+          of_scene.dofs(),
+          false,
+          {{components(of_scene.scene.context), work, {1}}}))
     {
-      loads.add_joint(loads.add_load(components(of_scene.scene.context), work),
-                      1);
-      make_room_for(loads);
+      make_room_for(*loads);
     }
 
-    FollowerLoads loads;
+    std::unique_ptr<Effect> loads;
   };
 } // namespace
 
@@ -40,7 +42,7 @@ TEST(FollowerLoads, TurnWithTheJointInSpace)
 {
   LoadInSpace               one;
   const auto               &dofs = one.of_scene.dofs();
-  const std::vector<double> rows = one.residual(one.loads, one.to);
+  const std::vector<double> rows = one.residual(*one.loads, one.to);
   const Quaternion         &P =
     one.to.rotations[dofs.rotations().with(dofs.joint_unknown(1, rotation_z))];
   const SpaceVector force  = rotated(P, SpaceVector({3, -2, 1.5})),
@@ -58,17 +60,20 @@ TEST(FollowerLoads, TurnWithTheJointInSpace)
 
 TEST(FollowerLoads, TurnWithTheJointInThePlane)
 {
-  const EquationsOnRanks of_scene(frame_scene("0 0; 1 0", "0 1"),
+  const EquationsOnRanks        of_scene(frame_scene("0 0; 1 0", "0 1"),
                                   {},
                                   MPI_COMM_SELF);
-  const auto            &dofs = of_scene.dofs();
-  FollowerLoads          loads(of_scene.lattice, dofs, false);
-  loads.add_joint(loads.add_load(components(of_scene.scene.context), work), 1);
+  const auto                   &dofs = of_scene.dofs();
+  const std::unique_ptr<Effect> loads =
+    make_follower_loads(of_scene.lattice,
+                        dofs,
+                        false,
+                        {{components(of_scene.scene.context), work, {1}}});
   State        from = of_scene.equations.initial_state(), to = from;
   const double angle                                 = 0.7;
   to.displacement[dofs.joint_unknown(1, rotation_z)] = angle;
   const std::vector<double> rows =
-    EvaluatedAlone(loads, Evaluation::step(from, to, 1.)).residual;
+    EvaluatedAlone(*loads, Evaluation::step(from, to, 1.)).residual;
   EXPECT_NEAR(-rows[dofs.joint_unknown(1, 0)],
               3 * std::cos(angle) + 2 * std::sin(angle),
               1e-14);
@@ -81,7 +86,7 @@ TEST(FollowerLoads, TurnWithTheJointInThePlane)
 TEST(FollowerLoads, TangentIsThatOfDifferences)
 {
   LoadInSpace one;
-  one.expect_tangent(one.loads, {1., 3., 5.});
+  one.expect_tangent(*one.loads, {1., 3., 5.});
 }
 
 TEST(FollowerLoads, OnAPathTheyAreThoseOfTheLoadFactor)
@@ -90,18 +95,21 @@ TEST(FollowerLoads, OnAPathTheyAreThoseOfTheLoadFactor)
   std::array<TimeFunction, n_motion_components> lines;
   for (unsigned int c = 0; c < n_motion_components; ++c)
     lines[c] = TimeFunction::line(0.5, 2. - c, "load");
-  FollowerLoads loads(one.of_scene.lattice, one.of_scene.dofs(), false);
-  loads.add_joint(loads.add_load(lines, work), 1);
+  const std::unique_ptr<Effect> loads =
+    make_follower_loads(one.of_scene.lattice,
+                        one.of_scene.dofs(),
+                        false,
+                        {{lines, work, {1}}});
   one.to.path.emplace();
   const auto residual = [&](const double load_factor) {
     one.to.path->load_factor = load_factor;
-    return EvaluatedAlone(loads, Evaluation::step(one.from, one.to, 1.))
+    return EvaluatedAlone(*loads, Evaluation::step(one.from, one.to, 1.))
       .residual;
   };
   const std::vector<double> less = residual(-2), more = residual(-1);
   std::vector<double>       derivative(one.n, 0.);
-  loads.add_load_derivative(Evaluation::step(one.from, one.to, 1.),
-                            derivative.data());
+  loads->add_load_derivative(Evaluation::step(one.from, one.to, 1.),
+                             derivative.data());
   double size = 0;
   for (unsigned int i = 0; i < one.n; ++i)
     {
@@ -120,7 +128,7 @@ TEST(FollowerLoads, WorkOfASmallStepIsThatOfTheLoadAlongIt)
   // `moved` counts turns from the state before.
   const Evaluation step = Evaluation::step(one.from, one.to, 1.);
   one.rotations.follow(step);
-  const EvaluatedAlone      evaluated(one.loads, step);
+  const EvaluatedAlone      evaluated(*one.loads, step);
   const std::vector<double> rows = evaluated.residual;
   double                    work = 0;
   for (unsigned int c = 0; c < n_motion_components; ++c)

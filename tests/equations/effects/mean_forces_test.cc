@@ -1,5 +1,5 @@
 #include <auxfem/equations/effects/rotational_springs.h>
-#include <auxfem/equations/make_loads.h>
+#include <auxfem/equations/make_effects.h>
 
 #include <equations/effects/mean_step.h>
 #include <mesh/cell_from_text.h>
@@ -116,12 +116,14 @@ TEST(MeanForces, WorkOfRotationalSpringsIsStored)
   for (const bool large_rotation : {true, false})
     for (const bool to_the_ground : {true, false})
       {
-        MeanStep          step(triangle, 3, large_rotation);
-        const auto       &dofs = step.of_scene.dofs();
-        RotationalSprings springs(dofs);
-        springs.add(to_the_ground ? -1 : dofs.joint_unknown(0, rotation_z),
-                    dofs.joint_unknown(1, rotation_z),
-                    3.);
+        MeanStep                      step(triangle, 3, large_rotation);
+        const auto                   &dofs = step.of_scene.dofs();
+        const std::unique_ptr<Effect> made = make_rotational_springs(
+          dofs,
+          {{{{to_the_ground ? -1 : dofs.joint_unknown(0, rotation_z),
+              dofs.joint_unknown(1, rotation_z)}},
+            3.}});
+        Effect &springs = *made;
         step.make_room_for(springs);
         const Energies       before = step.at_start(springs);
         const EvaluatedAlone evaluated(springs, step.evaluation());
@@ -184,17 +186,16 @@ TEST(MeanForces, MultipliersWorkOnTheChangeOfTheirConstraints)
            "Struts = 0, 1, 2 | Mass = 3 | Elastic struts = clamped");
   for (const bool large_rotation : {true, false})
     {
-      MeanStep                   step(plate, 2, large_rotation);
-      const auto                &dofs = step.of_scene.dofs();
-      const RigidPartConstraints constraints(step.of_scene.model.bodies,
-                                             step.of_scene.lattice,
-                                             dofs,
-                                             large_rotation,
-                                             {});
-      const EvaluatedAlone       end(constraints, step.evaluation());
+      MeanStep                              step(plate, 2, large_rotation);
+      const auto                           &dofs = step.of_scene.dofs();
+      const std::unique_ptr<RigidPartGroup> constraints =
+        make_rigid_part_constraints(
+          step.of_scene.model.bodies,
+          {step.of_scene.lattice, dofs, large_rotation, {}});
+      const EvaluatedAlone end(*constraints, step.evaluation());
       // Their values at the start.
       State                now = step.from;
-      const EvaluatedAlone start(constraints,
+      const EvaluatedAlone start(*constraints,
                                  Evaluation::step(step.from, now, step.dt));
       double               work = 0;
       for (const int multiplier : dofs.constraints().multipliers())

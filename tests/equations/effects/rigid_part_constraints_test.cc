@@ -1,4 +1,4 @@
-#include <auxfem/equations/effects/rigid_part_constraints.h>
+#include <auxfem/equations/effects/rigid_part_group.h>
 #include <auxfem/model/unknown_names.h>
 
 #include <equations/effects/effect_alone.h>
@@ -29,12 +29,10 @@ namespace
   {
     explicit PlateConstraints(const bool large_rotation)
       : of_scene(plate, {}, MPI_COMM_SELF)
-      , constraints(rigid_bodies(of_scene.lattice, of_scene.dofs()),
-                    of_scene.lattice,
-                    of_scene.dofs(),
-                    large_rotation,
-                    {})
-      , tangent(constraints, of_scene.dofs())
+      , constraints(make_rigid_part_constraints(
+          rigid_bodies(of_scene.lattice, of_scene.dofs()),
+          {of_scene.lattice, of_scene.dofs(), large_rotation, {}}))
+      , tangent(*constraints, of_scene.dofs())
       , from(of_scene.equations.initial_state())
       , to(from)
       , n(of_scene.dofs().layout().n_global())
@@ -54,7 +52,7 @@ namespace
 
     EvaluatedAlone evaluated()
     {
-      return {constraints, Evaluation::step(from, to, 1.)};
+      return {*constraints, Evaluation::step(from, to, 1.)};
     }
 
     std::vector<double> residual()
@@ -65,7 +63,7 @@ namespace
     /** Of the instant `to`. */
     std::vector<double> residual_of_rates()
     {
-      return EvaluatedAlone(constraints, Evaluation::rates(from, to)).residual;
+      return EvaluatedAlone(*constraints, Evaluation::rates(from, to)).residual;
     }
 
     /** lambda . g at the present motion with displacement @p i at @p value. */
@@ -102,11 +100,11 @@ namespace
         to.displacement[i] += size * direction[i];
     }
 
-    EquationsOnRanks     of_scene;
-    RigidPartConstraints constraints;
-    TangentAlone         tangent;
-    State                from, to;
-    const unsigned int   n;
+    EquationsOnRanks                of_scene;
+    std::unique_ptr<RigidPartGroup> constraints;
+    TangentAlone                    tangent;
+    State                           from, to;
+    const unsigned int              n;
   };
 
   /** A bar of 2 m and 3 kg from joint 0, at the origin, to @p end. */
@@ -209,8 +207,8 @@ TEST(RigidPartConstraints, AtRestInTimeTheRowsAreSecondDerivatives)
 TEST(RigidPartConstraints, SmallDisplacementsAreLinear)
 {
   PlateConstraints plate(false);
-  EXPECT_TRUE(plate.constraints.is_linear());
-  EXPECT_FALSE(PlateConstraints(true).constraints.is_linear());
+  EXPECT_TRUE(plate.constraints->is_linear());
+  EXPECT_FALSE(PlateConstraints(true).constraints->is_linear());
   // A linear residual without constant is its tangent times the unknowns.
   const std::vector<double> unknowns(plate.to.displacement.data(),
                                      plate.to.displacement.data() + plate.n);
@@ -239,7 +237,7 @@ TEST(RigidPartConstraints, AFiniteRigidMotionMeetsThem)
     }
   for (const double row : plate.residual())
     EXPECT_NEAR(row, 0, 1e-14);
-  EXPECT_NEAR(plate.constraints.rotation(0, plate.to)[2], angle, 1e-14);
+  EXPECT_NEAR(plate.constraints->rotation(0, plate.to)[2], angle, 1e-14);
 
   // Whole turns of the sections are no other motion.
   for (const unsigned int joint : {2u, 3u})
@@ -265,7 +263,7 @@ TEST(RigidPartConstraints, RatesAreThoseOfTheConstraints)
       const auto   forward = at(h), backward = at(-h);
       plate.to.displacement = u;
       std::vector<double> rates(plate.n, 0.);
-      plate.constraints.find_rates(plate.to, rates.data());
+      plate.constraints->find_rates(plate.to, rates.data());
       for (unsigned int i = 0; i < plate.n; ++i)
         EXPECT_NEAR(rates[i],
                     plate.is_multiplier(i)

@@ -1,4 +1,4 @@
-#include <auxfem/equations/effects/rigid_part_inertia.h>
+#include <auxfem/equations/effects/masses.h>
 
 #include <equations/effects/effect_alone.h>
 #include <equations/equations_on_ranks.h>
@@ -19,12 +19,13 @@ namespace
           {},
           MPI_COMM_SELF)
       , part(of_scene.lattice.rigid_parts.at(0))
-      , inertia(rigid_bodies(of_scene.lattice, of_scene.dofs()))
+      , inertia(make_rigid_part_inertia(
+          rigid_bodies(of_scene.lattice, of_scene.dofs())))
       , from(of_scene.equations.initial_state())
       , to(from)
     {
       StateLayout layout = of_scene.equations.layout();
-      inertia.register_in(layout);
+      inertia->register_in(layout);
       make_room(layout, from);
       make_room(layout, to);
     }
@@ -50,10 +51,10 @@ namespace
         }
     }
 
-    EquationsOnRanks of_scene;
-    const RigidPart &part;
-    RigidPartInertia inertia;
-    State            from, to;
+    EquationsOnRanks        of_scene;
+    const RigidPart        &part;
+    std::unique_ptr<Effect> inertia;
+    State                   from, to;
   };
 } // namespace
 
@@ -65,7 +66,7 @@ TEST(RigidPartInertia,
   L.turn(2, -1, 2, *L.to.acceleration);
   const auto               &dofs = L.of_scene.dofs();
   const std::vector<double> residual =
-    EvaluatedAlone(L.inertia, L.step()).residual;
+    EvaluatedAlone(*L.inertia, L.step()).residual;
   double force[2] = {0, 0}, moment = 0;
   for (unsigned int joint = 0; joint < 3; ++joint)
     {
@@ -88,7 +89,7 @@ TEST(RigidPartInertia, KineticEnergyIsThatOfTheRigidBody)
 {
   InertiaOfL L;
   L.turn(1.5, -1, 2, *L.to.velocity);
-  const Energies energies = EvaluatedAlone(L.inertia, L.step()).accept();
+  const Energies energies = EvaluatedAlone(*L.inertia, L.step()).accept();
   const double   arm      = L.part.centre_of_mass.distance_square({-1, 2, 0});
   EXPECT_NEAR(energies.kinetic(),
               (4 * arm + L.part.rotary_inertia[2][2]) * 1.5 * 1.5 / 2,
@@ -101,10 +102,10 @@ TEST(RigidPartInertia, TangentIsTheDerivativeByAccelerations)
   std::vector<double> a(L.of_scene.dofs().layout().n_global());
   for (unsigned int i = 0; i < a.size(); ++i)
     a[i] = (*L.to.acceleration)[i] = std::sin(1 + 1.7 * i);
-  const EvaluatedAlone evaluated(L.inertia, L.step());
-  TangentAlone         tangent(L.inertia, L.of_scene.dofs());
+  const EvaluatedAlone evaluated(*L.inertia, L.step());
+  TangentAlone         tangent(*L.inertia, L.of_scene.dofs());
   tangent.fill(evaluated, {7., 9., 0.5});
-  EXPECT_TRUE(L.inertia.is_linear());
+  EXPECT_TRUE(L.inertia->is_linear());
 
   const std::vector<double> product = tangent.times(a);
   for (unsigned int i = 0; i < a.size(); ++i)

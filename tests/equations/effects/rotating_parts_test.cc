@@ -1,4 +1,4 @@
-#include <auxfem/equations/effects/rigid_part_constraints.h>
+#include <auxfem/equations/effects/rigid_part_group.h>
 #include <auxfem/model/unknown_names.h>
 
 #include <equations/effects/space_effect.h>
@@ -38,14 +38,12 @@ namespace
   {
     explicit BodyAndBar(const bool large_rotation)
       : SpaceEffect(body_and_bar, large_rotation)
-      , constraints(rigid_bodies(of_scene.lattice, of_scene.dofs()),
-                    of_scene.lattice,
-                    of_scene.dofs(),
-                    large_rotation,
-                    {})
+      , constraints(make_rigid_part_constraints(
+          rigid_bodies(of_scene.lattice, of_scene.dofs()),
+          {of_scene.lattice, of_scene.dofs(), large_rotation, {}}))
     {}
 
-    RigidPartConstraints constraints;
+    std::unique_ptr<RigidPartGroup> constraints;
   };
 
   const SceneText gravity_down =
@@ -83,8 +81,8 @@ TEST(RotatingParts, TangentIsThatOfDifferences)
   for (const bool large_rotation : {true, false})
     {
       BodyAndBar parts(large_rotation);
-      parts.expect_tangent(parts.constraints, {1., 3., 5.});
-      EXPECT_EQ(parts.constraints.is_linear(), !large_rotation);
+      parts.expect_tangent(*parts.constraints, {1., 3., 5.});
+      EXPECT_EQ(parts.constraints->is_linear(), !large_rotation);
     }
 }
 
@@ -93,7 +91,7 @@ TEST(RotatingParts, ForcesAreDerivativesOfTheConstraints)
   for (const bool large_rotation : {true, false})
     {
       BodyAndBar parts(large_rotation);
-      parts.expect_forces_by_constraints(parts.constraints);
+      parts.expect_forces_by_constraints(*parts.constraints);
     }
 }
 
@@ -102,7 +100,7 @@ TEST(RotatingParts, RatesAreThoseOfTheConstraints)
   for (const bool large_rotation : {true, false})
     {
       BodyAndBar parts(large_rotation);
-      parts.expect_time_derivatives(parts.constraints);
+      parts.expect_time_derivatives(*parts.constraints);
     }
 }
 
@@ -111,15 +109,15 @@ TEST(RotatingParts, MotionOfItsJointsIsThatOfTheBody)
   BodyAndBar  parts(true);
   const auto &dofs = parts.of_scene.dofs();
   // Joints where the constraints want them.
-  const auto rows = parts.residual(parts.constraints, parts.to);
+  const auto rows = parts.residual(*parts.constraints, parts.to);
   for (unsigned int k = 0; k < 4; ++k)
     {
       const unsigned int joint =
         parts.of_scene.lattice.rigid_parts[0].joints[k];
       const PointMotion motion =
-        parts.constraints.motion(0,
-                                 parts.of_scene.lattice.joints[joint],
-                                 parts.to);
+        parts.constraints->motion(0,
+                                  parts.of_scene.lattice.joints[joint],
+                                  parts.to);
       for (unsigned int c = 0; c < 3; ++c)
         EXPECT_NEAR(motion.displacement[c],
                     parts.to.displacement[dofs.joint_unknown(joint, c)] -

@@ -16,13 +16,13 @@ namespace
       : of_scene(frame_scene("0 0; 1 0", "0 1"), {}, MPI_COMM_SELF)
       , first(of_scene.dofs().joint_unknown(0, rotation_z))
       , second(of_scene.dofs().joint_unknown(1, rotation_z))
-      , springs(of_scene.dofs())
+      , springs(
+          make_rotational_springs(of_scene.dofs(), {{{{first, second}}, 3.}}))
       , from(of_scene.equations.initial_state())
       , to(from)
     {
-      springs.add(first, second, 3.);
       StateLayout layout = of_scene.equations.layout();
-      springs.register_in(layout);
+      springs->register_in(layout);
       make_room(layout, from);
       make_room(layout, to);
       to.displacement[first]  = 0.25;
@@ -34,10 +34,10 @@ namespace
       return Evaluation::step(from, to, 1.);
     }
 
-    EquationsOnRanks  of_scene;
-    int               first, second;
-    RotationalSprings springs;
-    State             from, to;
+    EquationsOnRanks        of_scene;
+    int                     first, second;
+    std::unique_ptr<Effect> springs;
+    State                   from, to;
   };
 
   double sum_of_sizes(const Vector &values)
@@ -53,7 +53,7 @@ TEST(RotationalSprings, MomentIsStiffnessTimesRelativeRotation)
 {
   SpringAlone               one;
   const std::vector<double> residual =
-    EvaluatedAlone(one.springs, one.step()).residual;
+    EvaluatedAlone(*one.springs, one.step()).residual;
   // Also after several turns.
   EXPECT_EQ(residual[one.first], -3 * 20.5);
   EXPECT_EQ(residual[one.second], 3 * 20.5);
@@ -67,17 +67,17 @@ TEST(RotationalSprings, MomentIsStiffnessTimesRelativeRotation)
 TEST(RotationalSprings, EnergyIsHalfOfMomentTimesRotation)
 {
   SpringAlone    one;
-  const Energies energies = EvaluatedAlone(one.springs, one.step()).accept();
+  const Energies energies = EvaluatedAlone(*one.springs, one.step()).accept();
   EXPECT_EQ(energies.strain(), 1.5 * 20.5 * 20.5);
 }
 
 TEST(RotationalSprings, TangentIsTheStiffnessTimesItsFactor)
 {
   SpringAlone  one;
-  TangentAlone tangent(one.springs, one.of_scene.dofs());
-  tangent.fill(EvaluatedAlone(one.springs, one.step()), {0.5, 7., 9.});
+  TangentAlone tangent(*one.springs, one.of_scene.dofs());
+  tangent.fill(EvaluatedAlone(*one.springs, one.step()), {0.5, 7., 9.});
 
-  EXPECT_TRUE(one.springs.is_linear());
+  EXPECT_TRUE(one.springs->is_linear());
   Vector unit(one.of_scene.dofs().layout().n_local()), column(unit);
   unit[one.second] = 1;
   tangent.matrix.multiply(unit.data(), column.data());

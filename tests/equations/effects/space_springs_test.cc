@@ -1,4 +1,4 @@
-#include <auxfem/equations/effects/space_springs.h>
+#include <auxfem/equations/effects/rotational_springs.h>
 
 #include <equations/effects/space_effect.h>
 #include <support/scene_run.h>
@@ -17,20 +17,19 @@ namespace
   /** The spring of the knee alone, or one to the ground. */
   struct KneeSpring : SpaceEffect
   {
-    explicit KneeSpring(const bool to_ground)
-      : SpaceEffect(knee, true)
-      , spring(of_scene.dofs())
+    explicit KneeSpring(const bool to_ground) : SpaceEffect(knee, true)
     {
       const auto &dofs = of_scene.dofs();
       first =
         to_ground ? -1 : dofs.rotations().with(dofs.end_rotation(0, 1, 3));
       second = dofs.rotations().with(dofs.end_rotation(1, 0, 3));
-      spring.add(first, second, 1.7, /*number=*/0);
-      make_room_for(spring);
+      spring = make_space_springs(of_scene.dofs(),
+                                  {{first, second, 1.7, /*number=*/0}});
+      make_room_for(*spring);
     }
 
-    SpaceSprings spring;
-    int          first, second;
+    std::unique_ptr<Effect> spring;
+    int                     first, second;
   };
 } // namespace
 
@@ -39,7 +38,7 @@ TEST(SpaceSprings, TangentIsThatOfDifferences)
   for (const bool to_ground : {false, true})
     {
       KneeSpring knee(to_ground);
-      knee.expect_tangent(knee.spring, {1., 3., 5.});
+      knee.expect_tangent(*knee.spring, {1., 3., 5.});
     }
 }
 
@@ -48,9 +47,9 @@ TEST(SpaceSprings, MomentsAreDerivativesOfTheEnergy)
   for (const bool to_ground : {false, true})
     {
       KneeSpring                knee(to_ground);
-      const std::vector<double> rows   = knee.residual(knee.spring, knee.to);
+      const std::vector<double> rows   = knee.residual(*knee.spring, knee.to);
       const auto                energy = [&](State state) {
-        return EvaluatedAlone(knee.spring,
+        return EvaluatedAlone(*knee.spring,
                               Evaluation::step(knee.from, state, 1.))
           .accept()
           .strain();
@@ -87,7 +86,8 @@ TEST(SpaceSprings, TurnsAreCountedWhileBothTumble)
       now.rotations[knee.second] =
         base * exponential(angle * part / 3 * SpaceVector({1, 2, 2}));
       const Energies energies =
-        EvaluatedAlone(knee.spring, Evaluation::step(before, now, 1.)).accept();
+        EvaluatedAlone(*knee.spring, Evaluation::step(before, now, 1.))
+          .accept();
       EXPECT_NEAR(energies.strain(),
                   1.7 / 2 * std::pow(angle * part, 2),
                   1e-10);

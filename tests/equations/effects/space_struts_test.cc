@@ -1,5 +1,5 @@
 #include <auxfem/equations/effects/beam_forces.h>
-#include <auxfem/equations/effects/rotary_masses.h>
+#include <auxfem/equations/effects/masses.h>
 #include <auxfem/equations/effects/strut_inertia.h>
 
 #include <equations/effects/space_effect.h>
@@ -122,13 +122,13 @@ TEST(SpaceStruts, InertiaHasThePowerOfItsKineticEnergy)
 
 TEST(RotaryMasses, TangentIsThatOfDifferences)
 {
-  SpaceEffect  mass(space_frame("0 0 0; 1 0 0.3", "0 1"), true);
-  RotaryMasses masses(mass.of_scene.dofs(), true);
-  SpaceTensor  inertia;
+  SpaceEffect mass(space_frame("0 0 0; 1 0 0.3", "0 1"), true);
+  SpaceTensor inertia;
   inertia[0][0] = 1;
   inertia[1][1] = 2.5;
   inertia[2][2] = 1.7;
   inertia[0][1] = inertia[1][0] = 0.3;
-  masses.add(1, inertia);
-  mass.expect_tangent(masses, {1., 0.7, 1.9});
+  const std::unique_ptr<Effect> masses =
+    make_rotary_masses(mass.of_scene.dofs(), true, {{1, inertia}});
+  mass.expect_tangent(*masses, {1., 0.7, 1.9});
 }

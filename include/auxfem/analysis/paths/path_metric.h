@@ -23,7 +23,10 @@ namespace auxfem
     double length(const Vector &increment) const; ///< m
 
     /** The metric as a diagonal matrix, on owned rows (1, m2). */
-    const Vector &weights() const;
+    const Vector &weights() const
+    {
+      return weight;
+    }
 
   private:
     const UnknownLayout &layout;

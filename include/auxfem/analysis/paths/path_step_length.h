@@ -41,7 +41,10 @@ namespace auxfem
     void failed();
 
     /** Whether the next attempt is too short to be made. */
-    bool is_exhausted() const;
+    bool is_exhausted() const
+    {
+      return next < smallest;
+    }
 
     /** @name For paths that are resumed. */
     ///@{

@@ -88,7 +88,10 @@ namespace auxfem
      */
     std::optional<double> part_of_loads(const PathPoint &point);
 
-    const PathMetric &metric() const;
+    const PathMetric &metric() const
+    {
+      return of_path;
+    }
 
   private:
     /** softest(), before it is made a shape; of the matrix that is there. */

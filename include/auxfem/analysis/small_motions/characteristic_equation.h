@@ -58,7 +58,10 @@ namespace auxfem
     std::optional<Root> refine(Complex guess, unsigned int number);
 
     /** Complex factorizations until now. */
-    unsigned long n_factorizations() const;
+    unsigned long n_factorizations() const
+    {
+      return n_done;
+    }
 
   private:
     bool                   factorize(Complex s);

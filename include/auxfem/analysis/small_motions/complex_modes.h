@@ -27,7 +27,10 @@ namespace auxfem
 
     /** Whether it swings; what grows and swings is flutter, what grows alone
      * divergence. */
-    bool swings() const;
+    bool swings() const
+    {
+      return s.imag() > 0;
+    }
 
     /** Damping over the critical one; negative where it grows. */
     double ratio() const;

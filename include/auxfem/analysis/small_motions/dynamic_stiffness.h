@@ -33,7 +33,10 @@ namespace auxfem
                      Damping        damping = Damping::all);
 
     /** The evaluation at the equilibrium. */
-    Evaluation evaluation();
+    Evaluation evaluation()
+    {
+      return Evaluation::equilibrium(at_rest, now);
+    }
 
     /** Finds A at @p s (1/s). */
     void set(std::complex<double> s);
@@ -45,7 +48,10 @@ namespace auxfem
     bool factorize(ComplexFactors &factors) const;
 
     /** Factorizes W for solve(); false if it is singular, solver.why(). */
-    bool factorize();
+    bool factorize()
+    {
+      return solver.factorize();
+    }
 
     /** Solves A x = b to round-off, the first guess in @p x. Returns an empty
      * text or why that failed. */

@@ -102,7 +102,10 @@ namespace auxfem
     std::string why_not_finite(const Evaluation    &evaluation,
                                const EffectResults *results) const override;
 
-    const std::string &name() const;
+    const std::string &name() const
+    {
+      return group_name;
+    }
 
     /**
      * The connector counted by this rank with the smallest part of its length
@@ -116,7 +119,10 @@ namespace auxfem
                                 double               least) const;
 
     /** Connectors counted by this rank, in order. */
-    unsigned int n_reported() const;
+    unsigned int n_reported() const
+    {
+      return owned.size();
+    }
 
     /** Counted connector @p i at @p state, from the results of its evaluation. */
     ConnectorReport report(unsigned int         i,

@@ -63,21 +63,9 @@ namespace auxfem
     void register_blocks(TangentPattern &pattern) override
     {
       // Numbered consecutively: bases, then joints, then clamps.
-      bool       is_first = true;
-      const auto add_all  = [&](const auto &constraints) {
-        for (const auto &constraint : constraints)
-          {
-            const std::size_t block =
-              pattern.register_block(constraint.unknowns.data(),
-                                     constraint.unknowns.size());
-            if (is_first)
-              first_block = block;
-            is_first = false;
-          }
-      };
-      add_all(bases);
-      add_all(joints);
-      add_all(clamps);
+      first_block = pattern.register_blocks(bases, &Base::unknowns);
+      pattern.register_blocks(joints, &Joint::unknowns);
+      pattern.register_blocks(clamps, &Clamp::unknowns);
     }
 
     void add_residual(const Evaluation &evaluation,

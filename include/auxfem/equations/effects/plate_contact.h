@@ -83,7 +83,12 @@ namespace auxfem
                                 double               largest_displacement,
                                 double               largest_rotation,
                                 double              *forces) const override;
-    bool may_touch() const override;
+
+    bool may_touch() const override
+    {
+      return !near().empty();
+    }
+
     std::string why_not_acceptable(const Evaluation &step) const override;
 
     /** Number of plates. */
@@ -107,7 +112,11 @@ namespace auxfem
   private:
     using SpaceVector = dealii::Tensor<1, 3>;
 
-    const std::vector<PlatePair> &near() const override;
+    const std::vector<PlatePair> &near() const override
+    {
+      return proximity.near();
+    }
+
     std::vector<int> unknowns_of(const PlatePair &pair) const override;
     std::vector<PlateTouch>
                 touching(const Evaluation &evaluation) const override;

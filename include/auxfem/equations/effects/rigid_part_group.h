@@ -76,6 +76,11 @@ namespace auxfem
   make_rotating_parts(const std::vector<RotatingBody> &bodies,
                       const RigidPartSetting          &setting);
   ///@}
+
+  /** Those that keep rigid parts rigid, of all kinds there are. */
+  std::unique_ptr<RigidPartGroup>
+  make_rigid_part_constraints(const RigidBodies      &bodies,
+                              const RigidPartSetting &setting);
 } // namespace auxfem
 
 #endif

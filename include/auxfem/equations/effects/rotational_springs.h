@@ -4,60 +4,40 @@
 #include <auxfem/equations/effect.h>
 #include <auxfem/model/numbering.h>
 
+#include <array>
+#include <memory>
+#include <vector>
+
 namespace auxfem
 {
+
+  /** Between two local rotations, the first -1: between the ground and the
+   * second. */
+  struct RotationalSpring
+  {
+    std::array<int, 2> unknowns;
+    double             stiffness; ///< N m/rad
+  };
+
   /** Linear springs between two rotations of one joint: M = K' (phi_2 - phi_1).
    */
-  class RotationalSprings : public Effect
+  std::unique_ptr<Effect>
+  make_rotational_springs(const DofNumbering           &numbering,
+                          std::vector<RotationalSpring> springs);
+
+  /** Between two of DofNumbering::spatial_rotations(), the first -1: between
+   * the ground and the second. */
+  struct SpaceSpring
   {
-  public:
-    explicit RotationalSprings(const DofNumbering &numbering);
-
-    /**
-     * Adds a spring of @p stiffness (N m/rad) between two local rotations;
-     * @p first = -1: between the ground and the second.
-     */
-    void add(int first, int second, double stiffness);
-
-    bool is_linear() const override;
-    void register_blocks(TangentPattern &pattern) override;
-    void add_residual(const Evaluation &evaluation,
-                      double           *residual,
-                      EffectResults    *results) const override;
-    void add_tangent(const Evaluation     &evaluation,
-                     const EffectResults  *results,
-                     const TangentFactors &factors,
-                     TangentMatrix        &matrix) const override;
-    void register_in(StateLayout &layout) override;
-    void account(const Evaluation    &step,
-                 const EffectResults *results,
-                 EnergyAccount       &account) const override;
-    void raise_forces(const Evaluation    &evaluation,
-                      const EffectResults *results,
-                      double              *forces) const override;
-    void raise_uncertain_forces(const Evaluation    &evaluation,
-                                const EffectResults *results,
-                                double               largest_displacement,
-                                double               largest_rotation,
-                                double              *forces) const override;
-
-  private:
-    struct Spring
-    {
-      int    unknowns[2];
-      double stiffness;
-    };
-    /** phi_2 - phi_1 (rad). */
-    static double angle(const Spring &spring, const double *u);
-
-    /** Over a step between two states. */
-    void add_mean_moments(const Evaluation &evaluation, double *residual) const;
-
-    const DofNumbering &numbering;
-    std::vector<Spring> springs;
-    std::size_t         first_block  = 0;
-    unsigned int        strain_entry = 0;
+    int          first, second;
+    double       stiffness; ///< N m/rad
+    unsigned int number;    ///< among those of all ranks
   };
+
+  /** Springs between two large rotations in space. */
+  std::unique_ptr<Effect>
+  make_space_springs(const DofNumbering             &numbering,
+                     const std::vector<SpaceSpring> &springs);
 } // namespace auxfem
 
 #endif

@@ -58,7 +58,12 @@ namespace auxfem
                                 double               largest_displacement,
                                 double               largest_rotation,
                                 double              *forces) const override;
-    bool may_touch() const override;
+
+    bool may_touch() const override
+    {
+      return proximity.may_touch();
+    }
+
     std::string why_not_acceptable(const Evaluation &step) const override;
 
     /**
@@ -82,15 +87,23 @@ namespace auxfem
   private:
     using SpaceVector = dealii::Tensor<1, 3>;
 
-    const std::vector<AxisPair> &near() const override;
+    const std::vector<AxisPair> &near() const override
+    {
+      return proximity.near();
+    }
+
     std::vector<int> unknowns_of(const AxisPair &pair) const override;
     std::vector<StrutTouch>
                touching(const Evaluation &evaluation) const override;
     ContactLaw law_at(const StrutTouch &touch) const override;
     /** Over the mean thickness of both. */
     Penetration penetration(const StrutTouch &touch) const override;
+
     SpaceVector difference(const StrutTouch &touch,
-                           const Vector     &values) const override;
+                           const Vector     &values) const override
+    {
+      return motion_of(touch).difference(values);
+    }
 
     /** As first_to_touch(), of struts that go into each other by more than the
      * part @p allowed of half their thickness. */

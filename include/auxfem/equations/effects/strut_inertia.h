@@ -3,7 +3,7 @@
 
 #include <auxfem/elements/beam_shape.h>
 #include <auxfem/elements/section.h>
-#include <auxfem/equations/effect.h>
+#include <auxfem/equations/effects/inertia.h>
 #include <auxfem/model/numbering.h>
 
 namespace auxfem
@@ -20,16 +20,13 @@ namespace auxfem
   EnergyEntry mass_damping_entry();
 
   /** What the inertia of struts has in the plane and in space: its energies. */
-  class StrutInertia : public Effect
+  class StrutInertia : public InertiaEffect
   {
   public:
     /** @param damped whether a section has mass-proportional damping. */
     explicit StrutInertia(bool damped);
 
     void register_in(StateLayout &layout) override;
-    void account(const Evaluation    &evaluation,
-                 const EffectResults *results,
-                 EnergyAccount       &account) const override;
     void account_step(const Evaluation    &step,
                       const EffectResults *results,
                       EnergyAccount       &account) const override;
@@ -57,14 +54,11 @@ namespace auxfem
     };
 
   private:
-    /** x.M y of the struts this rank counts, of values of all unknowns. */
-    virtual double mass_product(const Vector &x, const Vector &y) const = 0;
-
-    /** The same with the matrix of mass-proportional damping. */
+    /** As mass_product(), with the matrix of mass-proportional damping. */
     virtual double damping_product(const Vector &x, const Vector &y) const = 0;
 
     const bool   is_damped;
-    unsigned int kinetic_entry = 0, numerical_entry = 0, damping_entry = 0;
+    unsigned int damping_entry = 0;
   };
 
   /**
