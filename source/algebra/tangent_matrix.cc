@@ -31,6 +31,13 @@ namespace auxfem
     std::fill(entries.begin(), entries.end(), 0.);
   }
 
+  void TangentMatrix::add(const std::size_t block, const double *values)
+  {
+    const std::size_t begin = first[block], end = first[block + 1];
+    for (std::size_t i = begin; i < end; ++i)
+      entries[i] += values[i - begin];
+  }
+
   /** Calls action(unknowns, n, values) for each block. */
   template <class Action>
   void TangentMatrix::for_each_block(const Action &action) const

@@ -38,12 +38,7 @@ namespace auxfem
     void reset();
 
     /** Adds the row-major block @p values to block @p block. */
-    void add(const std::size_t block, const double *values)
-    {
-      const std::size_t begin = first[block], end = first[block + 1];
-      for (std::size_t i = begin; i < end; ++i)
-        entries[i] += values[i - begin];
-    }
+    void add(std::size_t block, const double *values);
 
     const TangentPattern &pattern() const
     {
