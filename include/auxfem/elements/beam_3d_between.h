@@ -55,11 +55,10 @@ namespace auxfem
         SpaceVector stretch, psi, gradient;
         for (int a = 0; a <= order; ++a)
           {
-            stretch +=
-              shape.derivative[g][a] * inverse_jacobian * nodes[a].displacement;
+            const double derivative = shape.derivative[g][a] * inverse_jacobian;
+            stretch += derivative * nodes[a].displacement;
             psi += shape.value[g][a] * relative.psi[a];
-            gradient += shape.rotation_derivative[g][a] * inverse_jacobian *
-              relative.psi[a];
+            gradient += derivative * relative.psi[a];
           }
         rotation                 = exponential(psi) * relative.middle;
         slope                    = frame.slope + stretch;
@@ -92,8 +91,8 @@ namespace auxfem
         for (int a = 0; a <= order; ++a)
           {
             psi += shape.value[g][a] * relative.psi[a];
-            gradient += shape.rotation_derivative[g][a] * inverse_jacobian *
-              relative.psi[a];
+            gradient +=
+              shape.derivative[g][a] * inverse_jacobian * relative.psi[a];
           }
         coefficients = RotationCoefficients(psi);
         turn         = exponential(psi);
@@ -191,8 +190,8 @@ namespace auxfem
         for (int a = 0; a <= order; ++a)
           {
             sum += shape.value[g][a] * element.relative_turns[a];
-            sum_of_slopes += shape.rotation_derivative[g][a] / jacobian *
-              element.relative_turns[a];
+            sum_of_slopes +=
+              shape.derivative[g][a] / jacobian * element.relative_turns[a];
           }
         // exp(psi) T = T^T.
         missing_turn = turn - element.middle_turn - sum * middle.tangent;
@@ -239,8 +238,7 @@ namespace auxfem
                     slope_by_middle;
         for (int a = 0; a <= order; ++a)
           {
-            const double derivative =
-              shape.rotation_derivative[g][a] * inverse_jacobian;
+            const double derivative = shape.derivative[g][a] * inverse_jacobian;
             value[a] = shape.value[g][a] * by_psi * nodes.psi_by_spin[a];
             slope[a] =
               (shape.value[g][a] * slope_by_psi + derivative * by_gradient) *

@@ -144,11 +144,10 @@ namespace auxfem
       SpaceVector stretch, psi, gradient;
       for (int a = 0; a <= order; ++a)
         {
-          stretch +=
-            shape.derivative[g][a] * inverse_jacobian * nodes[a].displacement;
+          const double derivative = shape.derivative[g][a] * inverse_jacobian;
+          stretch += derivative * nodes[a].displacement;
           psi += shape.value[g][a] * relative.psi[a];
-          gradient += shape.rotation_derivative[g][a] * inverse_jacobian *
-            relative.psi[a];
+          gradient += derivative * relative.psi[a];
         }
       const RotationCoefficients c(psi);
       const Quaternion           turn     = exponential(psi);

@@ -90,7 +90,6 @@ namespace auxfem
         for (int a = 0; a < n; ++a)
           {
             const double Da = shape.derivative[g][a] / jacobian,
-                         Ra = shape.rotation_derivative[g][a] / jacobian,
                          Na = shape.value[g][a];
             force_middle[a] += weight * Da * slope_by_middle;
             psi_middle[a] += weight * Na * psi_by_middle;
@@ -99,16 +98,15 @@ namespace auxfem
             for (int b = 0; b < n; ++b)
               {
                 const double Db = shape.derivative[g][b] / jacobian,
-                             Rb = shape.rotation_derivative[g][b] / jacobian,
                              Nb = shape.value[g][b];
                 force_force[a][b] += weight * Da * Db * h.slope_slope;
                 force_psi[a][b] += weight * Da * Nb * h.slope_psi;
                 // The upper half; the other is its transpose.
                 if (b >= a)
                   psi_psi[a][b] += weight *
-                    (Na * Nb * h.psi_psi + Na * Rb * h.psi_gradient +
-                     Ra * Nb * transpose(h.psi_gradient) +
-                     Ra * Rb * h.gradient_gradient);
+                    (Na * Nb * h.psi_psi + Na * Db * h.psi_gradient +
+                     Da * Nb * transpose(h.psi_gradient) +
+                     Da * Db * h.gradient_gradient);
               }
           }
       }

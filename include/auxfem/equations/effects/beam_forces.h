@@ -319,12 +319,9 @@ namespace auxfem
       const typename Beam::Motion motion =
         Beam::motion(numbering, unknowns, state);
       SectionForces elastic[order], viscous[1][order] = {};
-      section_forces(e, motion, elastic);
+      elastic_forces(e, motion, elastic);
       if constexpr (Beam::is_damped)
-        {
-          viscous_forces(e, {motion}, viscous);
-          find_moments(viscous[0]);
-        }
+        viscous_forces(e, {motion}, viscous);
 
       std::vector<StrutPoint> points(n_points);
       for (unsigned int i = 0; i < n_points; ++i)
@@ -401,7 +398,7 @@ namespace auxfem
       const unsigned int e        = of_numbering - group.begin;
       const int         *unknowns = unknowns_of(e);
       SectionForces      elastic[order];
-      section_forces(e, Beam::motion(numbering, unknowns, state), elastic);
+      elastic_forces(e, Beam::motion(numbering, unknowns, state), elastic);
       ScaledMotion motion;
       for (const SectionForces &forces : elastic)
         motion.strains.push_back(
@@ -530,8 +527,7 @@ namespace auxfem
       return result;
     }
 
-    /** At the Gauss points of element @p e, moments such that they do work on
-     * its curvatures. */
+    /** At the Gauss points of element @p e. */
     void elastic_forces(const unsigned int           e,
                         const typename Beam::Motion &motion,
                         SectionForces (&of_points)[order]) const
@@ -542,32 +538,6 @@ namespace auxfem
                            of_elements[e].stiffness,
                            motion,
                            of_points);
-    }
-
-    /** The same with the moments that the sections have. */
-    void section_forces(const unsigned int           e,
-                        const typename Beam::Motion &motion,
-                        SectionForces (&of_points)[order]) const
-    {
-      elastic_forces(e, motion, of_points);
-      find_moments(of_points);
-    }
-
-    /** Makes of moments that do work on curvatures those of the sections. */
-    void find_moments(SectionForces (&of_points)[order]) const
-    {
-      for (unsigned int k = 3; k < 6; ++k)
-        {
-          double on_curvatures[order];
-          for (int g = 0; g < order; ++g)
-            on_curvatures[g] = of_points[g][k];
-          for (int g = 0; g < order; ++g)
-            {
-              of_points[g][k] = 0;
-              for (int h = 0; h < order; ++h)
-                of_points[g][k] += shape.moment[g][h] * on_curvatures[h];
-            }
-        }
     }
 
     /** Of damping, at the Gauss points of element @p e, by each of several
@@ -695,7 +665,7 @@ namespace auxfem
                           const Section     &section) const
     {
       SectionForces elastic[order];
-      section_forces(e,
+      elastic_forces(e,
                      Beam::motion(numbering, unknowns_of(e), state),
                      elastic);
       const auto &fibres  = section.fibre_distances;
