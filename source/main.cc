@@ -11,6 +11,7 @@
 #include <cstdlib>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace
@@ -34,9 +35,9 @@ namespace
 
 int main(int argc, char *argv[])
 {
-  if (const std::string missing = missing_instructions(); !missing.empty())
+  if (const std::optional<std::string> missing = missing_instructions())
     {
-      std::cerr << missing << std::endl;
+      std::cerr << *missing << std::endl;
       return 2;
     }
 

@@ -41,7 +41,7 @@ namespace auxfem
                       ticks / sysconf(_SC_CLK_TCK));
   }
 
-  std::string missing_instructions()
+  std::optional<std::string> missing_instructions()
   {
 #if defined(__AVX2__) && defined(__GNUC__)
     if (!__builtin_cpu_supports("avx2"))
@@ -49,7 +49,7 @@ namespace auxfem
              "instructions AVX2, which this one has not. Compile it here, or "
              "with -DAUXFEM_VECTOR_INSTRUCTIONS=OFF for any.";
 #endif
-    return "";
+    return std::nullopt;
   }
 
   bool has_mpi_launcher()

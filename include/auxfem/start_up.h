@@ -1,16 +1,17 @@
 #ifndef auxfem_start_up_h
 #define auxfem_start_up_h
 
+#include <optional>
 #include <string>
 
 namespace auxfem
 {
   /**
    * What to tell where this processor lacks vector instructions that the
-   * compiler was allowed to use (AUXFEM_VECTOR_INSTRUCTIONS); empty if it has
+   * compiler was allowed to use (AUXFEM_VECTOR_INSTRUCTIONS); none if it has
    * them. To be called before anything is computed.
    */
-  std::string missing_instructions();
+  std::optional<std::string> missing_instructions();
 
   /**
    * Wall seconds since the operating system started this process, to 10 ms: at

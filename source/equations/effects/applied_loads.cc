@@ -109,6 +109,7 @@ namespace auxfem
 
         unsigned int work_entry = 0; ///< of the ledger
       };
+
       /** Value when the step begins. */
       double value_before(const Load &load, const Evaluation &step) const
       {
@@ -178,7 +179,6 @@ namespace auxfem
       const bool          raised_from_zero;
       std::vector<Load>   loads;
     };
-
   } // namespace
 
   std::unique_ptr<Effect>

@@ -161,6 +161,7 @@ namespace auxfem
       {
         SpaceVector force, moment;
       };
+
       /** Local unknowns by component of motion; -1: not there. */
       using Joint = std::array<int, n_motion_components>;
       struct Load
@@ -207,6 +208,7 @@ namespace auxfem
       {
         Values before, now;
       };
+
       Ends values_at_ends(const Load &load, const Evaluation &step) const
       {
         return {values_before(load, step), values_now(load, step)};
@@ -287,7 +289,6 @@ namespace auxfem
       std::vector<Load>   loads;
       std::size_t         first_block = 0;
     };
-
   } // namespace
 
   std::unique_ptr<Effect>

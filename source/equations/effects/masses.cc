@@ -18,7 +18,6 @@ namespace auxfem
         , masses(std::move(masses))
       {}
 
-
       bool is_linear() const override
       {
         return true;
@@ -68,7 +67,6 @@ namespace auxfem
       std::size_t                  first_block = 0;
     };
 
-
     /**
      * Rotary inertia at nodes in space: Euler's equations with their gyroscopic
      * terms, which are left out if rotations are small.
@@ -84,7 +82,6 @@ namespace auxfem
         , large_rotation(large_rotation)
         , masses(std::move(masses))
       {}
-
 
       bool is_linear() const override
       {
@@ -169,7 +166,6 @@ namespace auxfem
           }
       }
 
-
     private:
       /** Gyroscopic torques do no work. */
       double mass_product(const Vector &x, const Vector &y) const override
@@ -190,7 +186,6 @@ namespace auxfem
                 rotations.values(*state.acceleration, mass.rotation)};
       }
 
-
       /** Between two states (N m). */
       SpaceVector mean_torque(const RotaryMass &mass,
                               const Evaluation &step) const
@@ -205,7 +200,6 @@ namespace auxfem
           step.dt,
           0.);
       }
-
 
       /** Its derivative by spins at the end. */
       SpaceTensor mean_tangent(const RotaryMass     &mass,
@@ -222,14 +216,12 @@ namespace auxfem
             rotated(rotation, mass.inertia * motion(mass, step.to).velocity));
       }
 
-
       const DofNumbering           &numbering;
       const NodeRotations           rotations;
       const bool                    large_rotation;
       const std::vector<RotaryMass> masses;
       std::size_t                   first_block = 0;
     };
-
 
     /**
      * Inertia of rigid parts in natural coordinates: constant mass matrices on
@@ -240,7 +232,6 @@ namespace auxfem
     public:
       explicit RigidPartInertia(RigidBodies bodies) : bodies(std::move(bodies))
       {}
-
 
       bool is_linear() const override
       {
@@ -309,7 +300,6 @@ namespace auxfem
       const RigidBodies bodies;
       std::size_t       first_block = 0;
     };
-
   } // namespace
 
   std::unique_ptr<Effect> make_point_masses(const DofNumbering    &numbering,

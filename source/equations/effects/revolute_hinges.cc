@@ -170,6 +170,7 @@ namespace auxfem
         SpaceVector        axis;
         SpaceVector        across[2];
       };
+
       /** The hinge now: a of the end, and b_i of the base. */
       struct Axes
       {
@@ -259,7 +260,6 @@ namespace auxfem
       std::vector<Hinge>  hinges;
       std::size_t         first_block = 0;
     };
-
   } // namespace
 
   std::unique_ptr<Constraints>

@@ -116,7 +116,6 @@ namespace auxfem
       /** Of each part reported on: its group, its number there. */
       std::vector<std::pair<const RigidPartGroup *, unsigned int>> reported;
     };
-
   } // namespace
 
   std::unique_ptr<RigidPartGroup>

@@ -285,6 +285,7 @@ namespace auxfem
       {
         std::array<int, 6> unknowns; ///< spins of both; -1: ground
       };
+
       Quaternion base_rotation(const Spring &spring, const State &state) const
       {
         return spring.first < 0 ? Quaternion() : state.rotations[spring.first];
@@ -348,7 +349,6 @@ namespace auxfem
       std::size_t         first_history = 0, first_block = 0;
       unsigned int        strain_entry = 0;
     };
-
   } // namespace
 
   std::unique_ptr<Effect>
