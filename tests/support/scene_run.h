@@ -4,6 +4,8 @@
 #include <auxfem/analysis/lattice_run.h>
 #include <auxfem/scene/scene.h>
 
+#include <support/mass_matrix.h>
+
 #include <functional>
 #include <string>
 #include <vector>
@@ -125,13 +127,7 @@ namespace auxfem
       /** The mass matrix now. */
       std::unique_ptr<TangentMatrix> mass() const
       {
-        State             now     = state;
-        EvaluationResults of_now  = equations.make_results();
-        const Evaluation  instant = Evaluation::rates(state, now);
-        equations.residual(instant, of_now);
-        auto matrix = make_tangent();
-        equations.tangent(instant, of_now, {0, 0, 1}, *matrix);
-        return matrix;
+        return mass_matrix(equations, state);
       }
 
       /** Error of the energy balance now (J). */

@@ -18,17 +18,22 @@ namespace auxfem
     class MomentumMeter
     {
     public:
-      explicit MomentumMeter(SceneRun &run)
-        : run(run)
-        , mass(run.mass())
-        , momentum(run.model.numbering.layout().n_owned())
-        , unknowns(node_unknowns(run))
+      /** @param state is that which is measured, and must outlive the meter. */
+      MomentumMeter(const Equations &equations, const State &state)
+        : state(state)
+        , mass(mass_matrix(equations, state))
+        , momentum(equations.model().numbering.layout().n_owned())
+        , unknowns(node_unknowns(equations.model()))
+      {}
+
+      explicit MomentumMeter(const SceneRun &run)
+        : MomentumMeter(run.equations, run.state)
       {}
 
       Momenta operator()()
       {
-        mass->multiply(run.state.velocity->data(), momentum.data());
-        const double *u = run.state.displacement.data();
+        mass->multiply(state.velocity->data(), momentum.data());
+        const double *u = state.displacement.data();
         Momenta       sum;
         for (unsigned int i = 0; i < momentum.size(); ++i)
           {
@@ -50,7 +55,7 @@ namespace auxfem
       }
 
     private:
-      SceneRun                      &run;
+      const State                   &state;
       std::unique_ptr<TangentMatrix> mass;
       Vector                         momentum;
       std::vector<NodeUnknown>       unknowns;

@@ -18,9 +18,9 @@ namespace auxfem
     };
 
     /** Nodes of all unknowns of struts and plates, by local number. */
-    inline std::vector<NodeUnknown> node_unknowns(const SceneRun &run)
+    inline std::vector<NodeUnknown> node_unknowns(const LatticeModel &model)
     {
-      const DofNumbering      &numbering = run.model.numbering;
+      const DofNumbering      &numbering = model.numbering;
       std::vector<NodeUnknown> result(numbering.layout().n_local());
       const auto nodes = dealii::FE_Q<1>(numbering.divisions().front().order)
                            .get_unit_support_points();
@@ -33,11 +33,12 @@ namespace auxfem
             {
               dealii::Point<3>     position;
               dealii::Tensor<1, 3> tangent;
-              run.lattice.axis(run.lattice.struts[interval.strut],
-                               interval.begin +
-                                 (interval.end - interval.begin) * nodes[a][0],
-                               position,
-                               tangent);
+              model.lattice.axis(model.lattice.struts[interval.strut],
+                                 interval.begin +
+                                   (interval.end - interval.begin) *
+                                     nodes[a][0],
+                                 position,
+                                 tangent);
               for (unsigned int c = 0; c < 3; ++c)
                 result[unknowns[3 * a + c]] = {c,
                                                c < 2 ? unknowns[3 * a + 1 - c]
@@ -46,16 +47,21 @@ namespace auxfem
             }
         }
       // Plates are joints without struts.
-      for (unsigned int i = 0; i < run.lattice.n_plates; ++i)
+      for (unsigned int i = 0; i < model.lattice.n_plates; ++i)
         for (unsigned int c = 0; c < 2; ++c)
           {
-            const unsigned int joint = run.lattice.joint_of_plate(i);
+            const unsigned int joint = model.lattice.joint_of_plate(i);
             result[numbering.joint_unknown(joint, c)] = {
               c,
               numbering.joint_unknown(joint, 1 - c),
-              run.lattice.joints[joint]};
+              model.lattice.joints[joint]};
           }
       return result;
+    }
+
+    inline std::vector<NodeUnknown> node_unknowns(const SceneRun &run)
+    {
+      return node_unknowns(run.model);
     }
   } // namespace testing_support
 } // namespace auxfem

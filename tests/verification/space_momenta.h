@@ -27,13 +27,15 @@ namespace auxfem
     class SpaceMomentumMeter
     {
     public:
-      explicit SpaceMomentumMeter(SceneRun &run)
-        : run(run)
-        , mass(run.mass())
-        , momentum(run.model.numbering.layout().n_owned())
+      /** @param state is that which is measured; both must outlive the meter. */
+      SpaceMomentumMeter(const Equations &equations, const State &state)
+        : dofs(equations.model().numbering)
+        , state(state)
+        , mass(mass_matrix(equations, state))
+        , momentum(dofs.layout().n_owned())
       {
-        const DofNumbering &dofs = run.model.numbering;
-        const auto points = dealii::FE_Q<1>(dofs.divisions().front().order)
+        const Lattice &lattice = equations.model().lattice;
+        const auto     points  = dealii::FE_Q<1>(dofs.divisions().front().order)
                               .get_unit_support_points();
         for (unsigned int e = 0; e < dofs.elements().size(); ++e)
           for (unsigned int a = 0; a < points.size(); ++a)
@@ -41,30 +43,33 @@ namespace auxfem
               const StrutMesh::Interval &interval = dofs.elements()[e].interval;
               dealii::Point<3>           position;
               SpaceVector                tangent;
-              run.lattice.axis(run.lattice.struts[interval.strut],
-                               interval.begin +
-                                 (interval.end - interval.begin) * points[a][0],
-                               position,
-                               tangent);
+              lattice.axis(lattice.struts[interval.strut],
+                           interval.begin +
+                             (interval.end - interval.begin) * points[a][0],
+                           position,
+                           tangent);
               nodes[dofs.element_unknowns(e)[6 * a]] = position;
             }
       }
 
+      explicit SpaceMomentumMeter(const SceneRun &run)
+        : SpaceMomentumMeter(run.equations, run.state)
+      {}
+
       SpaceMomenta operator()()
       {
-        mass->multiply(run.state.velocity->data(), momentum.data());
-        const DofNumbering &dofs = run.model.numbering;
-        SpaceMomenta        sum;
+        mass->multiply(state.velocity->data(), momentum.data());
+        SpaceMomenta sum;
         for (const auto &[first, position] : nodes)
           {
             const SpaceVector p = values(momentum, first);
             sum.linear += p;
             sum.angular +=
               dealii::cross_product_3d(position +
-                                         values(run.state.displacement, first),
+                                         values(state.displacement, first),
                                        p);
             sum.angular +=
-              rotated(run.state.rotations[dofs.rotations().with(first + 3)],
+              rotated(state.rotations[dofs.rotations().with(first + 3)],
                       values(momentum, first + 3));
           }
         return sum;
@@ -77,7 +82,8 @@ namespace auxfem
           {vector[first], vector[first + 1], vector[first + 2]});
       }
 
-      SceneRun                      &run;
+      const DofNumbering            &dofs;
+      const State                   &state;
       std::unique_ptr<TangentMatrix> mass;
       Vector                         momentum;
       /** Position at rest by the first unknown of the node. */
