@@ -4,7 +4,6 @@
 #include <auxfem/output/verdict.h>
 #include <auxfem/time/records.h>
 
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,8 +18,7 @@ namespace auxfem
       /** Of its table. */
       std::string              title;
       std::string              prm;
-      std::vector<std::string> overrides;
-      double                   step; ///< s
+      std::vector<std::string> overrides = {};
       /** Reference: esdirk with steps this much shorter. */
       unsigned int refinement = 4;
       /** Nothing from outside acts on struts without rigid parts, whose momenta
@@ -46,20 +44,14 @@ namespace auxfem
       std::size_t            n_motions_before = 0;
     };
 
-    /** Of a case: the reference, and the runs by scheme. */
-    struct Courses
-    {
-      Course                        reference;
-      std::map<std::string, Course> by_scheme;
-    };
-
     /**
      * Runs @p hard by every time scheme with inertia, and again from the middle
      * on; leaves a table by scheme. Expects what holds of all cases: everything
      * is finite, no run is wrong and calls itself sound, one that is resumed is
      * equal to the last digit, and energy-momentum keeps energy and momenta.
+     * @return the reference
      */
-    Courses go_through(const HardCase &hard);
+    Course go_through(const HardCase &hard);
   } // namespace testing_support
 } // namespace auxfem
 

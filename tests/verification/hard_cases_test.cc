@@ -229,7 +229,7 @@ TEST(HardCases, MaxwellElementsOfAnyRelaxationTime)
 TEST(HardCases, RigidTurnsGiveNoForce)
 {
   SceneRun                       run(star_scene(), small_star(0));
-  const std::vector<NodeUnknown> unknowns = node_unknowns(run);
+  const std::vector<NodeUnknown> unknowns = node_unknowns(run.model);
   const double                   EA       = 70e9 * 1.6e-7;
   ComparisonTable table("The lattice turned rigidly: strain and connector "
                         "energy over EA L");

@@ -34,9 +34,7 @@ namespace auxfem
               dealii::Point<3>     position;
               dealii::Tensor<1, 3> tangent;
               model.lattice.axis(model.lattice.struts[interval.strut],
-                                 interval.begin +
-                                   (interval.end - interval.begin) *
-                                     nodes[a][0],
+                                 interval.at(2 * nodes[a][0] - 1),
                                  position,
                                  tangent);
               for (unsigned int c = 0; c < 3; ++c)
@@ -57,11 +55,6 @@ namespace auxfem
               model.lattice.joints[joint]};
           }
       return result;
-    }
-
-    inline std::vector<NodeUnknown> node_unknowns(const SceneRun &run)
-    {
-      return node_unknowns(run.model);
     }
   } // namespace testing_support
 } // namespace auxfem

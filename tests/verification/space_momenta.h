@@ -44,8 +44,7 @@ namespace auxfem
               dealii::Point<3>           position;
               SpaceVector                tangent;
               lattice.axis(lattice.struts[interval.strut],
-                           interval.begin +
-                             (interval.end - interval.begin) * points[a][0],
+                           interval.at(2 * points[a][0] - 1),
                            position,
                            tangent);
               nodes[dofs.element_unknowns(e)[6 * a]] = position;
