@@ -36,7 +36,10 @@ namespace auxfem
         !scene.effects.small_displacements_are_judged)
       watches.push_back(make_small_displacement_watch(scene, equations));
     if (has_inertia)
-      watches.push_back(make_step_watch(scene, equations));
+      {
+        watches.push_back(make_step_watch(scene, equations));
+        watches.push_back(make_load_step_watch(scene));
+      }
     // Time of elastic statics is but a parameter.
     if (!has_inertia &&
         (simulated.connector_viscosity || simulated.strut_damping ||

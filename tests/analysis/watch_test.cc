@@ -51,6 +51,45 @@ TEST(StepWatch, AllowsRungeKuttaStepsWhatTheyResolve)
             Verdict::doubtful);
 }
 
+namespace
+{
+  /** Half a sine. */
+  const std::string three_steps = "sin(pi * t / 0.3) * (t < 0.3)";
+
+  /** A mass that hardly anything holds under a force along x, in steps of
+   * 0.1 s. */
+  std::string pushed_mass(const std::string &force)
+  {
+    return one_mass_scene("Law = spring | Spring stiffness = 1e-3",
+                          "End time = 10 | Time step = 0.1",
+                          SceneText(mass_and_velocity(1, 0))
+                            .add("Loads/push",
+                                 "Joints = 0 | Force x = " + force));
+  }
+} // namespace
+
+TEST(LoadStepWatch, KnowsWhatStepsMissOfAPulse)
+{
+  // The trapezoidal rule of half a sine in n steps: pi / 2n * cot(pi / 2n).
+  const auto found = findings_of(pushed_mass(three_steps));
+  ASSERT_EQ(found.size(), 1u) << verdict_text(found);
+  EXPECT_EQ(found[0].verdict, Verdict::doubtful);
+  EXPECT_NE(found[0].text.find("Loads/push/Force x"), std::string::npos);
+  EXPECT_NE(found[0].text.find("miss 9.3 % of its impulse"), std::string::npos)
+    << found[0].text;
+  EXPECT_TRUE(
+    findings_of(pushed_mass("sin(pi * t / 0.6) * (t < 0.6)")).empty());
+  EXPECT_TRUE(
+    findings_of(pushed_mass(three_steps), {"Time/Scheme=esdirk"}).empty());
+}
+
+// Steps end at kinks and jumps.
+TEST(LoadStepWatch, PassesLoadsOfStraightLines)
+{
+  EXPECT_TRUE(
+    findings_of(pushed_mass("min(t / 0.17, 1) * (t < 0.33)")).empty());
+}
+
 TEST(StabilityWatch, SaysWhenAndWhereAColumnBucklesInStatics)
 {
   const auto straight = findings_of(column, {});
@@ -101,6 +140,7 @@ TEST(Watches, FindTheSameInRunsThatAreResumed)
                      {"Time/Relative tolerance=1e-3", "Time/Time step=0.5"})
               .size(),
             0u);
+  EXPECT_EQ(findings(pushed_mass(three_steps), {}).size(), 1u);
   EXPECT_EQ(findings(column, {}).size(), 1u);
   EXPECT_EQ(findings(column,
                      {"Time/Scheme=newmark",

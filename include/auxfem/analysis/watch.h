@@ -75,6 +75,9 @@ namespace auxfem
   std::unique_ptr<Watch> make_step_watch(const Scene     &scene,
                                          const Equations &equations);
 
+  /** Of loads that change within steps. With inertia. @p scene must outlive it. */
+  std::unique_ptr<Watch> make_load_step_watch(const Scene &scene);
+
   /** Of strains that no linear law stands for; the scene has elastic struts. */
   std::unique_ptr<Watch> make_strain_watch(const Equations &equations);
 

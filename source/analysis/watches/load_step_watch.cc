@@ -1,0 +1,134 @@
+#include <auxfem/analysis/watch.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <cmath>
+#include <sstream>
+
+namespace auxfem
+{
+  namespace
+  {
+    const std::string load_step_record = "watch: loads within steps";
+
+    /** Part of the impulse: by the trapezoidal rule of a sine with 8 steps a
+     * period. */
+    constexpr double doubtful_impulse = 0.05;
+
+    /** The time integral of one load, as steps take it and as it is. */
+    struct Impulse
+    {
+      const TimeFunction *load;
+      double              missed = 0, whole = 0; ///< sums of amounts (N s)
+    };
+
+    /**
+     * Of loads that change within steps: by the trapezoidal rule that a step
+     * takes them by, against Gauss' of three points. What another scheme misses
+     * is that of the vibration of which the rule would miss so much.
+     */
+    class LoadStepWatch : public Watch
+    {
+    public:
+      explicit LoadStepWatch(const Scene &scene)
+        : scene_step(scene.time.step)
+        , scheme(scene.time.implicit_scheme())
+      {
+        for (const auto &loads : scene.joint_loads)
+          add(loads.components);
+        for (const auto &loads : scene.line_loads)
+          add(loads.components);
+      }
+
+      void step(const Evaluation &step,
+                const EvaluationResults & /*results*/,
+                TangentSolver & /*solver*/) override
+      {
+        const double begin = step.from.time, end = step.to.time;
+        for (Impulse &impulse : impulses)
+          {
+            const TimeFunction &load = *impulse.load;
+            const double        mean =
+              (load.value_after(begin) + load.value_before(end)) / 2;
+            double exact = 0, amount = 0;
+            for (unsigned int q = 0; q < points.size(); ++q)
+              {
+                const double value =
+                  load.value(begin + (end - begin) * points.point(q)[0]);
+                exact += points.weight(q) * value;
+                amount += points.weight(q) * std::abs(value);
+              }
+            impulse.missed += (end - begin) * std::abs(mean - exact);
+            impulse.whole += (end - begin) * amount;
+          }
+        time = end;
+      }
+
+      std::vector<Finding> findings() const override
+      {
+        std::vector<Finding> found;
+        for (const Impulse &impulse : impulses)
+          if (impulse.whole > 0)
+            if (const double missed =
+                  scheme.missed_way(impulse.missed / impulse.whole);
+                !(missed <= doubtful_impulse))
+              found.push_back(finding(impulse.load->origin(), missed));
+        return found;
+      }
+
+      void save(Records &records) const override
+      {
+        std::vector<double> values = {time};
+        for (const Impulse &impulse : impulses)
+          values.insert(values.end(), {impulse.missed, impulse.whole});
+        records.keep(load_step_record, values);
+      }
+
+      void resume(const Records &records) override
+      {
+        const std::vector<double> values =
+          records.values(load_step_record, 1 + 2 * impulses.size());
+        time             = values[0];
+        std::size_t next = 1;
+        for (Impulse &impulse : impulses)
+          {
+            impulse.missed = values[next++];
+            impulse.whole  = values[next++];
+          }
+      }
+
+    private:
+      /** Of those that are there. */
+      template <class Components>
+      void add(const Components &components)
+      {
+        for (const TimeFunction &load : components)
+          if (!load.is_zero())
+            impulses.push_back({&load});
+      }
+
+      Finding finding(const std::string &load, const double missed) const
+      {
+        std::ostringstream text;
+        text.precision(2);
+        text << load << " changes within steps, which miss " << 100 * missed
+             << " % of its impulse (Time/Time step = " << scene_step
+             << " s). A step of "
+             << scene_step * std::pow(0.01 / missed, 1. / scheme.order())
+             << " s would miss 1 %.";
+        return {Verdict::doubtful, text.str(), time, ""};
+      }
+
+      const double            scene_step; ///< s
+      const ImplicitScheme   &scheme;
+      std::vector<Impulse>    impulses;
+      double                  time = 0; ///< s
+      const dealii::QGauss<1> points{3};
+    };
+  } // namespace
+
+  std::unique_ptr<Watch> make_load_step_watch(const Scene &scene)
+  {
+    return std::make_unique<LoadStepWatch>(scene);
+  }
+} // namespace auxfem
