@@ -26,8 +26,9 @@ namespace auxfem
                       input_file_section = "input files",
                       rank_section       = "rank ";
 
-    /** How much of a run's time checkpoints take at most. */
-    constexpr unsigned int largest_part = 100;
+    /** How much of a run's time checkpoints take at most: a third of a
+     * hundredth, as there is another one at the end. */
+    constexpr unsigned int largest_part = 300;
 
     template <class Object>
     std::string bytes_of(const Object &object)

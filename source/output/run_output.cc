@@ -72,7 +72,7 @@ namespace auxfem
     void finish(const Solution &last, const RunResult &result);
 
     const std::string folder;
-    double            seconds = 0;
+    double            seconds = 0, checkpoint_seconds = 0;
     /** From which the run begins. */
     std::optional<Records> goes_on_from;
 
@@ -401,15 +401,16 @@ namespace auxfem
     }
 
     Summary summary;
-    summary.counts             = count(*equations);
-    summary.totals             = result.work;
-    summary.totals.wall.output = seconds;
-    summary.resources          = gather_resources(start_times,
+    summary.counts                  = count(*equations);
+    summary.totals                  = result.work;
+    summary.totals.wall.output      = seconds;
+    summary.totals.wall.checkpoints = checkpoint_seconds;
+    summary.resources               = gather_resources(start_times,
                                          since(start),
                                          summary.totals.wall,
                                          communicator);
-    summary.energies           = history->energies();
-    summary.strain             = history->largest_strain();
+    summary.energies                = history->energies();
+    summary.strain                  = history->largest_strain();
     summary.largest_rotation =
       dealii::Utilities::MPI::max(history->largest_rotation(), communicator);
     if (const auto penetration = history->largest_penetration())
@@ -488,7 +489,7 @@ namespace auxfem
 
   void RunOutput::take(const Records &checkpoint)
   {
-    const Stopwatch watch(implementation->seconds);
+    const Stopwatch watch(implementation->checkpoint_seconds);
     implementation->take(checkpoint);
   }
 

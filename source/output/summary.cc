@@ -90,6 +90,7 @@ namespace auxfem
               {"solve", resources.wall.solve},
               {"contact_search", resources.wall.contact},
               {"output", resources.wall.output},
+              {"checkpoints", resources.wall.checkpoints},
               {"total", resources.wall_seconds}};
     }
 
@@ -196,7 +197,7 @@ namespace auxfem
     dealii::Utilities::System::get_memory_stats(memory);
     const unsigned long peak = memory.VmHWM * 1024; // it counts in kB
 
-    std::array<double, 10> times{{wall_seconds,
+    std::array<double, 11> times{{wall_seconds,
                                   wall.setup,
                                   wall.residual,
                                   wall.tangent,
@@ -204,6 +205,7 @@ namespace auxfem
                                   wall.solve,
                                   wall.contact,
                                   wall.output,
+                                  wall.checkpoints,
                                   start.program,
                                   start.mpi}};
     MPI_Allreduce(MPI_IN_PLACE,
@@ -218,9 +220,15 @@ namespace auxfem
     resources.memory         = MPI::sum(peak, communicator);
     resources.cpu_seconds    = MPI::sum(cpu_seconds(), communicator);
     resources.wall_seconds   = times[0];
-    resources.wall =
-      {times[1], times[2], times[3], times[4], times[5], times[6], times[7]};
-    resources.start = {times[8], times[9], MPI::sum(start.cpu, communicator)};
+    resources.wall           = {times[1],
+                                times[2],
+                                times[3],
+                                times[4],
+                                times[5],
+                                times[6],
+                                times[7],
+                                times[8]};
+    resources.start = {times[9], times[10], MPI::sum(start.cpu, communicator)};
     return resources;
   }
 
@@ -436,7 +444,11 @@ namespace auxfem
            << (summary.largest_penetration
                  ? ", search for contact " + seconds(wall.contact)
                  : "")
-           << ", output " << seconds(wall.output) << '\n'
+           << ", output " << seconds(wall.output)
+           << (wall.checkpoints > 0
+                 ? ", checkpoints " + seconds(wall.checkpoints)
+                 : "")
+           << '\n'
            << "Peak memory " << (summary.resources.memory >> 20) << " MiB\n";
 
     if (!totals.linear_solver.empty())

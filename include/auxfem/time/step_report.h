@@ -27,7 +27,9 @@ namespace auxfem
     double factorize = 0;
     double solve     = 0;
     double contact   = 0; ///< search for what comes near, or passes
-    double output    = 0;
+    double output    = 0; ///< without checkpoints
+    /** Writing checkpoints. */
+    double checkpoints = 0;
   };
 
   /** All that a run has done so far, its start included. */
