@@ -61,8 +61,11 @@ namespace auxfem
       std::array<SpaceVector, p + 1> positions;
       std::array<Beam3D::Frame, p>   frames;
 
-      Beam3DOnTrial(const double length, const Beam3DShape &rest)
+      Beam3DOnTrial(const double       length,
+                    const Beam3DShape &rest,
+                    const bool         makes_up_for_shear = false)
         : jacobian(length / 2)
+        , shape(makes_up_for_shear)
       {
         for (int a = 0; a <= p; ++a)
           positions[a] = rest.position(jacobian * (1 + shape.node[a]));
@@ -148,19 +151,24 @@ namespace auxfem
       }
     };
 
-    /** Calls @p check with straight and curved elements of orders 1 to 4. */
+    /** Calls @p check with straight and curved elements of orders 1 to 4, with
+     * and without shear flexibility. */
     template <class Check>
     void for_each_beam_3d(const Check &check)
     {
       for (unsigned int order = 1; order <= 4; ++order)
         for (const double curvature : {0., 0.8})
-          {
-            SCOPED_TRACE("order " + std::to_string(order) + ", curvature " +
-                         std::to_string(curvature));
-            dispatch_order(order, [&](auto p) {
-              check(Beam3DOnTrial<p>(1.6, {curvature, 0.3, curvature}));
-            });
-          }
+          for (const bool makes_up_for_shear : {false, true})
+            {
+              SCOPED_TRACE("order " + std::to_string(order) + ", curvature " +
+                           std::to_string(curvature) +
+                           (makes_up_for_shear ? ", without shear" : ""));
+              dispatch_order(order, [&](auto p) {
+                check(Beam3DOnTrial<p>(1.6,
+                                       {curvature, 0.3, curvature},
+                                       makes_up_for_shear));
+              });
+            }
     }
 
     /** Calls @p check with straight elements of length 1.6 along x. */

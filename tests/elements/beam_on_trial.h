@@ -39,8 +39,10 @@ namespace auxfem
        */
       BeamOnTrial(const double length,
                   const double angle,
-                  const double curvature)
+                  const double curvature,
+                  const bool   makes_up_for_shear = false)
         : jacobian(length / 2)
+        , shape(makes_up_for_shear)
       {
         for (int a = 0; a <= p; ++a)
           nodes[a] = axis(jacobian * (1 + shape.node[a]), angle, curvature);
@@ -148,19 +150,22 @@ namespace auxfem
       return result;
     }
 
-    /** Calls @p check with straight and curved elements of every order. */
+    /** Calls @p check with straight and curved elements of every order, with
+     * and without shear flexibility. */
     template <class Check>
     void for_each_beam(const Check &check)
     {
       for (unsigned int order = 1; order <= 6; ++order)
         for (const double curvature : {0., 0.8})
-          {
-            SCOPED_TRACE("order " + std::to_string(order) + ", curvature " +
-                         std::to_string(curvature));
-            dispatch_order(order, [&](auto p) {
-              check(BeamOnTrial<p>(1.6, 0.4, curvature));
-            });
-          }
+          for (const bool makes_up_for_shear : {false, true})
+            {
+              SCOPED_TRACE("order " + std::to_string(order) + ", curvature " +
+                           std::to_string(curvature) +
+                           (makes_up_for_shear ? ", without shear" : ""));
+              dispatch_order(order, [&](auto p) {
+                check(BeamOnTrial<p>(1.6, 0.4, curvature, makes_up_for_shear));
+              });
+            }
     }
   } // namespace testing_support
 } // namespace auxfem
