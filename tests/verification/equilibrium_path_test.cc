@@ -1,5 +1,6 @@
 #include <support/followed_path.h>
 #include <support/scene_text.h>
+#include <verification/deep_arch.h>
 #include <verification/result_table.h>
 
 #include <algorithm>
@@ -88,21 +89,9 @@ namespace
     table.relative("lower: v", -limits[1].motions[1][1], 0.3915942, 1e-5);
   }
 
-  // DaDeppo & Schmidt 1975: 215 degrees, clamp left, hinge right.
   TEST(EquilibriumPath, DeepArch)
   {
-    constexpr double radius = 100;
-    const double     half = 107.5 / 180 * pi, x = radius * std::sin(half),
-                 y    = radius * std::cos(half),
-                 rise = radius * (1 - std::cos(half / 2));
-    SceneText scene   = static_frame(text(-x) + " " + text(y) + "; 0 100; " +
-                                     text(x) + " " + text(y),
-                                   "0 1 " + text(rise) + "; 1 2 " + text(rise));
-    scene.section({1e8, 1e8, 1e6})
-      .support("clamp", "0", "clamp")
-      .support("hinge", "2", "pin")
-      .mesh(4, 3)
-      .set("Lattice/Struts may cross", "true");
+    const SceneText    scene = (static_scene() + deep_arch()).mesh(4, 3);
     const FollowedPath path(frame_under(scene, "1", 1000).str());
     const auto         limits = path.limits();
     ASSERT_EQ(limits.size(), 2u);

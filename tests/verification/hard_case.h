@@ -52,6 +52,9 @@ namespace auxfem
      * @return the reference
      */
     Course go_through(const HardCase &hard);
+
+    /** The same for a run so long that there is no reference. */
+    void go_on_for_long(const HardCase &hard);
   } // namespace testing_support
 } // namespace auxfem
 

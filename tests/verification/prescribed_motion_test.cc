@@ -1,14 +1,12 @@
 #include <gtest/gtest.h>
+#include <support/sampled_motion.h>
 #include <support/scene_run.h>
 #include <support/scene_text.h>
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 
 #include <support/messages.h>
 #include <support/pi.h>
-#include <unistd.h>
 #include <verification/schemes.h>
 
 using namespace auxfem;
@@ -201,37 +199,6 @@ TEST(PrescribedMotion, ALatticeThatAlreadyMovesWithItsSupportIsNotStruck)
 
 namespace
 {
-  /** A table of @p function every @p spacing (s) to @p end, gone with the object. */
-  class SampledMotion
-  {
-  public:
-    template <class Function>
-    SampledMotion(const Function &function,
-                  const double    spacing,
-                  const double    end)
-      : file(std::filesystem::temp_directory_path() /
-             ("auxfem-motion-" + std::to_string(getpid()) + ".csv"))
-    {
-      std::ofstream out(file);
-      out.precision(17);
-      for (unsigned int i = 0; i * spacing < end + spacing / 2; ++i)
-        out << i * spacing << ", " << function(i * spacing) << '\n';
-    }
-
-    ~SampledMotion()
-    {
-      std::filesystem::remove(file);
-    }
-
-    std::string name() const
-    {
-      return file.string();
-    }
-
-  private:
-    const std::filesystem::path file;
-  };
-
   /** To and fro by 0.2 m twice a second, from rest. */
   double shake(const double t)
   {

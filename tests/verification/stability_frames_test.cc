@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 #include <support/scene_text.h>
+#include <verification/deep_arch.h>
 #include <verification/hard_case.h>
 
 #include <algorithm>
@@ -115,6 +116,17 @@ namespace
     return {"Lee's frame snaps back", scene.str()};
   }
 
+  /** A load on its crown grows slowly beyond the limit load, 897. */
+  HardCase snapping_arch()
+  {
+    SceneText scene = deep_arch();
+    scene.set("Sections/section 0/Density", 1e-12)
+      .load("weight", "1", {"0", "-1000 * min(t / 4, 1)", "0"})
+      .mesh(4, 1)
+      .time(4.4, 2e-3);
+    return {"A deep arch snaps through", scene.str()};
+  }
+
   /** A cantilever strip on edge, pushed a little to a side, under a force at
    * its end that grows beyond that of Prandtl, 4.013 sqrt(EI GJ) / L^2. */
   HardCase prandtls_strip()
@@ -167,6 +179,13 @@ TEST(StabilityOfFrames, LeesFrame)
 {
   const Course reference = go_through(lee_frame());
   EXPECT_GT(largest_motion(reference, 5), 0.8);
+}
+
+// At the limit load the crown is 113 lower; it falls below the feet.
+TEST(StabilityOfFrames, DeepArch)
+{
+  const Course reference = go_through(snapping_arch());
+  EXPECT_GT(largest_motion(reference, 3), 150);
 }
 
 // The push alone moves the end by 0.33 mm.

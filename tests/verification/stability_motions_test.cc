@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <support/run_program.h>
 #include <support/scene_text.h>
 #include <verification/hard_case.h>
 
@@ -61,6 +62,18 @@ namespace
       .mesh(2)
       .time(1.5, 2e-3);
     return {"A hanging chain of hinged bars", scene.str()};
+  }
+
+  /** The cell of rigid parts, pulled out until its bars, at 60 degrees at
+   * first, stand upright, and through there: the side joints come to the other
+   * side. */
+  HardCase cell_through_upright()
+  {
+    return {"A cell of rigid bars through cos theta = 0",
+            prm_text("rigid-cell.prm"),
+            {"Lattice/Angle=60 deg",
+             "Connectors/damper/Spring stiffness=2 kN/m",
+             "Loads/impact/Force y=2000"}};
   }
 
   /** A four-bar linkage of rigid bars that comes within a thousandth of the
@@ -180,6 +193,14 @@ TEST(StabilityOfMotions, Mechanisms)
 {
   go_through(thrown_chain());
   go_through(hanging_chain());
+}
+
+// Side joints, 0.25 m from the axis, go to it and beyond.
+TEST(StabilityOfMotions, BarsThatComeUpright)
+{
+  const Course cell = go_through(cell_through_upright());
+  EXPECT_LT(cell.motions.back().at(0), -0.6);
+  EXPECT_GT(cell.motions.back().at(6), 0.6);
 }
 
 TEST(StabilityOfMotions, RigidPartsNearlySingular)

@@ -1,6 +1,11 @@
 #include <gtest/gtest.h>
+#include <support/sampled_motion.h>
 #include <verification/hard_case.h>
 #include <verification/star_scene.h>
+
+#include <cmath>
+
+#include <support/pi.h>
 
 using namespace auxfem;
 using namespace auxfem::testing_support;
@@ -19,6 +24,25 @@ namespace
             star_scene(),
             star_size(2, load) + overrides +
               std::vector<std::string>{"Effects/Contact=off"}};
+  }
+
+  /** A foot that moves to the side and back by @p displacement. */
+  std::vector<std::string> moved_foot(const std::string &displacement)
+  {
+    return {"Supports/foundation/Type=prescribed",
+            "Supports/foundation/Displacement x=" + displacement,
+            "Supports/foundation/Displacement y=0",
+            "Supports/foundation/Rotation z=0"};
+  }
+
+  /** Ground that shakes (m), from rest. */
+  double shaken_ground(const double t)
+  {
+    double displacement = 0;
+    for (const double frequency : {113., 311., 701.})
+      displacement +=
+        0.03 / frequency * std::pow(std::sin(pi * frequency * t), 3);
+    return displacement;
   }
 
   std::vector<std::string> law(const std::string &parameter, const double value)
@@ -51,22 +75,26 @@ TEST(Stability, LoadsThatJumpAndStrike)
   go_through(star_case("A load that jumps",
                        0.5,
                        {"Loads/pressure/Force y=-F0 + 0 * t0"}));
+  go_through(star_case("A blow of three steps",
+                       0,
+                       {"Loads/pressure/Force y=-2 * sin(pi * t / 60e-6) * "
+                        "(t < 60e-6)"}));
   go_through(star_case("A strike: the top at 3 m/s",
                        0,
                        {"Initial velocities/strike/Joints=top",
                         "Initial velocities/strike/Velocity y=-3"}));
 }
 
-TEST(Stability, MotionsWithKinks)
+TEST(Stability, MotionsWithKinksAndTables)
 {
   go_through(
     star_case("A foot that moves to and fro with kinks",
               0,
-              {"Supports/foundation/Type=prescribed",
-               "Supports/foundation/Displacement x=1e-3 * abs(t / 5e-3 - 2 * "
-               "floor(t / 10e-3 + 0.5))",
-               "Supports/foundation/Displacement y=0",
-               "Supports/foundation/Rotation z=0"}));
+              moved_foot("1e-3 * abs(t / 5e-3 - 2 * floor(t / 10e-3 + 0.5))")));
+  const SampledMotion ground(shaken_ground, 0.1e-3, 20e-3);
+  go_through(star_case("Ground that shakes by a table",
+                       0,
+                       moved_foot("table: " + ground.name())));
 }
 
 TEST(Stability, ConnectorsOfAnyStiffness)
@@ -141,4 +169,13 @@ TEST(Stability, JointsWithoutMass)
                         "Connectors/damper/Law=maxwell",
                         "Masses/top/Joints=top",
                         "Masses/top/Mass=1e-4"}));
+}
+
+// Nothing but connectors and inertia keeps it from folding.
+TEST(Stability, EveryJointAHinge)
+{
+  go_through(
+    star_case("Every joint a hinge",
+              0.1,
+              {"Joints/hinges/Joints=all", "Joints/hinges/Struts=all"}));
 }

@@ -1,0 +1,20 @@
+#include <gtest/gtest.h>
+#include <verification/hard_case.h>
+#include <verification/tumbling_cell.h>
+
+using namespace auxfem;
+using namespace auxfem::testing_support;
+
+// The catalogue of hard cases: a hundred thousand undamped steps.
+
+TEST(StabilityOfLongRuns, TumblingCell)
+{
+  SceneText scene = tumbling_cell();
+  // What goes wrong is to be the schemes' own, not that struts touch.
+  scene.set("Effects/Contact", "off").set("Newton/Tolerance", 1e-10);
+  HardCase hard;
+  hard.title   = "A hundred thousand steps of a tumbling cell";
+  hard.prm     = scene.str();
+  hard.is_free = true;
+  go_on_for_long(hard);
+}
