@@ -14,29 +14,6 @@ namespace auxfem
     }
   } // namespace
 
-  SpaceTensor cross_product_tensor(const SpaceVector &v)
-  {
-    SpaceTensor result;
-    for (int i = 0; i < 3; ++i)
-      {
-        const int j = (i + 1) % 3, k = (i + 2) % 3;
-        result[j][i] = v[k];
-        result[i][j] = -v[k];
-      }
-    return result;
-  }
-
-  SpaceTensor with_principal_values(const SpaceTensor &frame,
-                                    const SpaceVector &values)
-  {
-    SpaceTensor result;
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j)
-        for (int k = 0; k < 3; ++k)
-          result[i][j] += frame[i][k] * values[k] * frame[j][k];
-    return result;
-  }
-
   bool nearly_parallel(const SpaceVector &a, const SpaceVector &b)
   {
     const double sine_of_five_degrees = 0.08715574274765817;

@@ -21,55 +21,64 @@ namespace auxfem
    * and the virtual work is N d(epsilon) + Q d(gamma) + M d(kappa) with
    * d(epsilon) = dr'.t + (r'.n) dphi, d(gamma) = dr'.n - (r'.t) dphi.
    * The small-displacement form is the same with t, n and r' at rest.
-   * Unknowns of an element: u_x, u_y, phi node by node.
+   * Unknowns of an element: u_x, u_y, phi node by node. @p Number is double or,
+   * of several elements at a time, Lanes.
    */
   namespace Beam2D
   {
     /** Undeformed axis at a Gauss point. */
-    struct Frame
+    template <class Number>
+    struct FrameOf
     {
-      double cosine, sine; ///< section normal t0 = (cosine, sine)
+      Number cosine, sine; ///< section normal t0 = (cosine, sine)
       /** Slope r0' in components along t0, n0: (1, 0) for a straight strut. */
-      double axial, shear;
+      Number axial, shear;
     };
+    using Frame = FrameOf<double>;
 
     /**
      * Section stiffness (N, N, N m2) and the retardation time of
      * stiffness-proportional damping (s).
      */
-    struct Stiffness
+    template <class Number>
+    struct StiffnessOf
     {
-      double axial, shear, bending;
-      double damping_time;
+      Number axial, shear, bending;
+      Number damping_time;
     };
+    using Stiffness = StiffnessOf<double>;
 
     /**
      * Strains at a point, with what forces and tangents need of the
      * kinematics.
      */
-    struct Kinematics
+    template <class Number>
+    struct KinematicsOf
     {
-      double epsilon, gamma, kappa;
-      double stretch, slip; ///< r'.t, r'.n
-      double cosine, sine;  ///< of t in the global frame
+      Number epsilon, gamma, kappa;
+      Number stretch, slip; ///< r'.t, r'.n
+      Number cosine, sine;  ///< of t in the global frame
     };
+    using Kinematics = KinematicsOf<double>;
 
     /**
      * Derivatives by s of displacement, rotation and its derivative at a Gauss
      * point.
      */
-    struct Gradient
+    template <class Number>
+    struct GradientOf
     {
-      double ux, uy, phi, kappa;
+      Number ux, uy, phi, kappa;
     };
+    using Gradient = GradientOf<double>;
 
-    template <int order>
-    inline Gradient interpolate(const BeamShape<order> &shape,
-                                const int               g,
-                                const double            inverse_jacobian,
-                                const double           *u)
+    template <int order, class Number>
+    inline GradientOf<Number> interpolate(const BeamShape<order> &shape,
+                                          const int               g,
+                                          const Number  inverse_jacobian,
+                                          const Number *u)
     {
-      Gradient d{0, 0, 0, 0};
+      GradientOf<Number> d{0, 0, 0, 0};
       for (int a = 0; a <= order; ++a)
         {
           d.ux += shape.derivative[g][a] * u[3 * a];
@@ -88,19 +97,20 @@ namespace auxfem
      * sin^2(phi/2) so that small strains are not differences of numbers near
      * one.
      */
-    template <bool large_rotation>
-    inline Kinematics kinematics(const Frame &frame, const Gradient &d)
+    template <bool large_rotation, class Number>
+    inline KinematicsOf<Number> kinematics(const FrameOf<Number>    &frame,
+                                           const GradientOf<Number> &d)
     {
-      const double p = frame.cosine * d.ux + frame.sine * d.uy,
+      const Number p = frame.cosine * d.ux + frame.sine * d.uy,
                    q = frame.cosine * d.uy - frame.sine * d.ux;
-      Kinematics k;
+      KinematicsOf<Number> k;
       k.kappa = d.kappa;
       if (large_rotation)
         {
-          const double half_sine   = std::sin(d.phi / 2),
-                       half_cosine = std::cos(d.phi / 2);
-          const double s           = 2 * half_sine * half_cosine;
-          const double versine = 2 * half_sine * half_sine, c = 1 - versine;
+          using std::cos, std::sin;
+          const Number half_sine = sin(d.phi / 2), half_cosine = cos(d.phi / 2);
+          const Number s       = 2 * half_sine * half_cosine;
+          const Number versine = 2 * half_sine * half_sine, c = 1 - versine;
           k.epsilon = p * c + q * s - frame.axial * versine + frame.shear * s;
           k.gamma   = q * c - p * s - frame.axial * s - frame.shear * versine;
           k.cosine  = frame.cosine * c - frame.sine * s;
@@ -121,20 +131,23 @@ namespace auxfem
     }
 
     /** Strain rates from the velocity gradient @p v. */
-    inline void strain_rates(const Kinematics &k,
-                             const Gradient   &v,
-                             double           &epsilon,
-                             double           &gamma)
+    template <class Number>
+    inline void strain_rates(const KinematicsOf<Number> &k,
+                             const GradientOf<Number>   &v,
+                             Number                     &epsilon,
+                             Number                     &gamma)
     {
       epsilon = k.cosine * v.ux + k.sine * v.uy + k.slip * v.phi;
       gamma   = k.cosine * v.uy - k.sine * v.ux - k.stretch * v.phi;
     }
 
     /** Strain energy (J) and power lost to damping (W) of an element. */
-    struct EnergyRate
+    template <class Number>
+    struct EnergyRateOf
     {
-      double strain = 0, dissipation = 0;
+      Number strain = 0, dissipation = 0;
     };
+    using EnergyRate = EnergyRateOf<double>;
 
     /**
      * Internal force of an element.
@@ -144,36 +157,38 @@ namespace auxfem
      * @param v velocities, used only if @p damped
      * @param force receives 3 (order + 1) nodal forces and moments
      */
-    template <int order, bool large_rotation, bool damped>
-    inline EnergyRate internal_force(const BeamShape<order> &shape,
-                                     const Frame            *frames,
-                                     const double            jacobian,
-                                     const Stiffness        &stiffness,
-                                     const double           *u,
-                                     const double           *v,
-                                     double                 *force)
+    template <int order, bool large_rotation, bool damped, class Number>
+    inline EnergyRateOf<Number>
+    internal_force(const BeamShape<order>    &shape,
+                   const FrameOf<Number>     *frames,
+                   const Number               jacobian,
+                   const StiffnessOf<Number> &stiffness,
+                   const Number              *u,
+                   const Number              *v,
+                   Number                    *force)
     {
-      EnergyRate   energy;
-      const double inverse_jacobian = 1 / jacobian;
+      EnergyRateOf<Number> energy;
+      const Number         inverse_jacobian = 1 / jacobian;
       for (int i = 0; i < 3 * (order + 1); ++i)
         force[i] = 0;
       for (int g = 0; g < order; ++g)
         {
-          const Kinematics k = kinematics<large_rotation>(
+          const KinematicsOf<Number> k = kinematics<large_rotation>(
             frames[g],
             interpolate(shape, g, inverse_jacobian, u));
-          double axial        = stiffness.axial * k.epsilon,
+          Number axial        = stiffness.axial * k.epsilon,
                  shear        = stiffness.shear * k.gamma,
                  bending      = stiffness.bending * k.kappa;
-          const double weight = shape.weight[g] * jacobian;
+          const Number weight = shape.weight[g] * jacobian;
           energy.strain += weight / 2 *
             (axial * k.epsilon + shear * k.gamma + bending * k.kappa);
           if (damped)
             {
-              const Gradient rate = interpolate(shape, g, inverse_jacobian, v);
-              double         epsilon_rate, gamma_rate;
+              const GradientOf<Number> rate =
+                interpolate(shape, g, inverse_jacobian, v);
+              Number epsilon_rate, gamma_rate;
               strain_rates(k, rate, epsilon_rate, gamma_rate);
-              const double N = stiffness.damping_time * stiffness.axial *
+              const Number N = stiffness.damping_time * stiffness.axial *
                 epsilon_rate,
                            Q = stiffness.damping_time * stiffness.shear *
                 gamma_rate,
@@ -186,7 +201,7 @@ namespace auxfem
               bending += M;
             }
           const double w  = shape.weight[g];
-          const double fx = w * (k.cosine * axial - k.sine * shear),
+          const Number fx = w * (k.cosine * axial - k.sine * shear),
                        fy = w * (k.sine * axial + k.cosine * shear),
                        m  = w * jacobian * (axial * k.slip - shear * k.stretch);
           bending *= w;
@@ -203,10 +218,11 @@ namespace auxfem
 
     /** Adds to a section tangent what axial and shear force have as the section
      * turns. */
-    inline void add_geometric_part(const Kinematics &k,
-                                   const double      axial,
-                                   const double      shear,
-                                   double (&G)[3][3])
+    template <class Number>
+    inline void add_geometric_part(const KinematicsOf<Number> &k,
+                                   const Number                axial,
+                                   const Number                shear,
+                                   Number (&G)[3][3])
     {
       G[0][2] -= shear;
       G[1][2] += axial;
@@ -219,36 +235,36 @@ namespace auxfem
      * Tangent of the section forces by (r'.t, r'.n, phi) at a Gauss point, in
      * that order along rows and columns, in the frame of the turned section.
      */
-    template <bool large_rotation, bool damped>
-    inline void section_tangent(const Kinematics &k,
-                                const Stiffness  &stiffness,
-                                const Gradient   &velocity,
-                                const double      stiffness_factor,
-                                const double      damping_factor,
-                                double (&G)[3][3])
+    template <bool large_rotation, bool damped, class Number>
+    inline void section_tangent(const KinematicsOf<Number> &k,
+                                const StiffnessOf<Number>  &stiffness,
+                                const GradientOf<Number>   &velocity,
+                                const double                stiffness_factor,
+                                const double                damping_factor,
+                                Number (&G)[3][3])
     {
-      const double beta     = damped ? stiffness.damping_time : 0.;
-      const double material = stiffness_factor + beta * damping_factor;
+      const Number beta     = damped ? stiffness.damping_time : 0.;
+      const Number material = stiffness_factor + beta * damping_factor;
       // Variations of N and Q by r'.t, r'.n, phi.
-      double dN[3] = {stiffness.axial * material,
+      Number dN[3] = {stiffness.axial * material,
                       0,
                       stiffness.axial * material * k.slip};
-      double dQ[3] = {0,
+      Number dQ[3] = {0,
                       stiffness.shear * material,
                       -stiffness.shear * material * k.stretch};
-      double N = stiffness.axial * k.epsilon, Q = stiffness.shear * k.gamma;
+      Number N = stiffness.axial * k.epsilon, Q = stiffness.shear * k.gamma;
       if (damped)
         {
-          double epsilon_rate, gamma_rate;
+          Number epsilon_rate, gamma_rate;
           strain_rates(k, velocity, epsilon_rate, gamma_rate);
           N += beta * stiffness.axial * epsilon_rate;
           Q += beta * stiffness.shear * gamma_rate;
           if (large_rotation)
             {
-              const double vt = k.cosine * velocity.ux + k.sine * velocity.uy,
+              const Number vt = k.cosine * velocity.ux + k.sine * velocity.uy,
                            vn = k.cosine * velocity.uy - k.sine * velocity.ux,
                            omega = velocity.phi;
-              const double a     = beta * stiffness_factor * stiffness.axial,
+              const Number a     = beta * stiffness_factor * stiffness.axial,
                            s     = beta * stiffness_factor * stiffness.shear;
               dN[1] += a * omega;
               dN[2] += a * (vn - omega * k.stretch);
@@ -268,26 +284,26 @@ namespace auxfem
 
     /** Adds a Gauss point with its section tangent and bending stiffness to the
      * tangent of an element. */
-    template <int order>
-    inline void add_section(const BeamShape<order> &shape,
-                            const int               g,
-                            const double            jacobian,
-                            const Kinematics       &k,
-                            const double (&G)[3][3],
-                            const double bending,
-                            double      *matrix)
+    template <int order, class Number>
+    inline void add_section(const BeamShape<order>     &shape,
+                            const int                   g,
+                            const Number                jacobian,
+                            const KinematicsOf<Number> &k,
+                            const Number (&G)[3][3],
+                            const Number bending,
+                            Number      *matrix)
     {
       constexpr int n                = 3 * (order + 1);
-      const double  inverse_jacobian = 1 / jacobian;
+      const Number  inverse_jacobian = 1 / jacobian;
       // The same in the global frame: x = (t, -n)-components turned back.
-      const double c = k.cosine, s = k.sine;
-      const double T[2][3] = {{c * G[0][0] - s * G[1][0],
+      const Number c = k.cosine, s = k.sine;
+      const Number T[2][3] = {{c * G[0][0] - s * G[1][0],
                                c * G[0][1] - s * G[1][1],
                                c * G[0][2] - s * G[1][2]},
                               {s * G[0][0] + c * G[1][0],
                                s * G[0][1] + c * G[1][1],
                                s * G[0][2] + c * G[1][2]}};
-      const double xx      = c * T[0][0] - s * T[0][1],
+      const Number xx      = c * T[0][0] - s * T[0][1],
                    xy      = s * T[0][0] + c * T[0][1],
                    yx      = c * T[1][0] - s * T[1][1],
                    yy      = s * T[1][0] + c * T[1][1],
@@ -297,13 +313,13 @@ namespace auxfem
       for (int a = 0; a <= order; ++a)
         for (int b = 0; b <= order; ++b)
           {
-            const double dd = w * inverse_jacobian * shape.derivative[g][a] *
+            const Number dd = w * inverse_jacobian * shape.derivative[g][a] *
               shape.derivative[g][b],
                          dv = w * shape.derivative[g][a] * shape.value[g][b],
                          vd = w * shape.value[g][a] * shape.derivative[g][b],
                          vv =
                            w * jacobian * shape.value[g][a] * shape.value[g][b];
-            double *block = matrix + 3 * a * n + 3 * b;
+            Number *block = matrix + 3 * a * n + 3 * b;
             block[0] += dd * xx;
             block[1] += dd * xy;
             block[2] += dv * T[0][2];
@@ -320,37 +336,37 @@ namespace auxfem
      * Tangent stiffness_factor * dF/du + damping_factor * dF/dv of the internal
      * force, row by row into @p matrix (3 (order + 1) squared).
      */
-    template <int order, bool large_rotation, bool damped>
-    inline void tangent(const BeamShape<order> &shape,
-                        const Frame            *frames,
-                        const double            jacobian,
-                        const Stiffness        &stiffness,
-                        const double           *u,
-                        const double           *v,
-                        const double            stiffness_factor,
-                        const double            damping_factor,
-                        double                 *matrix)
+    template <int order, bool large_rotation, bool damped, class Number>
+    inline void tangent(const BeamShape<order>    &shape,
+                        const FrameOf<Number>     *frames,
+                        const Number               jacobian,
+                        const StiffnessOf<Number> &stiffness,
+                        const Number              *u,
+                        const Number              *v,
+                        const double               stiffness_factor,
+                        const double               damping_factor,
+                        Number                    *matrix)
     {
       constexpr int n                = 3 * (order + 1);
-      const double  inverse_jacobian = 1 / jacobian;
+      const Number  inverse_jacobian = 1 / jacobian;
       for (int i = 0; i < n * n; ++i)
         matrix[i] = 0;
       for (int g = 0; g < order; ++g)
         {
-          const Kinematics k = kinematics<large_rotation>(
+          const KinematicsOf<Number> k = kinematics<large_rotation>(
             frames[g],
             interpolate(shape, g, inverse_jacobian, u));
-          const Gradient rate = damped
+          const GradientOf<Number> rate = damped
             ? interpolate(shape, g, inverse_jacobian, v)
-            : Gradient{0, 0, 0, 0};
-          double         G[3][3];
+            : GradientOf<Number>{0, 0, 0, 0};
+          Number                   G[3][3];
           section_tangent<large_rotation, damped>(k,
                                                   stiffness,
                                                   rate,
                                                   stiffness_factor,
                                                   damping_factor,
                                                   G);
-          const double bending = stiffness.bending *
+          const Number bending = stiffness.bending *
             (stiffness_factor +
              (damped ? stiffness.damping_time * damping_factor : 0.));
 
@@ -379,7 +395,7 @@ namespace auxfem
             kinematics<true>(frames[g], interpolate(shape, g, 1 / jacobian, u));
           double G[3][3] = {};
           add_geometric_part(k, forces[g][0], forces[g][1], G);
-          add_section(shape, g, jacobian, k, G, /*bending=*/0, matrix);
+          add_section(shape, g, jacobian, k, G, /*bending=*/0., matrix);
         }
     }
   } // namespace Beam2D

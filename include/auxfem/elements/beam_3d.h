@@ -12,24 +12,27 @@ namespace auxfem
      * and the couple n x r' that a rotation of P_r at constant psi has to
      * overcome.
      */
-    struct Gradient
+    template <class Number>
+    struct GradientOf
     {
-      SpaceVector force; ///< n
-      SpaceVector by_psi, by_gradient, couple;
+      VectorOf<Number> force; ///< n
+      VectorOf<Number> by_psi, by_gradient, couple;
       /** Section force and moment in the axes turned by P_r. */
-      SpaceVector middle_force, middle_moment;
-      SpaceVector middle_slope; ///< exp(-psi) r'
-      SpaceTensor tangent;      ///< T(psi)
+      VectorOf<Number> middle_force, middle_moment;
+      VectorOf<Number> middle_slope; ///< exp(-psi) r'
+      TensorOf<Number> tangent;      ///< T(psi)
     };
+    using Gradient = GradientOf<double>;
 
     /** @param force, moment of the section, in its axes. */
-    inline Gradient energy_gradient(const Kinematics  &point,
-                                    const SpaceVector &force,
-                                    const SpaceVector &moment)
+    template <class Number>
+    inline GradientOf<Number> energy_gradient(const KinematicsOf<Number> &point,
+                                              const VectorOf<Number>     &force,
+                                              const VectorOf<Number> &moment)
     {
       using dealii::cross_product_3d;
-      const RotationCoefficients &c = point.coefficients;
-      Gradient                    d;
+      const RotationCoefficientsOf<Number> &c = point.coefficients;
+      GradientOf<Number>                    d;
       d.force         = point.axes * force;
       d.middle_force  = point.middle_axes * force;
       d.middle_moment = point.middle_axes * moment;
@@ -42,8 +45,10 @@ namespace auxfem
       return d;
     }
 
-    inline Gradient energy_gradient(const Kinematics &point,
-                                    const Stiffness  &stiffness)
+    template <class Number>
+    inline GradientOf<Number>
+    energy_gradient(const KinematicsOf<Number> &point,
+                    const StiffnessOf<Number>  &stiffness)
     {
       return energy_gradient(point,
                              section_force(stiffness, point.strains.gamma),
@@ -51,33 +56,33 @@ namespace auxfem
     }
 
     /** tau and tau' of the middle rotation, as in Beam3D. */
-    struct MiddleCoefficients
+    template <class Number>
+    struct MiddleCoefficientsOf
     {
-      double tau, dtau;
+      Number tau, dtau;
 
-      explicit MiddleCoefficients(const SpaceVector &chi)
+      explicit MiddleCoefficientsOf(const VectorOf<Number> &chi)
       {
-        const double square = chi * chi;
-        if (square < 0.01)
+        using std::sqrt, std::tan;
+        const Number square = chi * chi;
+        // tan(x) / x with x = t / 2.
+        constexpr std::array<double, 6> of_tau = {{1. / 2,
+                                                   1. / 24,
+                                                   1. / 240,
+                                                   17. / 40320,
+                                                   31. / 725760,
+                                                   691. / 159667200}};
+        std::array<double, 5>           of_dtau;
+        for (int k = 0; k < 5; ++k)
+          of_dtau[k] = 2 * (k + 1) * of_tau[k + 1];
+        tau              = power_series(of_tau, square);
+        dtau             = power_series(of_dtau, square);
+        const auto large = square >= 0.01;
+        if (any_of(large))
           {
-            // tan(x) / x with x = t / 2.
-            constexpr std::array<double, 6> of_tau = {{1. / 2,
-                                                       1. / 24,
-                                                       1. / 240,
-                                                       17. / 40320,
-                                                       31. / 725760,
-                                                       691. / 159667200}};
-            std::array<double, 5>           of_dtau;
-            for (int k = 0; k < 5; ++k)
-              of_dtau[k] = 2 * (k + 1) * of_tau[k + 1];
-            tau  = power_series(of_tau, square);
-            dtau = power_series(of_dtau, square);
-          }
-        else
-          {
-            const double t = std::sqrt(square), tangent = std::tan(t / 2);
-            tau  = tangent / t;
-            dtau = ((1 + tangent * tangent) / 2 - tau) / square;
+            const Number t = sqrt(square), tangent = tan(Number(t / 2));
+            where(large, tau)  = tangent / t;
+            where(large, dtau) = ((1 + tangent * tangent) / 2 - tau) / square;
           }
       }
     };
@@ -86,35 +91,35 @@ namespace auxfem
      * By how much spins of the nodes turn the middle rotation and psi of the
      * nodes; derivatives of forces that act on these.
      */
-    template <int order>
+    template <int order, class Number = double>
     struct NodeOperators
     {
-      SpaceVector chi;
+      VectorOf<Number> chi;
       /** V_0, V_1. */
-      SpaceTensor middle_by_spin[2];
+      TensorOf<Number> middle_by_spin[2];
       /** T(-psi_a)^-1. */
-      SpaceTensor psi_by_spin[order + 1];
+      TensorOf<Number> psi_by_spin[order + 1];
 
-      explicit NodeOperators(const RelativeRotations<order> &relative)
+      explicit NodeOperators(const RelativeRotations<order, Number> &relative)
         : chi(relative.psi[1])
       {
-        const double tau = MiddleCoefficients(chi).tau;
+        const Number tau = MiddleCoefficientsOf<Number>(chi).tau;
         for (int end = 0; end < 2; ++end)
           middle_by_spin[end] = plus_identity((end == 0 ? 0.5 : -0.5) * tau *
                                                 cross_product_tensor(chi),
-                                              0.5);
+                                              Number(0.5));
         for (int a = 0; a <= order; ++a)
-          psi_by_spin[a] =
-            transpose(inverse_tangent_operator(InverseRotationCoefficients(
-                                                 relative.psi[a]),
-                                               relative.psi[a]));
+          psi_by_spin[a] = transpose(inverse_tangent_operator(
+            InverseRotationCoefficientsOf<Number>(relative.psi[a]),
+            relative.psi[a]));
       }
 
       /** Derivative of V_end^T @p couple by chi. */
-      SpaceTensor end_derivative(const int end, const SpaceVector &couple) const
+      TensorOf<Number> end_derivative(const int               end,
+                                      const VectorOf<Number> &couple) const
       {
-        const MiddleCoefficients c(chi);
-        const SpaceTensor        of_second = 0.5 *
+        const MiddleCoefficientsOf<Number> c(chi);
+        const TensorOf<Number>             of_second = 0.5 *
           (c.dtau * dyad(dealii::cross_product_3d(chi, couple), chi) -
            c.tau * cross_product_tensor(couple));
         return end == 1 ? of_second : -1. * of_second;
@@ -122,20 +127,20 @@ namespace auxfem
     };
 
     /** Sums over the Gauss points of an element. */
-    template <int order>
+    template <int order, class Number = double>
     struct ElementGradient
     {
-      SpaceVector force[order + 1]; ///< on the nodes
-      SpaceVector by_psi[order + 1];
-      SpaceVector couple; ///< on the middle rotation
+      VectorOf<Number> force[order + 1]; ///< on the nodes
+      VectorOf<Number> by_psi[order + 1];
+      VectorOf<Number> couple; ///< on the middle rotation
 
       /** Adds a Gauss point. */
-      void add(const BeamShape<order> &shape,
-               const int               g,
-               const double            jacobian,
-               const Gradient         &d)
+      void add(const BeamShape<order>   &shape,
+               const int                 g,
+               const Number              jacobian,
+               const GradientOf<Number> &d)
       {
-        const double weight = shape.weight[g] * jacobian;
+        const Number weight = shape.weight[g] * jacobian;
         for (int a = 0; a <= order; ++a)
           {
             const double derivative = shape.weight[g] * shape.derivative[g][a];
@@ -147,9 +152,9 @@ namespace auxfem
       }
 
       /** Moments on the nodes; @p at_ends gets what acts on the middle rotation. */
-      void find_moments(const NodeOperators<order> &nodes,
-                        SpaceVector                *moments,
-                        SpaceVector                &at_ends) const
+      void find_moments(const NodeOperators<order, Number> &nodes,
+                        VectorOf<Number>                   *moments,
+                        VectorOf<Number>                   &at_ends) const
       {
         at_ends = couple;
         for (int a = 0; a <= order; ++a)
@@ -168,24 +173,25 @@ namespace auxfem
      * @param force receives 6 (order + 1) nodal forces and moments
      * @return strain energy (J)
      */
-    template <int order>
-    inline double internal_force(const BeamShape<order>         &shape,
-                                 const ElementKinematics<order> &element,
-                                 const double                    jacobian,
-                                 const Stiffness                &stiffness,
-                                 double                         *force)
+    template <int order, class Number>
+    inline Number
+    internal_force(const BeamShape<order>                 &shape,
+                   const ElementKinematics<order, Number> &element,
+                   const Number                            jacobian,
+                   const StiffnessOf<Number>              &stiffness,
+                   Number                                 *force)
     {
-      ElementGradient<order> sum;
-      double                 energy = 0;
+      ElementGradient<order, Number> sum;
+      Number                         energy = 0;
       for (int g = 0; g < order; ++g)
         {
-          const Kinematics &point = element.points[g];
+          const KinematicsOf<Number> &point = element.points[g];
           energy += shape.weight[g] * jacobian *
             energy_density(stiffness, point.strains);
           sum.add(shape, g, jacobian, energy_gradient(point, stiffness));
         }
-      SpaceVector moments[order + 1], at_ends;
-      sum.find_moments(NodeOperators<order>(element.relative),
+      VectorOf<Number> moments[order + 1], at_ends;
+      sum.find_moments(NodeOperators<order, Number>(element.relative),
                        moments,
                        at_ends);
       for (int a = 0; a <= order; ++a)
@@ -202,52 +208,53 @@ namespace auxfem
      * and rotation vector node by node) and everything else at rest:
      * Gamma = R0^T (u' + r0' x theta), K = R0^T theta'.
      */
-    template <int order>
-    inline Strains small_displacement_strains(const BeamShape<order> &shape,
-                                              const int               g,
-                                              const Frame            *frames,
-                                              const double            jacobian,
-                                              const double           *u)
+    template <int order, class Number>
+    inline StrainsOf<Number>
+    small_displacement_strains(const BeamShape<order> &shape,
+                               const int               g,
+                               const FrameOf<Number>  *frames,
+                               const Number            jacobian,
+                               const Number           *u)
     {
-      SpaceVector slope, rotation, curvature;
+      VectorOf<Number> slope, rotation, curvature;
       for (int a = 0; a <= order; ++a)
         for (int i = 0; i < 3; ++i)
           {
-            const double *node       = u + n_components * a;
-            const double  derivative = shape.derivative[g][a] / jacobian;
+            const Number *node       = u + n_components * a;
+            const Number  derivative = shape.derivative[g][a] / jacobian;
             slope[i] += derivative * node[i];
             rotation[i] += shape.value[g][a] * node[3 + i];
             curvature[i] += derivative * node[3 + i];
           }
-      const Frame &frame = frames[g];
+      const FrameOf<Number> &frame = frames[g];
       return {(slope + dealii::cross_product_3d(frame.slope, rotation)) *
                 frame.axes,
               curvature * frame.axes};
     }
 
     /** Internal force of the small-displacement form; as internal_force(). */
-    template <int order>
-    inline double small_displacement_force(const BeamShape<order> &shape,
-                                           const Frame            *frames,
-                                           const double            jacobian,
-                                           const Stiffness        &stiffness,
-                                           const double           *u,
-                                           double                 *force)
+    template <int order, class Number>
+    inline Number small_displacement_force(const BeamShape<order>    &shape,
+                                           const FrameOf<Number>     *frames,
+                                           const Number               jacobian,
+                                           const StiffnessOf<Number> &stiffness,
+                                           const Number              *u,
+                                           Number                    *force)
     {
-      double energy = 0;
+      Number energy = 0;
       for (int i = 0; i < n_components * (order + 1); ++i)
         force[i] = 0;
       for (int g = 0; g < order; ++g)
         {
-          const Strains strain =
+          const StrainsOf<Number> strain =
             small_displacement_strains(shape, g, frames, jacobian, u);
-          const SpaceVector section =
+          const VectorOf<Number> section =
             frames[g].axes * section_force(stiffness, strain.gamma);
-          const SpaceVector moment =
+          const VectorOf<Number> moment =
             frames[g].axes * section_moment(stiffness, strain.kappa);
-          const SpaceVector lever =
+          const VectorOf<Number> lever =
             dealii::cross_product_3d(section, frames[g].slope);
-          const double weight = shape.weight[g] * jacobian;
+          const Number weight = shape.weight[g] * jacobian;
           energy += weight * energy_density(stiffness, strain);
           for (int a = 0; a <= order; ++a)
             for (int i = 0; i < 3; ++i)

@@ -24,29 +24,33 @@ namespace auxfem
      */
 
     /** Velocity of a node, both parts in the global frame. */
-    struct NodeVelocity
+    template <class Number>
+    struct NodeVelocityOf
     {
-      SpaceVector linear, angular; ///< m/s, rad/s
+      VectorOf<Number> linear, angular; ///< m/s, rad/s
     };
+    using NodeVelocity = NodeVelocityOf<double>;
 
     /** Rates at a Gauss point, in the global frame. */
-    struct Rates
+    template <class Number>
+    struct RatesOf
     {
-      SpaceVector gamma, kappa; ///< R Gamma., R K. = omega'
-      SpaceVector angular;      ///< omega
+      VectorOf<Number> gamma, kappa; ///< R Gamma., R K. = omega'
+      VectorOf<Number> angular;      ///< omega
     };
+    using Rates = RatesOf<double>;
 
-    template <int order>
-    inline Rates rates(const BeamShape<order> &shape,
-                       const int               g,
-                       const double            inverse_jacobian,
-                       const Kinematics       &point,
-                       const NodeVelocity     *velocities)
+    template <int order, class Number>
+    inline RatesOf<Number> rates(const BeamShape<order>       &shape,
+                                 const int                     g,
+                                 const Number                  inverse_jacobian,
+                                 const KinematicsOf<Number>   &point,
+                                 const NodeVelocityOf<Number> *velocities)
     {
-      Rates r;
+      RatesOf<Number> r;
       for (int a = 0; a <= order; ++a)
         {
-          const double derivative = shape.derivative[g][a] * inverse_jacobian;
+          const Number derivative = shape.derivative[g][a] * inverse_jacobian;
           r.gamma += derivative * velocities[a].linear;
           r.angular += shape.value[g][a] * velocities[a].angular;
           r.kappa += derivative * velocities[a].angular;
@@ -56,15 +60,19 @@ namespace auxfem
     }
 
     /** Section force and moment of damping in the global frame. */
-    struct ViscousResultants
+    template <class Number>
+    struct ViscousResultantsOf
     {
-      SpaceVector force, moment;
+      VectorOf<Number> force, moment;
     };
+    using ViscousResultants = ViscousResultantsOf<double>;
 
-    inline ViscousResultants viscous_resultants(const Kinematics &point,
-                                                const Stiffness  &stiffness,
-                                                const double      damping_time,
-                                                const Rates      &r)
+    template <class Number>
+    inline ViscousResultantsOf<Number>
+    viscous_resultants(const KinematicsOf<Number> &point,
+                       const StiffnessOf<Number>  &stiffness,
+                       const Number                damping_time,
+                       const RatesOf<Number>      &r)
     {
       return {damping_time *
                 (point.axes * section_force(stiffness, r.gamma * point.axes)),
@@ -73,16 +81,20 @@ namespace auxfem
     }
 
     /** By what rates make the resultants, in the global frame. */
-    struct ViscousStiffness
+    template <class Number>
+    struct ViscousStiffnessOf
     {
-      SpaceTensor by_gamma, by_kappa;
+      TensorOf<Number> by_gamma, by_kappa;
     };
+    using ViscousStiffness = ViscousStiffnessOf<double>;
 
-    inline ViscousStiffness viscous_stiffness(const Kinematics &point,
-                                              const Stiffness  &stiffness,
-                                              const double      damping_time)
+    template <class Number>
+    inline ViscousStiffnessOf<Number>
+    viscous_stiffness(const KinematicsOf<Number> &point,
+                      const StiffnessOf<Number>  &stiffness,
+                      const Number                damping_time)
     {
-      const SpaceVector ones({damping_time, damping_time, damping_time});
+      const VectorOf<Number> ones({damping_time, damping_time, damping_time});
       return {with_principal_values(point.axes, section_force(stiffness, ones)),
               with_principal_values(point.axes,
                                     section_moment(stiffness, ones))};
@@ -94,25 +106,27 @@ namespace auxfem
      * @param velocities of order + 1 nodes
      * @return power lost (W)
      */
-    template <int order>
-    inline double add_damping_force(const BeamShape<order>         &shape,
-                                    const ElementKinematics<order> &element,
-                                    const double                    jacobian,
-                                    const Stiffness                &stiffness,
-                                    const double        damping_time,
-                                    const NodeVelocity *velocities,
-                                    double             *force)
+    template <int order, class Number>
+    inline Number
+    add_damping_force(const BeamShape<order>                 &shape,
+                      const ElementKinematics<order, Number> &element,
+                      const Number                            jacobian,
+                      const StiffnessOf<Number>              &stiffness,
+                      const Number                            damping_time,
+                      const NodeVelocityOf<Number>           *velocities,
+                      Number                                 *force)
     {
-      double power = 0;
+      Number power = 0;
       for (int g = 0; g < order; ++g)
         {
-          const Kinematics &point = element.points[g];
-          const Rates r = rates(shape, g, 1 / jacobian, point, velocities);
-          const ViscousResultants s =
+          const KinematicsOf<Number> &point = element.points[g];
+          const RatesOf<Number>       r =
+            rates(shape, g, 1 / jacobian, point, velocities);
+          const ViscousResultantsOf<Number> s =
             viscous_resultants(point, stiffness, damping_time, r);
-          const SpaceVector couple =
+          const VectorOf<Number> couple =
             dealii::cross_product_3d(s.force, point.slope);
-          const double weight = shape.weight[g] * jacobian;
+          const Number weight = shape.weight[g] * jacobian;
           power += weight * (s.force * r.gamma + s.moment * r.kappa);
           for (int a = 0; a <= order; ++a)
             for (int i = 0; i < 3; ++i)
@@ -128,19 +142,20 @@ namespace auxfem
     }
 
     /** By what the spins of the nodes turn the section at a Gauss point. */
-    template <int order>
+    template <int order, class Number = double>
     struct SectionSpin
     {
-      SpaceTensor by_spin[order + 1];
+      TensorOf<Number> by_spin[order + 1];
 
-      SectionSpin(const BeamShape<order>     &shape,
-                  const int                   g,
-                  const Kinematics           &point,
-                  const NodeOperators<order> &nodes)
+      SectionSpin(const BeamShape<order>             &shape,
+                  const int                           g,
+                  const KinematicsOf<Number>         &point,
+                  const NodeOperators<order, Number> &nodes)
       {
-        const SpaceTensor T =
+        const TensorOf<Number> T =
           transpose(tangent_operator(point.coefficients, point.psi));
-        SpaceTensor by_middle = plus_identity(SpaceTensor(), 1.);
+        TensorOf<Number> by_middle =
+          plus_identity(TensorOf<Number>(), Number(1));
         for (int a = 0; a <= order; ++a)
           {
             by_spin[a] = shape.value[g][a] * T * nodes.psi_by_spin[a];
@@ -152,8 +167,9 @@ namespace auxfem
     };
 
     /** Adds block @p tensor at @p position of a square matrix of @p n rows. */
+    template <class Number>
     inline void
-    add_block(const SpaceTensor &tensor, const int n, double *position)
+    add_block(const TensorOf<Number> &tensor, const int n, Number *position)
     {
       for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j)
@@ -166,60 +182,66 @@ namespace auxfem
      * by @p damping_factor and spins change omega by
      * @p angular_velocity_by_spin (order + 1 nodes).
      */
-    template <int order>
-    inline void add_damping_tangent(const BeamShape<order>         &shape,
-                                    const ElementKinematics<order> &element,
-                                    const double                    jacobian,
-                                    const Stiffness                &stiffness,
-                                    const double        damping_time,
-                                    const NodeVelocity *velocities,
-                                    const double        stiffness_factor,
-                                    const double        damping_factor,
-                                    const SpaceTensor *angular_velocity_by_spin,
-                                    double            *matrix)
+    template <int order, class Number>
+    inline void
+    add_damping_tangent(const BeamShape<order>                 &shape,
+                        const ElementKinematics<order, Number> &element,
+                        const Number                            jacobian,
+                        const StiffnessOf<Number>              &stiffness,
+                        const Number                            damping_time,
+                        const NodeVelocityOf<Number>           *velocities,
+                        const double            stiffness_factor,
+                        const double            damping_factor,
+                        const TensorOf<Number> *angular_velocity_by_spin,
+                        Number                 *matrix)
     {
-      constexpr int              n = n_components * (order + 1);
-      const NodeOperators<order> operators(element.relative);
+      constexpr int                      n = n_components * (order + 1);
+      const NodeOperators<order, Number> operators(element.relative);
       for (int g = 0; g < order; ++g)
         {
-          const Kinematics &point = element.points[g];
-          const Rates r = rates(shape, g, 1 / jacobian, point, velocities);
-          const ViscousResultants s =
+          const KinematicsOf<Number> &point = element.points[g];
+          const RatesOf<Number>       r =
+            rates(shape, g, 1 / jacobian, point, velocities);
+          const ViscousResultantsOf<Number> s =
             viscous_resultants(point, stiffness, damping_time, r);
-          const ViscousStiffness by_rates =
+          const ViscousStiffnessOf<Number> by_rates =
             viscous_stiffness(point, stiffness, damping_time);
-          const SectionSpin<order> spin(shape, g, point, operators);
+          const SectionSpin<order, Number> spin(shape, g, point, operators);
 
-          const SpaceTensor slope_cross = cross_product_tensor(point.slope);
-          const SpaceTensor force_by_rotation = stiffness_factor *
+          const TensorOf<Number> slope_cross =
+            cross_product_tensor(point.slope);
+          const TensorOf<Number> force_by_rotation = stiffness_factor *
             (by_rates.by_gamma * cross_product_tensor(r.gamma) -
              cross_product_tensor(s.force)),
-                            moment_by_rotation = stiffness_factor *
+                                 moment_by_rotation = stiffness_factor *
             (by_rates.by_kappa * cross_product_tensor(r.kappa) -
              cross_product_tensor(s.moment)),
-                            force_by_omega = by_rates.by_gamma * slope_cross;
-          const SpaceTensor force_by_slope = by_rates.by_gamma *
+                                 force_by_omega =
+                                   by_rates.by_gamma * slope_cross;
+          const TensorOf<Number> force_by_slope = by_rates.by_gamma *
             plus_identity(-stiffness_factor * cross_product_tensor(r.angular),
-                          damping_factor);
-          const SpaceTensor couple_by_slope =
+                          Number(damping_factor));
+          const TensorOf<Number> couple_by_slope =
             stiffness_factor * cross_product_tensor(s.force) -
             slope_cross * force_by_slope;
-          const double weight = shape.weight[g] * jacobian;
+          const Number weight = shape.weight[g] * jacobian;
           for (int b = 0; b <= order; ++b)
             {
-              const double Nb          = shape.value[g][b],
-                           Db          = shape.derivative[g][b] / jacobian;
-              const SpaceTensor &omega = angular_velocity_by_spin[b];
-              const SpaceTensor  force = force_by_rotation * spin.by_spin[b] +
+              const double            Nb    = shape.value[g][b];
+              const Number            Db    = shape.derivative[g][b] / jacobian;
+              const TensorOf<Number> &omega = angular_velocity_by_spin[b];
+              const TensorOf<Number>  force =
+                                       force_by_rotation * spin.by_spin[b] +
                 Nb * force_by_omega * omega,
-                                moment = moment_by_rotation * spin.by_spin[b] +
+                                     moment =
+                                       moment_by_rotation * spin.by_spin[b] +
                 Db * by_rates.by_kappa * omega,
-                                couple = -1. * slope_cross * force;
+                                     couple = -1. * slope_cross * force;
               for (int a = 0; a <= order; ++a)
                 {
-                  const double Na = weight * shape.value[g][a],
-                               Da = shape.weight[g] * shape.derivative[g][a];
-                  double *block   = matrix + n_components * (a * n + b);
+                  const Number Na    = weight * shape.value[g][a];
+                  const double Da    = shape.weight[g] * shape.derivative[g][a];
+                  Number      *block = matrix + n_components * (a * n + b);
                   add_block(Da * Db * force_by_slope, n, block);
                   add_block(Da * force, n, block + 3);
                   add_block(Na * Db * couple_by_slope, n, block + 3 * n);

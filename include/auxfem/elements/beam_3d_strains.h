@@ -49,72 +49,83 @@ namespace auxfem
    * Unknowns of an element: displacement and spin node by node,
    * u_x, u_y, u_z, theta_x, theta_y, theta_z. The tangent is the derivative of
    * the residual by spins; it is symmetric where moments at nodes balance.
+   *
+   * @p Number is double or, of several elements at a time, Lanes.
    */
   namespace Beam3D
   {
     /** Undeformed axis at a Gauss point. */
-    struct Frame
+    template <class Number>
+    struct FrameOf
     {
-      SpaceTensor axes;  ///< section axes 1, 2, 3 as columns
-      SpaceVector slope; ///< r0', of unit length for a straight strut
+      TensorOf<Number> axes;  ///< section axes 1, 2, 3 as columns
+      VectorOf<Number> slope; ///< r0', of unit length for a straight strut
     };
+    using Frame = FrameOf<double>;
 
     /** Section stiffness: EA, kGA_2, kGA_3 (N); GJ, EI_2, EI_3 (N m2). */
-    struct Stiffness
+    template <class Number>
+    struct StiffnessOf
     {
-      double axial, shear_2, shear_3;
-      double torsion, bending_2, bending_3;
+      Number axial, shear_2, shear_3;
+      Number torsion, bending_2, bending_3;
     };
+    using Stiffness = StiffnessOf<double>;
 
     /** Motion of a node since rest. */
-    struct Node
+    template <class Number>
+    struct NodeOf
     {
-      SpaceVector displacement; ///< m
-      Quaternion  rotation;     ///< of unit norm
+      VectorOf<Number>     displacement; ///< m
+      QuaternionOf<Number> rotation;     ///< of unit norm
     };
+    using Node = NodeOf<double>;
 
     /** Strains in components along the section's axes. */
-    struct Strains
+    template <class Number>
+    struct StrainsOf
     {
-      SpaceVector gamma; ///< axial strain, shear strains along axes 2 and 3
-      SpaceVector kappa; ///< torsion, curvature about axes 2 and 3 (1/m)
+      /** Axial strain, shear strains along axes 2 and 3. */
+      VectorOf<Number> gamma;
+      VectorOf<Number> kappa; ///< torsion, curvature about axes 2 and 3 (1/m)
     };
+    using Strains = StrainsOf<double>;
 
     /** Unknowns of a node. */
     constexpr int n_components = 6;
 
     /** Rotations of the nodes relative to the middle of the element's ends. */
-    template <int order>
+    template <int order, class Number = double>
     struct RelativeRotations
     {
-      Quaternion  middle;         ///< P_r
-      SpaceVector psi[order + 1]; ///< of the nodes (rad)
+      QuaternionOf<Number> middle;         ///< P_r
+      VectorOf<Number>     psi[order + 1]; ///< of the nodes (rad)
 
-      explicit RelativeRotations(const Node *nodes)
+      explicit RelativeRotations(const NodeOf<Number> *nodes)
       {
         // Signs such that neighbours along the axis lie in one hemisphere.
-        Quaternion rotations[order + 1];
+        QuaternionOf<Number> rotations[order + 1];
         rotations[0] = nodes[0].rotation;
         int before   = 0;
         for (int i = 1; i <= order; ++i)
           {
             // Both ends come before the inner nodes.
-            const int a  = i == order ? 1 : i + 1;
-            rotations[a] = nodes[a].rotation;
-            if (dot(rotations[a], rotations[before]) < 0)
-              rotations[a] = -1 * rotations[a];
-            before = a;
+            const int a    = i == order ? 1 : i + 1;
+            Number    sign = 1;
+            where(dot(nodes[a].rotation, rotations[before]) < 0, sign) = -1;
+            rotations[a] = sign * nodes[a].rotation;
+            before       = a;
           }
-        middle                   = normalized(rotations[0] + rotations[1]);
-        const Quaternion inverse = conjugate(middle);
+        middle = normalized(rotations[0] + rotations[1]);
+        const QuaternionOf<Number> inverse = conjugate(middle);
         for (int a = 0; a <= order; ++a)
           psi[a] = rotation_vector(rotations[a] * inverse);
       }
 
       /** P at a point where the shape functions are @p values. */
-      Quaternion at(const double *values) const
+      QuaternionOf<Number> at(const double *values) const
       {
-        SpaceVector p;
+        VectorOf<Number> p;
         for (int a = 0; a <= order; ++a)
           p += values[a] * psi[a];
         return exponential(p) * middle;
@@ -122,44 +133,47 @@ namespace auxfem
     };
 
     /** Kinematics at a Gauss point, in the notation above. */
-    struct Kinematics
+    template <class Number>
+    struct KinematicsOf
     {
-      Strains     strains;
-      SpaceVector slope;         ///< r'
-      SpaceVector psi, gradient; ///< psi, psi'
-      SpaceTensor axes;          ///< R
-      SpaceTensor middle_axes;   ///< P_r R0
+      StrainsOf<Number> strains;
+      VectorOf<Number>  slope;         ///< r'
+      VectorOf<Number>  psi, gradient; ///< psi, psi'
+      TensorOf<Number>  axes;          ///< R
+      TensorOf<Number>  middle_axes;   ///< P_r R0
       /** Of psi. */
-      RotationCoefficients coefficients;
+      RotationCoefficientsOf<Number> coefficients;
     };
+    using Kinematics = KinematicsOf<double>;
 
-    template <int order>
-    inline Kinematics kinematics(const BeamShape<order> &shape,
-                                 const int               g,
-                                 const double            inverse_jacobian,
-                                 const Frame            &frame,
-                                 const Node             *nodes,
-                                 const RelativeRotations<order> &relative)
+    template <int order, class Number>
+    inline KinematicsOf<Number>
+    kinematics(const BeamShape<order>                 &shape,
+               const int                               g,
+               const Number                            inverse_jacobian,
+               const FrameOf<Number>                  &frame,
+               const NodeOf<Number>                   *nodes,
+               const RelativeRotations<order, Number> &relative)
     {
-      SpaceVector stretch, psi, gradient;
+      VectorOf<Number> stretch, psi, gradient;
       for (int a = 0; a <= order; ++a)
         {
-          const double derivative = shape.derivative[g][a] * inverse_jacobian;
+          const Number derivative = shape.derivative[g][a] * inverse_jacobian;
           stretch += derivative * nodes[a].displacement;
           psi += shape.value[g][a] * relative.psi[a];
           gradient += derivative * relative.psi[a];
         }
-      const RotationCoefficients c(psi);
-      const Quaternion           turn     = exponential(psi);
-      const Quaternion           rotation = turn * relative.middle,
-                       inverse            = conjugate(rotation);
-      Kinematics point{{},
-                       frame.slope + stretch,
-                       psi,
-                       gradient,
-                       rotated(rotation, frame.axes),
-                       rotated(relative.middle, frame.axes),
-                       c};
+      const RotationCoefficientsOf<Number> c(psi);
+      const QuaternionOf<Number>           turn     = exponential(psi);
+      const QuaternionOf<Number>           rotation = turn * relative.middle,
+                                 inverse            = conjugate(rotation);
+      KinematicsOf<Number> point{{},
+                                 frame.slope + stretch,
+                                 psi,
+                                 gradient,
+                                 rotated(rotation, frame.axes),
+                                 rotated(relative.middle, frame.axes),
+                                 c};
       point.strains.gamma =
         (rotated(inverse, stretch) + rotation_change(inverse, frame.slope)) *
         frame.axes;
@@ -169,11 +183,11 @@ namespace auxfem
     }
 
     /** Kinematics of an element: what its forces and tangents start from. */
-    template <int order>
+    template <int order, class Number = double>
     struct ElementKinematics
     {
-      RelativeRotations<order>      relative;
-      std::array<Kinematics, order> points; ///< Gauss points
+      RelativeRotations<order, Number>        relative;
+      std::array<KinematicsOf<Number>, order> points; ///< Gauss points
 
       /**
        * @param frames order Gauss points
@@ -181,9 +195,9 @@ namespace auxfem
        * @param nodes order + 1 nodes
        */
       ElementKinematics(const BeamShape<order> &shape,
-                        const Frame            *frames,
-                        const double            jacobian,
-                        const Node             *nodes)
+                        const FrameOf<Number>  *frames,
+                        const Number            jacobian,
+                        const NodeOf<Number>   *nodes)
         : relative(nodes)
       {
         for (int g = 0; g < order; ++g)
@@ -193,26 +207,29 @@ namespace auxfem
     };
 
     /** Force N, Q_2, Q_3 (N) or moment T, M_2, M_3 (N m) from its strain. */
-    inline SpaceVector section_force(const Stiffness   &stiffness,
-                                     const SpaceVector &gamma)
+    template <class Number>
+    inline VectorOf<Number> section_force(const StiffnessOf<Number> &stiffness,
+                                          const VectorOf<Number>    &gamma)
     {
-      return SpaceVector({stiffness.axial * gamma[0],
-                          stiffness.shear_2 * gamma[1],
-                          stiffness.shear_3 * gamma[2]});
+      return VectorOf<Number>({stiffness.axial * gamma[0],
+                               stiffness.shear_2 * gamma[1],
+                               stiffness.shear_3 * gamma[2]});
     }
 
     /** @copydoc section_force */
-    inline SpaceVector section_moment(const Stiffness   &stiffness,
-                                      const SpaceVector &kappa)
+    template <class Number>
+    inline VectorOf<Number> section_moment(const StiffnessOf<Number> &stiffness,
+                                           const VectorOf<Number>    &kappa)
     {
-      return SpaceVector({stiffness.torsion * kappa[0],
-                          stiffness.bending_2 * kappa[1],
-                          stiffness.bending_3 * kappa[2]});
+      return VectorOf<Number>({stiffness.torsion * kappa[0],
+                               stiffness.bending_2 * kappa[1],
+                               stiffness.bending_3 * kappa[2]});
     }
 
     /** Strain energy per length (J/m). */
-    inline double energy_density(const Stiffness &stiffness,
-                                 const Strains   &strains)
+    template <class Number>
+    inline Number energy_density(const StiffnessOf<Number> &stiffness,
+                                 const StrainsOf<Number>   &strains)
     {
       return (strains.gamma * section_force(stiffness, strains.gamma) +
               strains.kappa * section_moment(stiffness, strains.kappa)) /

@@ -9,34 +9,40 @@ namespace auxfem
   {
     /** Second derivatives of the energy per length, in the notation of
      * Gradient. */
-    struct Hessian
+    template <class Number>
+    struct HessianOf
     {
-      SpaceTensor slope_slope, slope_psi, psi_psi, psi_gradient,
+      TensorOf<Number> slope_slope, slope_psi, psi_psi, psi_gradient,
         gradient_gradient;
     };
+    using Hessian = HessianOf<double>;
 
-    inline Hessian energy_hessian(const Kinematics &point,
-                                  const Stiffness  &stiffness,
-                                  const Gradient   &d)
+    template <class Number>
+    inline HessianOf<Number>
+    energy_hessian(const KinematicsOf<Number> &point,
+                   const StiffnessOf<Number>  &stiffness,
+                   const GradientOf<Number>   &d)
     {
-      const RotationCoefficients &c = point.coefficients;
-      const SpaceVector           ones({1., 1., 1.});
-      const SpaceTensor           by_gamma =
-                          with_principal_values(point.middle_axes,
-                                                section_force(stiffness, ones)),
-                        by_kappa =
-                          with_principal_values(point.middle_axes,
-                                                section_moment(stiffness,
-                                                               ones));
-      const SpaceTensor slope_cross = cross_product_tensor(d.middle_slope),
-                        force_cross = cross_product_tensor(d.middle_force);
-      const SpaceTensor &T          = d.tangent;
-      const SpaceTensor  kappa_by_psi =
+      const RotationCoefficientsOf<Number> &c = point.coefficients;
+      const VectorOf<Number>                ones({1., 1., 1.});
+      const TensorOf<Number>                by_gamma =
+                               with_principal_values(point.middle_axes,
+                                                     section_force(stiffness,
+                                                                   ones)),
+                             by_kappa =
+                               with_principal_values(point.middle_axes,
+                                                     section_moment(stiffness,
+                                                                    ones));
+      const TensorOf<Number> slope_cross = cross_product_tensor(d.middle_slope),
+                             force_cross = cross_product_tensor(d.middle_force);
+      const TensorOf<Number> &T          = d.tangent;
+      const TensorOf<Number>  kappa_by_psi =
         tangent_derivative(c, point.psi, point.gradient);
-      const SpaceTensor turn = point.axes * transpose(point.middle_axes);
-      const SpaceTensor force_by_spin = by_gamma * slope_cross - force_cross;
+      const TensorOf<Number> turn = point.axes * transpose(point.middle_axes);
+      const TensorOf<Number> force_by_spin =
+        by_gamma * slope_cross - force_cross;
 
-      Hessian h;
+      HessianOf<Number> h;
       h.slope_slope =
         with_principal_values(point.axes, section_force(stiffness, ones));
       h.slope_psi = turn * force_by_spin * T;
@@ -63,42 +69,43 @@ namespace auxfem
      * the middle rotation (rows) by displacements, by psi and by a rotation of
      * the middle rotation (columns).
      */
-    template <int order>
+    template <int order, class Number = double>
     struct ElementHessian
     {
       static constexpr int n = order + 1;
-      SpaceTensor          force_force[n][n], force_psi[n][n], psi_psi[n][n];
-      SpaceTensor          force_middle[n], psi_middle[n], middle_force[n],
+      TensorOf<Number>     force_force[n][n], force_psi[n][n], psi_psi[n][n];
+      TensorOf<Number>     force_middle[n], psi_middle[n], middle_force[n],
         middle_psi[n], middle_middle;
 
       /** Adds a Gauss point. */
-      void add(const BeamShape<order> &shape,
-               const int               g,
-               const double            jacobian,
-               const Kinematics       &point,
-               const Gradient         &d,
-               const Hessian          &h)
+      void add(const BeamShape<order>     &shape,
+               const int                   g,
+               const Number                jacobian,
+               const KinematicsOf<Number> &point,
+               const GradientOf<Number>   &d,
+               const HessianOf<Number>    &h)
       {
-        const SpaceTensor slope_cross     = cross_product_tensor(point.slope),
-                          couple_by_slope = cross_product_tensor(d.force) -
+        const TensorOf<Number> slope_cross = cross_product_tensor(point.slope),
+                               couple_by_slope = cross_product_tensor(d.force) -
           slope_cross * h.slope_slope,
-                          couple_by_psi   = -1. * slope_cross * h.slope_psi,
-                          slope_by_middle = h.slope_slope * slope_cross,
-                          psi_by_middle = transpose(h.slope_psi) * slope_cross;
-        const double weight             = shape.weight[g] * jacobian;
+                               couple_by_psi = -1. * slope_cross * h.slope_psi,
+                               slope_by_middle = h.slope_slope * slope_cross,
+                               psi_by_middle =
+                                 transpose(h.slope_psi) * slope_cross;
+        const Number weight = shape.weight[g] * jacobian;
         middle_middle += weight * couple_by_slope * slope_cross;
         for (int a = 0; a < n; ++a)
           {
-            const double Da = shape.derivative[g][a] / jacobian,
-                         Na = shape.value[g][a];
+            const Number Da = shape.derivative[g][a] / jacobian;
+            const double Na = shape.value[g][a];
             force_middle[a] += weight * Da * slope_by_middle;
             psi_middle[a] += weight * Na * psi_by_middle;
             middle_force[a] += weight * Da * couple_by_slope;
             middle_psi[a] += weight * Na * couple_by_psi;
             for (int b = 0; b < n; ++b)
               {
-                const double Db = shape.derivative[g][b] / jacobian,
-                             Nb = shape.value[g][b];
+                const Number Db = shape.derivative[g][b] / jacobian;
+                const double Nb = shape.value[g][b];
                 force_force[a][b] += weight * Da * Db * h.slope_slope;
                 force_psi[a][b] += weight * Da * Nb * h.slope_psi;
                 // The upper half; the other is its transpose.
@@ -120,17 +127,17 @@ namespace auxfem
     };
 
     /** Rows of a force or moment: its derivatives by the nodes' motion. */
-    template <int order>
+    template <int order, class Number = double>
     struct Rows
     {
-      SpaceTensor by_displacement[order + 1];
+      TensorOf<Number> by_displacement[order + 1];
       /** By spins, at a fixed middle rotation. */
-      SpaceTensor by_spin[order + 1];
-      SpaceTensor by_middle;
+      TensorOf<Number> by_spin[order + 1];
+      TensorOf<Number> by_middle;
 
       /** Adds the increment of the middle rotation to that by the ends' spins.
        */
-      void eliminate_middle(const NodeOperators<order> &nodes)
+      void eliminate_middle(const NodeOperators<order, Number> &nodes)
       {
         for (int end = 0; end < 2; ++end)
           by_spin[end] += by_middle * nodes.middle_by_spin[end];
@@ -138,29 +145,31 @@ namespace auxfem
     };
 
     /** Writes @p rows, times @p factor, to three rows of a square matrix. */
-    template <int order>
-    inline void
-    write_rows(const Rows<order> &rows, const double factor, double *matrix)
+    template <int order, class Number>
+    inline void write_rows(const Rows<order, Number> &rows,
+                           const Number               factor,
+                           Number                    *matrix)
     {
       constexpr int n = n_components * (order + 1);
       for (int b = 0; b <= order; ++b)
         for (int i = 0; i < 3; ++i)
           for (int j = 0; j < 3; ++j)
             {
-              double *entry = matrix + i * n + n_components * b + j;
+              Number *entry = matrix + i * n + n_components * b + j;
               entry[0]      = factor * rows.by_displacement[b][i][j];
               entry[3]      = factor * rows.by_spin[b][i][j];
             }
     }
 
     /** From derivatives by psi to derivatives by spins. */
-    template <int order>
-    inline Rows<order> rows_of_force(const ElementHessian<order> &h,
-                                     const NodeOperators<order>  &nodes,
-                                     const int                    a,
-                                     const SpaceVector           &force)
+    template <int order, class Number>
+    inline Rows<order, Number>
+    rows_of_force(const ElementHessian<order, Number> &h,
+                  const NodeOperators<order, Number>  &nodes,
+                  const int                            a,
+                  const VectorOf<Number>              &force)
     {
-      Rows<order> rows;
+      Rows<order, Number> rows;
       // The force turns with the middle rotation.
       rows.by_middle = h.force_middle[a] - cross_product_tensor(force);
       for (int b = 0; b <= order; ++b)
@@ -173,23 +182,24 @@ namespace auxfem
     }
 
     /** Of T(psi_a)^-1 times the moment @p by_psi that acts on psi_a. */
-    template <int order>
-    inline Rows<order> rows_of_moment(const ElementHessian<order>    &h,
-                                      const NodeOperators<order>     &nodes,
-                                      const RelativeRotations<order> &relative,
-                                      const int                       a,
-                                      const SpaceVector              &by_psi)
+    template <int order, class Number>
+    inline Rows<order, Number>
+    rows_of_moment(const ElementHessian<order, Number>    &h,
+                   const NodeOperators<order, Number>     &nodes,
+                   const RelativeRotations<order, Number> &relative,
+                   const int                               a,
+                   const VectorOf<Number>                 &by_psi)
     {
-      Rows<order>       rows;
-      const SpaceTensor to_spin = transpose(nodes.psi_by_spin[a]);
-      rows.by_middle            = to_spin * h.psi_middle[a];
+      Rows<order, Number>    rows;
+      const TensorOf<Number> to_spin = transpose(nodes.psi_by_spin[a]);
+      rows.by_middle                 = to_spin * h.psi_middle[a];
       for (int b = 0; b <= order; ++b)
         {
           rows.by_displacement[b] = to_spin * transpose(h.force_psi[b][a]);
           rows.by_spin[b] = to_spin * h.psi_psi[a][b] * nodes.psi_by_spin[b];
           if (b == a)
             rows.by_spin[a] +=
-              inverse_tangent_derivative(InverseRotationCoefficients(
+              inverse_tangent_derivative(InverseRotationCoefficientsOf<Number>(
                                            relative.psi[a]),
                                          relative.psi[a],
                                          by_psi) *
@@ -200,12 +210,13 @@ namespace auxfem
     }
 
     /** Of what acts on the middle rotation: the couple less the moments. */
-    template <int order>
-    inline Rows<order> rows_of_middle(const ElementHessian<order> &h,
-                                      const NodeOperators<order>  &nodes,
-                                      const Rows<order>           *moments)
+    template <int order, class Number>
+    inline Rows<order, Number>
+    rows_of_middle(const ElementHessian<order, Number> &h,
+                   const NodeOperators<order, Number>  &nodes,
+                   const Rows<order, Number>           *moments)
     {
-      Rows<order> rows;
+      Rows<order, Number> rows;
       rows.by_middle = h.middle_middle;
       for (int b = 0; b <= order; ++b)
         {
@@ -227,21 +238,21 @@ namespace auxfem
 
     /** Adds V_end^T times what acts on the middle rotation to the moment of an
      * end. */
-    template <int order>
-    inline void add_to_end(const int                   end,
-                           const NodeOperators<order> &nodes,
-                           const Rows<order>          &of_middle,
-                           const SpaceVector          &on_middle,
-                           Rows<order>                &moment)
+    template <int order, class Number>
+    inline void add_to_end(const int                           end,
+                           const NodeOperators<order, Number> &nodes,
+                           const Rows<order, Number>          &of_middle,
+                           const VectorOf<Number>             &on_middle,
+                           Rows<order, Number>                &moment)
     {
-      const SpaceTensor share = transpose(nodes.middle_by_spin[end]);
+      const TensorOf<Number> share = transpose(nodes.middle_by_spin[end]);
       for (int b = 0; b <= order; ++b)
         {
           moment.by_displacement[b] += share * of_middle.by_displacement[b];
           moment.by_spin[b] += share * of_middle.by_spin[b];
         }
       // chi is psi of the second end.
-      const SpaceTensor by_chi =
+      const TensorOf<Number> by_chi =
         nodes.end_derivative(end, on_middle) * nodes.psi_by_spin[1];
       moment.by_spin[1] += by_chi;
       moment.by_middle += share * of_middle.by_middle - by_chi;
@@ -253,21 +264,22 @@ namespace auxfem
      * @param stiffness by which section forces change
      * @param gradients at the Gauss points, with the section forces themselves
      */
-    template <int order>
-    inline void tangent_with_forces(const BeamShape<order>         &shape,
-                                    const ElementKinematics<order> &element,
-                                    const double                    jacobian,
-                                    const Stiffness                &stiffness,
-                                    const Gradient (&gradients)[order],
-                                    const double factor,
-                                    double      *matrix)
+    template <int order, class Number>
+    inline void
+    tangent_with_forces(const BeamShape<order>                 &shape,
+                        const ElementKinematics<order, Number> &element,
+                        const Number                            jacobian,
+                        const StiffnessOf<Number>              &stiffness,
+                        const GradientOf<Number> (&gradients)[order],
+                        const Number factor,
+                        Number      *matrix)
     {
-      constexpr int          n = n_components * (order + 1);
-      ElementGradient<order> gradient;
-      ElementHessian<order>  hessian;
+      constexpr int                  n = n_components * (order + 1);
+      ElementGradient<order, Number> gradient;
+      ElementHessian<order, Number>  hessian;
       for (int g = 0; g < order; ++g)
         {
-          const Kinematics &point = element.points[g];
+          const KinematicsOf<Number> &point = element.points[g];
           gradient.add(shape, g, jacobian, gradients[g]);
           hessian.add(shape,
                       g,
@@ -277,22 +289,22 @@ namespace auxfem
                       energy_hessian(point, stiffness, gradients[g]));
         }
       hessian.complete();
-      const NodeOperators<order> operators(element.relative);
-      SpaceVector                moments[order + 1], at_ends;
+      const NodeOperators<order, Number> operators(element.relative);
+      VectorOf<Number>                   moments[order + 1], at_ends;
       gradient.find_moments(operators, moments, at_ends);
 
-      Rows<order> of_moments[order + 1];
+      Rows<order, Number> of_moments[order + 1];
       for (int a = 0; a <= order; ++a)
         of_moments[a] = rows_of_moment(hessian,
                                        operators,
                                        element.relative,
                                        a,
                                        gradient.by_psi[a]);
-      const Rows<order> of_middle =
+      const Rows<order, Number> of_middle =
         rows_of_middle(hessian, operators, of_moments);
       for (int a = 0; a <= order; ++a)
         {
-          Rows<order> of_force =
+          Rows<order, Number> of_force =
             rows_of_force(hessian, operators, a, gradient.force[a]);
           of_force.eliminate_middle(operators);
           write_rows(of_force, factor, matrix + n_components * a * n);
@@ -310,15 +322,15 @@ namespace auxfem
      * Tangent stiffness @p factor dF/d(u, theta) of the internal force, row by
      * row into @p matrix (6 (order + 1) squared).
      */
-    template <int order>
-    inline void tangent(const BeamShape<order>         &shape,
-                        const ElementKinematics<order> &element,
-                        const double                    jacobian,
-                        const Stiffness                &stiffness,
-                        const double                    factor,
-                        double                         *matrix)
+    template <int order, class Number>
+    inline void tangent(const BeamShape<order>                 &shape,
+                        const ElementKinematics<order, Number> &element,
+                        const Number                            jacobian,
+                        const StiffnessOf<Number>              &stiffness,
+                        const Number                            factor,
+                        Number                                 *matrix)
     {
-      Gradient gradients[order];
+      GradientOf<Number> gradients[order];
       for (int g = 0; g < order; ++g)
         gradients[g] = energy_gradient(element.points[g], stiffness);
       tangent_with_forces(shape,
@@ -334,45 +346,47 @@ namespace auxfem
      * Geometric stiffness: what @p forces at the Gauss points (N, Q_2, Q_3, T,
      * M_2, M_3) add to the tangent.
      */
-    template <int order, class Forces>
-    inline void geometric_tangent(const BeamShape<order>         &shape,
-                                  const ElementKinematics<order> &element,
-                                  const double                    jacobian,
-                                  const Forces                   *forces,
-                                  double                         *matrix)
+    template <int order, class Number, class Forces>
+    inline void
+    geometric_tangent(const BeamShape<order>                 &shape,
+                      const ElementKinematics<order, Number> &element,
+                      const Number                            jacobian,
+                      const Forces                           *forces,
+                      Number                                 *matrix)
     {
-      Gradient gradients[order];
+      GradientOf<Number> gradients[order];
       for (int g = 0; g < order; ++g)
         gradients[g] = energy_gradient(
           element.points[g],
-          SpaceVector({forces[g][0], forces[g][1], forces[g][2]}),
-          SpaceVector({forces[g][3], forces[g][4], forces[g][5]}));
+          VectorOf<Number>({forces[g][0], forces[g][1], forces[g][2]}),
+          VectorOf<Number>({forces[g][3], forces[g][4], forces[g][5]}));
       tangent_with_forces(shape,
                           element,
                           jacobian,
-                          Stiffness{},
+                          StiffnessOf<Number>{},
                           gradients,
-                          /*factor=*/1,
+                          /*factor=*/Number(1),
                           matrix);
     }
 
     /** Tangent of the small-displacement form: that of the exact one at rest.
      */
-    template <int order>
-    inline void small_displacement_tangent(const BeamShape<order> &shape,
-                                           const Frame            *frames,
-                                           const double            jacobian,
-                                           const Stiffness        &stiffness,
-                                           const double            factor,
-                                           double                 *matrix)
+    template <int order, class Number>
+    inline void small_displacement_tangent(const BeamShape<order>    &shape,
+                                           const FrameOf<Number>     *frames,
+                                           const Number               jacobian,
+                                           const StiffnessOf<Number> &stiffness,
+                                           const Number               factor,
+                                           Number                    *matrix)
     {
-      const Node at_rest[order + 1] = {};
-      tangent(shape,
-              ElementKinematics<order>(shape, frames, jacobian, at_rest),
-              jacobian,
-              stiffness,
-              factor,
-              matrix);
+      const NodeOf<Number> at_rest[order + 1] = {};
+      tangent(
+        shape,
+        ElementKinematics<order, Number>(shape, frames, jacobian, at_rest),
+        jacobian,
+        stiffness,
+        factor,
+        matrix);
     }
   } // namespace Beam3D
 } // namespace auxfem

@@ -1,6 +1,7 @@
 #ifndef auxfem_elements_rotation_h
 #define auxfem_elements_rotation_h
 
+#include <auxfem/elements/branches.h>
 #include <auxfem/elements/small_angle.h>
 
 #include <deal.II/base/tensor.h>
@@ -17,127 +18,156 @@
  */
 namespace auxfem
 {
-  /** Components along x, y, z. */
-  using SpaceVector = dealii::Tensor<1, 3>;
+  /** Components along x, y, z. @p Number is double or, of several elements at
+   * a time, Lanes. */
+  template <class Number>
+  using VectorOf    = dealii::Tensor<1, 3, Number>;
+  using SpaceVector = VectorOf<double>;
 
   /** Square matrix; as a frame of axes it has them as columns. */
-  using SpaceTensor = dealii::Tensor<2, 3>;
+  template <class Number>
+  using TensorOf    = dealii::Tensor<2, 3, Number>;
+  using SpaceTensor = TensorOf<double>;
 
   /**
    * A quaternion; with unit norm, the rotation by the angle a about the unit
    * vector n is (cos(a/2), sin(a/2) n), as is its negative.
    */
-  struct Quaternion
+  template <class Number>
+  struct QuaternionOf
   {
-    double      scalar = 1;
-    SpaceVector vector;
+    Number           scalar = 1;
+    VectorOf<Number> vector;
+
+    friend QuaternionOf operator+(const QuaternionOf &p, const QuaternionOf &q)
+    {
+      return {p.scalar + q.scalar, p.vector + q.vector};
+    }
+
+    friend QuaternionOf operator*(const Number &factor, const QuaternionOf &q)
+    {
+      return {factor * q.scalar, factor * q.vector};
+    }
+
+    /** Hamilton's product; of rotations, first @p q, then @p p. */
+    friend QuaternionOf operator*(const QuaternionOf &p, const QuaternionOf &q)
+    {
+      return {p.scalar * q.scalar - p.vector * q.vector,
+              p.scalar * q.vector + q.scalar * p.vector +
+                dealii::cross_product_3d(p.vector, q.vector)};
+    }
   };
-
-  inline Quaternion operator+(const Quaternion &p, const Quaternion &q)
-  {
-    return {p.scalar + q.scalar, p.vector + q.vector};
-  }
-
-  inline Quaternion operator*(const double factor, const Quaternion &q)
-  {
-    return {factor * q.scalar, factor * q.vector};
-  }
-
-  /** Hamilton's product; of rotations, first @p q, then @p p. */
-  inline Quaternion operator*(const Quaternion &p, const Quaternion &q)
-  {
-    return {p.scalar * q.scalar - p.vector * q.vector,
-            p.scalar * q.vector + q.scalar * p.vector +
-              dealii::cross_product_3d(p.vector, q.vector)};
-  }
+  using Quaternion = QuaternionOf<double>;
 
   /** Of a rotation, its inverse. */
-  inline Quaternion conjugate(const Quaternion &q)
+  template <class Number>
+  inline QuaternionOf<Number> conjugate(const QuaternionOf<Number> &q)
   {
     return {q.scalar, -q.vector};
   }
 
   /** Scalar product of the four numbers. */
-  inline double dot(const Quaternion &p, const Quaternion &q)
+  template <class Number>
+  inline Number dot(const QuaternionOf<Number> &p,
+                    const QuaternionOf<Number> &q)
   {
     return p.scalar * q.scalar + p.vector * q.vector;
   }
 
   /** @p q with unit norm; it must not be zero. */
-  inline Quaternion normalized(const Quaternion &q)
+  template <class Number>
+  inline QuaternionOf<Number> normalized(const QuaternionOf<Number> &q)
   {
-    return 1 / std::sqrt(dot(q, q)) * q;
+    using std::sqrt;
+    return 1 / sqrt(dot(q, q)) * q;
   }
 
   /**
    * The rotation by |@p rotation_vector| (rad, any size) about its direction:
    * R = exp([rotation_vector]x).
    */
-  inline Quaternion exponential(const SpaceVector &rotation_vector)
+  template <class Number>
+  inline QuaternionOf<Number>
+  exponential(const VectorOf<Number> &rotation_vector)
   {
-    const double square = rotation_vector.norm_square() / 4;
-    if (square < largest_small_square)
-      return {cosine_series(square), sinc_series(square) / 2 * rotation_vector};
-    const double half_angle = std::sqrt(square);
-    return {std::cos(half_angle),
-            std::sin(half_angle) / half_angle / 2 * rotation_vector};
+    using std::cos, std::sin, std::sqrt;
+    const Number square = rotation_vector.norm_square() / 4;
+    Number       cosine = cosine_series(square), sinc = sinc_series(square);
+    const auto   large = square >= largest_small_square;
+    if (any_of(large))
+      {
+        const Number half_angle = sqrt(square);
+        where(large, cosine)    = cos(half_angle);
+        where(large, sinc)      = sin(half_angle) / half_angle;
+      }
+    return {cosine, sinc / 2 * rotation_vector};
   }
 
   /**
    * The inverse of exponential(): angle (rad, at most pi) times axis. Accurate
    * to round-off for all angles; at pi itself one of the two axes.
    */
-  inline SpaceVector rotation_vector(const Quaternion &rotation)
+  template <class Number>
+  inline VectorOf<Number> rotation_vector(const QuaternionOf<Number> &rotation)
   {
-    const double sign = rotation.scalar < 0 ? -1 : 1;
-    const double y    = rotation.vector.norm_square(); // sine of half the angle
+    using std::atan2, std::sqrt;
+    Number sign                      = 1;
+    where(rotation.scalar < 0, sign) = -1;
+    // Square of the sine of half the angle.
+    const Number y = rotation.vector.norm_square();
     // Relative rotations in an element are small; there the series of
-    // 2 asin(x) / x is exact to the last digit, and the library's function
-    // slow.
-    if (y < 0.01)
-      return sign * 2 *
+    // asin(x) / x is exact to the last digit, and the library's function slow.
+    Number half_angle_per_sine = 1 +
+      y * (1. / 6) *
         (1 +
-         y * (1. / 6) *
+         y * (9. / 20) *
            (1 +
-            y * (9. / 20) *
+            y * (25. / 42) *
               (1 +
-               y * (25. / 42) *
+               y * (49. / 72) *
                  (1 +
-                  y * (49. / 72) *
-                    (1 +
-                     y * (81. / 110) *
-                       (1 + y * (121. / 156) * (1 + y * (169. / 210)))))))) *
-        rotation.vector;
-    const double sine       = std::sqrt(y);
-    const double half_angle = std::atan2(sine, sign * rotation.scalar);
-    return sign * 2 * half_angle / sine * rotation.vector;
+                  y * (81. / 110) *
+                    (1 + y * (121. / 156) * (1 + y * (169. / 210)))))));
+    const auto large = y >= 0.01;
+    if (any_of(large))
+      {
+        const Number sine = sqrt(y);
+        where(large, half_angle_per_sine) =
+          atan2(sine, Number(sign * rotation.scalar)) / sine;
+      }
+    return sign * 2 * half_angle_per_sine * rotation.vector;
   }
 
   /** R @p v - @p v, without the cancellation of the difference. */
-  inline SpaceVector rotation_change(const Quaternion  &rotation,
-                                     const SpaceVector &v)
+  template <class Number>
+  inline VectorOf<Number> rotation_change(const QuaternionOf<Number> &rotation,
+                                          const VectorOf<Number>     &v)
   {
-    const SpaceVector twice = 2. * dealii::cross_product_3d(rotation.vector, v);
+    const VectorOf<Number> twice =
+      2. * dealii::cross_product_3d(rotation.vector, v);
     return rotation.scalar * twice +
       dealii::cross_product_3d(rotation.vector, twice);
   }
 
   /** R @p v. */
-  inline SpaceVector rotated(const Quaternion &rotation, const SpaceVector &v)
+  template <class Number>
+  inline VectorOf<Number> rotated(const QuaternionOf<Number> &rotation,
+                                  const VectorOf<Number>     &v)
   {
     return v + rotation_change(rotation, v);
   }
 
   /** R @p matrix: its columns, such as the axes of a frame, rotated. */
-  inline SpaceTensor rotated(const Quaternion  &rotation,
-                             const SpaceTensor &matrix)
+  template <class Number>
+  inline TensorOf<Number> rotated(const QuaternionOf<Number> &rotation,
+                                  const TensorOf<Number>     &matrix)
   {
-    SpaceTensor result;
+    TensorOf<Number> result;
     for (int j = 0; j < 3; ++j)
       {
-        const SpaceVector column =
+        const VectorOf<Number> column =
           rotated(rotation,
-                  SpaceVector({matrix[0][j], matrix[1][j], matrix[2][j]}));
+                  VectorOf<Number>({matrix[0][j], matrix[1][j], matrix[2][j]}));
         for (int i = 0; i < 3; ++i)
           result[i][j] = column[i];
       }
@@ -145,11 +175,31 @@ namespace auxfem
   }
 
   /** [v]x, the matrix with [v]x w = v x w. */
-  SpaceTensor cross_product_tensor(const SpaceVector &v);
+  template <class Number>
+  inline TensorOf<Number> cross_product_tensor(const VectorOf<Number> &v)
+  {
+    TensorOf<Number> result;
+    for (int i = 0; i < 3; ++i)
+      {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        result[j][i] = v[k];
+        result[i][j] = -v[k];
+      }
+    return result;
+  }
 
   /** The symmetric tensor with the principal @p values along the axes of @p frame. */
-  SpaceTensor with_principal_values(const SpaceTensor &frame,
-                                    const SpaceVector &values);
+  template <class Number>
+  inline TensorOf<Number> with_principal_values(const TensorOf<Number> &frame,
+                                                const VectorOf<Number> &values)
+  {
+    TensorOf<Number> result;
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j)
+        for (int k = 0; k < 3; ++k)
+          result[i][j] += frame[i][k] * values[k] * frame[j][k];
+    return result;
+  }
 
   /**
    * Whether two directions (or opposite ones) are within five degrees, too

@@ -23,13 +23,17 @@
 namespace auxfem
 {
   /** v w^T. */
-  inline SpaceTensor dyad(const SpaceVector &v, const SpaceVector &w)
+  template <class Number>
+  inline TensorOf<Number> dyad(const VectorOf<Number> &v,
+                               const VectorOf<Number> &w)
   {
     return dealii::outer_product(v, w);
   }
 
   /** @p matrix plus @p value times the identity. */
-  inline SpaceTensor plus_identity(SpaceTensor matrix, const double value)
+  template <class Number>
+  inline TensorOf<Number> plus_identity(TensorOf<Number> matrix,
+                                        const Number    &value)
   {
     for (int i = 0; i < 3; ++i)
       matrix[i][i] += value;
@@ -37,42 +41,47 @@ namespace auxfem
   }
 
   /** sum terms[k] x^k. */
-  template <std::size_t n>
-  inline double power_series(const std::array<double, n> &terms, const double x)
+  template <class Number, std::size_t n>
+  inline Number power_series(const std::array<double, n> &terms,
+                             const Number                &x)
   {
-    double sum = 0;
+    Number sum = 0;
     for (std::size_t k = n; k-- > 0;)
       sum = terms[k] + x * sum;
     return sum;
   }
 
   /** a and b. */
-  struct TangentCoefficients
+  template <class Number>
+  struct TangentCoefficientsOf
   {
-    double a, b;   ///< as in T
-    double square; ///< t^2
+    Number a, b;   ///< as in T
+    Number square; ///< t^2
 
     /** Values are not set. */
-    TangentCoefficients() = default;
+    TangentCoefficientsOf() = default;
 
-    explicit TangentCoefficients(const SpaceVector &p) : square(p * p)
+    explicit TangentCoefficientsOf(const VectorOf<Number> &p)
+      : a(power_series(series_of_a, Number(p * p)))
+      , b(power_series(series_of_b, Number(p * p)))
+      , square(p * p)
     {
-      if (square < small_square)
+      using std::cos, std::sin, std::sqrt;
+      const auto large = is_large();
+      if (any_of(large))
         {
-          a = power_series(series_of_a, square);
-          b = power_series(series_of_b, square);
-        }
-      else
-        {
-          const double t = std::sqrt(square);
-          a              = (1 - std::cos(t)) / square;
-          b              = (1 - std::sin(t) / t) / square;
+          const Number t  = sqrt(square);
+          where(large, a) = (1 - cos(t)) / square;
+          where(large, b) = (1 - sin(t) / t) / square;
         }
     }
 
   protected:
-    /** Below, quotients would cancel. */
-    static constexpr double small_square = 0.25;
+    /** Of the angle; else quotients would cancel. */
+    auto is_large() const
+    {
+      return square >= 0.25;
+    }
 
     static constexpr std::array<double, 7> series_of_a = {{1. / 2,
                                                            -1. / 24,
@@ -90,22 +99,25 @@ namespace auxfem
        -1. / 6227020800.,
        1. / 1307674368000.}};
   };
+  using TangentCoefficients = TangentCoefficientsOf<double>;
 
   /** a, b and their derivatives. */
-  struct RotationCoefficients : public TangentCoefficients
+  template <class Number>
+  struct RotationCoefficientsOf : public TangentCoefficientsOf<Number>
   {
-    double da, db;   ///< a', b'
-    double dda, ddb; ///< a'', b''
+    Number da, db;   ///< a', b'
+    Number dda, ddb; ///< a'', b''
 
     /** Values are not set. */
-    RotationCoefficients() = default;
+    RotationCoefficientsOf() = default;
 
-    explicit RotationCoefficients(const SpaceVector &p) : TangentCoefficients(p)
+    explicit RotationCoefficientsOf(const VectorOf<Number> &p)
+      : TangentCoefficientsOf<Number>(p)
     {
-      if (square < small_square)
-        from_series();
-      else
-        from_quotients();
+      from_series();
+      const auto large = this->is_large();
+      if (any_of(large))
+        from_quotients(large);
     }
 
   private:
@@ -116,60 +128,70 @@ namespace auxfem
       std::array<double, 5> of_dda, of_ddb;
       for (int k = 0; k < 6; ++k)
         {
-          of_da[k] = 2 * (k + 1) * series_of_a[k + 1];
-          of_db[k] = 2 * (k + 1) * series_of_b[k + 1];
+          of_da[k] = 2 * (k + 1) * this->series_of_a[k + 1];
+          of_db[k] = 2 * (k + 1) * this->series_of_b[k + 1];
         }
       for (int k = 0; k < 5; ++k)
         {
           of_dda[k] = 2 * (k + 1) * of_da[k + 1];
           of_ddb[k] = 2 * (k + 1) * of_db[k + 1];
         }
-      da  = power_series(of_da, square);
-      db  = power_series(of_db, square);
-      dda = power_series(of_dda, square);
-      ddb = power_series(of_ddb, square);
+      da  = power_series(of_da, this->square);
+      db  = power_series(of_db, this->square);
+      dda = power_series(of_dda, this->square);
+      ddb = power_series(of_ddb, this->square);
     }
 
-    void from_quotients()
+    template <class Condition>
+    void from_quotients(const Condition &large)
     {
-      const double t = std::sqrt(square), sine = std::sin(t) / t,
-                   cosine = std::cos(t);
-      da                  = (sine - 2 * a) / square;
-      db                  = (a - 3 * b) / square;
-      dda                 = ((cosine - sine) / square - 4 * da) / square;
-      ddb                 = (da - 5 * db) / square;
+      using std::cos, std::sin, std::sqrt;
+      const Number square = this->square, t = sqrt(square), sine = sin(t) / t,
+                   cosine = cos(t);
+      where(large, da)    = (sine - 2 * this->a) / square;
+      where(large, db)    = (this->a - 3 * this->b) / square;
+      where(large, dda)   = ((cosine - sine) / square - 4 * da) / square;
+      where(large, ddb)   = (da - 5 * db) / square;
     }
   };
+  using RotationCoefficients = RotationCoefficientsOf<double>;
 
   /** T. */
-  inline SpaceTensor tangent_operator(const TangentCoefficients &c,
-                                      const SpaceVector         &p)
+  template <class Number>
+  inline TensorOf<Number>
+  tangent_operator(const TangentCoefficientsOf<Number> &c,
+                   const VectorOf<Number>              &p)
   {
     return plus_identity(c.b * dyad(p, p) - c.a * cross_product_tensor(p),
                          1 - c.b * c.square);
   }
 
   /** T @p q. */
-  inline SpaceVector tangent_product(const TangentCoefficients &c,
-                                     const SpaceVector         &p,
-                                     const SpaceVector         &q)
+  template <class Number>
+  inline VectorOf<Number>
+  tangent_product(const TangentCoefficientsOf<Number> &c,
+                  const VectorOf<Number>              &p,
+                  const VectorOf<Number>              &q)
   {
     return (1 - c.b * c.square) * q + (c.b * (p * q)) * p -
       c.a * dealii::cross_product_3d(p, q);
   }
 
   /** p (p . v) - t^2 v. */
-  inline SpaceVector across_twice(const RotationCoefficients &c,
-                                  const SpaceVector          &p,
-                                  const SpaceVector          &v)
+  template <class Number>
+  inline VectorOf<Number> across_twice(const RotationCoefficientsOf<Number> &c,
+                                       const VectorOf<Number>               &p,
+                                       const VectorOf<Number>               &v)
   {
     return (p * v) * p - c.square * v;
   }
 
   /** Derivative of T^T v by p. */
-  inline SpaceTensor left_tangent_derivative(const RotationCoefficients &c,
-                                             const SpaceVector          &p,
-                                             const SpaceVector          &v)
+  template <class Number>
+  inline TensorOf<Number>
+  left_tangent_derivative(const RotationCoefficientsOf<Number> &c,
+                          const VectorOf<Number>               &p,
+                          const VectorOf<Number>               &v)
   {
     return plus_identity(-c.a * cross_product_tensor(v) +
                            dyad(c.da * dealii::cross_product_3d(p, v) +
@@ -180,22 +202,26 @@ namespace auxfem
   }
 
   /** @p m times tangent_derivative(). */
-  inline SpaceVector times_tangent_derivative(const SpaceVector          &m,
-                                              const RotationCoefficients &c,
-                                              const SpaceVector          &p,
-                                              const SpaceVector          &q)
+  template <class Number>
+  inline VectorOf<Number>
+  times_tangent_derivative(const VectorOf<Number>               &m,
+                           const RotationCoefficientsOf<Number> &c,
+                           const VectorOf<Number>               &p,
+                           const VectorOf<Number>               &q)
   {
     using dealii::cross_product_3d;
-    const double along_p = c.db * (m * across_twice(c, p, q)) -
+    const Number along_p = c.db * (m * across_twice(c, p, q)) -
       c.da * (m * cross_product_3d(p, q)) - 2 * c.b * (m * q);
     return c.a * cross_product_3d(m, q) + along_p * p +
       c.b * ((m * p) * q + (p * q) * m);
   }
 
   /** Derivative of T q by p. */
-  inline SpaceTensor tangent_derivative(const RotationCoefficients &c,
-                                        const SpaceVector          &p,
-                                        const SpaceVector          &q)
+  template <class Number>
+  inline TensorOf<Number>
+  tangent_derivative(const RotationCoefficientsOf<Number> &c,
+                     const VectorOf<Number>               &p,
+                     const VectorOf<Number>               &q)
   {
     return plus_identity(c.a * cross_product_tensor(q) +
                            dyad(c.db * across_twice(c, p, q) -
@@ -206,10 +232,12 @@ namespace auxfem
   }
 
   /** tangent_derivative() times @p v. */
-  inline SpaceVector tangent_derivative_product(const RotationCoefficients &c,
-                                                const SpaceVector          &p,
-                                                const SpaceVector          &q,
-                                                const SpaceVector          &v)
+  template <class Number>
+  inline VectorOf<Number>
+  tangent_derivative_product(const RotationCoefficientsOf<Number> &c,
+                             const VectorOf<Number>               &p,
+                             const VectorOf<Number>               &q,
+                             const VectorOf<Number>               &v)
   {
     using dealii::cross_product_3d;
     return c.a * cross_product_3d(q, v) +
@@ -218,16 +246,18 @@ namespace auxfem
   }
 
   /** Second derivative of m . T q by p; symmetric. */
-  inline SpaceTensor tangent_second_derivative(const RotationCoefficients &c,
-                                               const SpaceVector          &p,
-                                               const SpaceVector          &q,
-                                               const SpaceVector          &m)
+  template <class Number>
+  inline TensorOf<Number>
+  tangent_second_derivative(const RotationCoefficientsOf<Number> &c,
+                            const VectorOf<Number>               &p,
+                            const VectorOf<Number>               &q,
+                            const VectorOf<Number>               &m)
   {
-    const SpaceVector across  = dealii::cross_product_3d(q, m);
-    const double      linear  = p * across;
-    const double      squared = (p * m) * (p * q) - c.square * (m * q);
-    const SpaceVector slope   = (p * q) * m + (p * m) * q - 2 * (m * q) * p;
-    const SpaceVector with_p  = c.db * slope - c.da * across;
+    const VectorOf<Number> across  = dealii::cross_product_3d(q, m);
+    const Number           linear  = p * across;
+    const Number           squared = (p * m) * (p * q) - c.square * (m * q);
+    const VectorOf<Number> slope  = (p * q) * m + (p * m) * q - 2 * (m * q) * p;
+    const VectorOf<Number> with_p = c.db * slope - c.da * across;
     return plus_identity(dyad(with_p, p) + dyad(p, with_p) +
                            (c.ddb * squared - c.dda * linear) * dyad(p, p) +
                            c.b * (dyad(m, q) + dyad(q, m)),
@@ -235,54 +265,58 @@ namespace auxfem
   }
 
   /** c and its derivative c'. */
-  struct InverseRotationCoefficients
+  template <class Number>
+  struct InverseRotationCoefficientsOf
   {
-    double c, dc;
-    double square; ///< t^2
+    Number c, dc;
+    Number square; ///< t^2
 
-    explicit InverseRotationCoefficients(const SpaceVector &p) : square(p * p)
+    explicit InverseRotationCoefficientsOf(const VectorOf<Number> &p)
+      : square(p * p)
     {
-      constexpr double small_square = 0.25;
-      if (square < small_square)
+      using std::cos, std::sin, std::sqrt;
+      constexpr std::array<double, 7> of_c = {{1. / 12,
+                                               1. / 720,
+                                               1. / 30240,
+                                               1. / 1209600,
+                                               1. / 47900160,
+                                               691. / 1307674368000.,
+                                               1. / 74724249600.}};
+      std::array<double, 6>           of_dc;
+      for (int k = 0; k < 6; ++k)
+        of_dc[k] = 2 * (k + 1) * of_c[k + 1];
+      c                = power_series(of_c, square);
+      dc               = power_series(of_dc, square);
+      const auto large = square >= 0.25;
+      if (any_of(large))
         {
-          constexpr std::array<double, 7> of_c = {{1. / 12,
-                                                   1. / 720,
-                                                   1. / 30240,
-                                                   1. / 1209600,
-                                                   1. / 47900160,
-                                                   691. / 1307674368000.,
-                                                   1. / 74724249600.}};
-          std::array<double, 6>           of_dc;
-          for (int k = 0; k < 6; ++k)
-            of_dc[k] = 2 * (k + 1) * of_c[k + 1];
-          c  = power_series(of_c, square);
-          dc = power_series(of_dc, square);
-        }
-      else
-        {
-          const double t = std::sqrt(square), sine = std::sin(t / 2),
-                       cotangent = std::cos(t / 2) / sine;
-          c                      = (1 - t / 2 * cotangent) / square;
-          dc = (-2 / square + cotangent / (2 * t) + 1 / (4 * sine * sine)) /
+          const Number t = sqrt(square), sine = sin(t / 2),
+                       cotangent = cos(t / 2) / sine;
+          where(large, c)        = (1 - t / 2 * cotangent) / square;
+          where(large, dc) =
+            (-2 / square + cotangent / (2 * t) + 1 / (4 * sine * sine)) /
             square;
         }
     }
   };
+  using InverseRotationCoefficients = InverseRotationCoefficientsOf<double>;
 
   /** T^-1; its transpose is that of -p. */
-  inline SpaceTensor
-  inverse_tangent_operator(const InverseRotationCoefficients &c,
-                           const SpaceVector                 &p)
+  template <class Number>
+  inline TensorOf<Number>
+  inverse_tangent_operator(const InverseRotationCoefficientsOf<Number> &c,
+                           const VectorOf<Number>                      &p)
   {
     return plus_identity(c.c * dyad(p, p) + 0.5 * cross_product_tensor(p),
                          1 - c.c * c.square);
   }
 
   /** Derivative of T^-1 g by p. */
-  inline SpaceTensor
-  inverse_tangent_derivative(const InverseRotationCoefficients &c,
-                             const SpaceVector                 &p,
-                             const SpaceVector                 &g)
+  template <class Number>
+  inline TensorOf<Number>
+  inverse_tangent_derivative(const InverseRotationCoefficientsOf<Number> &c,
+                             const VectorOf<Number>                      &p,
+                             const VectorOf<Number>                      &g)
   {
     return plus_identity(-0.5 * cross_product_tensor(g) +
                            c.c * (dyad(p, g) - 2. * dyad(g, p)) +

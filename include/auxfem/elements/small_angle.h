@@ -13,7 +13,8 @@ namespace auxfem
   constexpr double largest_small_square = 0.1;
 
   /** sin(x) / x with x^2 = @p y. */
-  inline double sinc_series(const double y)
+  template <class Number>
+  inline Number sinc_series(const Number &y)
   {
     return 1 -
       y * (1. / 6) *
@@ -25,7 +26,8 @@ namespace auxfem
   }
 
   /** cos(x) with x^2 = @p y. */
-  inline double cosine_series(const double y)
+  template <class Number>
+  inline Number cosine_series(const Number &y)
   {
     return 1 -
       y * (1. / 2) *

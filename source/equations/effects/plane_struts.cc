@@ -1,4 +1,5 @@
 #include <auxfem/elements/beam_2d_between.h>
+#include <auxfem/elements/beam_at_rest.h>
 #include <auxfem/elements/beam_dispatch.h>
 #include <auxfem/equations/effects/beam_forces.h>
 
@@ -22,11 +23,21 @@ namespace auxfem
 
       using Frame     = Beam2D::Frame;
       using Stiffness = Beam2D::Stiffness;
-      struct Motion
+      template <class Number>
+      using AtRestOf = BeamAtRest<order,
+                                  Beam2D::FrameOf<Number>,
+                                  Beam2D::StiffnessOf<Number>,
+                                  Number>;
+      using AtRest   = AtRestOf<double>;
+      template <class Number>
+      struct MotionOf
       {
-        double u[n];
-        double v[damped ? n : 1];
+        Number u[n];
+        Number v[damped ? n : 1] = {};
       };
+      using Motion = MotionOf<double>;
+      template <class Number>
+      using TangentMotionOf = MotionOf<Number>;
 
       static Motion motion(const DofNumbering &numbering,
                            const int          *unknowns,
@@ -53,42 +64,46 @@ namespace auxfem
         return motion;
       }
 
-      [[gnu::flatten]] static BeamEnergy
+      template <class Number>
+      [[gnu::flatten]] static BeamEnergyOf<Number>
       internal_force(const BeamShape<order> &shape,
-                     const Frame            *frames,
-                     const double            jacobian,
-                     const Stiffness        &stiffness,
-                     const Motion           &motion,
-                     double                 *force)
+                     const AtRestOf<Number> &at_rest,
+                     const MotionOf<Number> &motion,
+                     Number                 *force)
       {
-        const Beam2D::EnergyRate energy =
-          Beam2D::internal_force<order, large_rotation, damped>(shape,
-                                                                frames,
-                                                                jacobian,
-                                                                stiffness,
-                                                                motion.u,
-                                                                motion.v,
-                                                                force);
+        const Beam2D::EnergyRateOf<Number> energy =
+          Beam2D::internal_force<order, large_rotation, damped>(
+            shape,
+            at_rest.frames,
+            at_rest.jacobian,
+            at_rest.stiffness,
+            motion.u,
+            motion.v,
+            force);
         return {energy.strain, energy.dissipation};
       }
 
-      static void tangent(const BeamShape<order> &shape,
-                          const Frame            *frames,
-                          const double            jacobian,
-                          const Stiffness        &stiffness,
-                          const DofNumbering     &numbering,
-                          const int              *unknowns,
-                          const Evaluation       &evaluation,
-                          const TangentFactors   &factors,
-                          double                 *block)
+      static Motion tangent_motion(const DofNumbering &numbering,
+                                   const int          *unknowns,
+                                   const Evaluation   &evaluation,
+                                   const TangentFactors & /*factors*/)
       {
-        const Motion of_nodes = motion(numbering, unknowns, evaluation.to);
+        return motion(numbering, unknowns, evaluation.to);
+      }
+
+      template <class Number>
+      [[gnu::flatten]] static void tangent(const BeamShape<order> &shape,
+                                           const AtRestOf<Number> &at_rest,
+                                           const MotionOf<Number> &motion,
+                                           const TangentFactors   &factors,
+                                           Number                 *block)
+      {
         Beam2D::tangent<order, large_rotation, damped>(shape,
-                                                       frames,
-                                                       jacobian,
-                                                       stiffness,
-                                                       of_nodes.u,
-                                                       of_nodes.v,
+                                                       at_rest.frames,
+                                                       at_rest.jacobian,
+                                                       at_rest.stiffness,
+                                                       motion.u,
+                                                       motion.v,
                                                        factors.stiffness,
                                                        factors.damping,
                                                        block);
@@ -102,8 +117,7 @@ namespace auxfem
         StepStart() = default;
 
         StepStart(const BeamShape<order> &shape,
-                  const Frame            *frames,
-                  const double            jacobian,
+                  const AtRest           &at_rest,
                   const DofNumbering & /*numbering*/,
                   const int   *unknowns,
                   const State &state)
@@ -111,7 +125,7 @@ namespace auxfem
         {
           double u[n];
           gather(unknowns, state, u);
-          element = {shape, frames, jacobian, u};
+          element = {shape, at_rest.frames, at_rest.jacobian, u};
         }
 
         /** Displacements of the same kind at another state. */
@@ -142,9 +156,7 @@ namespace auxfem
 
       template <class HighFrequencyDamping>
       static Beam2D::StepEnergy mean_force(const BeamShape<order> &shape,
-                                           const Frame * /*frames*/,
-                                           const double     jacobian,
-                                           const Stiffness &stiffness,
+                                           const AtRest           &at_rest,
                                            const DofNumbering & /*numbering*/,
                                            const int                  *unknowns,
                                            const StepStart            &start,
@@ -155,8 +167,8 @@ namespace auxfem
         double end[n];
         start.gather(unknowns, step.to, end);
         return Beam2D::mean_force<order, damped>(shape,
-                                                 jacobian,
-                                                 stiffness,
+                                                 at_rest.jacobian,
+                                                 at_rest.stiffness,
                                                  start.element,
                                                  end,
                                                  step.dt,
@@ -166,9 +178,7 @@ namespace auxfem
 
       template <class HighFrequencyDamping>
       static void mean_tangent(const BeamShape<order> &shape,
-                               const Frame            *frames,
-                               const double            jacobian,
-                               const Stiffness        &stiffness,
+                               const AtRest           &at_rest,
                                const DofNumbering & /*numbering*/,
                                const int                  *unknowns,
                                const StepStart            &start,
@@ -180,9 +190,9 @@ namespace auxfem
         double end[n];
         start.gather(unknowns, step.to, end);
         Beam2D::mean_tangent<order, damped>(shape,
-                                            frames,
-                                            jacobian,
-                                            stiffness,
+                                            at_rest.frames,
+                                            at_rest.jacobian,
+                                            at_rest.stiffness,
                                             start.element,
                                             end,
                                             step.dt,
@@ -223,58 +233,58 @@ namespace auxfem
       }
 
       static void geometric_tangent(const BeamShape<order> &shape,
-                                    const Frame            *frames,
-                                    const double            jacobian,
+                                    const AtRest           &at_rest,
                                     const Motion           &motion,
                                     const SectionForces (&of_points)[order],
                                     double *block)
       {
         Beam2D::geometric_tangent(shape,
-                                  frames,
-                                  jacobian,
+                                  at_rest.frames,
+                                  at_rest.jacobian,
                                   motion.u,
                                   of_points,
                                   block);
       }
 
       static void elastic_forces(const BeamShape<order> &shape,
-                                 const Frame            *frames,
-                                 const double            jacobian,
-                                 const Stiffness        &stiffness,
+                                 const AtRest           &at_rest,
                                  const Motion           &motion,
                                  SectionForces (&of_points)[order])
       {
+        const Stiffness &stiffness = at_rest.stiffness;
         for (int g = 0; g < order; ++g)
           {
-            const Beam2D::Kinematics k =
-              kinematics(shape, g, frames, jacobian, motion);
-            of_points[g] = {{stiffness.axial * k.epsilon,
-                             stiffness.shear * k.gamma,
-                             0,
-                             0,
-                             0,
-                             stiffness.bending * k.kappa}};
+            const Beam2D::Kinematics k = kinematics(shape, g, at_rest, motion);
+            of_points[g]               = {{stiffness.axial * k.epsilon,
+                                           stiffness.shear * k.gamma,
+                                           0,
+                                           0,
+                                           0,
+                                           stiffness.bending * k.kappa}};
           }
       }
 
-      template <std::size_t n_motions>
-      static void viscous_forces(const BeamShape<order> &shape,
-                                 const Frame            *frames,
-                                 const double            jacobian,
-                                 const Stiffness        &stiffness,
-                                 const Motion (&motions)[n_motions],
-                                 SectionForces (&of_points)[n_motions][order])
+      template <class Number, std::size_t n_motions>
+      [[gnu::flatten]] static void
+      viscous_forces(const BeamShape<order> &shape,
+                     const AtRestOf<Number> &at_rest,
+                     const MotionOf<Number> (&motions)[n_motions],
+                     SectionForcesOf<Number> (&of_points)[n_motions][order])
       {
-        const double beta = stiffness.damping_time;
+        const Beam2D::StiffnessOf<Number> &stiffness = at_rest.stiffness;
+        const Number                       beta      = stiffness.damping_time;
         for (int g = 0; g < order; ++g)
           {
-            const Beam2D::Kinematics k =
-              kinematics(shape, g, frames, jacobian, motions[0]);
+            const Beam2D::KinematicsOf<Number> k =
+              kinematics(shape, g, at_rest, motions[0]);
             for (std::size_t m = 0; m < n_motions; ++m)
               {
-                const Beam2D::Gradient rate =
-                  Beam2D::interpolate(shape, g, 1 / jacobian, motions[m].v);
-                double epsilon_rate, gamma_rate;
+                const Beam2D::GradientOf<Number> rate =
+                  Beam2D::interpolate(shape,
+                                      g,
+                                      Number(1 / at_rest.jacobian),
+                                      motions[m].v);
+                Number epsilon_rate, gamma_rate;
                 Beam2D::strain_rates(k, rate, epsilon_rate, gamma_rate);
                 of_points[m][g] = {{beta * stiffness.axial * epsilon_rate,
                                     beta * stiffness.shear * gamma_rate,
@@ -287,11 +297,14 @@ namespace auxfem
       }
 
       static dealii::Tensor<1, 3> rotation(const double *shape_values,
-                                           const Motion &motion)
+                                           const Motion & /*motion*/,
+                                           const int   *unknowns,
+                                           const State &state)
       {
         dealii::Tensor<1, 3> result;
         for (int a = 0; a <= order; ++a)
-          result[2] += shape_values[a] * motion.u[n_components * a + 2];
+          result[2] += shape_values[a] *
+            state.displacement[unknowns[n_components * a + 2]];
         return result;
       }
 
@@ -314,9 +327,10 @@ namespace auxfem
       }
 
       /** Section forces times the strains of others (J/m). */
-      static double strain_product(const Stiffness     &stiffness,
-                                   const SectionForces &forces,
-                                   const SectionForces &others)
+      template <class Number>
+      static Number strain_product(const Beam2D::StiffnessOf<Number> &stiffness,
+                                   const SectionForcesOf<Number>     &forces,
+                                   const SectionForcesOf<Number>     &others)
       {
         return forces[0] * others[0] / stiffness.axial +
           forces[1] * others[1] / stiffness.shear +
@@ -324,15 +338,19 @@ namespace auxfem
       }
 
     private:
-      static Beam2D::Kinematics kinematics(const BeamShape<order> &shape,
-                                           const int               g,
-                                           const Frame            *frames,
-                                           const double            jacobian,
-                                           const Motion           &motion)
+      template <class Number>
+      static Beam2D::KinematicsOf<Number>
+      kinematics(const BeamShape<order> &shape,
+                 const int               g,
+                 const AtRestOf<Number> &at_rest,
+                 const MotionOf<Number> &motion)
       {
         return Beam2D::kinematics<large_rotation>(
-          frames[g],
-          Beam2D::interpolate(shape, g, 1 / jacobian, motion.u));
+          at_rest.frames[g],
+          Beam2D::interpolate(shape,
+                              g,
+                              Number(1 / at_rest.jacobian),
+                              motion.u));
       }
     };
   } // namespace

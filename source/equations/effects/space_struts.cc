@@ -1,4 +1,5 @@
 #include <auxfem/elements/beam_3d_between.h>
+#include <auxfem/elements/beam_at_rest.h>
 #include <auxfem/elements/beam_dispatch.h>
 #include <auxfem/equations/effects/beam_forces.h>
 #include <auxfem/equations/node_rotations.h>
@@ -8,23 +9,20 @@ namespace auxfem
   namespace
   {
     /** Beam3D with large rotations for BeamForces. */
-    template <int p, bool damped>
+    template <int p, bool damped, class Number>
     struct RotatingMotion
     {
-      static constexpr int order = p;
-      Beam3D::Node         nodes[order + 1];
-      Beam3D::NodeVelocity velocities[damped ? order + 1 : 1];
-      /** Rotation vectors added up over the steps. */
-      SpaceVector rotations[order + 1];
+      Beam3D::NodeOf<Number>         nodes[p + 1];
+      Beam3D::NodeVelocityOf<Number> velocities[damped ? p + 1 : 1];
     };
 
     /** Unknowns and velocities of the small-displacement form. */
-    template <int p, bool damped>
+    template <int p, bool damped, class Number>
     struct SmallMotion
     {
       static constexpr int n = Beam3D::n_components * (p + 1);
-      double               u[n];
-      double               v[damped ? n : 1];
+      Number               u[n];
+      Number               v[damped ? n : 1] = {};
     };
 
     /** Beam3D for BeamForces. */
@@ -38,14 +36,30 @@ namespace auxfem
       static constexpr bool is_damped    = damped;
 
       using Frame = Beam3D::Frame;
-      struct Stiffness
+      template <class Number>
+      struct StiffnessOf
       {
-        Beam3D::Stiffness elastic;
-        double            damping_time; ///< s
+        Beam3D::StiffnessOf<Number> elastic;
+        Number                      damping_time; ///< s
       };
-      using Motion = std::conditional_t<large_rotation,
-                                        RotatingMotion<p, damped>,
-                                        SmallMotion<p, damped>>;
+      using Stiffness = StiffnessOf<double>;
+      template <class Number>
+      using AtRestOf =
+        BeamAtRest<order, Beam3D::FrameOf<Number>, StiffnessOf<Number>, Number>;
+      using AtRest = AtRestOf<double>;
+      template <class Number>
+      using MotionOf = std::conditional_t<large_rotation,
+                                          RotatingMotion<p, damped, Number>,
+                                          SmallMotion<p, damped, Number>>;
+      using Motion   = MotionOf<double>;
+      template <class Number>
+      struct TangentMotionOf
+      {
+        MotionOf<Number> motion;
+        /** By which spins of the nodes change their angular velocities. */
+        TensorOf<Number>
+          angular_velocity_by_spin[large_rotation && damped ? order + 1 : 1];
+      };
 
       static Motion motion(const DofNumbering &numbering,
                            const int          *unknowns,
@@ -70,8 +84,7 @@ namespace auxfem
               const int        *node = unknowns + n_components * a;
               const Quaternion &rotation =
                 state.rotations[numbering.rotations().with(node[3])];
-              motion.nodes[a]     = {vector_at(u, node), rotation};
-              motion.rotations[a] = vector_at(u, node + 3);
+              motion.nodes[a] = {vector_at(u, node), rotation};
               if constexpr (damped)
                 motion.velocities[a] = {vector_at(v, node),
                                         rotated(rotation,
@@ -87,111 +100,112 @@ namespace auxfem
         return motion;
       }
 
-      [[gnu::flatten]] static BeamEnergy
+      template <class Number>
+      [[gnu::flatten]] static BeamEnergyOf<Number>
       internal_force(const BeamShape<order> &shape,
-                     const Frame            *frames,
-                     const double            jacobian,
-                     const Stiffness        &stiffness,
-                     const Motion           &motion,
-                     double                 *force)
+                     const AtRestOf<Number> &at_rest,
+                     const MotionOf<Number> &motion,
+                     Number                 *force)
       {
-        BeamEnergy energy;
+        BeamEnergyOf<Number> energy;
         if constexpr (large_rotation)
           {
-            const Beam3D::ElementKinematics<order> element(shape,
-                                                           frames,
-                                                           jacobian,
-                                                           motion.nodes);
-            energy.strain = Beam3D::internal_force(shape,
+            const auto element = kinematics(shape, at_rest, motion);
+            energy.strain      = Beam3D::internal_force(shape,
                                                    element,
-                                                   jacobian,
-                                                   stiffness.elastic,
+                                                   at_rest.jacobian,
+                                                   at_rest.stiffness.elastic,
                                                    force);
             if constexpr (damped)
               energy.dissipation =
                 Beam3D::add_damping_force(shape,
                                           element,
-                                          jacobian,
-                                          stiffness.elastic,
-                                          stiffness.damping_time,
+                                          at_rest.jacobian,
+                                          at_rest.stiffness.elastic,
+                                          at_rest.stiffness.damping_time,
                                           motion.velocities,
                                           force);
           }
         else
           {
-            energy.strain = Beam3D::small_displacement_force(shape,
-                                                             frames,
-                                                             jacobian,
-                                                             stiffness.elastic,
-                                                             motion.u,
-                                                             force);
+            energy.strain =
+              small_displacement_force(shape, at_rest, motion.u, force);
             if constexpr (damped)
               {
-                double viscous[n];
+                const Number &beta = at_rest.stiffness.damping_time;
+                Number        viscous[n];
                 // Twice the energy of rates is the power of their forces.
-                energy.dissipation = 2 * stiffness.damping_time *
-                  Beam3D::small_displacement_force(shape,
-                                                   frames,
-                                                   jacobian,
-                                                   stiffness.elastic,
-                                                   motion.v,
-                                                   viscous);
+                energy.dissipation = 2 * beta *
+                  small_displacement_force(shape, at_rest, motion.v, viscous);
                 for (int i = 0; i < n; ++i)
-                  force[i] += stiffness.damping_time * viscous[i];
+                  force[i] += beta * viscous[i];
               }
           }
         return energy;
       }
 
-      static void tangent(const BeamShape<order> &shape,
-                          const Frame            *frames,
-                          const double            jacobian,
-                          const Stiffness        &stiffness,
-                          const DofNumbering     &numbering,
-                          const int              *unknowns,
-                          const Evaluation       &evaluation,
-                          const TangentFactors   &factors,
-                          double                 *block)
+      static TangentMotionOf<double>
+      tangent_motion(const DofNumbering   &numbering,
+                     const int            *unknowns,
+                     const Evaluation     &evaluation,
+                     const TangentFactors &factors)
       {
+        TangentMotionOf<double> result;
+        result.motion = motion(numbering, unknowns, evaluation.to);
+        if constexpr (large_rotation && damped)
+          for (int a = 0; a <= order; ++a)
+            result.angular_velocity_by_spin[a] =
+              angular_velocity_by_spin(numbering,
+                                       numbering.rotations().with(
+                                         unknowns[n_components * a + 3]),
+                                       evaluation,
+                                       result.motion.velocities[a].angular,
+                                       factors);
+        return result;
+      }
+
+      template <class Number>
+      static void tangent(const BeamShape<order>        &shape,
+                          const AtRestOf<Number>        &at_rest,
+                          const TangentMotionOf<Number> &of_nodes,
+                          const TangentFactors          &factors,
+                          Number                        *block)
+      {
+        const Beam3D::StiffnessOf<Number> &elastic = at_rest.stiffness.elastic;
+        const Number &damping_time = at_rest.stiffness.damping_time;
         if constexpr (large_rotation)
           {
-            const Motion of_nodes = motion(numbering, unknowns, evaluation.to);
-            const Beam3D::ElementKinematics<order> element(shape,
-                                                           frames,
-                                                           jacobian,
-                                                           of_nodes.nodes);
+            const auto element = kinematics(shape, at_rest, of_nodes.motion);
             Beam3D::tangent(shape,
                             element,
-                            jacobian,
-                            stiffness.elastic,
-                            factors.stiffness,
+                            at_rest.jacobian,
+                            elastic,
+                            Number(factors.stiffness),
                             block);
             if constexpr (damped)
               Beam3D::add_damping_tangent(shape,
                                           element,
-                                          jacobian,
-                                          stiffness.elastic,
-                                          stiffness.damping_time,
-                                          of_nodes.velocities,
+                                          at_rest.jacobian,
+                                          elastic,
+                                          damping_time,
+                                          of_nodes.motion.velocities,
                                           factors.stiffness,
                                           factors.damping,
-                                          angular_velocity_by_spin(numbering,
-                                                                   unknowns,
-                                                                   evaluation,
-                                                                   of_nodes,
-                                                                   factors)
-                                            .data(),
+                                          of_nodes.angular_velocity_by_spin,
                                           block);
           }
         else
-          Beam3D::small_displacement_tangent(
-            shape,
-            frames,
-            jacobian,
-            stiffness.elastic,
-            factors.stiffness +
-              (damped ? stiffness.damping_time * factors.damping : 0.),
-            block);
+          {
+            Number factor = factors.stiffness;
+            if constexpr (damped)
+              factor += damping_time * factors.damping;
+            Beam3D::small_displacement_tangent(shape,
+                                               at_rest.frames,
+                                               at_rest.jacobian,
+                                               elastic,
+                                               factor,
+                                               block);
+          }
       }
 
       /** Nodes at one end of a step, displacements relative to the first. */
@@ -220,8 +234,7 @@ namespace auxfem
         StepStart() = default;
 
         StepStart(const BeamShape<order> & /*shape*/,
-                  const Frame * /*frames*/,
-                  const double /*jacobian*/,
+                  const AtRest & /*at_rest*/,
                   const DofNumbering &numbering,
                   const int          *unknowns,
                   const State        &state)
@@ -233,9 +246,7 @@ namespace auxfem
 
       template <class HighFrequencyDamping>
       static Beam3D::StepEnergy mean_force(const BeamShape<order> &shape,
-                                           const Frame            *frames,
-                                           const double            jacobian,
-                                           const Stiffness        &stiffness,
+                                           const AtRest           &at_rest,
                                            const DofNumbering     &numbering,
                                            const int              *unknowns,
                                            const StepStart        &start,
@@ -245,21 +256,19 @@ namespace auxfem
       {
         return Beam3D::mean_force(
           shape,
-          frames,
-          jacobian,
-          stiffness.elastic,
+          at_rest.frames,
+          at_rest.jacobian,
+          at_rest.stiffness.elastic,
           start.nodes.data(),
           nodes_in_step(numbering, unknowns, step.to).data(),
-          damped ? stiffness.damping_time / step.dt : 0.,
+          damped ? at_rest.stiffness.damping_time / step.dt : 0.,
           force,
           damping);
       }
 
       template <class HighFrequencyDamping>
       static void mean_tangent(const BeamShape<order>     &shape,
-                               const Frame                *frames,
-                               const double                jacobian,
-                               const Stiffness            &stiffness,
+                               const AtRest               &at_rest,
                                const DofNumbering         &numbering,
                                const int                  *unknowns,
                                const StepStart            &start,
@@ -268,18 +277,16 @@ namespace auxfem
                                const HighFrequencyDamping &damping,
                                double                     *block)
       {
+        const double beta = damped ? at_rest.stiffness.damping_time : 0.;
         Beam3D::mean_tangent(shape,
-                             frames,
-                             jacobian,
-                             stiffness.elastic,
+                             at_rest.frames,
+                             at_rest.jacobian,
+                             at_rest.stiffness.elastic,
                              start.nodes.data(),
                              nodes_in_step(numbering, unknowns, step.to).data(),
-                             damped ? stiffness.damping_time / step.dt : 0.,
+                             beta / step.dt,
                              factors.stiffness,
-                             factors.stiffness +
-                               (damped
-                                  ? stiffness.damping_time * factors.damping
-                                  : 0.),
+                             factors.stiffness + beta * factors.damping,
                              block,
                              damping);
       }
@@ -317,79 +324,63 @@ namespace auxfem
       }
 
       static void geometric_tangent(const BeamShape<order>        &shape,
-                                    [[maybe_unused]] const Frame  *frames,
-                                    const double                   jacobian,
+                                    const AtRest                  &at_rest,
                                     [[maybe_unused]] const Motion &motion,
                                     const SectionForces (&of_points)[order],
                                     double *block)
       {
         if constexpr (large_rotation)
-          Beam3D::geometric_tangent(
-            shape,
-            Beam3D::ElementKinematics<order>(shape,
-                                             frames,
-                                             jacobian,
-                                             motion.nodes),
-            jacobian,
-            of_points,
-            block);
+          Beam3D::geometric_tangent(shape,
+                                    kinematics(shape, at_rest, motion),
+                                    at_rest.jacobian,
+                                    of_points,
+                                    block);
       }
 
       static void elastic_forces(const BeamShape<order> &shape,
-                                 const Frame            *frames,
-                                 const double            jacobian,
-                                 const Stiffness        &stiffness,
+                                 const AtRest           &at_rest,
                                  const Motion           &motion,
                                  SectionForces (&of_points)[order])
       {
         if constexpr (large_rotation)
           {
-            const Beam3D::ElementKinematics<order> element(shape,
-                                                           frames,
-                                                           jacobian,
-                                                           motion.nodes);
+            const auto element = kinematics(shape, at_rest, motion);
             for (int g = 0; g < order; ++g)
-              of_points[g] = forces(stiffness, element.points[g].strains);
+              of_points[g] =
+                forces(at_rest.stiffness, element.points[g].strains);
           }
         else
           for (int g = 0; g < order; ++g)
-            of_points[g] = forces(stiffness,
-                                  Beam3D::small_displacement_strains(shape,
-                                                                     g,
-                                                                     frames,
-                                                                     jacobian,
-                                                                     motion.u));
+            of_points[g] =
+              forces(at_rest.stiffness,
+                     small_displacement_strains(shape, g, at_rest, motion.u));
       }
 
-      template <std::size_t n_motions>
+      template <class Number, std::size_t n_motions>
       [[gnu::flatten]] static void
       viscous_forces(const BeamShape<order> &shape,
-                     const Frame            *frames,
-                     const double            jacobian,
-                     const Stiffness        &stiffness,
-                     const Motion (&motions)[n_motions],
-                     SectionForces (&of_points)[n_motions][order])
+                     const AtRestOf<Number> &at_rest,
+                     const MotionOf<Number> (&motions)[n_motions],
+                     SectionForcesOf<Number> (&of_points)[n_motions][order])
       {
-        const auto viscous = [&stiffness](const SpaceVector &gamma_rate,
-                                          const SpaceVector &kappa_rate) {
-          return forces(stiffness,
-                        {stiffness.damping_time * gamma_rate,
-                         stiffness.damping_time * kappa_rate});
+        const Number &beta    = at_rest.stiffness.damping_time;
+        const auto    viscous = [&](const VectorOf<Number> &gamma_rate,
+                                 const VectorOf<Number> &kappa_rate) {
+          return forces(at_rest.stiffness,
+                        Beam3D::StrainsOf<Number>{beta * gamma_rate,
+                                                  beta * kappa_rate});
         };
         if constexpr (large_rotation)
           {
-            const Beam3D::ElementKinematics<order> element(shape,
-                                                           frames,
-                                                           jacobian,
-                                                           motions[0].nodes);
+            const auto element = kinematics(shape, at_rest, motions[0]);
             for (std::size_t m = 0; m < n_motions; ++m)
               for (int g = 0; g < order; ++g)
                 {
-                  const Beam3D::Kinematics &point = element.points[g];
-                  const Beam3D::Rates       rates =
+                  const Beam3D::KinematicsOf<Number> &point = element.points[g];
+                  const Beam3D::RatesOf<Number>       rates =
                     Beam3D::rates(shape,
                                   g,
-                                  1 / jacobian,
+                                  Number(1 / at_rest.jacobian),
                                   point,
                                   motions[m].velocities);
                   of_points[m][g] =
@@ -400,32 +391,26 @@ namespace auxfem
           for (std::size_t m = 0; m < n_motions; ++m)
             for (int g = 0; g < order; ++g)
               {
-                const Beam3D::Strains rates =
-                  Beam3D::small_displacement_strains(shape,
-                                                     g,
-                                                     frames,
-                                                     jacobian,
-                                                     motions[m].v);
+                const Beam3D::StrainsOf<Number> rates =
+                  small_displacement_strains(shape, g, at_rest, motions[m].v);
                 of_points[m][g] = viscous(rates.gamma, rates.kappa);
               }
       }
 
-      static SpaceVector rotation(const double *shape_values,
-                                  const Motion &motion)
+      static SpaceVector rotation(const double                  *shape_values,
+                                  [[maybe_unused]] const Motion &motion,
+                                  const int                     *unknowns,
+                                  const State                   &state)
       {
         SpaceVector sum;
+        for (int a = 0; a <= order; ++a)
+          sum += shape_values[a] *
+            vector_at(state.displacement.data(),
+                      unknowns + n_components * a + 3);
         if constexpr (large_rotation)
-          {
-            for (int a = 0; a <= order; ++a)
-              sum += shape_values[a] * motion.rotations[a];
-            return rotation_vector_near(
-              Beam3D::RelativeRotations<order>(motion.nodes).at(shape_values),
-              sum);
-          }
-        else
-          for (int a = 0; a <= order; ++a)
-            for (int c = 0; c < 3; ++c)
-              sum[c] += shape_values[a] * motion.u[n_components * a + 3 + c];
+          return rotation_vector_near(
+            Beam3D::RelativeRotations<order>(motion.nodes).at(shape_values),
+            sum);
         return sum;
       }
 
@@ -439,52 +424,86 @@ namespace auxfem
       }
 
       /** Section forces times the strains of others (J/m). */
-      static double strain_product(const Stiffness     &stiffness,
-                                   const SectionForces &forces,
-                                   const SectionForces &others)
+      template <class Number>
+      static Number strain_product(const StiffnessOf<Number>     &stiffness,
+                                   const SectionForcesOf<Number> &forces,
+                                   const SectionForcesOf<Number> &others)
       {
-        const Beam3D::Stiffness &s = stiffness.elastic;
-        const double             k[] =
+        const Beam3D::StiffnessOf<Number> &s = stiffness.elastic;
+        const Number                       k[] =
           {s.axial, s.shear_2, s.shear_3, s.torsion, s.bending_2, s.bending_3};
-        double sum = 0;
+        Number sum = 0;
         for (unsigned int i = 0; i < forces.size(); ++i)
           sum += forces[i] * others[i] / k[i];
         return sum;
       }
 
     private:
-      static SectionForces forces(const Stiffness       &stiffness,
-                                  const Beam3D::Strains &strains)
+      template <class Number>
+      static Beam3D::ElementKinematics<order, Number>
+      kinematics(const BeamShape<order> &shape,
+                 const AtRestOf<Number> &at_rest,
+                 const MotionOf<Number> &motion)
       {
-        const SpaceVector force  = Beam3D::section_force(stiffness.elastic,
-                                                        strains.gamma),
-                          moment = Beam3D::section_moment(stiffness.elastic,
-                                                          strains.kappa);
+        return {shape, at_rest.frames, at_rest.jacobian, motion.nodes};
+      }
+
+      template <class Number>
+      static Number small_displacement_force(const BeamShape<order> &shape,
+                                             const AtRestOf<Number> &at_rest,
+                                             const Number           *u,
+                                             Number                 *force)
+      {
+        return Beam3D::small_displacement_force(shape,
+                                                at_rest.frames,
+                                                at_rest.jacobian,
+                                                at_rest.stiffness.elastic,
+                                                u,
+                                                force);
+      }
+
+      template <class Number>
+      static Beam3D::StrainsOf<Number>
+      small_displacement_strains(const BeamShape<order> &shape,
+                                 const int               g,
+                                 const AtRestOf<Number> &at_rest,
+                                 const Number           *u)
+      {
+        return Beam3D::small_displacement_strains(shape,
+                                                  g,
+                                                  at_rest.frames,
+                                                  at_rest.jacobian,
+                                                  u);
+      }
+
+      template <class Number>
+      static SectionForcesOf<Number>
+      forces(const StiffnessOf<Number>       &stiffness,
+             const Beam3D::StrainsOf<Number> &strains)
+      {
+        const VectorOf<Number> force = Beam3D::section_force(stiffness.elastic,
+                                                             strains.gamma),
+                               moment =
+                                 Beam3D::section_moment(stiffness.elastic,
+                                                        strains.kappa);
         return {
           {force[0], force[1], force[2], moment[0], moment[1], moment[2]}};
       }
 
-      /** omega = P W: it turns with the section, and W follows the step. */
-      static std::array<SpaceTensor, order + 1>
+      /** By which the spin of a node changes its @p angular_velocity, omega = P
+       * W: it turns with the section, and W follows the step. */
+      static SpaceTensor
       angular_velocity_by_spin(const DofNumbering   &numbering,
-                               const int            *unknowns,
+                               const int             rotation,
                                const Evaluation     &evaluation,
-                               const Motion         &motion,
+                               const SpaceVector    &angular_velocity,
                                const TangentFactors &factors)
       {
-        const NodeRotations                rotations(numbering);
-        std::array<SpaceTensor, order + 1> by_spin;
-        for (int a = 0; a <= order; ++a)
-          {
-            const int i =
-              numbering.rotations().with(unknowns[n_components * a + 3]);
-            by_spin[a] = -factors.stiffness *
-                cross_product_tensor(motion.velocities[a].angular) +
-              factors.damping *
-                rotated(evaluation.to.rotations[i],
-                        rotations.increment_by_spin(evaluation, i));
-          }
-        return by_spin;
+        return -factors.stiffness * cross_product_tensor(angular_velocity) +
+          factors.damping *
+          rotated(evaluation.to.rotations[rotation],
+                  NodeRotations(numbering).increment_by_spin(evaluation,
+                                                             rotation));
       }
     };
   } // namespace

@@ -11,7 +11,9 @@
 namespace auxfem
 {
   /** Resultants at a point: N, Q_2, Q_3 (N), T, M_2, M_3 (N m). */
-  using SectionForces = std::array<double, 6>;
+  template <class Number>
+  using SectionForcesOf = std::array<Number, 6>;
+  using SectionForces   = SectionForcesOf<double>;
 
   /** Section forces and kinematics at a point of a strut, for output. */
   struct StrutPoint

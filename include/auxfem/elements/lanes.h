@@ -1,0 +1,76 @@
+#ifndef auxfem_elements_lanes_h
+#define auxfem_elements_lanes_h
+
+#include <deal.II/base/template_constraints.h>
+
+#include <array>
+
+#include <experimental/simd>
+
+/**
+ * @file
+ * Several elements computed at a time by vector instructions: what a kernel
+ * does with a number it does with one of each element, its lane. Lanes do not
+ * meet, so results do not depend on which elements share them.
+ */
+namespace auxfem
+{
+  /** How many elements are computed at a time. */
+  constexpr std::size_t n_lanes = 4;
+
+  /** A number of each of them. Without registers of this size it is put into
+   * several smaller ones. */
+  using Lanes = std::experimental::
+    simd<double, std::experimental::simd_abi::deduce_t<double, n_lanes>>;
+
+  /** An object of each of them. */
+  template <class T>
+  using EachLane = std::array<T, n_lanes>;
+
+  /** @p OfLanes is the object of Lanes that @p OfNumbers is of double: the same
+   * numbers in the same order, and nothing else. */
+  template <class OfLanes, class OfNumbers>
+  OfLanes in_lanes(const EachLane<const OfNumbers *> &objects)
+  {
+    static_assert(sizeof(OfLanes) == n_lanes * sizeof(OfNumbers) &&
+                  sizeof(Lanes) == n_lanes * sizeof(double));
+    OfLanes result;
+    auto   *lanes = reinterpret_cast<Lanes *>(&result);
+    for (std::size_t i = 0; i < sizeof(OfNumbers) / sizeof(double); ++i)
+      lanes[i] = Lanes([&](const auto lane) {
+        return reinterpret_cast<const double *>(objects[lane])[i];
+      });
+    return result;
+  }
+
+  /** @copydoc in_lanes */
+  template <class OfLanes, class OfNumbers>
+  OfLanes in_lanes(const EachLane<OfNumbers> &objects)
+  {
+    EachLane<const OfNumbers *> pointers;
+    for (std::size_t lane = 0; lane < n_lanes; ++lane)
+      pointers[lane] = &objects[lane];
+    return in_lanes<OfLanes>(pointers);
+  }
+
+  /** The @p n numbers at @p lanes of one @p lane. */
+  template <std::size_t n>
+  void
+  take_lane(const Lanes (&lanes)[n], const std::size_t lane, double *numbers)
+  {
+    for (std::size_t i = 0; i < n; ++i)
+      numbers[i] = lanes[i][lane];
+  }
+} // namespace auxfem
+
+namespace dealii
+{
+  /** Tensors take Lanes for numbers. */
+  template <>
+  struct EnableIfScalar<auxfem::Lanes>
+  {
+    using type = auxfem::Lanes;
+  };
+} // namespace dealii
+
+#endif

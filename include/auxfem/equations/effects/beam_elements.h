@@ -1,0 +1,209 @@
+#ifndef auxfem_equations_effects_beam_elements_h
+#define auxfem_equations_effects_beam_elements_h
+
+#include <auxfem/elements/lanes.h>
+#include <auxfem/elements/section.h>
+#include <auxfem/model/numbering.h>
+
+#include <algorithm>
+
+namespace auxfem
+{
+  /** Elements that are computed at a time. */
+  struct ElementBatch
+  {
+    /** Behind the last element this one again. */
+    EachLane<unsigned int> elements;
+    /** How many there are without the repeated ones. */
+    unsigned int size;
+  };
+
+  /**
+   * Elements of struts as beams of one kind, each by itself and several of them
+   * at a time. @p Beam is as in BeamForces.
+   */
+  template <class Beam>
+  class BeamElements
+  {
+  public:
+    static constexpr int order        = Beam::order;
+    static constexpr int n_components = Beam::n_components;
+    static constexpr int n            = n_components * (order + 1);
+
+    struct Element
+    {
+      typename Beam::AtRest at_rest;
+      double                length; ///< of the strut (m)
+      bool                  owned;
+      /** See strain_per_energy() (1/N). */
+      double strain_per_energy;
+    };
+
+    /** @param group of the elements of @p numbering. */
+    BeamElements(const Lattice              &lattice,
+                 const DofNumbering         &numbering,
+                 const DofNumbering::Group  &group,
+                 const std::vector<Section> &sections,
+                 const bool                  shear_flexibility)
+      : lattice(lattice)
+      , numbering(numbering)
+      , group(group)
+      , sections(sections)
+      , shape(!shear_flexibility)
+    {
+      const unsigned int n_elements = group.end - group.begin;
+      of_elements.reserve(n_elements);
+      for (unsigned int e = 0; e < n_elements; ++e)
+        {
+          const DofNumbering::Element &element =
+            numbering.elements()[group.begin + e];
+          const Strut   &strut   = lattice.struts[element.interval.strut];
+          const Section &section = sections[strut.section];
+          const double   length  = lattice.length(strut);
+
+          Element data;
+          data.length                    = length;
+          typename Beam::AtRest &at_rest = data.at_rest;
+          at_rest.jacobian =
+            length * (element.interval.end - element.interval.begin) / 2;
+          at_rest.stiffness = Beam::stiffness(section);
+          if (!shear_flexibility)
+            Beam::hold_shear(at_rest.stiffness,
+                             12 /
+                               (BeamShape<order>::shear_made_up_for * 4 *
+                                at_rest.jacobian * at_rest.jacobian));
+          data.owned             = element.is_owned;
+          data.strain_per_energy = strain_per_energy(section);
+          set_frames(element.interval, strut, section, at_rest);
+          of_elements.push_back(data);
+        }
+    }
+
+    unsigned int size() const
+    {
+      return of_elements.size();
+    }
+
+    const Element &operator[](const unsigned int e) const
+    {
+      return of_elements[e];
+    }
+
+    /** Local unknowns of element @p e of the group. */
+    const int *unknowns(const unsigned int e) const
+    {
+      return numbering.element_unknowns(group.begin + e);
+    }
+
+    const StrutMesh::Interval &interval(const unsigned int e) const
+    {
+      return numbering.elements()[group.begin + e].interval;
+    }
+
+    const Strut &strut(const unsigned int e) const
+    {
+      return lattice.struts[interval(e).strut];
+    }
+
+    const Section &section(const unsigned int e) const
+    {
+      return sections[strut(e).section];
+    }
+
+    /** Of the nodes of element @p e. */
+    typename Beam::Motion motion(const unsigned int e, const State &state) const
+    {
+      return Beam::motion(numbering, unknowns(e), state);
+    }
+
+    /** Calls @p action with batches of all elements in their order. */
+    template <class Action>
+    void for_each_batch(const Action &action) const
+    {
+      const unsigned int n_elements = of_elements.size();
+      for (unsigned int first = 0; first < n_elements; first += n_lanes)
+        {
+          ElementBatch batch;
+          batch.size = std::min<unsigned int>(n_lanes, n_elements - first);
+          for (unsigned int lane = 0; lane < n_lanes; ++lane)
+            batch.elements[lane] = first + std::min(lane, batch.size - 1);
+          action(batch);
+        }
+    }
+
+    typename Beam::template AtRestOf<Lanes>
+    at_rest(const ElementBatch &batch) const
+    {
+      EachLane<const typename Beam::AtRest *> of_lanes;
+      for (unsigned int lane = 0; lane < n_lanes; ++lane)
+        of_lanes[lane] = &of_elements[batch.elements[lane]].at_rest;
+      return in_lanes<typename Beam::template AtRestOf<Lanes>>(of_lanes);
+    }
+
+    /** What @p of_element gives of the elements of @p batch. */
+    template <class OfLanes, class OfElement>
+    static OfLanes gathered(const ElementBatch &batch,
+                            const OfElement    &of_element)
+    {
+      EachLane<decltype(of_element(0u))> of_lanes;
+      for (unsigned int lane = 0; lane < n_lanes; ++lane)
+        of_lanes[lane] = of_element(batch.elements[lane]);
+      return in_lanes<OfLanes>(of_lanes);
+    }
+
+    /** motion() of several elements. */
+    typename Beam::template MotionOf<Lanes> motion(const ElementBatch &batch,
+                                                   const State &state) const
+    {
+      return gathered<typename Beam::template MotionOf<Lanes>>(
+        batch,
+        [&](const unsigned int e) { return motion(e, state); });
+    }
+
+    const Lattice              &lattice;
+    const DofNumbering         &numbering;
+    const DofNumbering::Group   group;
+    const std::vector<Section> &sections;
+    const BeamShape<order>      shape;
+
+  private:
+    /**
+     * Square of the strain of outer fibres over twice the energy per length
+     * (1/N), at most: N / EA + M d / EI against N^2 / EA + M^2 / EI.
+     */
+    static double strain_per_energy(const Section &section)
+    {
+      const auto [d2, d3] = section.fibre_distances;
+      return 1 / section.axial_stiffness() +
+        d2 * d2 / section.bending_stiffness_2() +
+        d3 * d3 / section.bending_stiffness_3();
+    }
+
+    /**
+     * Frames of the true axis; r0' is that of the interpolated axis, so the
+     * strut is free of stress at rest.
+     */
+    void set_frames(const StrutMesh::Interval &interval,
+                    const Strut               &strut,
+                    const Section             &section,
+                    typename Beam::AtRest     &at_rest) const
+    {
+      dealii::Point<3>     nodes[order + 1], position;
+      dealii::Tensor<1, 3> tangent;
+      for (int a = 0; a <= order; ++a)
+        lattice.axis(strut, interval.at(shape.node[a]), nodes[a], tangent);
+      for (int g = 0; g < order; ++g)
+        {
+          lattice.axis(strut, interval.at(shape.point[g]), position, tangent);
+          dealii::Tensor<1, 3> slope;
+          for (int a = 0; a <= order; ++a)
+            slope += shape.derivative[g][a] / at_rest.jacobian * nodes[a];
+          at_rest.frames[g] = Beam::frame(tangent, slope, section.reference);
+        }
+    }
+
+    std::vector<Element> of_elements;
+  };
+} // namespace auxfem
+
+#endif

@@ -1,0 +1,298 @@
+#ifndef auxfem_equations_effects_beam_samples_h
+#define auxfem_equations_effects_beam_samples_h
+
+#include <auxfem/equations/effects/beam_elements.h>
+#include <auxfem/equations/effects/struts.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace auxfem
+{
+  /**
+   * Strain energy (J) of an element and power lost in it (W); of mean forces
+   * over a step the energy lost in it and taken by the damping of high
+   * frequencies (J).
+   */
+  template <class Number>
+  struct BeamEnergyOf
+  {
+    Number strain = 0, dissipation = 0, taken = 0;
+  };
+  using BeamEnergy = BeamEnergyOf<double>;
+
+  /** What struts do in one evaluation. */
+  struct BeamResults : public EffectResults
+  {
+    explicit BeamResults(const unsigned int n_elements)
+      : forces(n_elements)
+      , strain_energies(n_elements)
+    {}
+
+    /** Of all that are counted by this rank. */
+    BeamEnergy energy;
+    /**
+     * Of every element, the largest force at its ends (N); moments divided by
+     * the length of the strut.
+     */
+    std::vector<double> forces;
+    /** Of every element (J). */
+    std::vector<double> strain_energies;
+  };
+
+  /** What output and watches ask of struts as beams of one kind. @p Beam is as in
+   * BeamForces. */
+  template <class Beam>
+  class BeamSamples : public StrutForces
+  {
+  public:
+    explicit BeamSamples(const BeamElements<Beam> &beams) : beams(beams)
+    {}
+
+    const DofNumbering::Group &elements() const override
+    {
+      return beams.group;
+    }
+
+    bool is_linear() const override
+    {
+      return Beam::is_linear;
+    }
+
+    std::vector<StrutPoint> sample(const State       &state,
+                                   const unsigned int of_numbering,
+                                   const unsigned int n_points) const override
+    {
+      const unsigned int           e       = index(of_numbering);
+      const typename Beam::AtRest &at_rest = beams[e].at_rest;
+      const typename Beam::Motion  motion  = beams.motion(e, state);
+      SectionForces                elastic[order], viscous[1][order] = {};
+      Beam::elastic_forces(beams.shape, at_rest, motion, elastic);
+      if constexpr (Beam::is_damped)
+        {
+          const typename Beam::Motion motions[] = {motion};
+          Beam::viscous_forces(beams.shape, at_rest, motions, viscous);
+        }
+
+      std::vector<StrutPoint> points(n_points);
+      for (unsigned int i = 0; i < n_points; ++i)
+        {
+          const double xi = -1 + 2. * i / (n_points - 1);
+          double       N[order + 1], H[order];
+          beams.shape.values_at(xi, N);
+          beams.shape.gauss_interpolation_at(xi, H);
+          StrutPoint          &point = points[i];
+          dealii::Tensor<1, 3> tangent;
+          axis_at(e, xi, point.position, tangent);
+          point.displacement = interpolated(N, e, state.displacement);
+          if (state.velocity)
+            point.velocity = interpolated(N, e, *state.velocity);
+          point.rotation = Beam::rotation(N, motion, beams.unknowns(e), state);
+          point.axes =
+            Beam::axes(tangent, beams.section(e).reference, point.rotation);
+          SectionForces E = {}, V = {};
+          for (int g = 0; g < order; ++g)
+            for (unsigned int k = 0; k < 6; ++k)
+              {
+                E[k] += H[g] * elastic[g][k];
+                V[k] += H[g] * viscous[0][g][k];
+              }
+          for (unsigned int k = 0; k < 3; ++k)
+            {
+              point.force[k]  = E[k] + V[k];
+              point.moment[k] = E[3 + k] + V[3 + k];
+            }
+          point.energy_density =
+            Beam::strain_product(at_rest.stiffness, E, E) / 2;
+        }
+      return points;
+    }
+
+    double energy_density(const unsigned int   of_numbering,
+                          const SectionForces &forces) const override
+    {
+      return Beam::strain_product(beams[index(of_numbering)].at_rest.stiffness,
+                                  forces,
+                                  forces) /
+        2;
+    }
+
+    std::vector<dealii::Point<3>>
+    axis(const Vector      &displacement,
+         const unsigned int of_numbering,
+         const unsigned int n_points) const override
+    {
+      const unsigned int            e = index(of_numbering);
+      std::vector<dealii::Point<3>> points(n_points);
+      for (unsigned int i = 0; i < n_points; ++i)
+        {
+          const double xi = -1 + 2. * i / (n_points - 1);
+          double       N[order + 1];
+          beams.shape.values_at(xi, N);
+          dealii::Tensor<1, 3> tangent;
+          axis_at(e, xi, points[i], tangent);
+          points[i] += interpolated(N, e, displacement);
+        }
+      return points;
+    }
+
+    ScaledMotion scaled_motion(const State       &state,
+                               const unsigned int of_numbering) const override
+    {
+      const unsigned int e = index(of_numbering);
+      SectionForces      elastic[order];
+      elastic_forces(e, state, elastic);
+      ScaledMotion motion;
+      for (const SectionForces &forces : elastic)
+        motion.strains.push_back(
+          scaled_strains(beams[e].at_rest.stiffness, forces));
+      if (!state.acceleration)
+        return motion;
+      const double scale = std::sqrt(beams.section(e).mass_per_length());
+      const dealii::QGauss<1> gauss(order + 1);
+      for (const dealii::Point<1> &point : gauss.get_points())
+        {
+          double N[order + 1];
+          beams.shape.values_at(2 * point[0] - 1, N);
+          const dealii::Tensor<1, 3> velocity =
+            scale * interpolated(N, e, *state.velocity);
+          motion.velocities.push_back(
+            {{velocity[0], velocity[1], velocity[2]}});
+        }
+      return motion;
+    }
+
+    double strain_energy(const EffectResults &results,
+                         const unsigned int   of_numbering) const override
+    {
+      return static_cast<const BeamResults &>(results)
+        .strain_energies[index(of_numbering)];
+    }
+
+    double axial_force(const State       &state,
+                       const unsigned int of_numbering) const override
+    {
+      const unsigned int e = index(of_numbering);
+      SectionForces      elastic[order];
+      elastic_forces(e, state, elastic);
+      double integral = 0;
+      for (int g = 0; g < order; ++g)
+        integral += beams.shape.weight[g] * elastic[g][0];
+      return integral / 2;
+    }
+
+    StrutStrain largest_strain(const State               &state,
+                               const EffectResults       &results,
+                               const std::vector<double> &allowed,
+                               const double               least) const override
+    {
+      const auto &energies =
+        static_cast<const BeamResults &>(results).strain_energies;
+      const double weight = *std::min_element(std::begin(beams.shape.weight),
+                                              std::end(beams.shape.weight));
+      StrutStrain  largest{least, invalid_index};
+      for (unsigned int e = 0; e < beams.size(); ++e)
+        {
+          const auto  &beam         = beams[e];
+          const double of_section   = allowed[beams.strut(e).section],
+                       least_strain = largest.ratio * of_section;
+          if (!beam.owned ||
+              2 * beam.strain_per_energy * energies[e] <=
+                least_strain * least_strain * weight * beam.at_rest.jacobian)
+            continue;
+          const double ratio = largest_strain(state, e) / of_section;
+          if (ratio > largest.ratio)
+            largest = {ratio, beams.interval(e).strut};
+        }
+      return largest;
+    }
+
+  protected:
+    static constexpr int order = Beam::order;
+
+    const BeamElements<Beam> beams;
+
+  private:
+    /** Number among the beams of an element of the numbering. */
+    unsigned int index(const unsigned int of_numbering) const
+    {
+      return of_numbering - beams.group.begin;
+    }
+
+    /** Of element @p e at @p xi in [-1, 1], at rest. */
+    void axis_at(const unsigned int    e,
+                 const double          xi,
+                 dealii::Point<3>     &position,
+                 dealii::Tensor<1, 3> &tangent) const
+    {
+      beams.lattice.axis(beams.strut(e),
+                         beams.interval(e).at(xi),
+                         position,
+                         tangent);
+    }
+
+    /** Of the translations among @p values of all local unknowns, at a point of
+     * element @p e with shape functions @p N. */
+    dealii::Tensor<1, 3> interpolated(const double (&N)[order + 1],
+                                      const unsigned int e,
+                                      const Vector      &values) const
+    {
+      const int           *unknowns = beams.unknowns(e);
+      dealii::Tensor<1, 3> result;
+      for (int a = 0; a <= order; ++a)
+        for (unsigned int d = 0; d < beams.lattice.dimension; ++d)
+          result[d] +=
+            N[a] * values[unknowns[BeamElements<Beam>::n_components * a + d]];
+      return result;
+    }
+
+    /** At the Gauss points of element @p e. */
+    void elastic_forces(const unsigned int e,
+                        const State       &state,
+                        SectionForces (&of_points)[order]) const
+    {
+      Beam::elastic_forces(beams.shape,
+                           beams[e].at_rest,
+                           beams.motion(e, state),
+                           of_points);
+    }
+
+    /** As in ScaledMotion. */
+    static SectionForces
+    scaled_strains(const typename Beam::Stiffness &stiffness,
+                   const SectionForces            &forces)
+    {
+      SectionForces strains = {};
+      for (unsigned int k = 0; k < strains.size(); ++k)
+        {
+          SectionForces unit = {};
+          unit[k]            = 1;
+          strains[k] =
+            forces[k] * std::sqrt(Beam::strain_product(stiffness, unit, unit));
+        }
+      return strains;
+    }
+
+    /** Of outer fibres at the Gauss points of element @p e. */
+    double largest_strain(const State &state, const unsigned int e) const
+    {
+      const Section &section = beams.section(e);
+      SectionForces  elastic[order];
+      elastic_forces(e, state, elastic);
+      const auto &fibres  = section.fibre_distances;
+      double      largest = 0;
+      for (const SectionForces &forces : elastic)
+        largest = std::max(largest,
+                           std::abs(forces[0]) / section.axial_stiffness() +
+                             std::abs(forces[4]) * fibres[0] /
+                               section.bending_stiffness_2() +
+                             std::abs(forces[5]) * fibres[1] /
+                               section.bending_stiffness_3());
+      return largest;
+    }
+  };
+} // namespace auxfem
+
+#endif
