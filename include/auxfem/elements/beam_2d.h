@@ -2,6 +2,7 @@
 #define auxfem_elements_beam_2d_h
 
 #include <auxfem/elements/beam_shape.h>
+#include <auxfem/elements/small_angle.h>
 
 #include <algorithm>
 #include <cmath>
@@ -107,8 +108,8 @@ namespace auxfem
       k.kappa = d.kappa;
       if (large_rotation)
         {
-          using std::cos, std::sin;
-          const Number half_sine = sin(d.phi / 2), half_cosine = cos(d.phi / 2);
+          const auto [half_sine, half_cosine] =
+            sine_and_cosine(Number(d.phi / 2));
           const Number s       = 2 * half_sine * half_cosine;
           const Number versine = 2 * half_sine * half_sine, c = 1 - versine;
           k.epsilon = p * c + q * s - frame.axial * versine + frame.shear * s;

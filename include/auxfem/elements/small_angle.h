@@ -1,6 +1,10 @@
 #ifndef auxfem_elements_small_angle_h
 #define auxfem_elements_small_angle_h
 
+#include <auxfem/elements/branches.h>
+
+#include <cmath>
+
 /**
  * @file
  * Series of trigonometric functions by the square of the angle, exact to the
@@ -36,6 +40,28 @@ namespace auxfem
          (1 -
           y * (1. / 30) *
             (1 - y * (1. / 56) * (1 - y * (1. / 90) * (1 - y * (1. / 132))))));
+  }
+
+  template <class Number>
+  struct SineAndCosine
+  {
+    Number sine, cosine;
+  };
+
+  /** Of @p x (rad), by series where it is small. */
+  template <class Number>
+  inline SineAndCosine<Number> sine_and_cosine(const Number &x)
+  {
+    using std::cos, std::sin;
+    const Number          y      = x * x;
+    SineAndCosine<Number> result = {x * sinc_series(y), cosine_series(y)};
+    const auto            large  = y >= largest_small_square;
+    if (any_of(large))
+      {
+        where(large, result.sine)   = sin(x);
+        where(large, result.cosine) = cos(x);
+      }
+    return result;
   }
 } // namespace auxfem
 

@@ -36,12 +36,11 @@ namespace auxfem
         Number v[damped ? n : 1] = {};
       };
       using Motion = MotionOf<double>;
-      template <class Number>
-      using TangentMotionOf = MotionOf<Number>;
 
-      static Motion motion(const DofNumbering &numbering,
-                           const int          *unknowns,
-                           const State        &state)
+      template <class Unknowns>
+      static MotionOf<NumberAt<Unknowns>> motion(const DofNumbering &numbering,
+                                                 const Unknowns     &unknowns,
+                                                 const State        &state)
       {
         return motion(numbering,
                       unknowns,
@@ -49,18 +48,21 @@ namespace auxfem
                       damped ? state.velocity->data() : nullptr);
       }
 
-      static Motion motion(const DofNumbering & /*numbering*/,
-                           const int                     *unknowns,
-                           const State                   &state,
-                           [[maybe_unused]] const double *v)
+      /** @param v velocities in place of those of @p state */
+      template <class Unknowns>
+      static MotionOf<NumberAt<Unknowns>>
+      motion(const DofNumbering & /*numbering*/,
+             const Unknowns                &unknowns,
+             const State                   &state,
+             [[maybe_unused]] const double *v)
       {
-        Motion        motion;
-        const double *u = state.displacement.data();
+        MotionOf<NumberAt<Unknowns>> motion;
+        const double                *u = state.displacement.data();
         for (int i = 0; i < n; ++i)
-          motion.u[i] = u[unknowns[i]];
+          motion.u[i] = value_at(u, unknowns, i);
         if constexpr (damped)
           for (int i = 0; i < n; ++i)
-            motion.v[i] = v[unknowns[i]];
+            motion.v[i] = value_at(v, unknowns, i);
         return motion;
       }
 
@@ -83,20 +85,20 @@ namespace auxfem
         return {energy.strain, energy.dissipation};
       }
 
-      static Motion tangent_motion(const DofNumbering &numbering,
-                                   const int          *unknowns,
-                                   const Evaluation   &evaluation,
-                                   const TangentFactors & /*factors*/)
+      static MotionOf<Lanes>
+      tangent_motion(const DofNumbering          &numbering,
+                     const EachLane<const int *> &unknowns,
+                     const Evaluation            &evaluation,
+                     const TangentFactors & /*factors*/)
       {
         return motion(numbering, unknowns, evaluation.to);
       }
 
-      template <class Number>
       [[gnu::flatten]] static void tangent(const BeamShape<order> &shape,
-                                           const AtRestOf<Number> &at_rest,
-                                           const MotionOf<Number> &motion,
+                                           const AtRestOf<Lanes>  &at_rest,
+                                           const MotionOf<Lanes>  &motion,
                                            const TangentFactors   &factors,
-                                           Number                 *block)
+                                           Lanes                  *block)
       {
         Beam2D::tangent<order, large_rotation, damped>(shape,
                                                        at_rest.frames,

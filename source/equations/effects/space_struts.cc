@@ -52,18 +52,19 @@ namespace auxfem
                                           RotatingMotion<p, damped, Number>,
                                           SmallMotion<p, damped, Number>>;
       using Motion   = MotionOf<double>;
-      template <class Number>
-      struct TangentMotionOf
+      /** What the tangent of a motion needs. */
+      struct TangentMotion
       {
-        MotionOf<Number> motion;
+        MotionOf<Lanes> motion;
         /** By which spins of the nodes change their angular velocities. */
-        TensorOf<Number>
+        TensorOf<Lanes>
           angular_velocity_by_spin[large_rotation && damped ? order + 1 : 1];
       };
 
-      static Motion motion(const DofNumbering &numbering,
-                           const int          *unknowns,
-                           const State        &state)
+      template <class Unknowns>
+      static MotionOf<NumberAt<Unknowns>> motion(const DofNumbering &numbering,
+                                                 const Unknowns     &unknowns,
+                                                 const State        &state)
       {
         return motion(numbering,
                       unknowns,
@@ -71,31 +72,33 @@ namespace auxfem
                       damped ? state.velocity->data() : nullptr);
       }
 
-      static Motion motion(const DofNumbering            &numbering,
-                           const int                     *unknowns,
-                           const State                   &state,
-                           [[maybe_unused]] const double *v)
+      /** @param v velocities in place of those of @p state */
+      template <class Unknowns>
+      static MotionOf<NumberAt<Unknowns>>
+      motion([[maybe_unused]] const DofNumbering &numbering,
+             const Unknowns                      &unknowns,
+             const State                         &state,
+             [[maybe_unused]] const double       *v)
       {
-        Motion        motion;
-        const double *u = state.displacement.data();
+        MotionOf<NumberAt<Unknowns>> motion;
+        const double                *u = state.displacement.data();
         if constexpr (large_rotation)
           for (int a = 0; a <= order; ++a)
             {
-              const int        *node = unknowns + n_components * a;
-              const Quaternion &rotation =
-                state.rotations[numbering.rotations().with(node[3])];
-              motion.nodes[a] = {vector_at(u, node), rotation};
+              const int  first    = n_components * a;
+              const auto rotation = rotation_at(numbering, unknowns, state, a);
+              motion.nodes[a]     = {vector_at(u, unknowns, first), rotation};
               if constexpr (damped)
-                motion.velocities[a] = {vector_at(v, node),
-                                        rotated(rotation,
-                                                vector_at(v, node + 3))};
+                motion.velocities[a] = {
+                  vector_at(v, unknowns, first),
+                  rotated(rotation, vector_at(v, unknowns, first + 3))};
             }
         else
           for (int i = 0; i < n; ++i)
             {
-              motion.u[i] = u[unknowns[i]];
+              motion.u[i] = value_at(u, unknowns, i);
               if constexpr (damped)
-                motion.v[i] = v[unknowns[i]];
+                motion.v[i] = value_at(v, unknowns, i);
             }
         return motion;
       }
@@ -144,35 +147,34 @@ namespace auxfem
         return energy;
       }
 
-      static TangentMotionOf<double>
-      tangent_motion(const DofNumbering   &numbering,
-                     const int            *unknowns,
-                     const Evaluation     &evaluation,
-                     const TangentFactors &factors)
+      static TangentMotion tangent_motion(const DofNumbering &numbering,
+                                          const EachLane<const int *> &unknowns,
+                                          const Evaluation     &evaluation,
+                                          const TangentFactors &factors)
       {
-        TangentMotionOf<double> result;
+        TangentMotion result;
         result.motion = motion(numbering, unknowns, evaluation.to);
         if constexpr (large_rotation && damped)
           for (int a = 0; a <= order; ++a)
             result.angular_velocity_by_spin[a] =
               angular_velocity_by_spin(numbering,
-                                       numbering.rotations().with(
-                                         unknowns[n_components * a + 3]),
+                                       unknowns,
                                        evaluation,
+                                       a,
+                                       result.motion.nodes[a].rotation,
                                        result.motion.velocities[a].angular,
                                        factors);
         return result;
       }
 
-      template <class Number>
-      static void tangent(const BeamShape<order>        &shape,
-                          const AtRestOf<Number>        &at_rest,
-                          const TangentMotionOf<Number> &of_nodes,
-                          const TangentFactors          &factors,
-                          Number                        *block)
+      static void tangent(const BeamShape<order> &shape,
+                          const AtRestOf<Lanes>  &at_rest,
+                          const TangentMotion    &of_nodes,
+                          const TangentFactors   &factors,
+                          Lanes                  *block)
       {
-        const Beam3D::StiffnessOf<Number> &elastic = at_rest.stiffness.elastic;
-        const Number &damping_time = at_rest.stiffness.damping_time;
+        const Beam3D::StiffnessOf<Lanes> &elastic = at_rest.stiffness.elastic;
+        const Lanes &damping_time = at_rest.stiffness.damping_time;
         if constexpr (large_rotation)
           {
             const auto element = kinematics(shape, at_rest, of_nodes.motion);
@@ -180,7 +182,7 @@ namespace auxfem
                             element,
                             at_rest.jacobian,
                             elastic,
-                            Number(factors.stiffness),
+                            Lanes(factors.stiffness),
                             block);
             if constexpr (damped)
               Beam3D::add_damping_tangent(shape,
@@ -196,7 +198,7 @@ namespace auxfem
           }
         else
           {
-            Number factor = factors.stiffness;
+            Lanes factor = factors.stiffness;
             if constexpr (damped)
               factor += damping_time * factors.damping;
             Beam3D::small_displacement_tangent(shape,
@@ -406,7 +408,8 @@ namespace auxfem
         for (int a = 0; a <= order; ++a)
           sum += shape_values[a] *
             vector_at(state.displacement.data(),
-                      unknowns + n_components * a + 3);
+                      unknowns,
+                      n_components * a + 3);
         if constexpr (large_rotation)
           return rotation_vector_near(
             Beam3D::RelativeRotations<order>(motion.nodes).at(shape_values),
@@ -490,20 +493,65 @@ namespace auxfem
           {force[0], force[1], force[2], moment[0], moment[1], moment[2]}};
       }
 
-      /** By which the spin of a node changes its @p angular_velocity, omega = P
-       * W: it turns with the section, and W follows the step. */
-      static SpaceTensor
-      angular_velocity_by_spin(const DofNumbering   &numbering,
-                               const int             rotation,
-                               const Evaluation     &evaluation,
-                               const SpaceVector    &angular_velocity,
-                               const TangentFactors &factors)
+      /** Number of the rotation of node @p a. */
+      static int rotation_index(const DofNumbering &numbering,
+                                const int          *unknowns,
+                                const int           a)
       {
+        return numbering.rotations().with(unknowns[n_components * a + 3]);
+      }
+
+      static const Quaternion &rotation_at(const DofNumbering &numbering,
+                                           const int          *unknowns,
+                                           const State        &state,
+                                           const int           a)
+      {
+        return state.rotations[rotation_index(numbering, unknowns, a)];
+      }
+
+      static QuaternionOf<Lanes>
+      rotation_at(const DofNumbering          &numbering,
+                  const EachLane<const int *> &unknowns,
+                  const State                 &state,
+                  const int                    a)
+      {
+        EachLane<const Quaternion *> rotations;
+        for (std::size_t lane = 0; lane < n_lanes; ++lane)
+          rotations[lane] = &rotation_at(numbering, unknowns[lane], state, a);
+        return in_lanes<QuaternionOf<Lanes>>(rotations);
+      }
+
+      /** Three values from unknown @p first on. */
+      template <class Unknowns>
+      static VectorOf<NumberAt<Unknowns>>
+      vector_at(const double *values, const Unknowns &unknowns, const int first)
+      {
+        VectorOf<NumberAt<Unknowns>> vector;
+        for (int i = 0; i < 3; ++i)
+          vector[i] = value_at(values, unknowns, first + i);
+        return vector;
+      }
+
+      /** By which the spin of node @p a changes its @p angular_velocity, omega =
+       * P W: it turns with the section, and W follows the step. */
+      static TensorOf<Lanes>
+      angular_velocity_by_spin(const DofNumbering          &numbering,
+                               const EachLane<const int *> &unknowns,
+                               const Evaluation            &evaluation,
+                               const int                    a,
+                               const QuaternionOf<Lanes>   &rotation,
+                               const VectorOf<Lanes>       &angular_velocity,
+                               const TangentFactors        &factors)
+      {
+        const NodeRotations   rotations(numbering);
+        EachLane<SpaceTensor> increments;
+        for (std::size_t lane = 0; lane < n_lanes; ++lane)
+          increments[lane] = rotations.increment_by_spin(
+            evaluation,
+            rotation_index(numbering, unknowns[lane], a));
         return -factors.stiffness * cross_product_tensor(angular_velocity) +
           factors.damping *
-          rotated(evaluation.to.rotations[rotation],
-                  NodeRotations(numbering).increment_by_spin(evaluation,
-                                                             rotation));
+          rotated(rotation, in_lanes<TensorOf<Lanes>>(increments));
       }
     };
   } // namespace

@@ -23,13 +23,10 @@ namespace auxfem
     {
       using Motion      = typename Beam::template MotionOf<Lanes>;
       const auto motion = [&](const Vector &velocity) {
-        return beams
-          .template gathered<Motion>(batch, [&](const unsigned int e) {
-            return Beam::motion(beams.numbering,
-                                beams.unknowns(e),
-                                state,
-                                velocity.data());
-          });
+        return Beam::motion(beams.numbering,
+                            beams.unknowns(batch),
+                            state,
+                            velocity.data());
       };
       const Motion motions[] = {motion(*state.velocity), motion(mean_velocity)};
       Beam::viscous_forces(beams.shape, at_rest, motions, of_motions);

@@ -1,8 +1,8 @@
 #ifndef auxfem_equations_effects_beam_elements_h
 #define auxfem_equations_effects_beam_elements_h
 
-#include <auxfem/elements/lanes.h>
 #include <auxfem/elements/section.h>
+#include <auxfem/equations/element_values.h>
 #include <auxfem/model/numbering.h>
 
 #include <algorithm>
@@ -140,24 +140,19 @@ namespace auxfem
       return in_lanes<typename Beam::template AtRestOf<Lanes>>(of_lanes);
     }
 
-    /** What @p of_element gives of the elements of @p batch. */
-    template <class OfLanes, class OfElement>
-    static OfLanes gathered(const ElementBatch &batch,
-                            const OfElement    &of_element)
+    EachLane<const int *> unknowns(const ElementBatch &batch) const
     {
-      EachLane<decltype(of_element(0u))> of_lanes;
+      EachLane<const int *> of_lanes;
       for (unsigned int lane = 0; lane < n_lanes; ++lane)
-        of_lanes[lane] = of_element(batch.elements[lane]);
-      return in_lanes<OfLanes>(of_lanes);
+        of_lanes[lane] = unknowns(batch.elements[lane]);
+      return of_lanes;
     }
 
     /** motion() of several elements. */
     typename Beam::template MotionOf<Lanes> motion(const ElementBatch &batch,
                                                    const State &state) const
     {
-      return gathered<typename Beam::template MotionOf<Lanes>>(
-        batch,
-        [&](const unsigned int e) { return motion(e, state); });
+      return Beam::motion(numbering, unknowns(batch), state);
     }
 
     const Lattice              &lattice;

@@ -14,9 +14,9 @@ namespace auxfem
   /**
    * Internal forces of struts as beams of one kind. What depends on the
    * dimension and on the theory is in @p Beam, a class of static functions:
-   * `order`, `n_components`, `is_linear`, `is_damped`; types `AtRest`, `Motion`
-   * (of an element's nodes), `TangentMotion` (what a tangent needs of it) of
-   * double, `AtRestOf<Lanes>` and so on of several elements; functions `frame`,
+   * `order`, `n_components`, `is_linear`, `is_damped`; types `AtRest` and
+   * `Motion` (of an element's nodes) of double, `AtRestOf<Lanes>` and
+   * `MotionOf<Lanes>` of several elements; functions `frame`,
    * `stiffness`, `hold_shear`, `largest_stiffness` for the element at rest,
    * `motion`, `internal_force`, `tangent_motion`, `tangent` for its forces,
    * `geometric_tangent`, `elastic_forces`, `viscous_forces` (of several motions
@@ -71,14 +71,20 @@ namespace auxfem
       auto &of_struts  = static_cast<Results &>(*results);
       of_struts.energy = {};
       if (evaluation.kind == Evaluation::Kind::between)
-        mean_forces.for_each_force(
-          evaluation,
-          of_struts.starts,
-          [&](const unsigned int e,
-              const BeamEnergy  &energy,
-              const double      *force) {
-            add_element(e, energy, force, residual, of_struts);
-          });
+        mean_forces.for_each_force(evaluation,
+                                   of_struts.starts,
+                                   [&](const unsigned int e,
+                                       const BeamEnergy  &energy,
+                                       const double      *force) {
+                                     const int *unknowns = beams.unknowns(e);
+                                     for (int i = 0; i < n; ++i)
+                                       residual[unknowns[i]] += force[i];
+                                     enter(e,
+                                           energy,
+                                           largest_at_ends(force,
+                                                           beams[e].length),
+                                           of_struts);
+                                   });
       else
         add_internal_forces(evaluation.to, residual, of_struts);
     }
@@ -237,41 +243,41 @@ namespace auxfem
                              BeamResults &results) const
     {
       beams.for_each_batch([&](const ElementBatch &batch) {
-        Lanes      force[n];
-        const auto energy = Beam::internal_force(beams.shape,
+        Lanes       force[n];
+        const auto  energy = Beam::internal_force(beams.shape,
                                                  beams.at_rest(batch),
                                                  beams.motion(batch, state),
                                                  force);
+        const Lanes lengths(
+          [&](const auto lane) { return beams[batch.elements[lane]].length; });
+        const Lanes largest = largest_at_ends(force, lengths);
         for (unsigned int lane = 0; lane < batch.size; ++lane)
           {
-            double of_element[n];
-            take_lane(force, lane, of_element);
-            add_element(batch.elements[lane],
-                        {energy.strain[lane], energy.dissipation[lane]},
-                        of_element,
-                        residual,
-                        results);
+            const unsigned int e        = batch.elements[lane];
+            const int         *unknowns = beams.unknowns(e);
+            for (int i = 0; i < n; ++i)
+              residual[unknowns[i]] += force[i][lane];
+            enter(e,
+                  {energy.strain[lane], energy.dissipation[lane]},
+                  largest[lane],
+                  results);
           }
       });
     }
 
-    /** Adds the @p force of element @p e. */
-    void add_element(const unsigned int e,
-                     const BeamEnergy  &energy,
-                     const double      *force,
-                     double            *residual,
-                     BeamResults       &results) const
+    /** Enters what element @p e does, with the @p largest force at its ends. */
+    void enter(const unsigned int e,
+               const BeamEnergy  &energy,
+               const double       largest,
+               BeamResults       &results) const
     {
-      const int *unknowns = beams.unknowns(e);
       if (beams[e].owned)
         {
           results.energy.strain += energy.strain;
           results.energy.dissipation += energy.dissipation;
           results.energy.taken += energy.taken;
         }
-      for (int i = 0; i < n; ++i)
-        residual[unknowns[i]] += force[i];
-      results.forces[e]          = largest_at_ends(force, beams[e].length);
+      results.forces[e]          = largest;
       results.strain_energies[e] = energy.strain;
     }
 
@@ -280,18 +286,14 @@ namespace auxfem
                             const TangentFactors &factors,
                             TangentMatrix        &matrix) const
     {
-      using Motion = typename Beam::template TangentMotionOf<Lanes>;
       beams.for_each_batch([&](const ElementBatch &batch) {
-        const auto motion = [&](const unsigned int e) {
-          return Beam::tangent_motion(beams.numbering,
-                                      beams.unknowns(e),
-                                      evaluation,
-                                      factors);
-        };
         Lanes block[n * n];
         Beam::tangent(beams.shape,
                       beams.at_rest(batch),
-                      beams.template gathered<Motion>(batch, motion),
+                      Beam::tangent_motion(beams.numbering,
+                                           beams.unknowns(batch),
+                                           evaluation,
+                                           factors),
                       factors,
                       block);
         for (unsigned int lane = 0; lane < batch.size; ++lane)
@@ -303,17 +305,20 @@ namespace auxfem
       });
     }
 
-    static double largest_at_ends(const double *force, const double length)
+    /** As in BeamResults. */
+    template <class Number>
+    static Number largest_at_ends(const Number *force, const Number &length)
     {
-      double of_forces = 0, of_moments = 0;
+      using std::abs, std::max;
+      Number of_forces = 0, of_moments = 0;
       // The first two nodes.
       for (int a = 0; a < 2; ++a)
         for (int c = 0; c < n_components; ++c)
           {
-            double &largest = c < n_translations ? of_forces : of_moments;
-            largest = std::max(largest, std::abs(force[n_components * a + c]));
+            Number &largest = c < n_translations ? of_forces : of_moments;
+            largest         = max(largest, abs(force[n_components * a + c]));
           }
-      return std::max(of_forces, of_moments / length);
+      return max(of_forces, Number(of_moments / length));
     }
 
     /** Raises @p forces in the rows of element @p e to @p force (N). */
