@@ -169,9 +169,8 @@ namespace auxfem
                    Number                    *force)
     {
       EnergyRateOf<Number> energy;
-      const Number         inverse_jacobian = 1 / jacobian;
-      for (int i = 0; i < 3 * (order + 1); ++i)
-        force[i] = 0;
+      const Number         inverse_jacobian     = 1 / jacobian;
+      Number               sum[3 * (order + 1)] = {};
       for (int g = 0; g < order; ++g)
         {
           const KinematicsOf<Number> k = kinematics<large_rotation>(
@@ -208,12 +207,13 @@ namespace auxfem
           bending *= w;
           for (int a = 0; a <= order; ++a)
             {
-              force[3 * a] += shape.derivative[g][a] * fx;
-              force[3 * a + 1] += shape.derivative[g][a] * fy;
-              force[3 * a + 2] +=
+              sum[3 * a] += shape.derivative[g][a] * fx;
+              sum[3 * a + 1] += shape.derivative[g][a] * fy;
+              sum[3 * a + 2] +=
                 shape.derivative[g][a] * bending + shape.value[g][a] * m;
             }
         }
+      std::copy_n(sum, 3 * (order + 1), force);
       return energy;
     }
 

@@ -2,22 +2,11 @@
 #define auxfem_equations_effects_beam_elements_h
 
 #include <auxfem/elements/section.h>
-#include <auxfem/equations/element_values.h>
+#include <auxfem/equations/element_batches.h>
 #include <auxfem/model/numbering.h>
-
-#include <algorithm>
 
 namespace auxfem
 {
-  /** Elements that are computed at a time. */
-  struct ElementBatch
-  {
-    /** Behind the last element this one again. */
-    EachLane<unsigned int> elements;
-    /** How many there are without the repeated ones. */
-    unsigned int size;
-  };
-
   /**
    * Elements of struts as beams of one kind, each by itself and several of them
    * at a time. @p Beam is as in BeamForces.
@@ -120,32 +109,19 @@ namespace auxfem
     template <class Action>
     void for_each_batch(const Action &action) const
     {
-      const unsigned int n_elements = of_elements.size();
-      for (unsigned int first = 0; first < n_elements; first += n_lanes)
-        {
-          ElementBatch batch;
-          batch.size = std::min<unsigned int>(n_lanes, n_elements - first);
-          for (unsigned int lane = 0; lane < n_lanes; ++lane)
-            batch.elements[lane] = first + std::min(lane, batch.size - 1);
-          action(batch);
-        }
+      auxfem::for_each_batch(size(), action);
     }
 
     typename Beam::template AtRestOf<Lanes>
     at_rest(const ElementBatch &batch) const
     {
-      EachLane<const typename Beam::AtRest *> of_lanes;
-      for (unsigned int lane = 0; lane < n_lanes; ++lane)
-        of_lanes[lane] = &of_elements[batch.elements[lane]].at_rest;
-      return in_lanes<typename Beam::template AtRestOf<Lanes>>(of_lanes);
+      return in_lanes<typename Beam::template AtRestOf<Lanes>>(batch.each(
+        [&](const unsigned int e) { return &of_elements[e].at_rest; }));
     }
 
     EachLane<const int *> unknowns(const ElementBatch &batch) const
     {
-      EachLane<const int *> of_lanes;
-      for (unsigned int lane = 0; lane < n_lanes; ++lane)
-        of_lanes[lane] = unknowns(batch.elements[lane]);
-      return of_lanes;
+      return batch.each([&](const unsigned int e) { return unknowns(e); });
     }
 
     /** motion() of several elements. */

@@ -248,15 +248,14 @@ namespace auxfem
                                                  beams.at_rest(batch),
                                                  beams.motion(batch, state),
                                                  force);
-        const Lanes lengths(
-          [&](const auto lane) { return beams[batch.elements[lane]].length; });
-        const Lanes largest = largest_at_ends(force, lengths);
+        const Lanes largest =
+          largest_at_ends(force, batch.numbers([&](const unsigned int e) {
+            return beams[e].length;
+          }));
         for (unsigned int lane = 0; lane < batch.size; ++lane)
           {
-            const unsigned int e        = batch.elements[lane];
-            const int         *unknowns = beams.unknowns(e);
-            for (int i = 0; i < n; ++i)
-              residual[unknowns[i]] += force[i][lane];
+            const unsigned int e = batch.elements[lane];
+            add_lane(force, lane, beams.unknowns(e), residual);
             enter(e,
                   {energy.strain[lane], energy.dissipation[lane]},
                   largest[lane],

@@ -1,0 +1,84 @@
+#ifndef auxfem_equations_element_batches_h
+#define auxfem_equations_element_batches_h
+
+#include <auxfem/elements/lanes.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace auxfem
+{
+  /** Elements that are computed at a time. */
+  struct ElementBatch
+  {
+    /** Behind the last element this one again. */
+    EachLane<unsigned int> elements;
+    /** How many there are without the repeated ones. */
+    unsigned int size;
+
+    /** What @p of_element, a function of an element, gives for each. */
+    template <class OfElement>
+    auto each(const OfElement &of_element) const
+    {
+      EachLane<decltype(of_element(0u))> results;
+      for (std::size_t lane = 0; lane < n_lanes; ++lane)
+        results[lane] = of_element(elements[lane]);
+      return results;
+    }
+
+    /** The same of a number. */
+    template <class OfElement>
+    Lanes numbers(const OfElement &of_element) const
+    {
+      return Lanes([&](const auto lane) { return of_element(elements[lane]); });
+    }
+  };
+
+  /** Calls @p action with batches of @p n_elements elements in their order. */
+  template <class Action>
+  void for_each_batch(const unsigned int n_elements, const Action &action)
+  {
+    for (unsigned int first = 0; first < n_elements; first += n_lanes)
+      {
+        ElementBatch batch;
+        batch.size = std::min<unsigned int>(n_lanes, n_elements - first);
+        for (unsigned int lane = 0; lane < n_lanes; ++lane)
+          batch.elements[lane] = first + std::min(lane, batch.size - 1);
+        action(batch);
+      }
+  }
+
+  /** @name Values of all local unknowns at those of an element, or of several. */
+  ///@{
+  /** Of unknown @p i of an element with @p unknowns. */
+  inline double value_at(const double *values, const int *unknowns, const int i)
+  {
+    return values[unknowns[i]];
+  }
+
+  inline Lanes value_at(const double                *values,
+                        const EachLane<const int *> &unknowns,
+                        const int                    i)
+  {
+    return Lanes([&](const auto lane) { return values[unknowns[lane][i]]; });
+  }
+
+  /** double or Lanes. */
+  template <class Unknowns>
+  using NumberAt =
+    decltype(value_at(nullptr, std::declval<const Unknowns &>(), 0));
+
+  /** Adds those of one @p lane of @p of_lanes to @p values. */
+  template <std::size_t n>
+  void add_lane(const Lanes (&of_lanes)[n],
+                const std::size_t lane,
+                const int        *unknowns,
+                double           *values)
+  {
+    for (std::size_t i = 0; i < n; ++i)
+      values[unknowns[i]] += of_lanes[i][lane];
+  }
+  ///@}
+} // namespace auxfem
+
+#endif
