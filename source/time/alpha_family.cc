@@ -29,27 +29,34 @@ namespace auxfem
   {
     // Unchanged true acceleration; the auxiliary one follows from its
     // recurrence.
-    const int     n      = from.displacement.size();
-    const double *u      = from.displacement.data();
-    const double *v      = from.velocity->data();
-    const double *dv     = from.acceleration->data();
-    const double *a      = uses_algorithmic_acceleration()
-           ? from.algorithmic_acceleration->data()
-           : dv;
-    double       *u_new  = to.displacement.data();
-    double       *v_new  = to.velocity->data();
-    double       *dv_new = to.acceleration->data();
+    const int           n  = from.displacement.size();
+    const double *const u  = from.displacement.data();
+    const double *const v  = from.velocity->data();
+    const double *const dv = from.acceleration->data();
+    const double *const a  = uses_algorithmic_acceleration()
+       ? from.algorithmic_acceleration->data()
+       : dv;
+    // A copy and a loop for each result: so the compiler sees that they do not
+    // overlap, and uses vector instructions.
+    const Coefficients c     = this->c;
+    const auto         a_new = [=](const int i) {
+      return (dv[i] - c.alpha_m * a[i]) / (1 - c.alpha_m);
+    };
+    double *const u_new = to.displacement.data();
     for (int i = 0; i < n; ++i)
+      u_new[i] = u[i] + dt * v[i] +
+        dt * dt * ((0.5 - c.beta) * a[i] + c.beta * a_new(i));
+    double *const v_new = to.velocity->data();
+    for (int i = 0; i < n; ++i)
+      v_new[i] = v[i] + dt * ((1 - c.gamma) * a[i] + c.gamma * a_new(i));
+    if (uses_algorithmic_acceleration())
       {
-        const double a_new = (dv[i] - c.alpha_m * a[i]) / (1 - c.alpha_m);
-        u_new[i] =
-          u[i] + dt * v[i] + dt * dt * ((0.5 - c.beta) * a[i] + c.beta * a_new);
-        v_new[i]  = v[i] + dt * ((1 - c.gamma) * a[i] + c.gamma * a_new);
-        dv_new[i] = dv[i];
-        if (uses_algorithmic_acceleration())
-          (*to.algorithmic_acceleration)[i] = a_new;
+        double *const algorithmic = to.algorithmic_acceleration->data();
+        for (int i = 0; i < n; ++i)
+          algorithmic[i] = a_new(i);
       }
-    to.is_massless = from.is_massless;
+    *to.acceleration = *from.acceleration;
+    to.is_massless   = from.is_massless;
     settle_massless(from, dt, to);
   }
 
