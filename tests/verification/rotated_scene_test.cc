@@ -256,7 +256,8 @@ namespace
   }
 
   /** A rotation without any symmetry: the mass must be that of a ball. */
-  const Turned generic = {normalized({0.3, SpaceVector({0.5, -0.7, 0.4})}),
+  const Turned generic = {normalized(
+                            Quaternion{0.3, SpaceVector({0.5, -0.7, 0.4})}),
                           SpaceVector({0.02, 0.02, 0.02})};
 
   /** x to y to z to x. */
