@@ -339,7 +339,8 @@ TEST(StaticPath, FindsDivergenceOnAllRanks)
       // MUMPS on several ranks need not repeat its own round-off, and the steps
       // beyond the bifurcation are as long as iterations allow.
       EXPECT_NEAR(alone.points.size(), together.points.size(), 2);
-      EXPECT_EQ(n_beyond_divergence(alone), n_beyond_divergence(together));
+      EXPECT_NEAR(n_beyond_divergence(alone), n_beyond_divergence(together), 2);
+      EXPECT_GE(n_beyond_divergence(together), 1u);
       ASSERT_EQ(alone.bifurcations().size(), together.bifurcations().size());
       ASSERT_GE(alone.bifurcations().size(), 1u);
       const FollowedPath::Singular found = alone.bifurcations()[0];

@@ -2,29 +2,12 @@
 #include <auxfem/elements/beam_at_rest.h>
 #include <auxfem/elements/beam_dispatch.h>
 #include <auxfem/equations/effects/beam_forces.h>
-#include <auxfem/equations/node_rotations.h>
+#include <auxfem/equations/effects/space_motion.h>
 
 namespace auxfem
 {
   namespace
   {
-    /** Beam3D with large rotations for BeamForces. */
-    template <int p, bool damped, class Number>
-    struct RotatingMotion
-    {
-      Beam3D::NodeOf<Number>         nodes[p + 1];
-      Beam3D::NodeVelocityOf<Number> velocities[damped ? p + 1 : 1];
-    };
-
-    /** Unknowns and velocities of the small-displacement form. */
-    template <int p, bool damped, class Number>
-    struct SmallMotion
-    {
-      static constexpr int n = Beam3D::n_components * (p + 1);
-      Number               u[n];
-      Number               v[damped ? n : 1] = {};
-    };
-
     /** Beam3D for BeamForces. */
     template <int p, bool large_rotation, bool damped>
     struct SpaceBeam
@@ -74,32 +57,13 @@ namespace auxfem
 
       /** @param v velocities in place of those of @p state */
       template <class Unknowns>
-      static MotionOf<NumberAt<Unknowns>>
-      motion([[maybe_unused]] const DofNumbering &numbering,
-             const Unknowns                      &unknowns,
-             const State                         &state,
-             [[maybe_unused]] const double       *v)
+      static MotionOf<NumberAt<Unknowns>> motion(const DofNumbering &numbering,
+                                                 const Unknowns     &unknowns,
+                                                 const State        &state,
+                                                 const double       *v)
       {
         MotionOf<NumberAt<Unknowns>> motion;
-        const double                *u = state.displacement.data();
-        if constexpr (large_rotation)
-          for (int a = 0; a <= order; ++a)
-            {
-              const int  first    = n_components * a;
-              const auto rotation = rotation_at(numbering, unknowns, state, a);
-              motion.nodes[a]     = {vector_at(u, unknowns, first), rotation};
-              if constexpr (damped)
-                motion.velocities[a] = {
-                  vector_at(v, unknowns, first),
-                  rotated(rotation, vector_at(v, unknowns, first + 3))};
-            }
-        else
-          for (int i = 0; i < n; ++i)
-            {
-              motion.u[i] = value_at(u, unknowns, i);
-              if constexpr (damped)
-                motion.v[i] = value_at(v, unknowns, i);
-            }
+        motion.gather(numbering, unknowns, state, v);
         return motion;
       }
 
@@ -161,8 +125,7 @@ namespace auxfem
                                        unknowns,
                                        evaluation,
                                        a,
-                                       result.motion.nodes[a].rotation,
-                                       result.motion.velocities[a].angular,
+                                       result.motion,
                                        factors);
         return result;
       }
@@ -223,8 +186,7 @@ namespace auxfem
             for (int c = 0; c < 3; ++c)
               nodes[a].displacement[c] =
                 relative_displacement(state, node[c], unknowns[c]);
-            nodes[a].rotation =
-              state.rotations[numbering.rotations().with(node[3])];
+            nodes[a].rotation = rotation_at(numbering, unknowns, state, a);
           }
         return nodes;
       }
@@ -491,67 +453,6 @@ namespace auxfem
                                                         strains.kappa);
         return {
           {force[0], force[1], force[2], moment[0], moment[1], moment[2]}};
-      }
-
-      /** Number of the rotation of node @p a. */
-      static int rotation_index(const DofNumbering &numbering,
-                                const int          *unknowns,
-                                const int           a)
-      {
-        return numbering.rotations().with(unknowns[n_components * a + 3]);
-      }
-
-      static const Quaternion &rotation_at(const DofNumbering &numbering,
-                                           const int          *unknowns,
-                                           const State        &state,
-                                           const int           a)
-      {
-        return state.rotations[rotation_index(numbering, unknowns, a)];
-      }
-
-      static QuaternionOf<Lanes>
-      rotation_at(const DofNumbering          &numbering,
-                  const EachLane<const int *> &unknowns,
-                  const State                 &state,
-                  const int                    a)
-      {
-        EachLane<const Quaternion *> rotations;
-        for (std::size_t lane = 0; lane < n_lanes; ++lane)
-          rotations[lane] = &rotation_at(numbering, unknowns[lane], state, a);
-        return in_lanes<QuaternionOf<Lanes>>(rotations);
-      }
-
-      /** Three values from unknown @p first on. */
-      template <class Unknowns>
-      static VectorOf<NumberAt<Unknowns>>
-      vector_at(const double *values, const Unknowns &unknowns, const int first)
-      {
-        VectorOf<NumberAt<Unknowns>> vector;
-        for (int i = 0; i < 3; ++i)
-          vector[i] = value_at(values, unknowns, first + i);
-        return vector;
-      }
-
-      /** By which the spin of node @p a changes its @p angular_velocity, omega =
-       * P W: it turns with the section, and W follows the step. */
-      static TensorOf<Lanes>
-      angular_velocity_by_spin(const DofNumbering          &numbering,
-                               const EachLane<const int *> &unknowns,
-                               const Evaluation            &evaluation,
-                               const int                    a,
-                               const QuaternionOf<Lanes>   &rotation,
-                               const VectorOf<Lanes>       &angular_velocity,
-                               const TangentFactors        &factors)
-      {
-        const NodeRotations   rotations(numbering);
-        EachLane<SpaceTensor> increments;
-        for (std::size_t lane = 0; lane < n_lanes; ++lane)
-          increments[lane] = rotations.increment_by_spin(
-            evaluation,
-            rotation_index(numbering, unknowns[lane], a));
-        return -factors.stiffness * cross_product_tensor(angular_velocity) +
-          factors.damping *
-          rotated(rotation, in_lanes<TensorOf<Lanes>>(increments));
       }
     };
   } // namespace

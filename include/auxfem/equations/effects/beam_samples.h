@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace auxfem
 {
@@ -48,7 +49,7 @@ namespace auxfem
   class BeamSamples : public StrutForces
   {
   public:
-    explicit BeamSamples(const BeamElements<Beam> &beams) : beams(beams)
+    explicit BeamSamples(BeamElements<Beam> &&beams) : beams(std::move(beams))
     {}
 
     const DofNumbering::Group &elements() const override
