@@ -16,7 +16,24 @@ namespace
 
   /** How much the objects of the lanes move: rotations by series and by
    * functions, in one element and in different ones. */
-  constexpr EachLane<double> sizes = {{1e-4, 0.3, 1.2, 0.6}};
+  constexpr double sizes[] = {1e-4, 1.2, 0.3, 0.6};
+  static_assert(std::size(sizes) >= n_lanes);
+
+  /** One of @p objects for each lane. */
+  ///@{
+  template <class T, std::size_t... lane>
+  EachLane<T> one_each(const std::vector<T> &objects,
+                       std::index_sequence<lane...>)
+  {
+    return {{objects[lane]...}};
+  }
+
+  template <class T>
+  EachLane<T> one_each(const std::vector<T> &objects)
+  {
+    return one_each(objects, std::make_index_sequence<n_lanes>());
+  }
+  ///@}
 
   /** Numbers that differ from lane to lane. */
   template <class Array>
@@ -45,14 +62,11 @@ namespace
   template <int order>
   struct PlaneElements
   {
-    using Beam   = BeamOnTrial<order>;
-    using Vector = typename Beam::Vector;
-    using Matrix = typename Beam::Matrix;
-    template <std::size_t n>
-    using LanesOf = std::array<Lanes, n>;
-
-    const EachLane<Beam> beams = {
-      {{1.6, 0.4, 0.}, {0.7, 2., 0.8}, {2.2, -1., -0.3}, {1., 3., 0.}}};
+    using Beam                 = BeamOnTrial<order>;
+    using Vector               = typename Beam::Vector;
+    using Matrix               = typename Beam::Matrix;
+    const EachLane<Beam> beams = one_each<Beam>(
+      {{1.6, 0.4, 0.}, {0.7, 2., 0.8}, {2.2, -1., -0.3}, {1., 3., 0.}});
     const EachLane<Vector> u = of_each_lane<Vector>(1),
                            v = of_each_lane<Vector>(11);
 
@@ -71,9 +85,9 @@ namespace
 
     Beam2D::StiffnessOf<Lanes> section() const
     {
-      const Beam2D::Stiffness of_all = beams[0].section;
-      return in_lanes<Beam2D::StiffnessOf<Lanes>>(
-        EachLane<Beam2D::Stiffness>{{of_all, of_all, of_all, of_all}});
+      EachLane<Beam2D::Stiffness> of_beams;
+      of_beams.fill(beams[0].section);
+      return in_lanes<Beam2D::StiffnessOf<Lanes>>(of_beams);
     }
   };
 
@@ -146,10 +160,10 @@ namespace
     using Velocities = std::array<Beam3D::NodeVelocity, order + 1>;
     using Tensors    = std::array<SpaceTensor, order + 1>;
 
-    const EachLane<Beam>           beams = {{{1.6, {0., 0.3, 0.}},
-                                             {0.7, {0.8, 0.3, 0.8}},
-                                             {2.2, {0.4, -0.5, 0.}},
-                                             {1., {0., 1., 0.7}}}};
+    const EachLane<Beam>           beams = one_each<Beam>({{1.6, {0., 0.3, 0.}},
+                                                           {0.7, {0.8, 0.3, 0.8}},
+                                                           {2.2, {0.4, -0.5, 0.}},
+                                                           {1., {0., 1., 0.7}}});
     EachLane<typename Beam::Nodes> nodes;
     EachLane<Velocities>           velocities;
     EachLane<Tensors>              by_spin;
@@ -187,9 +201,9 @@ namespace
 
     Beam3D::StiffnessOf<Lanes> section() const
     {
-      const Beam3D::Stiffness of_all = beams[0].section;
-      return in_lanes<Beam3D::StiffnessOf<Lanes>>(
-        EachLane<Beam3D::Stiffness>{{of_all, of_all, of_all, of_all}});
+      EachLane<Beam3D::Stiffness> of_beams;
+      of_beams.fill(beams[0].section);
+      return in_lanes<Beam3D::StiffnessOf<Lanes>>(of_beams);
     }
   };
 
@@ -275,7 +289,7 @@ namespace
   };
 } // namespace
 
-TEST(Lanes, AreFilledWithTheNumbersOfFourObjectsInTheirOrder)
+TEST(Lanes, AreFilledWithTheNumbersOfObjectsInTheirOrder)
 {
   using Nodes      = std::array<Beam3D::Node, 2>;
   using LanesNodes = std::array<Beam3D::NodeOf<Lanes>, 2>;

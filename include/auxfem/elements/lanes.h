@@ -15,13 +15,12 @@
  */
 namespace auxfem
 {
-  /** How many elements are computed at a time. */
-  constexpr std::size_t n_lanes = 4;
+  /** A number of each of the elements that are computed at a time: as many as
+   * a register of the compiling processor's instructions holds. */
+  using Lanes = std::experimental::native_simd<double>;
 
-  /** A number of each of them. Without registers of this size it is put into
-   * several smaller ones. */
-  using Lanes = std::experimental::
-    simd<double, std::experimental::simd_abi::deduce_t<double, n_lanes>>;
+  /** How many elements these are: 4 with AVX2, 2 without. */
+  constexpr std::size_t n_lanes = Lanes::size();
 
   /** An object of each of them. */
   template <class T>
