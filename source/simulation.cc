@@ -46,12 +46,12 @@ namespace auxfem
     if (scene.analysis == Analysis::frequency_response)
       return run_frequency_response(scene, communicator, with_others);
     if (scene.context.model == Model::reduced_cell)
-      {
-        CellOutput folder(scene, start, with_others);
-        return run(scene, communicator, folder);
-      }
-    RunOutput folder(scene, communicator, start, with_others);
-    return run(scene, communicator, folder);
+      return run(scene,
+                 communicator,
+                 *make_cell_output(scene, start, with_others));
+    return run(scene,
+               communicator,
+               *make_run_output(scene, communicator, start, with_others));
   }
 
   RunResult resume(const Scene      &scene,
@@ -60,12 +60,13 @@ namespace auxfem
                    const StartTimes &start,
                    const FileRules  &rules)
   {
-    RunOutput folder(scene,
-                     communicator,
-                     start,
-                     rules,
-                     std::move(former.records));
-    return run(scene, communicator, folder);
+    return run(scene,
+               communicator,
+               *make_run_output(scene,
+                                communicator,
+                                start,
+                                rules,
+                                std::move(former.records)));
   }
 
   RunResult

@@ -1,6 +1,6 @@
 #include <auxfem/analysis/kinematic_correction.h>
 #include <auxfem/analysis/kinematics_choice.h>
-#include <auxfem/equations/effects/strut_contact.h>
+#include <auxfem/equations/effects/contact.h>
 #include <auxfem/model/effect_definition.h>
 
 #include <algorithm>
@@ -110,7 +110,7 @@ namespace auxfem
       {
         if (exact.equations.reporting().strut_contact == nullptr)
           return;
-        contact = std::make_unique<StrutContact>(scene, exact.model);
+        contact = make_strut_contact(scene, exact.model);
         std::vector<int> wanted;
         contact->update_couplings(rest, wanted);
       }

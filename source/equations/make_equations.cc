@@ -1,6 +1,5 @@
+#include <auxfem/equations/effects/contact.h>
 #include <auxfem/equations/effects/masses.h>
-#include <auxfem/equations/effects/plate_contact.h>
-#include <auxfem/equations/effects/strut_contact.h>
 #include <auxfem/equations/equations.h>
 #include <auxfem/equations/make_effects.h>
 #include <auxfem/equations/prescribed_motion.h>
@@ -132,8 +131,7 @@ namespace auxfem
         if (!simulated.connector_viscosity && definition.law->is_viscous())
           definition.law =
             make_spring_law(definition.law->long_time_stiffness());
-        auto forces =
-          std::make_unique<ConnectorForces>(definition,
+        auto forces = make_connector_forces(definition,
                                             structure.connector_pairs[group],
                                             structure.lattice,
                                             structure.numbering,
@@ -150,7 +148,7 @@ namespace auxfem
       return;
     if (!scene.plates.empty())
       {
-        auto contact = std::make_unique<PlateContact>(scene, structure);
+        auto contact                    = make_plate_contact(scene, structure);
         reporting_effects.plates        = contact.get();
         reporting_effects.plates_effect = effects.size();
         effects.push_back(std::move(contact));
@@ -158,8 +156,8 @@ namespace auxfem
     // Struts that turn little do not come near each other.
     if (structure.simulated.large_rotation && !scene.lattice.struts_may_cross)
       {
-        auto contact = std::make_unique<StrutContact>(scene, structure);
-        reporting_effects.strut_contact        = contact.get();
+        auto contact                    = make_strut_contact(scene, structure);
+        reporting_effects.strut_contact = contact.get();
         reporting_effects.strut_contact_effect = effects.size();
         effects.push_back(std::move(contact));
       }

@@ -1,5 +1,4 @@
-#include <auxfem/equations/effects/plate_contact.h>
-#include <auxfem/equations/effects/strut_contact.h>
+#include <auxfem/equations/effects/contact.h>
 #include <auxfem/mesh/position_function.h>
 #include <auxfem/output/contact_graphics.h>
 
@@ -95,9 +94,9 @@ namespace auxfem
       for (const ContactReport &report :
            plates->contacts(equations.plate_results(solution.results),
                             solution.state))
-        add(report, report.plate, none);
+        add(report, report.other, none);
     if (struts)
-      for (const StrutContactReport &report :
+      for (const ContactReport &report :
            struts->contacts(equations.strut_contact_results(solution.results),
                             solution.state))
         add(report, none, report.other);

@@ -91,7 +91,7 @@ namespace auxfem
       refuse(file);
   }
 
-  std::size_t CsvTable::length()
+  std::size_t CsvTable::length() const
   {
     return stream.tellp();
   }

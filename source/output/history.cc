@@ -1,5 +1,4 @@
-#include <auxfem/equations/effects/plate_contact.h>
-#include <auxfem/equations/effects/strut_contact.h>
+#include <auxfem/equations/effects/contact.h>
 #include <auxfem/equations/node_rotations.h>
 #include <auxfem/mesh/sets.h>
 #include <auxfem/output/first_rank.h>

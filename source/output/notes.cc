@@ -1,4 +1,4 @@
-#include <auxfem/equations/effects/strut_contact.h>
+#include <auxfem/equations/effects/contact.h>
 #include <auxfem/output/notes.h>
 #include <auxfem/scene/time_function_notes.h>
 

@@ -43,496 +43,408 @@ namespace auxfem
       progress.path              = state.path;
       return progress;
     }
+
+    /** See make_run_output(). */
+    class RunOutput : public Recorder
+    {
+    public:
+      RunOutput(const Scene           &scene,
+                const MPI_Comm         communicator,
+                const StartTimes      &start_times,
+                const FileRules       &rules,
+                std::optional<Records> former)
+        : folder(scene.output.directory)
+        , former(std::move(former))
+        , scene(scene)
+        , communicator(communicator)
+        , start_times(start_times)
+        , rules(rules)
+        , made(Clock::now())
+        , first_step(made)
+        , row_times(scene.output.row_interval,
+                    nearness_of_step_ends(scene.time))
+        , graphics_times(scene.output.graphics &&
+                             scene.output.graphics_interval > 0
+                           ? std::optional(scene.output.graphics_interval)
+                           : std::nullopt,
+                         nearness_of_step_ends(scene.time))
+      {}
+
+      void search_step(const Scene      &search,
+                       const State      &state,
+                       const StepReport &report) override
+      {
+        const unsigned int n_processes =
+          dealii::Utilities::MPI::n_mpi_processes(communicator);
+        if (dealii::Utilities::MPI::this_mpi_process(communicator) != 0)
+          return;
+        if (state.step == 1)
+          {
+            search_console.emplace(std::cout,
+                                   terminal_width(n_processes),
+                                   nowhere);
+            search_console->print(
+              "Search for the elements of the struts, with " +
+              (search.discretization.divisions.empty()
+                 ? "those of order " +
+                   std::to_string(search.discretization.order)
+                 : std::string("those found so far")) +
+              ':');
+            first_search_step = Clock::now();
+          }
+        Progress progress = progress_of(search.time, state, report);
+        progress.seconds  = since(first_search_step);
+        search_console->progress(progress);
+      }
+
+      void begin(const Equations &equations) override
+      {
+        const Stopwatch watch(seconds);
+        search_console.reset();
+        // A mistyped probe must not cost the results of an earlier run.
+        refuse_columns_of_nothing(scene, equations.model().lattice);
+
+        on_first_rank(communicator, [&]() {
+          if (console) // A run that is done again goes on in the same log.
+            return console->end_progress();
+          files.emplace(scene,
+                        rules,
+                        scene.analysis == Analysis::static_path
+                          ? path_contents()
+                          : FolderContents(),
+                        former ? FormerResults::continued
+                               : FormerResults::removed);
+          console.emplace(std::cout,
+                          terminal_width(
+                            dealii::Utilities::MPI::n_mpi_processes(
+                              communicator)),
+                          files->log());
+        });
+        signals.emplace();
+        const Counts counts = count(equations);
+        if (console)
+          {
+            notes = notes_on(scene, equations);
+            console->print(overview_text(scene,
+                                         counts,
+                                         equations.model().simulated.decisions,
+                                         notes) +
+                           '\n');
+          }
+        this->equations = &equations;
+        last_row.reset();
+        last_graphics.reset();
+        history.emplace(scene, equations, communicator);
+        open_files();
+      }
+
+      void start(const Solution &solution) override
+      {
+        const Stopwatch watch(seconds);
+        first_step = Clock::now();
+        write_row(solution);
+        write_graphics(solution);
+      }
+
+      /** Rows and files later than @p records are removed. */
+      void resume(const Solution &solution, const Records &records) override
+      {
+        const Stopwatch watch(seconds);
+        first_step = Clock::now();
+        begin_time = solution.state.time;
+        if (console)
+          {
+            std::ostringstream text;
+            if (solution.state.path)
+              text << "Goes on from load factor "
+                   << solution.state.path->load_factor << ", arc length "
+                   << begin_time << " m\n";
+            else
+              text << "Goes on from t = " << begin_time << " s\n";
+            console->print(text.str());
+          }
+        history->resume(solution.state, records);
+        last_row = records.values(row_record, 1)[0];
+        if (graphics)
+          {
+            graphics->resume(records);
+            last_graphics = records.values(graphics_record, 1)[0];
+          }
+        // If the run is done again, it is from the start.
+        former.reset();
+      }
+
+      void save(Records &records) const override
+      {
+        history->save(records);
+        records.keep(row_record, {last_row.value()});
+        records.keep(length_record, {table ? double(table->length()) : 0.});
+        if (singular_points)
+          singular_points->save(records);
+        if (!graphics)
+          return;
+        graphics->save(records);
+        records.keep(graphics_record, {last_graphics.value()});
+      }
+
+      const Records *goes_on_from() const override
+      {
+        return former ? &*former : nullptr;
+      }
+
+      bool keeps_checkpoints() const override
+      {
+        return checkpoints.has_value();
+      }
+
+      bool wants_checkpoint() override
+      {
+        return checkpoints && checkpoints->is_due();
+      }
+
+      void take(const Records &checkpoint) override
+      {
+        const Stopwatch          watch(checkpoint_seconds);
+        std::vector<std::string> written = {folder + "/history.csv"};
+        if (graphics)
+          for (const std::string &name : graphics->series())
+            // That of contacts may not have begun.
+            if (const std::string record = folder + "/" + name + ".pvd";
+                std::filesystem::exists(record))
+              written.push_back(record);
+        if (singular_points)
+          for (const std::string &name : singular_points->files())
+            written.push_back(folder + "/" + name);
+        checkpoints->write(checkpoint, written);
+        is_last_in_checkpoint = true;
+      }
+
+      std::optional<double> next_time(const double time) const override
+      {
+        const std::optional<double> row      = row_times.after(time),
+                                    graphics = graphics_times.after(time);
+        return row && graphics ? std::min(*row, *graphics)
+          : row                ? row
+                               : graphics;
+      }
+
+      void between(const Solution &solution) override
+      {
+        const Stopwatch watch(seconds);
+        if (row_times.has(solution.state.time))
+          write_row(solution);
+        if (graphics_times.has(solution.state.time))
+          write_graphics(solution);
+      }
+
+      void step(const Solution &solution, const StepReport &report) override
+      {
+        const Stopwatch watch(seconds);
+        const State    &state = solution.state;
+        is_last_in_checkpoint = false;
+        if (!scene.output.row_interval &&
+            state.step % scene.output.history_interval == 0)
+          write_row(solution);
+        else
+          history->note(state);
+        if (state.path && state.step % scene.path.graphics_interval == 0)
+          write_graphics(solution);
+        if (console)
+          show_progress(state, report);
+      }
+
+      void singular_point(const Solution      &solution,
+                          const SingularPoint &point) override
+      {
+        const Stopwatch watch(seconds);
+        write_row(solution);
+        singular_points->write(solution.state, point);
+        if (console)
+          console->print(
+            text_of(solution.state, point, singular_points->number()));
+      }
+
+      void finish(const Solution &last, const RunResult &result) override
+      {
+        if (console)
+          console->end_progress();
+        {
+          const Stopwatch watch(seconds);
+          if (last_row && last_row != last.state.time)
+            write_row(last);
+          if (last_graphics && last_graphics != last.state.time)
+            write_graphics(last);
+        }
+
+        Summary summary;
+        summary.counts                  = count(*equations);
+        summary.totals                  = result.work;
+        summary.totals.wall.output      = seconds;
+        summary.totals.wall.checkpoints = checkpoint_seconds;
+        summary.resources               = gather_resources(start_times,
+                                             since(made),
+                                             summary.totals.wall,
+                                             communicator);
+        summary.energies                = history->energies();
+        summary.strain                  = history->largest_strain();
+        summary.largest_rotation =
+          dealii::Utilities::MPI::max(history->largest_rotation(),
+                                      communicator);
+        if (const auto penetration = history->largest_penetration())
+          summary.largest_penetration =
+            dealii::Utilities::MPI::max(*penetration, communicator);
+        summary.time                     = result.time;
+        summary.path                     = last.state.path;
+        summary.time_error               = result.time_error;
+        summary.small_displacement_error = result.small_displacement_error;
+        summary.orders                   = result.orders;
+        summary.exit_state               = result.exit_state;
+        summary.findings                 = result.findings;
+        summary.notes                    = notes;
+        summary.decisions = equations->model().simulated.decisions;
+
+        on_first_rank(communicator, [&]() {
+          replace_file(folder + "/summary.json", summary_json(scene, summary));
+          console->print(closing_text(summary, folder));
+          if (!result.completed())
+            {
+              console->print_to_log("Reason: " + result.exit_state);
+              if (is_last_in_checkpoint)
+                console->print("Go on with: auxfem --resume " + folder);
+            }
+        });
+      }
+
+    private:
+      using Clock = std::chrono::steady_clock;
+
+      static double since(const Clock::time_point start)
+      {
+        return std::chrono::duration<double>(Clock::now() - start).count();
+      }
+
+      void write_row(const Solution &solution)
+      {
+        const std::vector<double> &row = history->values(solution);
+        // What cannot be written is not tried again at the end of the run.
+        last_row = solution.state.time;
+        on_first_rank(communicator, [&]() { table->append(row); });
+      }
+
+      void write_graphics(const Solution &solution)
+      {
+        if (!graphics)
+          return;
+        last_graphics = solution.state.time;
+        graphics->write_struts(solution.state);
+        graphics->write_rigid_parts(solution.state);
+        graphics->write_connectors(solution);
+        graphics->write_contacts(solution);
+      }
+
+      void show_progress(const State &state, const StepReport &report)
+      {
+        Progress progress   = progress_of(scene.time, state, report);
+        progress.seconds    = since(first_step);
+        progress.begin_time = begin_time;
+
+        const EnergyRecord &energies = history->energies();
+        if (energies.largest_energy > 0)
+          progress.relative_balance = energies.relative(energies.balance);
+        console->progress(progress);
+      }
+
+      void open_files()
+      {
+        on_first_rank(communicator, [&]() {
+          const std::string name = folder + "/history.csv";
+          if (former)
+            table.emplace(name,
+                          history->columns(),
+                          former->values(length_record, 1)[0]);
+          else
+            table.emplace(name, history->columns());
+          write_column_reference(folder + "/history.units.csv",
+                                 history->columns());
+        });
+        if (scene.output.checkpoint_interval > 0)
+          checkpoints.emplace(scene, communicator);
+        if (scene.analysis == Analysis::static_path)
+          singular_points.emplace(scene,
+                                  *equations,
+                                  communicator,
+                                  former ? &*former : nullptr);
+        if (scene.output.graphics)
+          open_graphics();
+      }
+
+      void open_graphics()
+      {
+        graphics.emplace(scene, *equations, folder, communicator);
+        on_first_rank(communicator, [&]() {
+          for (const std::string &name : graphics->series())
+            files->claim_series(name);
+          if (singular_points)
+            for (const std::string &name : singular_points->series())
+              files->claim_series(name);
+        });
+      }
+
+
+      const std::string folder;
+      /** In which it has worked, and in which it has written checkpoints. */
+      double seconds = 0, checkpoint_seconds = 0;
+      /** From which the run begins, until it has. */
+      std::optional<Records> former;
+
+      const Scene     &scene;
+      const MPI_Comm   communicator;
+      const StartTimes start_times;
+      const FileRules  rules;
+
+      /** On rank 0, of a search run; it has no log. */
+      ///@{
+      std::ostream           nowhere{nullptr};
+      std::optional<Console> search_console;
+      Clock::time_point      first_search_step;
+      ///@}
+
+      const Clock::time_point made;
+      Clock::time_point       first_step;
+      double                  begin_time = 0; ///< of the first step (s)
+
+      const Equations         *equations = nullptr; ///< from begin() on
+      std::vector<std::string> notes;               ///< on rank 0
+      /** What was begun is closed, also if a signal asks for the end. */
+      std::optional<SignalsWaitForStep> signals;
+      std::optional<RunFolder>          files;   ///< on rank 0
+      std::optional<Console>            console; ///< on rank 0
+      std::optional<History>            history;
+      std::optional<CsvTable>           table; ///< on rank 0
+      std::optional<VtuWriter>          graphics;
+      std::optional<RunCheckpoints>     checkpoints;
+      /** Only on a path of equilibria. */
+      std::optional<SingularPointFiles> singular_points;
+      /** Whether nothing has come after the last checkpoint. */
+      bool              is_last_in_checkpoint = false;
+      const OutputTimes row_times, graphics_times;
+
+      /** Times last written (s); none before start(). */
+      std::optional<double> last_row, last_graphics;
+    };
   } // namespace
 
-  class RunOutput::Implementation
-  {
-  public:
-    Implementation(const Scene           &scene,
-                   MPI_Comm               communicator,
-                   const StartTimes      &start_times,
-                   const FileRules       &rules,
-                   std::optional<Records> goes_on_from);
-
-    void search_step(const Scene      &search,
-                     const State      &state,
-                     const StepReport &report);
-    void begin(const Equations &equations);
-    void start_series(const Solution &solution);
-    void resume(const Solution &solution, const Records &records);
-    void save(Records &records);
-    bool keeps_checkpoints() const;
-    bool wants_checkpoint();
-    void take(const Records &checkpoint);
-    std::optional<double> next_time(double time) const;
-    void                  write_between(const Solution &solution);
-    void write_step(const Solution &solution, const StepReport &report);
-    void write_singular_point(const Solution      &solution,
-                              const SingularPoint &point);
-    void finish(const Solution &last, const RunResult &result);
-
-    const std::string folder;
-    double            seconds = 0, checkpoint_seconds = 0;
-    /** From which the run begins. */
-    std::optional<Records> goes_on_from;
-
-  private:
-    using Clock = std::chrono::steady_clock;
-
-    static double since(const Clock::time_point start)
-    {
-      return std::chrono::duration<double>(Clock::now() - start).count();
-    }
-
-    void write_row(const Solution &solution);
-    void write_graphics(const Solution &solution);
-    void show_progress(const State &state, const StepReport &report);
-    void open_files();
-    void open_graphics();
-
-    const Scene     &scene;
-    const MPI_Comm   communicator;
-    const StartTimes start_times;
-    const FileRules  rules;
-
-    /** On rank 0, of a search run; it has no log. */
-    ///@{
-    std::ostream           nowhere{nullptr};
-    std::optional<Console> search_console;
-    Clock::time_point      first_search_step;
-    ///@}
-
-    const Clock::time_point start;
-    Clock::time_point       first_step;
-    double                  begin_time = 0; ///< of the first step (s)
-
-    const Equations         *equations = nullptr; ///< from begin() on
-    std::vector<std::string> notes;               ///< on rank 0
-    /** What was begun is closed, also if a signal asks for the end. */
-    std::optional<SignalsWaitForStep> signals;
-    std::optional<RunFolder>          files;   ///< on rank 0
-    std::optional<Console>            console; ///< on rank 0
-    std::optional<History>            history;
-    std::optional<CsvTable>           table; ///< on rank 0
-    std::optional<VtuWriter>          graphics;
-    std::optional<RunCheckpoints>     checkpoints;
-    /** Only on a path of equilibria. */
-    std::optional<SingularPointFiles> singular_points;
-    /** Whether nothing has come after the last checkpoint. */
-    bool              is_last_in_checkpoint = false;
-    const OutputTimes row_times, graphics_times;
-
-    /** Times last written (s); none before write_start(). */
-    std::optional<double> last_row, last_graphics;
-  };
-
-  RunOutput::Implementation::Implementation(const Scene           &scene,
+  std::unique_ptr<Recorder> make_run_output(const Scene           &scene,
                                             const MPI_Comm         communicator,
-                                            const StartTimes      &start_times,
+                                            const StartTimes      &start,
                                             const FileRules       &rules,
                                             std::optional<Records> goes_on_from)
-    : folder(scene.output.directory)
-    , goes_on_from(std::move(goes_on_from))
-    , scene(scene)
-    , communicator(communicator)
-    , start_times(start_times)
-    , rules(rules)
-    , start(Clock::now())
-    , first_step(start)
-    , row_times(scene.output.row_interval, nearness_of_step_ends(scene.time))
-    , graphics_times(scene.output.graphics && scene.output.graphics_interval > 0
-                       ? std::optional(scene.output.graphics_interval)
-                       : std::nullopt,
-                     nearness_of_step_ends(scene.time))
-  {}
-
-  void RunOutput::Implementation::search_step(const Scene      &search,
-                                              const State      &state,
-                                              const StepReport &report)
   {
-    const unsigned int n_processes =
-      dealii::Utilities::MPI::n_mpi_processes(communicator);
-    if (dealii::Utilities::MPI::this_mpi_process(communicator) != 0)
-      return;
-    if (state.step == 1)
-      {
-        search_console.emplace(std::cout, terminal_width(n_processes), nowhere);
-        search_console->print(
-          "Search for the elements of the struts, with " +
-          (search.discretization.divisions.empty()
-             ? "those of order " + std::to_string(search.discretization.order)
-             : std::string("those found so far")) +
-          ':');
-        first_search_step = Clock::now();
-      }
-    Progress progress = progress_of(search.time, state, report);
-    progress.seconds  = since(first_search_step);
-    search_console->progress(progress);
-  }
-
-  void RunOutput::Implementation::begin(const Equations &equations)
-  {
-    search_console.reset();
-    // A mistyped probe must not cost the results of an earlier run.
-    refuse_columns_of_nothing(scene, equations.model().lattice);
-
-    on_first_rank(communicator, [&]() {
-      if (console) // A run that is done again goes on in the same log.
-        return console->end_progress();
-      files.emplace(scene,
-                    rules,
-                    scene.analysis == Analysis::static_path ? path_contents()
-                                                            : FolderContents(),
-                    goes_on_from ? FormerResults::continued
-                                 : FormerResults::removed);
-      console.emplace(std::cout,
-                      terminal_width(
-                        dealii::Utilities::MPI::n_mpi_processes(communicator)),
-                      files->log());
-    });
-    signals.emplace();
-    const Counts counts = count(equations);
-    if (console)
-      {
-        notes = notes_on(scene, equations);
-        console->print(overview_text(scene,
-                                     counts,
-                                     equations.model().simulated.decisions,
-                                     notes) +
-                       '\n');
-      }
-    this->equations = &equations;
-    last_row.reset();
-    last_graphics.reset();
-    history.emplace(scene, equations, communicator);
-    open_files();
-  }
-
-  void RunOutput::Implementation::open_files()
-  {
-    on_first_rank(communicator, [&]() {
-      const std::string name = folder + "/history.csv";
-      if (goes_on_from)
-        table.emplace(name,
-                      history->columns(),
-                      goes_on_from->values(length_record, 1)[0]);
-      else
-        table.emplace(name, history->columns());
-      write_column_reference(folder + "/history.units.csv", history->columns());
-    });
-    if (scene.output.checkpoint_interval > 0)
-      checkpoints.emplace(scene, communicator);
-    if (scene.analysis == Analysis::static_path)
-      singular_points.emplace(scene,
-                              *equations,
-                              communicator,
-                              goes_on_from ? &*goes_on_from : nullptr);
-    if (scene.output.graphics)
-      open_graphics();
-  }
-
-  void RunOutput::Implementation::open_graphics()
-  {
-    graphics.emplace(scene, *equations, folder, communicator);
-    on_first_rank(communicator, [&]() {
-      for (const std::string &name : graphics->series())
-        files->claim_series(name);
-      if (singular_points)
-        for (const std::string &name : singular_points->series())
-          files->claim_series(name);
-    });
-  }
-
-  void RunOutput::Implementation::write_row(const Solution &solution)
-  {
-    const std::vector<double> &row = history->values(solution);
-    // What cannot be written is not tried again at the end of the run.
-    last_row = solution.state.time;
-    on_first_rank(communicator, [&]() { table->append(row); });
-  }
-
-  void RunOutput::Implementation::write_graphics(const Solution &solution)
-  {
-    if (!graphics)
-      return;
-    last_graphics = solution.state.time;
-    graphics->write_struts(solution.state);
-    graphics->write_rigid_parts(solution.state);
-    graphics->write_connectors(solution);
-    graphics->write_contacts(solution);
-  }
-
-  void RunOutput::Implementation::start_series(const Solution &solution)
-  {
-    first_step = Clock::now();
-    write_row(solution);
-    write_graphics(solution);
-  }
-
-  void RunOutput::Implementation::resume(const Solution &solution,
-                                         const Records  &records)
-  {
-    first_step = Clock::now();
-    begin_time = solution.state.time;
-    if (console)
-      {
-        std::ostringstream text;
-        if (solution.state.path)
-          text << "Goes on from load factor "
-               << solution.state.path->load_factor << ", arc length "
-               << begin_time << " m\n";
-        else
-          text << "Goes on from t = " << begin_time << " s\n";
-        console->print(text.str());
-      }
-    history->resume(solution.state, records);
-    last_row = records.values(row_record, 1)[0];
-    if (!graphics)
-      return;
-    graphics->resume(records);
-    last_graphics = records.values(graphics_record, 1)[0];
-  }
-
-  void RunOutput::Implementation::save(Records &records)
-  {
-    history->save(records);
-    records.keep(row_record, {last_row.value()});
-    records.keep(length_record, {table ? double(table->length()) : 0.});
-    if (singular_points)
-      singular_points->save(records);
-    if (!graphics)
-      return;
-    graphics->save(records);
-    records.keep(graphics_record, {last_graphics.value()});
-  }
-
-  bool RunOutput::Implementation::keeps_checkpoints() const
-  {
-    return checkpoints.has_value();
-  }
-
-  bool RunOutput::Implementation::wants_checkpoint()
-  {
-    return checkpoints && checkpoints->is_due();
-  }
-
-  void RunOutput::Implementation::take(const Records &checkpoint)
-  {
-    std::vector<std::string> written = {folder + "/history.csv"};
-    if (graphics)
-      for (const std::string &name : graphics->series())
-        // That of contacts may not have begun.
-        if (const std::string record = folder + "/" + name + ".pvd";
-            std::filesystem::exists(record))
-          written.push_back(record);
-    if (singular_points)
-      for (const std::string &name : singular_points->files())
-        written.push_back(folder + "/" + name);
-    checkpoints->write(checkpoint, written);
-    is_last_in_checkpoint = true;
-  }
-
-  std::optional<double>
-  RunOutput::Implementation::next_time(const double time) const
-  {
-    const std::optional<double> row      = row_times.after(time),
-                                graphics = graphics_times.after(time);
-    return row && graphics ? std::min(*row, *graphics) : row ? row : graphics;
-  }
-
-  void RunOutput::Implementation::write_between(const Solution &solution)
-  {
-    if (row_times.has(solution.state.time))
-      write_row(solution);
-    if (graphics_times.has(solution.state.time))
-      write_graphics(solution);
-  }
-
-  void RunOutput::Implementation::write_step(const Solution   &solution,
-                                             const StepReport &report)
-  {
-    const State &state    = solution.state;
-    is_last_in_checkpoint = false;
-    if (!scene.output.row_interval &&
-        state.step % scene.output.history_interval == 0)
-      write_row(solution);
-    else
-      history->note(state);
-    if (state.path && state.step % scene.path.graphics_interval == 0)
-      write_graphics(solution);
-    if (console)
-      show_progress(state, report);
-  }
-
-  void
-  RunOutput::Implementation::write_singular_point(const Solution      &solution,
-                                                  const SingularPoint &point)
-  {
-    write_row(solution);
-    singular_points->write(solution.state, point);
-    if (console)
-      console->print(text_of(solution.state, point, singular_points->number()));
-  }
-
-  void RunOutput::Implementation::show_progress(const State      &state,
-                                                const StepReport &report)
-  {
-    Progress progress   = progress_of(scene.time, state, report);
-    progress.seconds    = since(first_step);
-    progress.begin_time = begin_time;
-
-    const EnergyRecord &energies = history->energies();
-    if (energies.largest_energy > 0)
-      progress.relative_balance = energies.relative(energies.balance);
-    console->progress(progress);
-  }
-
-  void RunOutput::Implementation::finish(const Solution  &last,
-                                         const RunResult &result)
-  {
-    if (console)
-      console->end_progress();
-    {
-      const Stopwatch watch(seconds);
-      if (last_row && last_row != last.state.time)
-        write_row(last);
-      if (last_graphics && last_graphics != last.state.time)
-        write_graphics(last);
-    }
-
-    Summary summary;
-    summary.counts                  = count(*equations);
-    summary.totals                  = result.work;
-    summary.totals.wall.output      = seconds;
-    summary.totals.wall.checkpoints = checkpoint_seconds;
-    summary.resources               = gather_resources(start_times,
-                                         since(start),
-                                         summary.totals.wall,
-                                         communicator);
-    summary.energies                = history->energies();
-    summary.strain                  = history->largest_strain();
-    summary.largest_rotation =
-      dealii::Utilities::MPI::max(history->largest_rotation(), communicator);
-    if (const auto penetration = history->largest_penetration())
-      summary.largest_penetration =
-        dealii::Utilities::MPI::max(*penetration, communicator);
-    summary.time                     = result.time;
-    summary.path                     = last.state.path;
-    summary.time_error               = result.time_error;
-    summary.small_displacement_error = result.small_displacement_error;
-    summary.orders                   = result.orders;
-    summary.exit_state               = result.exit_state;
-    summary.findings                 = result.findings;
-    summary.notes                    = notes;
-    summary.decisions                = equations->model().simulated.decisions;
-
-    on_first_rank(communicator, [&]() {
-      replace_file(folder + "/summary.json", summary_json(scene, summary));
-      console->print(closing_text(summary, folder));
-      if (!result.completed())
-        {
-          console->print_to_log("Reason: " + result.exit_state);
-          if (is_last_in_checkpoint)
-            console->print("Go on with: auxfem --resume " + folder);
-        }
-    });
-  }
-
-  RunOutput::RunOutput(const Scene           &scene,
-                       const MPI_Comm         communicator,
-                       const StartTimes      &start,
-                       const FileRules       &rules,
-                       std::optional<Records> goes_on_from)
-    : implementation(std::make_unique<Implementation>(scene,
-                                                      communicator,
-                                                      start,
-                                                      rules,
-                                                      std::move(goes_on_from)))
-  {}
-
-  RunOutput::~RunOutput() = default;
-
-  void RunOutput::search_step(const Scene      &search,
-                              const State      &state,
-                              const StepReport &report)
-  {
-    implementation->search_step(search, state, report);
-  }
-
-  void RunOutput::begin(const Equations &equations)
-  {
-    const Stopwatch watch(implementation->seconds);
-    implementation->begin(equations);
-  }
-
-  void RunOutput::start(const Solution &solution)
-  {
-    const Stopwatch watch(implementation->seconds);
-    implementation->start_series(solution);
-  }
-
-  const Records *RunOutput::goes_on_from() const
-  {
-    return implementation->goes_on_from ? &*implementation->goes_on_from
-                                        : nullptr;
-  }
-
-  bool RunOutput::keeps_checkpoints() const
-  {
-    return implementation->keeps_checkpoints();
-  }
-
-  bool RunOutput::wants_checkpoint()
-  {
-    return implementation->wants_checkpoint();
-  }
-
-  void RunOutput::take(const Records &checkpoint)
-  {
-    const Stopwatch watch(implementation->checkpoint_seconds);
-    implementation->take(checkpoint);
-  }
-
-  void RunOutput::resume(const Solution &solution, const Records &records)
-  {
-    const Stopwatch watch(implementation->seconds);
-    implementation->resume(solution, records);
-    // If the run is done again, it is from the start.
-    implementation->goes_on_from.reset();
-  }
-
-  void RunOutput::save(Records &records) const
-  {
-    implementation->save(records);
-  }
-
-  std::optional<double> RunOutput::next_time(const double time) const
-  {
-    return implementation->next_time(time);
-  }
-
-  void RunOutput::between(const Solution &solution)
-  {
-    const Stopwatch watch(implementation->seconds);
-    implementation->write_between(solution);
-  }
-
-  void RunOutput::singular_point(const Solution      &solution,
-                                 const SingularPoint &point)
-  {
-    const Stopwatch watch(implementation->seconds);
-    implementation->write_singular_point(solution, point);
-  }
-
-  void RunOutput::step(const Solution &solution, const StepReport &report)
-  {
-    const Stopwatch watch(implementation->seconds);
-    implementation->write_step(solution, report);
-  }
-
-  void RunOutput::finish(const Solution &last, const RunResult &result)
-  {
-    implementation->finish(last, result);
+    return std::make_unique<RunOutput>(scene,
+                                       communicator,
+                                       start,
+                                       rules,
+                                       std::move(goes_on_from));
   }
 
   void print_overview(const Scene &scene, const Equations &equations)

@@ -144,7 +144,7 @@ namespace auxfem
     graphics->write_connectors(solution);
   }
 
-  void SingularPointFiles::save(Records &records)
+  void SingularPointFiles::save(Records &records) const
   {
     records.keep(files_record,
                  {double(n_written), table ? double(table->length()) : 0.});

@@ -34,11 +34,10 @@ namespace
   template <typename RecorderType>
   struct Recorded
   {
-    /** @param further arguments of the recorder */
-    template <typename... Further>
-    explicit Recorded(const Scene &scene, Further &&...further)
+    Recorded(const Scene &scene, std::unique_ptr<RecorderType> of_run)
       : run(scene, MPI_COMM_WORLD)
-      , recorder(scene, MPI_COMM_WORLD, std::forward<Further>(further)...)
+      , owned(std::move(of_run))
+      , recorder(*owned)
     {
       recorder.begin(run.equations);
     }
@@ -68,11 +67,30 @@ namespace
                       {"completed", run.solution.state.time, run.work(), {}});
     }
 
-    LatticeRun   run;
-    RecorderType recorder;
+    LatticeRun                          run;
+    const std::unique_ptr<RecorderType> owned;
+    RecorderType                       &recorder;
   };
 
-  using InMemory = Recorded<MemoryRecorder>;
+  struct InMemory : Recorded<MemoryRecorder>
+  {
+    explicit InMemory(const Scene &scene)
+      : Recorded(scene, std::make_unique<MemoryRecorder>(scene, MPI_COMM_WORLD))
+    {}
+  };
+
+  struct InFolder : Recorded<Recorder>
+  {
+    explicit InFolder(const Scene           &scene,
+                      std::optional<Records> goes_on_from = {})
+      : Recorded(scene,
+                 make_run_output(scene,
+                                 MPI_COMM_WORLD,
+                                 StartTimes(),
+                                 FileRules(),
+                                 std::move(goes_on_from)))
+    {}
+  };
 
   /** What a run of @p n steps leaves to those that go on. */
   Records checkpoint_after(const Scene &scene, const unsigned int n)
@@ -348,7 +366,7 @@ TEST(Checkpoint, AFolderIsContinuedByRowsFilesAndLargestValues)
               first_scene = scene_in("_halves");
 
   testing::internal::CaptureStdout();
-  Recorded<RunOutput> whole(whole_scene);
+  InFolder whole(whole_scene);
   whole.start();
   whole.steps(5);
   whole.run.checkpoint(whole.recorder);
@@ -357,17 +375,14 @@ TEST(Checkpoint, AFolderIsContinuedByRowsFilesAndLargestValues)
   Records checkpoint;
   {
     // What is written after the checkpoint is lost.
-    Recorded<RunOutput> first(first_scene);
+    InFolder first(first_scene);
     first.start();
     first.steps(5);
     checkpoint = first.run.checkpoint(first.recorder);
     first.steps(4);
   }
   EXPECT_EQ(rows_in(folder + "_halves").size(), 2u); // at 0 and 0.27 s
-  Recorded<RunOutput> second(first_scene,
-                             StartTimes(),
-                             FileRules(),
-                             checkpoint);
+  InFolder second(first_scene, checkpoint);
   second.run.resume(checkpoint, second.recorder);
   EXPECT_EQ(second.recorder.goes_on_from(), nullptr);
   second.steps(5);

@@ -36,7 +36,7 @@ namespace
   /** Takes the time of what an output writes within steps. */
   struct TimedBetween : public Recorder
   {
-    TimedBetween(RunOutput &output, double &seconds)
+    TimedBetween(Recorder &output, double &seconds)
       : output(output)
       , seconds(seconds)
     {}
@@ -52,8 +52,8 @@ namespace
       output.between(solution);
     }
 
-    RunOutput &output;
-    double    &seconds;
+    Recorder &output;
+    double   &seconds;
   };
 
   Measurement measure(const std::string &prm, const Case &c)
@@ -72,25 +72,26 @@ namespace
 
     // What a run says on the screen would stand in the middle of the table.
     std::cout.setstate(std::ios::failbit);
-    RunOutput  output(run.scene, MPI_COMM_WORLD);
+    const std::unique_ptr<Recorder> output =
+      make_run_output(run.scene, MPI_COMM_WORLD);
     double     output_seconds = 0;
     const auto timed          = [&](const auto &action) {
       const Stopwatch watch(output_seconds);
       action();
     };
-    TimedBetween    between(output, output_seconds);
+    TimedBetween    between(*output, output_seconds);
     const Solution &solution = run.computation.solution;
     const Work      at_start = run.work();
     timed([&] {
-      output.begin(run.equations);
-      output.start(solution);
+      output->begin(run.equations);
+      output->start(solution);
     });
     while (run.state.step < run.scene.time.n_steps())
       {
         const double     start  = cpu_seconds() - output_seconds;
         const StepReport report = run.computation.advance(between);
         result.cpu_seconds += cpu_seconds() - output_seconds - start;
-        timed([&] { output.step(solution, report); });
+        timed([&] { output->step(solution, report); });
       }
     std::cout.clear();
 

@@ -1,4 +1,4 @@
-#include <auxfem/equations/effects/plate_contact.h>
+#include <auxfem/equations/effects/contact.h>
 
 #include <support/run_program.h>
 #include <support/scene_run.h>

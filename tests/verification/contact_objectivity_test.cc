@@ -1,5 +1,4 @@
-#include <auxfem/equations/effects/plate_contact.h>
-#include <auxfem/equations/effects/strut_contact.h>
+#include <auxfem/equations/effects/contact.h>
 
 #include <verification/result_table.h>
 #include <verification/space_text.h>
@@ -51,7 +50,7 @@ namespace
         for (unsigned int c = 0; c < dimension; ++c)
           step.tip[c] = run.motion(6, c);
         step.tip = back(step.tip);
-        for (const StrutContactReport &contact :
+        for (const ContactReport &contact :
              run.equations.reporting().strut_contact->contacts(
                run.equations.strut_contact_results(run.results),
                run.state))

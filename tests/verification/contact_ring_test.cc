@@ -1,5 +1,4 @@
-#include <auxfem/equations/effects/plate_contact.h>
-#include <auxfem/equations/effects/strut_contact.h>
+#include <auxfem/equations/effects/contact.h>
 
 #include <support/scene_run.h>
 #include <support/scene_text.h>
@@ -42,7 +41,7 @@ namespace
   {
     double force = 0;
     // Half of it by the points of either.
-    for (const StrutContactReport &contact :
+    for (const ContactReport &contact :
          run.equations.reporting().strut_contact->contacts(
            run.equations.strut_contact_results(run.results),
            run.state))

@@ -1,4 +1,4 @@
-#include <auxfem/equations/effects/strut_contact.h>
+#include <auxfem/equations/effects/contact.h>
 
 #include <verification/result_table.h>
 #include <verification/space_run.h>
@@ -114,7 +114,7 @@ namespace
       radius /= n;
       inclination = std::atan(radius * turn / rise);
       // Half of it by the points of either.
-      for (const StrutContactReport &contact :
+      for (const ContactReport &contact :
            run.equations.reporting().strut_contact->contacts(
              run.equations.strut_contact_results(run.results),
              run.state))

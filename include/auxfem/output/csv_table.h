@@ -38,7 +38,7 @@ namespace auxfem
              std::size_t                length);
 
     /** Bytes in the file. */
-    std::size_t length();
+    std::size_t length() const;
 
     /**
      * Appends one row, a number for each column; numbers that are not finite
@@ -53,10 +53,11 @@ namespace auxfem
   private:
     void write_line();
 
-    std::string   file;
-    std::ofstream stream;
-    std::string   line;
-    std::size_t   n_columns;
+    std::string file;
+    /** Asked for where it stands, also by what is constant. */
+    mutable std::ofstream stream;
+    std::string           line;
+    std::size_t           n_columns;
   };
 
   /**

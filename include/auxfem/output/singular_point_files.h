@@ -41,7 +41,7 @@ namespace auxfem
     void write(const State &at, const SingularPoint &point);
 
     /** For paths that are resumed: what files there are. */
-    void save(Records &records);
+    void save(Records &records) const;
 
     /** Names of the files and series that a checkpoint relies on. */
     std::vector<std::string> files() const;

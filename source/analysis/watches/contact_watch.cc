@@ -1,7 +1,6 @@
 #include <auxfem/analysis/occurrences.h>
 #include <auxfem/analysis/watch.h>
-#include <auxfem/equations/effects/plate_contact.h>
-#include <auxfem/equations/effects/strut_contact.h>
+#include <auxfem/equations/effects/contact.h>
 
 #include <sstream>
 

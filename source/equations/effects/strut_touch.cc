@@ -6,6 +6,25 @@ namespace auxfem
   {
     /** Largest number of nodes of an axis. */
     constexpr unsigned int max_nodes = AxisCurve::max_degree + 1;
+
+    /** Adds @p factor times the product of two vectors to a square block. */
+    void add_product(const double               factor,
+                     const std::vector<double> &rows,
+                     const std::vector<double> &columns,
+                     std::vector<double>       &block)
+    {
+      const std::size_t n = rows.size();
+      for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t j = 0; j < n; ++j)
+          block[i * n + j] += factor * rows[i] * columns[j];
+    }
+
+    dealii::Tensor<1, 3> unit(const unsigned int direction)
+    {
+      dealii::Tensor<1, 3> result;
+      result[direction] = 1;
+      return result;
+    }
   } // namespace
 
   StrutTouchMotion::StrutTouchMotion(const StrutCurves      &curves,
@@ -117,5 +136,100 @@ namespace auxfem
     for (std::size_t i = 0; i < change.size(); ++i)
       change[i] = (change[i] + along[i] / distance) / growth;
     return change;
+  }
+
+  void StrutTouchMotion::add_instant_block(const AxisCurve     &other,
+                                           const double         by_position,
+                                           std::vector<double> &block) const
+  {
+    const StrutTouch::Opposite &opposite = touch.opposites.back();
+    const dealii::Tensor<1, 3> &n        = opposite.normal;
+    const double at = opposite.parameter, distance = opposite.length;
+    const std::vector<double> of_normal = gradient(at, n);
+    add_product(by_position * (touch.slope + touch.force / distance),
+                of_normal,
+                of_normal,
+                block);
+    for (unsigned int c = 0; c < dimension; ++c)
+      {
+        const std::vector<double> along = gradient(at, unit(c));
+        add_product(-by_position * touch.force / distance, along, along, block);
+      }
+    if (!touch.is_inside)
+      return;
+    // The nearest point moves along the other axis.
+    const std::vector<double>  moving  = nearest_change(other);
+    const dealii::Tensor<1, 3> tangent = other.tangent(at);
+    add_product(by_position * touch.force *
+                  (tangent * tangent / distance - n * other.bend(at)),
+                moving,
+                moving,
+                block);
+  }
+
+  void StrutTouchMotion::add_mean_block(std::vector<double> &block) const
+  {
+    const StrutTouch::Opposite &last   = touch.opposites.back();
+    const std::vector<double> of_depth = gradient(last.parameter, last.normal);
+    const double              part     = 1. / touch.opposites.size();
+    for (const StrutTouch::Opposite &opposite : touch.opposites)
+      {
+        const std::vector<double> of_direction =
+          gradient(opposite.parameter, opposite.direction);
+        add_product(part * touch.slope, of_direction, of_depth, block);
+        const double turning = -part * touch.force / opposite.length;
+        for (unsigned int c = 0; c < dimension; ++c)
+          {
+            const std::vector<double> along =
+              gradient(opposite.parameter, unit(c));
+            add_product(turning, along, along, block);
+          }
+        add_product(-turning,
+                    of_direction,
+                    gradient(opposite.parameter, opposite.normal),
+                    block);
+      }
+  }
+
+  void StrutTouchMotion::add_friction_block(const CoulombFriction &friction,
+                                            const AxisCurve       &other,
+                                            const Evaluation      &evaluation,
+                                            const TangentFactors  &factors,
+                                            std::vector<double>   &block) const
+  {
+    const StrutTouch::Opposite &last   = touch.opposites.back();
+    const dealii::Tensor<1, 3> &n      = last.normal;
+    const FrictionChange        change = friction.change(touch.friction, n);
+    const auto                  across = change.by_normal / touch.distance;
+    std::vector<double>         moving;
+    dealii::Tensor<1, 3>        by_moving;
+    if (touch.is_inside)
+      {
+        moving    = nearest_change(other);
+        by_moving = factors.stiffness *
+          (change.by_velocity *
+             sliding_velocity(evaluation,
+                              [&](const Vector &u) {
+                                return difference_slope(u);
+                              }) -
+           across * other.tangent(last.parameter));
+        // The point that the force acts on moves too.
+        add_product(factors.stiffness,
+                    tangent_gradient(touch.friction.force),
+                    moving,
+                    block);
+      }
+    for (unsigned int c = 0; c < dimension; ++c)
+      {
+        dealii::Tensor<1, 3> by_motion =
+          factors.damping * change.by_velocity[c] +
+          factors.stiffness *
+            (across[c] - (across[c] * n) * n -
+             touch.slope * change.by_pressure[c] * n);
+        std::vector<double> of_force = gradient(last.parameter, by_motion);
+        for (std::size_t i = 0; i < moving.size(); ++i)
+          of_force[i] += by_moving[c] * moving[i];
+        add_product(1., gradient(last.parameter, unit(c)), of_force, block);
+      }
   }
 } // namespace auxfem

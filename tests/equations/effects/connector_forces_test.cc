@@ -44,15 +44,16 @@ namespace
                             const bool         large_rotation = true,
                             const bool         is_dynamic     = true)
       : of_scene(with_connector(law, position), {}, MPI_COMM_SELF)
-      , forces(of_scene.scene.connectors[0],
-               select_pairs(of_scene.lattice,
-                            of_scene.scene.connectors[0].between,
-                            of_scene.scene.context,
-                            "Connectors/one/Between"),
-               of_scene.lattice,
-               of_scene.dofs(),
-               large_rotation)
-      , layout(layout_of(forces, is_dynamic))
+      , forces(make_connector_forces(
+          of_scene.scene.connectors[0],
+          select_pairs(of_scene.lattice,
+                       of_scene.scene.connectors[0].between,
+                       of_scene.scene.context,
+                       "Connectors/one/Between"),
+          of_scene.lattice,
+          of_scene.dofs(),
+          large_rotation))
+      , layout(layout_of(*forces, is_dynamic))
       , from(of_scene.dofs().layout().n_local(), layout)
       , to(from)
     {}
@@ -97,7 +98,7 @@ namespace
 
     EvaluatedAlone evaluated()
     {
-      return {forces,
+      return {*forces,
               layout.acceleration ? Evaluation::step(from, to, dt)
                                   : Evaluation::static_step(from, to, dt)};
     }
@@ -110,14 +111,14 @@ namespace
 
     ConnectorReport report()
     {
-      return forces.report(0, to, evaluated().results.get());
+      return forces->report(0, to, evaluated().results.get());
     }
 
-    double           dt = 0.5;
-    EquationsOnRanks of_scene;
-    ConnectorForces  forces;
-    StateLayout      layout;
-    State            from, to;
+    double                                 dt = 0.5;
+    EquationsOnRanks                       of_scene;
+    const std::unique_ptr<ConnectorForces> forces;
+    StateLayout                            layout;
+    State                                  from, to;
   };
 
   // A few roundings of lengths of about 10.
@@ -156,7 +157,7 @@ TEST(ConnectorForces, FixedDirectionStaysWhereItIs)
 TEST(ConnectorForces, SmallDisplacementsKeepTheLineAtRest)
 {
   ConnectorAlone connector(spring, from_0_to_1, /*large_rotation=*/false);
-  EXPECT_TRUE(connector.forces.is_linear());
+  EXPECT_TRUE(connector.forces->is_linear());
   // The line at rest is (3, 4) / 5.
   connector.move(1, 1, -2);
   EXPECT_NEAR(connector.report().extension, -1., connector_round_off);
@@ -257,7 +258,7 @@ namespace
     connector.push(0, 3, -2);
     connector.push(1, -4, 5);
 
-    TangentAlone tangent(connector.forces, connector.of_scene.dofs());
+    TangentAlone tangent(*connector.forces, connector.of_scene.dofs());
     tangent.fill(connector.evaluated(), factors);
 
     const unsigned int n     = connector.of_scene.dofs().layout().n_global();

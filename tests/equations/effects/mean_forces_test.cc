@@ -62,11 +62,11 @@ namespace
   std::unique_ptr<ConnectorForces> forces_of(const EquationsOnRanks &of_scene,
                                              const bool large_rotation)
   {
-    return std::make_unique<ConnectorForces>(of_scene.scene.connectors[0],
-                                             of_scene.model.connector_pairs[0],
-                                             of_scene.lattice,
-                                             of_scene.dofs(),
-                                             large_rotation);
+    return make_connector_forces(of_scene.scene.connectors[0],
+                                 of_scene.model.connector_pairs[0],
+                                 of_scene.lattice,
+                                 of_scene.dofs(),
+                                 large_rotation);
   }
 } // namespace
 

@@ -1,5 +1,5 @@
 #include <auxfem/analysis/time_stepper.h>
-#include <auxfem/equations/effects/plate_contact.h>
+#include <auxfem/equations/effects/contact.h>
 #include <auxfem/time/static.h>
 
 #include <equations/effects/effect_alone.h>

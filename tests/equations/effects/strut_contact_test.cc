@@ -1,4 +1,4 @@
-#include <auxfem/equations/effects/strut_contact.h>
+#include <auxfem/equations/effects/strut_touch.h>
 
 #include <equations/effects/effect_alone.h>
 #include <equations/equations_on_ranks.h>
@@ -34,7 +34,8 @@ namespace
   {
     Pressed(const SceneText &text, const unsigned int seed)
       : of_scene(text.str(), {}, MPI_COMM_SELF)
-      , effect(of_scene.scene, of_scene.model)
+      , kept(make_strut_contact(of_scene.scene, of_scene.model))
+      , effect(*kept)
       , from(of_scene.equations.initial_state())
       , to(from)
       , generator(seed)
@@ -81,12 +82,13 @@ namespace
       return {from, state, kind, dt};
     }
 
-    const double                  dt = 0.1;
-    EquationsOnRanks              of_scene;
-    StrutContact                  effect;
-    State                         from, to;
-    std::mt19937                  generator;
-    std::unique_ptr<TangentAlone> tangent;
+    const double                        dt = 0.1;
+    EquationsOnRanks                    of_scene;
+    const std::unique_ptr<StrutContact> kept;
+    StrutContact                       &effect;
+    State                               from, to;
+    std::mt19937                        generator;
+    std::unique_ptr<TangentAlone>       tangent;
   };
 
   /** Compares the tangent with differences of the residual. */
@@ -100,8 +102,9 @@ namespace
         Pressed              pressed(text, seed);
         const EvaluatedAlone at(pressed.effect,
                                 pressed.evaluation(pressed.to, kind));
-        ASSERT_FALSE(static_cast<const StrutContact::Results &>(*at.results)
-                       .points.empty());
+        ASSERT_FALSE(
+          static_cast<const ContactResults<StrutTouch> &>(*at.results)
+            .points.empty());
         pressed.tangent->fill(at, factors);
         double       largest = 0, error = 0;
         const double h = 1e-7;

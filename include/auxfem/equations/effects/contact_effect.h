@@ -3,10 +3,8 @@
 
 #include <auxfem/contact/contact_law.h>
 #include <auxfem/equations/contact_axes.h>
-#include <auxfem/equations/effect.h>
+#include <auxfem/equations/effects/contact.h>
 #include <auxfem/equations/sliding.h>
-
-#include <optional>
 
 namespace auxfem
 {
@@ -22,14 +20,6 @@ namespace auxfem
     FrictionForce friction = {}; ///< on the strut
   };
 
-  /** How deep a strut has gone into what it touches. */
-  struct Penetration
-  {
-    double       part; ///< of the thickness
-    unsigned int strut;
-    unsigned int other; ///< the strut or plate that it touches
-  };
-
   /** Points that touch in an evaluation. */
   template <class Point>
   struct ContactResults : EffectResults
@@ -41,11 +31,12 @@ namespace auxfem
    * What contact is, whatever a strut touches: pairs that are near each other,
    * which alone are coupled, forces of ContactLaw at points, and what friction
    * there takes.
+   * @tparam Kind PlateContact or StrutContact
    * @tparam Pair of what is near each other
    * @tparam Point derived from Touch
    */
-  template <class Pair, class Point>
-  class ContactEffect : public Effect
+  template <class Kind, class Pair, class Point>
+  class ContactEffect : public Kind
   {
   public:
     using Results = ContactResults<Point>;
@@ -96,8 +87,8 @@ namespace auxfem
           account.add(contact_entry, law_at(point).energy(point.depth));
     }
 
-    /** The largest of the struts of this rank, if any touches. */
-    std::optional<Penetration> deepest(const EffectResults &results) const
+    std::optional<Penetration>
+    deepest(const EffectResults &results) const override
     {
       std::optional<Penetration> found;
       for (const Point &point : points_of(&results))

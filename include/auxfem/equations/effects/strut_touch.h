@@ -77,6 +77,20 @@ namespace auxfem
      * @param other the other axis */
     std::vector<double> nearest_change(const AxisCurve &other) const;
 
+    /** @name Add derivatives of minus the forces on both struts by the pair's
+     * unknowns to a square block. */
+    ///@{
+    void add_instant_block(const AxisCurve     &other,
+                           double               by_position,
+                           std::vector<double> &block) const;
+    void add_mean_block(std::vector<double> &block) const;
+    void add_friction_block(const CoulombFriction &friction,
+                            const AxisCurve       &other,
+                            const Evaluation      &evaluation,
+                            const TangentFactors  &factors,
+                            std::vector<double>   &block) const;
+    ///@}
+
   private:
     /** Calls @p add(first of the pair's unknowns, share) for each node. */
     template <class Add>
