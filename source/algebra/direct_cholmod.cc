@@ -1,7 +1,6 @@
 #include <auxfem/algebra/direct_solvers.h>
 #include <auxfem/algebra/elimination_order.h>
 #include <auxfem/algebra/factor_checks.h>
-#include <auxfem/algebra/first_rank_solver.h>
 
 #include <deal.II/base/exceptions.h>
 
@@ -278,6 +277,6 @@ namespace auxfem
 
   std::unique_ptr<DirectSolver> make_cholmod(const EliminationOrder order)
   {
-    return std::make_unique<FirstRankSolver>(std::make_unique<Cholmod>(order));
+    return make_first_rank_solver(std::make_unique<Cholmod>(order));
   }
 } // namespace auxfem

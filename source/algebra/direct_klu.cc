@@ -1,7 +1,6 @@
 #include <auxfem/algebra/direct_solvers.h>
 #include <auxfem/algebra/elimination_order.h>
 #include <auxfem/algebra/factor_checks.h>
-#include <auxfem/algebra/first_rank_solver.h>
 
 #include <deal.II/base/exceptions.h>
 
@@ -271,6 +270,6 @@ namespace auxfem
 
   std::unique_ptr<DirectSolver> make_klu(const EliminationOrder order)
   {
-    return std::make_unique<FirstRankSolver>(std::make_unique<Klu>(order));
+    return make_first_rank_solver(std::make_unique<Klu>(order));
   }
 } // namespace auxfem

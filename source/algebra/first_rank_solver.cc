@@ -1,5 +1,5 @@
+#include <auxfem/algebra/direct_solver.h>
 #include <auxfem/algebra/factor_checks.h>
-#include <auxfem/algebra/first_rank_solver.h>
 #include <auxfem/algebra/long_messages.h>
 
 #include <deal.II/base/mpi.h>
@@ -45,204 +45,254 @@ namespace auxfem
         result.push_back(result.back() + size);
       return result;
     }
-  } // namespace
 
-  FirstRankSolver::Gathered::Gathered(const unsigned int n_rows)
-    : layout(MPI_COMM_SELF, n_rows, {})
-    , matrix(layout)
-    , x(n_rows)
-  {}
+    /** See make_first_rank_solver(). */
+    class FirstRankSolver : public DirectSolver
+    {
+    public:
+      explicit FirstRankSolver(std::unique_ptr<DirectSolver> solver)
+        : solver(std::move(solver))
+      {}
 
-  FirstRankSolver::FirstRankSolver(std::unique_ptr<DirectSolver> solver)
-    : solver(std::move(solver))
-  {}
-
-  FactorizationOutcome FirstRankSolver::analyse(const SparseMatrix &matrix)
-  {
-    communicator = matrix.layout->communicator();
-    rank         = matrix.layout->rank();
-    n_ranks      = matrix.layout->n_ranks();
-    inertia_of_all.reset();
-    sign_of_all.reset();
-    gathered.reset();
-    if (n_ranks == 1)
-      return guard_memory([&] { return solver->analyse(matrix); });
-
-    FactorizationOutcome outcome = collect_pattern(matrix);
-    if (outcome == FactorizationOutcome::done && gathered)
-      outcome = guard_memory([&] { return solver->analyse(gathered->matrix); });
-    return agree(outcome, communicator);
-  }
-
-  FactorizationOutcome
-  FirstRankSolver::collect_pattern(const SparseMatrix &matrix)
-  {
-    first_entry = offsets(MPI::all_gather(communicator, matrix.columns.size()));
-    first_row.clear();
-    for (unsigned int r = 0; r <= n_ranks; ++r)
-      first_row.push_back(matrix.layout->first_of(r));
-
-    const FactorizationOutcome outcome =
-      agree(guard_memory([&] {
-              sort_rows(matrix);
-              if (rank == 0)
-                {
-                  gathered = std::make_unique<Gathered>(first_row.back());
-                  gathered->matrix.columns.resize(first_entry.back());
-                  gathered->matrix.entries.resize(first_entry.back());
-                }
-              return FactorizationOutcome::done;
-            }),
-            communicator);
-    if (outcome != FactorizationOutcome::done)
+      FactorizationOutcome analyse(const SparseMatrix &matrix) override
       {
+        communicator = matrix.layout->communicator();
+        rank         = matrix.layout->rank();
+        n_ranks      = matrix.layout->n_ranks();
+        inertia_of_all.reset();
+        sign_of_all.reset();
         gathered.reset();
-        return outcome;
+        if (n_ranks == 1)
+          return guard_memory([&] { return solver->analyse(matrix); });
+
+        FactorizationOutcome outcome = collect_pattern(matrix);
+        if (outcome == FactorizationOutcome::done && gathered)
+          outcome =
+            guard_memory([&] { return solver->analyse(gathered->matrix); });
+        return agree(outcome, communicator);
       }
 
-    gather(matrix.first.data(),
-           first_row,
-           gathered ? gathered->matrix.first.data() : nullptr,
-           communicator);
-    gather(columns.data(),
-           first_entry,
-           gathered ? gathered->matrix.columns.data() : nullptr,
-           communicator);
-    if (gathered)
+      FactorizationOutcome factorize(const SparseMatrix &matrix) override
       {
-        std::vector<std::size_t> &first = gathered->matrix.first;
-        for (unsigned int r = 0; r < n_ranks; ++r)
-          for (std::size_t row = first_row[r]; row < first_row[r + 1]; ++row)
-            first[row] += first_entry[r];
-        first.back() = first_entry.back();
-      }
-    return outcome;
-  }
+        FactorizationOutcome outcome = has_finite_entries(matrix)
+          ? FactorizationOutcome::done
+          : FactorizationOutcome::not_finite;
+        inertia_of_all.reset();
+        sign_of_all.reset();
+        if (n_ranks == 1)
+          {
+            if (outcome != FactorizationOutcome::done)
+              return outcome;
+            outcome = guard_memory([&] { return solver->factorize(matrix); });
+            inertia_of_all = solver->inertia();
+            sign_of_all    = solver->determinant_sign();
+            return outcome;
+          }
 
-  void FirstRankSolver::sort_rows(const SparseMatrix &matrix)
-  {
-    order.resize(matrix.columns.size());
-    std::iota(order.begin(), order.end(), 0);
-    columns.resize(order.size());
-    entries.resize(order.size());
-    const auto global = [&](const std::size_t i) {
-      return matrix.layout->global(matrix.columns[i]);
-    };
-    for (std::size_t row = 0; row + 1 < matrix.first.size(); ++row)
-      std::sort(order.begin() + matrix.first[row],
-                order.begin() + matrix.first[row + 1],
-                [&](const std::size_t a, const std::size_t b) {
-                  return global(a) < global(b);
-                });
-    for (std::size_t i = 0; i < order.size(); ++i)
-      columns[i] = global(order[i]);
-  }
-
-  FactorizationOutcome FirstRankSolver::factorize(const SparseMatrix &matrix)
-  {
-    FactorizationOutcome outcome = has_finite_entries(matrix)
-      ? FactorizationOutcome::done
-      : FactorizationOutcome::not_finite;
-    inertia_of_all.reset();
-    sign_of_all.reset();
-    if (n_ranks == 1)
-      {
+        outcome = agree(outcome, communicator);
         if (outcome != FactorizationOutcome::done)
           return outcome;
-        outcome = guard_memory([&] { return solver->factorize(matrix); });
-        inertia_of_all = solver->inertia();
-        sign_of_all    = solver->determinant_sign();
+        for (std::size_t i = 0; i < order.size(); ++i)
+          entries[i] = matrix.entries[order[i]];
+        gather(entries.data(),
+               first_entry,
+               gathered ? gathered->matrix.entries.data() : nullptr,
+               communicator);
+        if (gathered)
+          {
+            gathered->matrix.is_symmetric = matrix.is_symmetric;
+            outcome =
+              guard_memory([&] { return solver->factorize(gathered->matrix); });
+            inertia_of_all = solver->inertia();
+            sign_of_all    = solver->determinant_sign();
+          }
+        broadcast_signs();
+        return agree(outcome, communicator);
+      }
+
+      void solve(double *x) override
+      {
+        if (n_ranks == 1)
+          {
+            solver->solve(x);
+            return;
+          }
+
+        gather(x,
+               first_row,
+               gathered ? gathered->x.data() : nullptr,
+               communicator);
+        int is_out_of_memory = 0;
+        if (gathered)
+          try
+            {
+              solver->solve(gathered->x.data());
+            }
+          catch (const std::bad_alloc &)
+            {
+              is_out_of_memory = 1;
+            }
+        MPI_Bcast(&is_out_of_memory, 1, MPI_INT, 0, communicator);
+        if (is_out_of_memory != 0)
+          throw std::bad_alloc();
+
+        const std::vector<int> first(first_row.begin(), first_row.end());
+        std::vector<int>       sizes(n_ranks);
+        for (unsigned int r = 0; r < n_ranks; ++r)
+          sizes[r] = first[r + 1] - first[r];
+        MPI_Scatterv(gathered ? gathered->x.data() : nullptr,
+                     sizes.data(),
+                     first.data(),
+                     MPI_DOUBLE,
+                     x,
+                     sizes[rank],
+                     MPI_DOUBLE,
+                     0,
+                     communicator);
+      }
+
+      std::optional<Inertia> inertia() const override
+      {
+        return inertia_of_all;
+      }
+
+      std::optional<int> determinant_sign() const override
+      {
+        return sign_of_all;
+      }
+
+      std::size_t memory() const override
+      {
+        return n_ranks == 1 || gathered ? solver->memory() : 0;
+      }
+
+      std::vector<double> pivot_entries() const override
+      {
+        return solver->pivot_entries();
+      }
+
+      void take_pivots_of(const std::vector<double> &entries) override
+      {
+        solver->take_pivots_of(entries);
+      }
+
+    private:
+      FactorizationOutcome collect_pattern(const SparseMatrix &matrix)
+      {
+        first_entry =
+          offsets(MPI::all_gather(communicator, matrix.columns.size()));
+        first_row.clear();
+        for (unsigned int r = 0; r <= n_ranks; ++r)
+          first_row.push_back(matrix.layout->first_of(r));
+
+        const FactorizationOutcome outcome =
+          agree(guard_memory([&] {
+                  sort_rows(matrix);
+                  if (rank == 0)
+                    {
+                      gathered = std::make_unique<Gathered>(first_row.back());
+                      gathered->matrix.columns.resize(first_entry.back());
+                      gathered->matrix.entries.resize(first_entry.back());
+                    }
+                  return FactorizationOutcome::done;
+                }),
+                communicator);
+        if (outcome != FactorizationOutcome::done)
+          {
+            gathered.reset();
+            return outcome;
+          }
+
+        gather(matrix.first.data(),
+               first_row,
+               gathered ? gathered->matrix.first.data() : nullptr,
+               communicator);
+        gather(columns.data(),
+               first_entry,
+               gathered ? gathered->matrix.columns.data() : nullptr,
+               communicator);
+        if (gathered)
+          {
+            std::vector<std::size_t> &first = gathered->matrix.first;
+            for (unsigned int r = 0; r < n_ranks; ++r)
+              for (std::size_t row = first_row[r]; row < first_row[r + 1];
+                   ++row)
+                first[row] += first_entry[r];
+            first.back() = first_entry.back();
+          }
         return outcome;
       }
 
-    outcome = agree(outcome, communicator);
-    if (outcome != FactorizationOutcome::done)
-      return outcome;
-    for (std::size_t i = 0; i < order.size(); ++i)
-      entries[i] = matrix.entries[order[i]];
-    gather(entries.data(),
-           first_entry,
-           gathered ? gathered->matrix.entries.data() : nullptr,
-           communicator);
-    if (gathered)
+      void sort_rows(const SparseMatrix &matrix)
       {
-        gathered->matrix.is_symmetric = matrix.is_symmetric;
-        outcome =
-          guard_memory([&] { return solver->factorize(gathered->matrix); });
-        inertia_of_all = solver->inertia();
-        sign_of_all    = solver->determinant_sign();
-      }
-    broadcast_signs();
-    return agree(outcome, communicator);
-  }
-
-  void FirstRankSolver::broadcast_signs()
-  {
-    const Inertia mine       = inertia_of_all.value_or(Inertia());
-    long          numbers[5] = {inertia_of_all.has_value(),
-                                static_cast<long>(mine.negative),
-                                static_cast<long>(mine.zero),
-                                static_cast<long>(mine.positive),
-                                sign_of_all.value_or(0)};
-    MPI_Bcast(numbers, 5, MPI_LONG, 0, communicator);
-    if (numbers[0] != 0)
-      inertia_of_all = Inertia{static_cast<unsigned long>(numbers[1]),
-                               static_cast<unsigned long>(numbers[2]),
-                               static_cast<unsigned long>(numbers[3])};
-    if (numbers[4] != 0)
-      sign_of_all = static_cast<int>(numbers[4]);
-  }
-
-  void FirstRankSolver::solve(double *x)
-  {
-    if (n_ranks == 1)
-      {
-        solver->solve(x);
-        return;
+        order.resize(matrix.columns.size());
+        std::iota(order.begin(), order.end(), 0);
+        columns.resize(order.size());
+        entries.resize(order.size());
+        const auto global = [&](const std::size_t i) {
+          return matrix.layout->global(matrix.columns[i]);
+        };
+        for (std::size_t row = 0; row + 1 < matrix.first.size(); ++row)
+          std::sort(order.begin() + matrix.first[row],
+                    order.begin() + matrix.first[row + 1],
+                    [&](const std::size_t a, const std::size_t b) {
+                      return global(a) < global(b);
+                    });
+        for (std::size_t i = 0; i < order.size(); ++i)
+          columns[i] = global(order[i]);
       }
 
-    gather(x, first_row, gathered ? gathered->x.data() : nullptr, communicator);
-    int is_out_of_memory = 0;
-    if (gathered)
-      try
-        {
-          solver->solve(gathered->x.data());
-        }
-      catch (const std::bad_alloc &)
-        {
-          is_out_of_memory = 1;
-        }
-    MPI_Bcast(&is_out_of_memory, 1, MPI_INT, 0, communicator);
-    if (is_out_of_memory != 0)
-      throw std::bad_alloc();
+      void broadcast_signs()
+      {
+        const Inertia mine       = inertia_of_all.value_or(Inertia());
+        long          numbers[5] = {inertia_of_all.has_value(),
+                                    static_cast<long>(mine.negative),
+                                    static_cast<long>(mine.zero),
+                                    static_cast<long>(mine.positive),
+                                    sign_of_all.value_or(0)};
+        MPI_Bcast(numbers, 5, MPI_LONG, 0, communicator);
+        if (numbers[0] != 0)
+          inertia_of_all = Inertia{static_cast<unsigned long>(numbers[1]),
+                                   static_cast<unsigned long>(numbers[2]),
+                                   static_cast<unsigned long>(numbers[3])};
+        if (numbers[4] != 0)
+          sign_of_all = static_cast<int>(numbers[4]);
+      }
 
-    const std::vector<int> first(first_row.begin(), first_row.end());
-    std::vector<int>       sizes(n_ranks);
-    for (unsigned int r = 0; r < n_ranks; ++r)
-      sizes[r] = first[r + 1] - first[r];
-    MPI_Scatterv(gathered ? gathered->x.data() : nullptr,
-                 sizes.data(),
-                 first.data(),
-                 MPI_DOUBLE,
-                 x,
-                 sizes[rank],
-                 MPI_DOUBLE,
-                 0,
-                 communicator);
-  }
+      /** What the first rank has of the matrix of all. */
+      struct Gathered
+      {
+        explicit Gathered(const unsigned int n_rows)
+          : layout(MPI_COMM_SELF, n_rows, {})
+          , matrix(layout)
+          , x(n_rows)
+        {}
 
-  std::size_t FirstRankSolver::memory() const
+        UnknownLayout       layout;
+        SparseMatrix        matrix;
+        std::vector<double> x;
+      };
+
+      const std::unique_ptr<DirectSolver> solver;
+      MPI_Comm                            communicator = MPI_COMM_NULL;
+      unsigned int                        rank = 0, n_ranks = 1;
+      /** By rank, and the end of the last. */
+      std::vector<std::size_t> first_row, first_entry;
+      /** Of this rank's entries in rows sorted by global columns. */
+      std::vector<std::size_t>  order;
+      std::vector<int>          columns;
+      std::vector<double>       entries;
+      std::unique_ptr<Gathered> gathered; ///< none but on the first of several
+      std::optional<Inertia>    inertia_of_all;
+      std::optional<int>        sign_of_all; ///< of the determinant
+    };
+  } // namespace
+
+
+
+  std::unique_ptr<DirectSolver>
+  make_first_rank_solver(std::unique_ptr<DirectSolver> solver)
   {
-    return n_ranks == 1 || gathered ? solver->memory() : 0;
-  }
-
-  std::vector<double> FirstRankSolver::pivot_entries() const
-  {
-    return solver->pivot_entries();
-  }
-
-  void FirstRankSolver::take_pivots_of(const std::vector<double> &entries)
-  {
-    solver->take_pivots_of(entries);
+    return std::make_unique<FirstRankSolver>(std::move(solver));
   }
 } // namespace auxfem

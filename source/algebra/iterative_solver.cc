@@ -1,6 +1,6 @@
-#include <auxfem/algebra/iterative_solver.h>
 #include <auxfem/algebra/joint_elimination.h>
 #include <auxfem/algebra/krylov_solver.h>
+#include <auxfem/algebra/linear_solver_method.h>
 #include <auxfem/algebra/row_migration.h>
 
 #include <algorithm>
@@ -33,175 +33,193 @@ namespace auxfem
         return elimination->rows();
       }
     };
+
+    struct Parts
+    {
+      Parts(const SolverParameters &parameters, const Unknowns &unknowns)
+        : layout(unknowns.layout)
+        , stages(std::min(layout.n_ranks(), most_stages))
+        , krylov(load_krylov_solver(parameters))
+      {
+        stages[0].elimination =
+          std::make_unique<JointElimination>(unknowns, most_at_once);
+      }
+
+      /** Returns false if a matrix is singular. */
+      bool eliminate(const SparseMatrix &matrix)
+      {
+        bool is_new = false;
+        for (unsigned int s = 0; s < stages.size(); ++s)
+          {
+            Stage &stage = stages[s];
+            if (s > 0)
+              {
+                const JointElimination &before = *stages[s - 1].elimination;
+                if (is_new || !stage.migration)
+                  {
+                    const Unknowns &rows = before.rows().as_unknowns();
+                    stage.migration =
+                      std::make_unique<RowMigration>(before.matrix(), rows);
+                    stage.elimination = std::make_unique<JointElimination>(
+                      stage.migration->unknowns(),
+                      0);
+                    stage.version = 0;
+                  }
+                stage.migration->fill(before.matrix());
+              }
+            if (!stage.elimination->factorize(
+                  s == 0 ? matrix : stage.migration->matrix()))
+              return false;
+            is_new = is_new || stage.version != stage.elimination->version();
+            stage.version = stage.elimination->version();
+          }
+        has_new_pattern = has_new_pattern || is_new;
+        return true;
+      }
+
+      void reduce(const double *b)
+      {
+        for (unsigned int s = 0; s < stages.size(); ++s)
+          {
+            if (s > 0)
+              {
+                const std::vector<double> &before = stages[s - 1].b;
+                stages[s].x.resize(
+                  stages[s].migration->matrix().layout->n_owned());
+                stages[s].migration->go(before.data(), stages[s].x.data());
+              }
+            stages[s].b.resize(stages[s].rows().layout().n_owned());
+            stages[s].elimination->reduce(s == 0 ? b : stages[s].x.data(),
+                                          stages[s].b.data());
+          }
+      }
+
+      void expand(double *x)
+      {
+        for (unsigned int s = stages.size(); s-- > 0;)
+          {
+            double *of_stage = s == 0 ? x : stages[s].x.data();
+            stages[s].elimination->expand(stages[s].b.data(), of_stage);
+            if (s > 0)
+              stages[s].migration->come_back(of_stage, stages[s - 1].b.data());
+          }
+      }
+
+      const JointElimination &last() const
+      {
+        return *stages.back().elimination;
+      }
+
+      const UnknownLayout          &layout;
+      std::vector<Stage>            stages;
+      std::unique_ptr<KrylovSolver> krylov;
+      /** Since the preconditioner was made. */
+      bool has_new_pattern = true;
+    };
+
+    /** See make_iterative_solver(). */
+    class IterativeSolver : public LinearSolverMethod
+    {
+    public:
+      explicit IterativeSolver(const SolverParameters &parameters)
+        : parameters(parameters)
+      {}
+
+      FactorizationOutcome analyse(const SparseMatrix & /*matrix*/,
+                                   const Unknowns &unknowns) override
+      {
+        n_multipliers =
+          std::count(unknowns.kinds.begin(),
+                     unknowns.kinds.begin() + unknowns.layout.n_owned(),
+                     UnknownKind::multiplier);
+        n_before = n_iterations();
+        parts    = std::make_unique<Parts>(parameters, unknowns);
+        return FactorizationOutcome::done;
+      }
+
+      FactorizationOutcome factorize(const SparseMatrix &matrix) override
+      {
+        const bool has_wrong =
+          std::any_of(matrix.entries.begin(),
+                      matrix.entries.end(),
+                      [](const double entry) { return !std::isfinite(entry); });
+        if (parts->layout.largest(has_wrong ? 1. : 0.) > 0)
+          return FactorizationOutcome::not_finite;
+        if (!parts->eliminate(matrix))
+          return FactorizationOutcome::singular;
+        const JointElimination &left = parts->last();
+        if (left.rows().layout().n_global() == 0)
+          return FactorizationOutcome::done;
+        const bool is_made     = parts->krylov->factorize(left.matrix(),
+                                                      left.rows(),
+                                                      parts->has_new_pattern,
+                                                      may_be_definite(matrix));
+        parts->has_new_pattern = !is_made;
+        return is_made ? FactorizationOutcome::done
+                       : FactorizationOutcome::singular;
+      }
+
+      std::string solve(double *x) override
+      {
+        parts->reduce(x);
+        std::string          failure;
+        std::vector<double> &g = parts->stages.back().b;
+        if (parts->last().rows().layout().n_global() > 0)
+          failure = parts->krylov->solve(g.data(), g.data());
+        parts->expand(x);
+        return failure;
+      }
+
+      unsigned long n_iterations() const override
+      {
+        return parts ? n_before + parts->krylov->n_iterations() : 0;
+      }
+
+      std::size_t memory() const override
+      {
+        std::size_t sum = 0;
+        if (parts)
+          for (const Stage &stage : parts->stages)
+            sum += stage.elimination ? stage.elimination->memory() : 0;
+        return sum;
+      }
+
+      std::optional<Inertia> inertia() const override
+      {
+        return std::nullopt;
+      }
+
+      std::optional<int> determinant_sign() const override
+      {
+        return std::nullopt;
+      }
+
+    private:
+      /** Whether all that is eliminated allows conjugate gradients. */
+      bool may_be_definite(const SparseMatrix &matrix) const
+      {
+        // Every multiplier makes one negative eigenvalue.
+        double surplus = 0, n_unsymmetric = matrix.is_symmetric ? 0 : 1;
+        for (const Stage &stage : parts->stages)
+          surplus += stage.elimination->n_negative();
+        surplus -= n_multipliers;
+        const std::vector<double> sums =
+          parts->layout.sum(std::vector<double>{surplus, n_unsymmetric});
+        return sums[0] <= 0 && sums[1] == 0;
+      }
+
+      const SolverParameters parameters;
+      std::unique_ptr<Parts> parts;
+      double                 n_multipliers = 0; ///< of this rank
+      unsigned long          n_before      = 0;
+    };
   } // namespace
 
-  struct IterativeSolver::Parts
+
+
+  std::unique_ptr<LinearSolverMethod>
+  make_iterative_solver(const SolverParameters &parameters)
   {
-    Parts(const SolverParameters &parameters, const Unknowns &unknowns)
-      : layout(unknowns.layout)
-      , stages(std::min(layout.n_ranks(), most_stages))
-      , krylov(load_krylov_solver(parameters))
-    {
-      stages[0].elimination =
-        std::make_unique<JointElimination>(unknowns, most_at_once);
-    }
-
-    /** Returns false if a matrix is singular. */
-    bool eliminate(const SparseMatrix &matrix)
-    {
-      bool is_new = false;
-      for (unsigned int s = 0; s < stages.size(); ++s)
-        {
-          Stage &stage = stages[s];
-          if (s > 0)
-            {
-              const JointElimination &before = *stages[s - 1].elimination;
-              if (is_new || !stage.migration)
-                {
-                  const Unknowns &rows = before.rows().as_unknowns();
-                  stage.migration =
-                    std::make_unique<RowMigration>(before.matrix(), rows);
-                  stage.elimination = std::make_unique<JointElimination>(
-                    stage.migration->unknowns(),
-                    0);
-                  stage.version = 0;
-                }
-              stage.migration->fill(before.matrix());
-            }
-          if (!stage.elimination->factorize(s == 0 ? matrix
-                                                   : stage.migration->matrix()))
-            return false;
-          is_new = is_new || stage.version != stage.elimination->version();
-          stage.version = stage.elimination->version();
-        }
-      has_new_pattern = has_new_pattern || is_new;
-      return true;
-    }
-
-    void reduce(const double *b)
-    {
-      for (unsigned int s = 0; s < stages.size(); ++s)
-        {
-          if (s > 0)
-            {
-              const std::vector<double> &before = stages[s - 1].b;
-              stages[s].x.resize(
-                stages[s].migration->matrix().layout->n_owned());
-              stages[s].migration->go(before.data(), stages[s].x.data());
-            }
-          stages[s].b.resize(stages[s].rows().layout().n_owned());
-          stages[s].elimination->reduce(s == 0 ? b : stages[s].x.data(),
-                                        stages[s].b.data());
-        }
-    }
-
-    void expand(double *x)
-    {
-      for (unsigned int s = stages.size(); s-- > 0;)
-        {
-          double *of_stage = s == 0 ? x : stages[s].x.data();
-          stages[s].elimination->expand(stages[s].b.data(), of_stage);
-          if (s > 0)
-            stages[s].migration->come_back(of_stage, stages[s - 1].b.data());
-        }
-    }
-
-    const JointElimination &last() const
-    {
-      return *stages.back().elimination;
-    }
-
-    const UnknownLayout          &layout;
-    std::vector<Stage>            stages;
-    std::unique_ptr<KrylovSolver> krylov;
-    /** Since the preconditioner was made. */
-    bool has_new_pattern = true;
-  };
-
-  IterativeSolver::IterativeSolver(const SolverParameters &parameters)
-    : parameters(parameters)
-  {}
-
-  IterativeSolver::~IterativeSolver() = default;
-
-  std::optional<Inertia> IterativeSolver::inertia() const
-  {
-    return std::nullopt;
-  }
-
-  std::optional<int> IterativeSolver::determinant_sign() const
-  {
-    return std::nullopt;
-  }
-
-  FactorizationOutcome IterativeSolver::analyse(const SparseMatrix & /*matrix*/,
-                                                const Unknowns &unknowns)
-  {
-    n_multipliers =
-      std::count(unknowns.kinds.begin(),
-                 unknowns.kinds.begin() + unknowns.layout.n_owned(),
-                 UnknownKind::multiplier);
-    n_before = n_iterations();
-    parts    = std::make_unique<Parts>(parameters, unknowns);
-    return FactorizationOutcome::done;
-  }
-
-  FactorizationOutcome IterativeSolver::factorize(const SparseMatrix &matrix)
-  {
-    const bool has_wrong =
-      std::any_of(matrix.entries.begin(),
-                  matrix.entries.end(),
-                  [](const double entry) { return !std::isfinite(entry); });
-    if (parts->layout.largest(has_wrong ? 1. : 0.) > 0)
-      return FactorizationOutcome::not_finite;
-    if (!parts->eliminate(matrix))
-      return FactorizationOutcome::singular;
-    const JointElimination &left = parts->last();
-    if (left.rows().layout().n_global() == 0)
-      return FactorizationOutcome::done;
-    const bool is_made     = parts->krylov->factorize(left.matrix(),
-                                                  left.rows(),
-                                                  parts->has_new_pattern,
-                                                  may_be_definite(matrix));
-    parts->has_new_pattern = !is_made;
-    return is_made ? FactorizationOutcome::done
-                   : FactorizationOutcome::singular;
-  }
-
-  bool IterativeSolver::may_be_definite(const SparseMatrix &matrix) const
-  {
-    // Every multiplier makes one negative eigenvalue.
-    double surplus = 0, n_unsymmetric = matrix.is_symmetric ? 0 : 1;
-    for (const Stage &stage : parts->stages)
-      surplus += stage.elimination->n_negative();
-    surplus -= n_multipliers;
-    const std::vector<double> sums =
-      parts->layout.sum(std::vector<double>{surplus, n_unsymmetric});
-    return sums[0] <= 0 && sums[1] == 0;
-  }
-
-  std::string IterativeSolver::solve(double *x)
-  {
-    parts->reduce(x);
-    std::string          failure;
-    std::vector<double> &g = parts->stages.back().b;
-    if (parts->last().rows().layout().n_global() > 0)
-      failure = parts->krylov->solve(g.data(), g.data());
-    parts->expand(x);
-    return failure;
-  }
-
-  unsigned long IterativeSolver::n_iterations() const
-  {
-    return parts ? n_before + parts->krylov->n_iterations() : 0;
-  }
-
-  std::size_t IterativeSolver::memory() const
-  {
-    std::size_t sum = 0;
-    if (parts)
-      for (const Stage &stage : parts->stages)
-        sum += stage.elimination ? stage.elimination->memory() : 0;
-    return sum;
+    return std::make_unique<IterativeSolver>(parameters);
   }
 } // namespace auxfem

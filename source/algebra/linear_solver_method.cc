@@ -1,4 +1,3 @@
-#include <auxfem/algebra/iterative_solver.h>
 #include <auxfem/algebra/linear_solver_method.h>
 
 #include <deal.II/base/exceptions.h>
@@ -80,7 +79,7 @@ namespace auxfem
         case LinearSolverType::mumps:
           return std::make_unique<DirectMethod>(make_mumps());
         case LinearSolverType::iterative:
-          return std::make_unique<IterativeSolver>(parameters);
+          return make_iterative_solver(parameters);
       }
     Assert(false, dealii::ExcInternalError());
     return nullptr;

@@ -1,6 +1,8 @@
 #include <auxfem/loads/event_search.h>
-#include <auxfem/loads/expression_history.h>
+#include <auxfem/loads/expression_tree.h>
+#include <auxfem/loads/time_history.h>
 #include <auxfem/parameters/errors.h>
+#include <auxfem/parameters/expression.h>
 
 #include <cmath>
 
@@ -27,52 +29,87 @@ namespace auxfem
             "\nWrite a decimal point, not a comma, and * between factors.");
         }
     }
+
+    /** An expression in t. */
+    class ExpressionHistory : public TimeHistory
+    {
+    public:
+      ExpressionHistory(const std::string  &text,
+                        const std::string  &path,
+                        const SceneContext &context)
+        : expression(read(text, path, context, time))
+      {}
+
+      double value(const double t) const override
+      {
+        time = t;
+        return expression.value();
+      }
+
+      double limit(const double t, const TimeSide side) const override
+      {
+        const Jet<double> here   = tree().result(tree().evaluate(t));
+        const Jet<double> result = auxfem::limit(tree(), t, side);
+
+        // At a kink branches differ by the round-off of its time.
+        double error = 0;
+        for (const double slope : {here.first, result.first})
+          if (std::isfinite(slope))
+            error += time_resolution(t) * std::abs(slope);
+        return std::abs(result.value - here.value) <= error ? value(t)
+                                                            : result.value;
+      }
+
+      Jet<double> jet(const double t, const TimeSide side) const override
+      {
+        Jet<double> result = auxfem::limit(tree(), t, side);
+        result.value       = limit(t, side);
+        return result;
+      }
+
+      std::vector<TimeEvent>
+      events(const double       begin,
+             const double       end,
+             const unsigned int derivatives) const override
+      {
+        return find_events(tree(), begin, end, derivatives);
+      }
+
+      bool is_zero() const
+      {
+        return expression.is_constant() && expression.value() == 0;
+      }
+
+    private:
+      const ExpressionTree &tree() const
+      {
+        if (!known_tree)
+          {
+            // It is compiled at the first evaluation.
+            expression.value();
+            known_tree = std::make_unique<const ExpressionTree>(
+              read_expression(expression.compiled()));
+          }
+        return *known_tree;
+      }
+
+      mutable double time = 0; ///< where the expression finds `t`
+      Expression     expression;
+
+      /** Made when it is needed first: most functions are only evaluated. */
+      mutable std::unique_ptr<const ExpressionTree> known_tree;
+    };
   } // namespace
 
-  ExpressionHistory::ExpressionHistory(const std::string  &text,
-                                       const std::string  &path,
-                                       const SceneContext &context)
-    : expression(read(text, path, context, time))
-  {}
 
-  const ExpressionTree &ExpressionHistory::tree() const
+
+  std::shared_ptr<TimeHistory>
+  make_expression_history(const std::string  &text,
+                          const std::string  &path,
+                          const SceneContext &context)
   {
-    if (!known_tree)
-      {
-        // It is compiled at the first evaluation.
-        expression.value();
-        known_tree = std::make_unique<const ExpressionTree>(
-          read_expression(expression.compiled()));
-      }
-    return *known_tree;
-  }
-
-  double ExpressionHistory::limit(const double t, const TimeSide side) const
-  {
-    const Jet<double> here   = tree().result(tree().evaluate(t));
-    const Jet<double> result = auxfem::limit(tree(), t, side);
-
-    // At a kink branches differ by the round-off of its time.
-    double error = 0;
-    for (const double slope : {here.first, result.first})
-      if (std::isfinite(slope))
-        error += time_resolution(t) * std::abs(slope);
-    return std::abs(result.value - here.value) <= error ? value(t)
-                                                        : result.value;
-  }
-
-  Jet<double> ExpressionHistory::jet(const double t, const TimeSide side) const
-  {
-    Jet<double> result = auxfem::limit(tree(), t, side);
-    result.value       = limit(t, side);
-    return result;
-  }
-
-  std::vector<TimeEvent>
-  ExpressionHistory::events(const double       begin,
-                            const double       end,
-                            const unsigned int derivatives) const
-  {
-    return find_events(tree(), begin, end, derivatives);
+    const auto history =
+      std::make_shared<ExpressionHistory>(text, path, context);
+    return history->is_zero() ? nullptr : history;
   }
 } // namespace auxfem

@@ -1,5 +1,6 @@
+#include <auxfem/loads/cubic_spline.h>
 #include <auxfem/loads/event_search.h>
-#include <auxfem/loads/table_history.h>
+#include <auxfem/loads/time_history.h>
 #include <auxfem/parameters/errors.h>
 
 #include <deal.II/base/utilities.h>
@@ -56,185 +57,228 @@ namespace auxfem
                             return read_number(cell, number);
                           });
     }
+
+    /** See make_table_history(). */
+    class TableHistory : public TimeHistory
+    {
+    public:
+      TableHistory(const std::string  &reference,
+                   const std::string  &path,
+                   const SceneContext &context,
+                   const TableKind     kind)
+        : path(path)
+      {
+        read_reference(reference, context);
+        std::ifstream in(file);
+        if (!in || std::filesystem::is_directory(file))
+          throw InputError(path + ": cannot read the table " + file +
+                           ".\nGive the name of a text file; a relative name "
+                           "starts from the folder of the parameter file (" +
+                           context.directory + ").");
+        std::string row;
+        for (line = 1; std::getline(in, row); ++line)
+          {
+            // Spreadsheets mark UTF-8 files by three bytes in front.
+            if (line == 1 && row.compare(0, 3, "\xEF\xBB\xBF") == 0)
+              row.erase(0, 3);
+            read_row(trim(row.substr(0, row.find('#'))));
+          }
+        if (times.empty())
+          throw InputError(path + ": the table " + file +
+                           " has no row of numbers.\nNeeded are rows of a time "
+                           "(s) and a value, e.g. 0.01, 250.");
+        if (kind == TableKind::smooth)
+          make_spline();
+      }
+
+      double value(const double t) const override
+      {
+        return limit(t, TimeSide::after);
+      }
+
+      double limit(const double t, const TimeSide side) const override
+      {
+        return jet(t, side).value;
+      }
+
+      Jet<double> jet(const double t, const TimeSide side) const override
+      {
+        const auto next = side == TimeSide::after
+          ? std::upper_bound(times.begin(), times.end(), t)
+          : std::lower_bound(times.begin(), times.end(), t);
+        return between(next - times.begin(), t);
+      }
+
+      std::vector<TimeEvent>
+      events(const double       begin,
+             const double       end,
+             const unsigned int derivatives) const override
+      {
+        std::vector<TimeEvent> result;
+        for (std::size_t first = 0, after; first < times.size(); first = after)
+          {
+            // One row, or two at a jump.
+            const double t = times[first];
+            after          = first + 1 < times.size() && times[first + 1] == t
+                       ? first + 2
+                       : first + 1;
+            if (t - begin < time_resolution(t) || end - t < time_resolution(t))
+              continue;
+            const Jet<double> left  = between(first, t),
+                              right = between(after, t);
+            const auto larger       = [](const double a, const double b) {
+              return std::max(std::abs(a), std::abs(b));
+            };
+            const FunctionSize size = {larger(left.value, right.value),
+                                       larger(left.first, right.first),
+                                       larger(left.second, right.second)};
+            if (is_jump(left.value, right.value, size, 0))
+              result.push_back({t, TimeEvent::Kind::jump});
+            else if (is_kink(left.first, right.first, size))
+              result.push_back({t, TimeEvent::Kind::kink});
+            else if (derivatives > 1 &&
+                     is_bend(left.second, right.second, size))
+              result.push_back({t, TimeEvent::Kind::bend});
+          }
+        return result;
+      }
+
+      std::optional<double> last_time() const override
+      {
+        return times.back();
+      }
+
+    private:
+      void read_reference(const std::string  &reference,
+                          const SceneContext &context)
+      {
+        std::string       name  = trim(reference);
+        const std::size_t comma = name.rfind(',');
+        if (comma != std::string::npos)
+          {
+            const std::string text = trim(name.substr(comma + 1));
+            const auto        answer =
+              std::from_chars(text.data(), text.data() + text.size(), column);
+            if (answer.ec != std::errc() ||
+                answer.ptr != text.data() + text.size() || column < 2)
+              throw InputError(
+                path + ": '" + text +
+                "' is not a column of a table.\nColumn 1 is time; "
+                "write table: FILE, COLUMN with a whole number "
+                "from 2, or without it for column 2.");
+            name = trim(name.substr(0, comma));
+          }
+        if (name.empty())
+          throw InputError(path +
+                           ": 'table:' must be followed by the name of a "
+                           "file, e.g. table: force.csv.");
+        file = (std::filesystem::path(context.directory) / name).string();
+      }
+
+      void read_row(const std::string &row)
+      {
+        const std::vector<std::string> cells = split_row(row);
+        if (cells.empty())
+          return;
+        if (times.empty() && !header_seen && is_header(cells))
+          {
+            header_seen = true;
+            return;
+          }
+        if (cells.size() < column)
+          fail(
+            "has " + std::to_string(cells.size()) +
+            (cells.size() == 1 ? " column" : " columns") + ", but column " +
+            std::to_string(column) +
+            " is asked for.\nSeparate cells by commas, semicolons or blanks.");
+        const double t = number(cells[0], 1);
+        check_time(t, cells[0]);
+        times.push_back(t);
+        values.push_back(number(cells[column - 1], column));
+      }
+
+      void check_time(const double t, const std::string &cell) const
+      {
+        const std::size_t n = times.size();
+        if (n > 0 && t < times[n - 1])
+          fail("has the time '" + cell +
+               "', which is before that of the row before.\nTimes (s, first "
+               "column) must not decrease from row to row.");
+        if (n > 1 && t == times[n - 2])
+          fail(
+            "is the third with the time '" + cell +
+            "'.\nTwo rows at one time are a jump: the values just before and "
+            "just after it.");
+      }
+
+      double number(const std::string &cell,
+                    const unsigned int cell_column) const
+      {
+        double result;
+        if (!read_number(cell, result))
+          fail(
+            "has '" + cell + "' in column " + std::to_string(cell_column) +
+            ", which is not a number.\nWrite numbers like 0.01 or 1e-2, with "
+            "a decimal point and without unit.");
+        return result;
+      }
+
+      [[noreturn]] void fail(const std::string &problem) const
+      {
+        throw InputError(path + ": line " + std::to_string(line) +
+                         " of the table " + file + " " + problem);
+      }
+
+      void make_spline()
+      {
+        const auto jump = std::adjacent_find(times.begin(), times.end());
+        if (jump != times.end())
+          {
+            std::ostringstream message;
+            message
+              << path << ": the table " << file
+              << " has two rows at t = " << *jump
+              << " s, a jump, but a smooth curve is laid through the rows of "
+                 "a motion.\nLeave one of them out, or write linear table: "
+                 "FILE for lines between the rows.";
+            throw InputError(message.str());
+          }
+        spline.emplace(times, values);
+      }
+
+      /** At @p t after row next - 1 and before row @p next, if there are such. */
+      Jet<double> between(const std::size_t next, const double t) const
+      {
+        if (next == 0)
+          return {values.front()};
+        if (next == times.size())
+          return {values.back()};
+        if (spline)
+          return (*spline)(t);
+        const double width    = times[next] - times[next - 1],
+                     fraction = (t - times[next - 1]) / width;
+        return {(1 - fraction) * values[next - 1] + fraction * values[next],
+                (values[next] - values[next - 1]) / width};
+      }
+
+      std::string         path; ///< of the parameter, for messages
+      std::string         file;
+      unsigned int        column      = 2;
+      unsigned int        line        = 0;
+      bool                header_seen = false;
+      std::vector<double> times, values;
+      /** If the table is smooth. */
+      std::optional<CubicSpline> spline;
+    };
   } // namespace
 
-  TableHistory::TableHistory(const std::string  &reference,
-                             const std::string  &path,
-                             const SceneContext &context,
-                             const TableKind     kind)
-    : path(path)
-  {
-    read_reference(reference, context);
-    std::ifstream in(file);
-    if (!in || std::filesystem::is_directory(file))
-      throw InputError(path + ": cannot read the table " + file +
-                       ".\nGive the name of a text file; a relative name "
-                       "starts from the folder of the parameter file (" +
-                       context.directory + ").");
-    std::string row;
-    for (line = 1; std::getline(in, row); ++line)
-      {
-        // Spreadsheets mark UTF-8 files by three bytes in front.
-        if (line == 1 && row.compare(0, 3, "\xEF\xBB\xBF") == 0)
-          row.erase(0, 3);
-        read_row(trim(row.substr(0, row.find('#'))));
-      }
-    if (times.empty())
-      throw InputError(path + ": the table " + file +
-                       " has no row of numbers.\nNeeded are rows of a time "
-                       "(s) and a value, e.g. 0.01, 250.");
-    if (kind == TableKind::smooth)
-      make_spline();
-  }
 
-  void TableHistory::make_spline()
-  {
-    const auto jump = std::adjacent_find(times.begin(), times.end());
-    if (jump != times.end())
-      {
-        std::ostringstream message;
-        message << path << ": the table " << file
-                << " has two rows at t = " << *jump
-                << " s, a jump, but a smooth curve is laid through the rows of "
-                   "a motion.\nLeave one of them out, or write linear table: "
-                   "FILE for lines between the rows.";
-        throw InputError(message.str());
-      }
-    spline.emplace(times, values);
-  }
 
-  void TableHistory::read_reference(const std::string  &reference,
-                                    const SceneContext &context)
+  std::shared_ptr<TimeHistory> make_table_history(const std::string  &reference,
+                                                  const std::string  &path,
+                                                  const SceneContext &context,
+                                                  const TableKind     kind)
   {
-    std::string       name  = trim(reference);
-    const std::size_t comma = name.rfind(',');
-    if (comma != std::string::npos)
-      {
-        const std::string text = trim(name.substr(comma + 1));
-        const auto        answer =
-          std::from_chars(text.data(), text.data() + text.size(), column);
-        if (answer.ec != std::errc() ||
-            answer.ptr != text.data() + text.size() || column < 2)
-          throw InputError(path + ": '" + text +
-                           "' is not a column of a table.\nColumn 1 is time; "
-                           "write table: FILE, COLUMN with a whole number "
-                           "from 2, or without it for column 2.");
-        name = trim(name.substr(0, comma));
-      }
-    if (name.empty())
-      throw InputError(path +
-                       ": 'table:' must be followed by the name of a "
-                       "file, e.g. table: force.csv.");
-    file = (std::filesystem::path(context.directory) / name).string();
-  }
-
-  void TableHistory::read_row(const std::string &row)
-  {
-    const std::vector<std::string> cells = split_row(row);
-    if (cells.empty())
-      return;
-    if (times.empty() && !header_seen && is_header(cells))
-      {
-        header_seen = true;
-        return;
-      }
-    if (cells.size() < column)
-      fail("has " + std::to_string(cells.size()) +
-           (cells.size() == 1 ? " column" : " columns") + ", but column " +
-           std::to_string(column) +
-           " is asked for.\nSeparate cells by commas, semicolons or blanks.");
-    const double t = number(cells[0], 1);
-    check_time(t, cells[0]);
-    times.push_back(t);
-    values.push_back(number(cells[column - 1], column));
-  }
-
-  double TableHistory::number(const std::string &cell,
-                              const unsigned int cell_column) const
-  {
-    double result;
-    if (!read_number(cell, result))
-      fail("has '" + cell + "' in column " + std::to_string(cell_column) +
-           ", which is not a number.\nWrite numbers like 0.01 or 1e-2, with "
-           "a decimal point and without unit.");
-    return result;
-  }
-
-  void TableHistory::fail(const std::string &problem) const
-  {
-    throw InputError(path + ": line " + std::to_string(line) +
-                     " of the table " + file + " " + problem);
-  }
-
-  void TableHistory::check_time(const double t, const std::string &cell) const
-  {
-    const std::size_t n = times.size();
-    if (n > 0 && t < times[n - 1])
-      fail("has the time '" + cell +
-           "', which is before that of the row before.\nTimes (s, first "
-           "column) must not decrease from row to row.");
-    if (n > 1 && t == times[n - 2])
-      fail("is the third with the time '" + cell +
-           "'.\nTwo rows at one time are a jump: the values just before and "
-           "just after it.");
-  }
-
-  Jet<double> TableHistory::between(const std::size_t next,
-                                    const double      t) const
-  {
-    if (next == 0)
-      return {values.front()};
-    if (next == times.size())
-      return {values.back()};
-    if (spline)
-      return (*spline)(t);
-    const double width    = times[next] - times[next - 1],
-                 fraction = (t - times[next - 1]) / width;
-    return {(1 - fraction) * values[next - 1] + fraction * values[next],
-            (values[next] - values[next - 1]) / width};
-  }
-
-  double TableHistory::value(const double t) const
-  {
-    return limit(t, TimeSide::after);
-  }
-
-  Jet<double> TableHistory::jet(const double t, const TimeSide side) const
-  {
-    const auto next = side == TimeSide::after
-      ? std::upper_bound(times.begin(), times.end(), t)
-      : std::lower_bound(times.begin(), times.end(), t);
-    return between(next - times.begin(), t);
-  }
-
-  std::vector<TimeEvent>
-  TableHistory::events(const double       begin,
-                       const double       end,
-                       const unsigned int derivatives) const
-  {
-    std::vector<TimeEvent> result;
-    for (std::size_t first = 0, after; first < times.size(); first = after)
-      {
-        // One row, or two at a jump.
-        const double t = times[first];
-        after = first + 1 < times.size() && times[first + 1] == t ? first + 2
-                                                                  : first + 1;
-        if (t - begin < time_resolution(t) || end - t < time_resolution(t))
-          continue;
-        const Jet<double> left = between(first, t), right = between(after, t);
-        const auto        larger = [](const double a, const double b) {
-          return std::max(std::abs(a), std::abs(b));
-        };
-        const FunctionSize size = {larger(left.value, right.value),
-                                   larger(left.first, right.first),
-                                   larger(left.second, right.second)};
-        if (is_jump(left.value, right.value, size, 0))
-          result.push_back({t, TimeEvent::Kind::jump});
-        else if (is_kink(left.first, right.first, size))
-          result.push_back({t, TimeEvent::Kind::kink});
-        else if (derivatives > 1 && is_bend(left.second, right.second, size))
-          result.push_back({t, TimeEvent::Kind::bend});
-      }
-    return result;
+    return std::make_shared<TableHistory>(reference, path, context, kind);
   }
 } // namespace auxfem

@@ -1,6 +1,5 @@
-#include <auxfem/loads/expression_history.h>
-#include <auxfem/loads/table_history.h>
 #include <auxfem/loads/time_function.h>
+#include <auxfem/loads/time_history.h>
 #include <auxfem/parameters/errors.h>
 
 #include <deal.II/base/exceptions.h>
@@ -73,22 +72,16 @@ namespace auxfem
 
     const std::string path =
       (context.path.empty() ? "" : context.path + "/") + parameter;
-    std::shared_ptr<TimeHistory> function;
-    if (const auto table = table_text(trimmed))
-      function = std::make_shared<TableHistory>(table->file,
-                                                path,
-                                                context,
-                                                table->word == linear_table_word
-                                                  ? TableKind::linear
-                                                  : tables);
-    else
-      {
-        const auto expression =
-          std::make_shared<ExpressionHistory>(trimmed, path, context);
-        if (expression->is_constant() && expression->value(0) == 0)
-          return;
-        function = expression;
-      }
+    const auto table    = table_text(trimmed);
+    const auto function = table
+      ? make_table_history(table->file,
+                           path,
+                           context,
+                           table->word == linear_table_word ? TableKind::linear
+                                                            : tables)
+      : make_expression_history(trimmed, path, context);
+    if (!function)
+      return;
     function->origin = path + ": '" + trimmed + "'";
     history          = function;
   }

@@ -1,5 +1,5 @@
-#include <auxfem/algebra/iterative_solver.h>
 #include <auxfem/algebra/joint_elimination.h>
+#include <auxfem/algebra/linear_solver_method.h>
 
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/lapack_full_matrix.h>
@@ -53,7 +53,7 @@ namespace
   }
 
   /** Solves as often as a matrix changes; expects success. */
-  std::vector<double> solve(IterativeSolver           &solver,
+  std::vector<double> solve(LinearSolverMethod        &solver,
                             const BeamSystem          &system,
                             const std::vector<double> &b)
   {
@@ -65,9 +65,10 @@ namespace
 
   void expect_dense_solution(const BeamSystem &system)
   {
-    IterativeSolver solver(accurate());
-    solver.analyse(*system.matrix, *system.unknowns);
-    const std::vector<double> b = system.loads(), x = solve(solver, system, b),
+    const std::unique_ptr<LinearSolverMethod> solver =
+      make_iterative_solver(accurate());
+    solver->analyse(*system.matrix, *system.unknowns);
+    const std::vector<double> b = system.loads(), x = solve(*solver, system, b),
                               exact = dense_solution(system, b);
     EXPECT_LT(system.residual(x, b), 1e-12);
     for (const UnknownKind kind : {UnknownKind::translation,
@@ -144,12 +145,13 @@ TEST(IterativeSolver, IterationsOfStaticLatticesAreFew)
   for (const auto &[dimension, n] : {std::make_pair(2u, 30u), {3u, 5u}})
     {
       const BeamSystem system(dimension, star_lattice(dimension, {{n, n, n}}));
-      IterativeSolver  solver({});
-      solver.analyse(*system.matrix, *system.unknowns);
+      const std::unique_ptr<LinearSolverMethod> solver =
+        make_iterative_solver({});
+      solver->analyse(*system.matrix, *system.unknowns);
       const std::vector<double> b = system.loads(),
-                                x = solve(solver, system, b);
-      EXPECT_LE(solver.n_iterations(), 60u);
-      EXPECT_GE(solver.n_iterations(), 1u);
+                                x = solve(*solver, system, b);
+      EXPECT_LE(solver->n_iterations(), 60u);
+      EXPECT_GE(solver->n_iterations(), 1u);
       // The tolerance counts by the right-hand side, which is far smaller than
       // the sum of the terms of a row.
       EXPECT_LT(system.residual(x, b), 1e-9);
@@ -162,11 +164,11 @@ TEST(IterativeSolver, IterationsWithRigidStrutsAreFew)
   BeamOptions       options;
   for (unsigned int strut = 0; strut < lattice.struts.size(); strut += 9)
     options.rigid_struts.push_back(strut);
-  const BeamSystem system(2, lattice, options);
-  IterativeSolver  solver({});
-  solver.analyse(*system.matrix, *system.unknowns);
-  const std::vector<double> b = system.loads(), x = solve(solver, system, b);
-  EXPECT_LE(solver.n_iterations(), 100u);
+  const BeamSystem                          system(2, lattice, options);
+  const std::unique_ptr<LinearSolverMethod> solver = make_iterative_solver({});
+  solver->analyse(*system.matrix, *system.unknowns);
+  const std::vector<double> b = system.loads(), x = solve(*solver, system, b);
+  EXPECT_LE(solver->n_iterations(), 100u);
   EXPECT_LT(system.residual(x, b), 1e-9);
 }
 
@@ -180,11 +182,12 @@ TEST(IterativeSolver, IncompleteFactorizationServesShortSteps)
       const BeamSystem system(2, star_lattice(2, {{30, 30, 1}}), options);
       SolverParameters parameters;
       parameters.preconditioner = "ilu";
-      IterativeSolver solver(parameters);
-      solver.analyse(*system.matrix, *system.unknowns);
+      const std::unique_ptr<LinearSolverMethod> solver =
+        make_iterative_solver(parameters);
+      solver->analyse(*system.matrix, *system.unknowns);
       const std::vector<double> b = system.loads(),
-                                x = solve(solver, system, b);
-      EXPECT_LE(solver.n_iterations(), 30u);
+                                x = solve(*solver, system, b);
+      EXPECT_LE(solver->n_iterations(), 30u);
       EXPECT_LT(system.residual(x, b), 1e-8);
     }
 }
@@ -195,9 +198,9 @@ TEST(IterativeSolver, IndefiniteMatrices)
   BeamOptions options;
   options.tension = -3.;
   const BeamSystem system(2, star_lattice(2, {{12, 12, 1}}), options);
-  IterativeSolver  solver({});
-  solver.analyse(*system.matrix, *system.unknowns);
-  const std::vector<double> b = system.loads(), x = solve(solver, system, b);
+  const std::unique_ptr<LinearSolverMethod> solver = make_iterative_solver({});
+  solver->analyse(*system.matrix, *system.unknowns);
+  const std::vector<double> b = system.loads(), x = solve(*solver, system, b);
   EXPECT_LT(system.residual(x, b), 1e-9);
 }
 
@@ -205,13 +208,14 @@ TEST(IterativeSolver, OneOrderServesChangingEntries)
 {
   BeamOptions options;
   options.rigid_struts = {5, 20};
-  BeamSystem      system(2, plane, options);
-  IterativeSolver solver(accurate());
-  solver.analyse(*system.matrix, *system.unknowns);
-  const std::vector<double> b = system.loads(), x = solve(solver, system, b);
+  BeamSystem                                system(2, plane, options);
+  const std::unique_ptr<LinearSolverMethod> solver =
+    make_iterative_solver(accurate());
+  solver->analyse(*system.matrix, *system.unknowns);
+  const std::vector<double> b = system.loads(), x = solve(*solver, system, b);
   for (double &entry : system.matrix->entries)
     entry *= 4;
-  const std::vector<double> y    = solve(solver, system, b);
+  const std::vector<double> y    = solve(*solver, system, b);
   double                    size = 0;
   for (const double value : x)
     size = std::max(size, std::abs(value));
@@ -224,15 +228,16 @@ TEST(IterativeSolver, OneOrderServesChangingEntries)
 
 TEST(IterativeSolver, BadMatricesAreTold)
 {
-  BeamSystem      system(2, plane);
-  IterativeSolver solver({});
-  solver.analyse(*system.matrix, *system.unknowns);
+  BeamSystem                                system(2, plane);
+  const std::unique_ptr<LinearSolverMethod> solver = make_iterative_solver({});
+  solver->analyse(*system.matrix, *system.unknowns);
   if (system.layout->rank() == 0)
     system.matrix->entries[3] = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(solver.factorize(*system.matrix), FactorizationOutcome::not_finite);
+  EXPECT_EQ(solver->factorize(*system.matrix),
+            FactorizationOutcome::not_finite);
 
   std::fill(system.matrix->entries.begin(), system.matrix->entries.end(), 0.);
-  EXPECT_EQ(solver.factorize(*system.matrix), FactorizationOutcome::singular);
+  EXPECT_EQ(solver->factorize(*system.matrix), FactorizationOutcome::singular);
 }
 
 TEST(IterativeSolver, WhatIsNotSolvedIsTold)
@@ -240,16 +245,17 @@ TEST(IterativeSolver, WhatIsNotSolvedIsTold)
   const BeamSystem system(2, star_lattice(2, {{30, 30, 1}}));
   SolverParameters parameters;
   parameters.maximum_iterations = 3;
-  IterativeSolver solver(parameters);
-  solver.analyse(*system.matrix, *system.unknowns);
-  ASSERT_EQ(solver.factorize(*system.matrix), FactorizationOutcome::done);
+  const std::unique_ptr<LinearSolverMethod> solver =
+    make_iterative_solver(parameters);
+  solver->analyse(*system.matrix, *system.unknowns);
+  ASSERT_EQ(solver->factorize(*system.matrix), FactorizationOutcome::done);
   std::vector<double> x   = system.loads();
-  std::string         why = solver.solve(x.data());
+  std::string         why = solver->solve(x.data());
   EXPECT_NE(why.find("in 3 iterations"), std::string::npos) << why;
   EXPECT_NE(why.find("Maximum iterations = 3"), std::string::npos) << why;
 
   x[x.size() / 2] = std::numeric_limits<double>::infinity();
-  why             = solver.solve(x.data());
+  why             = solver->solve(x.data());
   EXPECT_NE(why.find("not finite"), std::string::npos) << why;
 }
 

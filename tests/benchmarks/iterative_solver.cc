@@ -5,7 +5,7 @@
 // CELLS along each side; INERTIA on the diagonal (N/m). Prints iterations, wall
 // and largest processor seconds of a rank, and memory of all ranks.
 
-#include <auxfem/algebra/iterative_solver.h>
+#include <auxfem/algebra/linear_solver_method.h>
 #include <auxfem/start_up.h>
 
 #include <deal.II/base/utilities.h>
@@ -58,28 +58,29 @@ namespace
 
   void measure(const BeamSystem &system, const SolverParameters &parameters)
   {
-    const UnknownLayout &layout  = *system.layout;
-    const bool           is_root = layout.rank() == 0;
-    const double         before  = memory();
-    IterativeSolver      solver(parameters);
-    solver.analyse(*system.matrix, *system.unknowns);
+    const UnknownLayout                      &layout  = *system.layout;
+    const bool                                is_root = layout.rank() == 0;
+    const double                              before  = memory();
+    const std::unique_ptr<LinearSolverMethod> solver =
+      make_iterative_solver(parameters);
+    solver->analyse(*system.matrix, *system.unknowns);
     for (const std::string which : {"first", "second"})
       {
         const Times of_factorization(layout);
         const bool  is_done =
-          solver.factorize(*system.matrix) == FactorizationOutcome::done;
+          solver->factorize(*system.matrix) == FactorizationOutcome::done;
         of_factorization.print(which + " factorization");
         if (!is_done)
           return;
         const std::vector<double> b = system.loads();
         std::vector<double>       x = b;
         const Times               of_solution(layout);
-        const unsigned long       n   = solver.n_iterations();
-        const std::string         why = solver.solve(x.data());
+        const unsigned long       n   = solver->n_iterations();
+        const std::string         why = solver->solve(x.data());
         of_solution.print(which + " solution");
         const double residual = system.residual(x, b);
         if (is_root)
-          std::cout << solver.n_iterations() - n << " iterations, residual "
+          std::cout << solver->n_iterations() - n << " iterations, residual "
                     << residual << ' ' << why << '\n';
       }
     const double sum = layout.sum(memory() - before);

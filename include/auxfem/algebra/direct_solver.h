@@ -3,6 +3,7 @@
 
 #include <auxfem/algebra/sparse_matrix.h>
 
+#include <memory>
 #include <optional>
 
 namespace auxfem
@@ -91,6 +92,15 @@ namespace auxfem
     virtual void take_pivots_of(const std::vector<double> & /*entries*/)
     {}
   };
+
+  /**
+   * Lets a solver for one rank serve any number of them: brings the pattern
+   * (once) and the entries (each time) to the first rank, and the solution back
+   * from there. The solver sees finite entries only; its std::bad_alloc becomes
+   * `out_of_memory`.
+   */
+  std::unique_ptr<DirectSolver>
+  make_first_rank_solver(std::unique_ptr<DirectSolver> solver);
 } // namespace auxfem
 
 #endif

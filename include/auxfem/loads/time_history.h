@@ -3,7 +3,9 @@
 
 #include <auxfem/loads/jet.h>
 #include <auxfem/loads/time_event.h>
+#include <auxfem/loads/time_function.h>
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -45,6 +47,27 @@ namespace auxfem
     /** Path and text of the parameter, for messages. */
     std::string origin;
   };
+
+  /**
+   * Two columns of a file, linear between rows or a cubic spline through them,
+   * constant outside. Two rows at one time are a jump of a linear table.
+   * @p reference is what follows `table:`: a file name, maybe a column; @p path
+   * that of the parameter. Throws InputError if there is no such table, and for
+   * a jump of a smooth one.
+   */
+  std::shared_ptr<TimeHistory> make_table_history(const std::string  &reference,
+                                                  const std::string  &path,
+                                                  const SceneContext &context,
+                                                  TableKind           kind);
+
+  /**
+   * The expression in t that the user wrote for the parameter @p path; nullptr
+   * if it is zero at all times. Throws InputError if it is no expression.
+   */
+  std::shared_ptr<TimeHistory>
+  make_expression_history(const std::string  &text,
+                          const std::string  &path,
+                          const SceneContext &context);
 } // namespace auxfem
 
 #endif
