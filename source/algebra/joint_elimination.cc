@@ -28,16 +28,6 @@ namespace auxfem
     , most_at_once(most_at_once)
   {}
 
-  const JointRows &JointElimination::rows() const
-  {
-    return *joint_rows;
-  }
-
-  const SparseMatrix &JointElimination::matrix() const
-  {
-    return *left;
-  }
-
   unsigned int JointElimination::size(const unsigned int group) const
   {
     return groups->rows(group).size();

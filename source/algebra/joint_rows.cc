@@ -110,19 +110,9 @@ namespace auxfem
         }
   }
 
-  const Unknowns &JointRows::as_unknowns() const
-  {
-    return *own_unknowns;
-  }
-
   unsigned int JointRows::block_size() const
   {
     return unknowns.components.size();
-  }
-
-  const UnknownLayout &JointRows::layout() const
-  {
-    return *row_layout;
   }
 
   std::vector<std::vector<double>> JointRows::rigid_body_modes() const

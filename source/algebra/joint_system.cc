@@ -224,11 +224,6 @@ namespace auxfem
     return selection->unknowns;
   }
 
-  const int *JointSystem::ends(const std::size_t number) const
-  {
-    return end_unknowns.data() + number * n_ends;
-  }
-
   void JointSystem::reset(const Symmetry symmetry)
   {
     assembly->reset(symmetry);

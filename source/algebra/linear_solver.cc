@@ -253,11 +253,6 @@ namespace auxfem
                                 : klu->second.method->pivot_entries();
   }
 
-  void LinearSolver::take_pivots_of(const std::vector<double> &entries)
-  {
-    given_pivots = entries;
-  }
-
   std::size_t LinearSolver::memory() const
   {
     std::size_t sum = condensation.memory();

@@ -19,16 +19,6 @@ namespace auxfem
     move_unknowns(unknowns);
   }
 
-  const Unknowns &RowMigration::unknowns() const
-  {
-    return *new_unknowns;
-  }
-
-  const SparseMatrix &RowMigration::matrix() const
-  {
-    return *new_matrix;
-  }
-
   void RowMigration::find_targets(const SparseMatrix &matrix,
                                   const Unknowns     &unknowns)
   {

@@ -27,11 +27,6 @@ namespace auxfem
     return system->unknowns();
   }
 
-  std::size_t StrutCondensation::memory() const
-  {
-    return factors.size() * sizeof(double);
-  }
-
   void StrutCondensation::follow_pattern()
   {
     const TangentPattern &pattern = tangent.pattern();
@@ -53,11 +48,6 @@ namespace auxfem
             return i >= 0 && unknowns.kinds[i] == UnknownKind::prescribed;
           }))
         prescribed_blocks.push_back(b);
-  }
-
-  Symmetry StrutCondensation::symmetry_of_nodes() const
-  {
-    return symmetry == Symmetry::enforced ? Symmetry::given : symmetry;
   }
 
   std::size_t StrutCondensation::node_size(const StrutElements &elements) const

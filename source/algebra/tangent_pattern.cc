@@ -23,9 +23,4 @@ namespace auxfem
     ++changes;
     return n_blocks() - 1;
   }
-
-  const Unknowns &TangentPattern::unknowns() const
-  {
-    return *all;
-  }
 } // namespace auxfem

@@ -87,11 +87,6 @@ namespace auxfem
     , report(report)
   {}
 
-  const MeshError *MeshErrorRecorder::error() const
-  {
-    return estimate.get();
-  }
-
   RunResult MeshErrorRecorder::completed(RunResult result) const
   {
     OrderReport of_run = report;

@@ -29,10 +29,8 @@ namespace auxfem
                           std::vector<NodeMass> &masses)
     {
       for (const MassDefinition &mass : scene.masses)
-        for (const unsigned int joint : select_joints(model.lattice,
-                                                      mass.joints,
-                                                      scene.context,
-                                                      mass.path + "/Joints"))
+        for (const unsigned int joint :
+             joints_of(mass, model.lattice, scene.context))
           for (unsigned int c = 0; c < model.lattice.dimension; ++c)
             if (const int unknown = model.numbering.joint_unknown(joint, c);
                 model.numbering.layout().is_owned(unknown))

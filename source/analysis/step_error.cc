@@ -170,11 +170,6 @@ namespace auxfem
     return total;
   }
 
-  void StepError::forget()
-  {
-    displacements.forget();
-  }
-
   std::vector<Finding> StepError::findings() const
   {
     std::vector<Finding> findings;

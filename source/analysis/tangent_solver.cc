@@ -28,11 +28,6 @@ namespace auxfem
     equation_system.residual(evaluation, results);
   }
 
-  void TangentSolver::count_shortened()
-  {
-    ++work.shortened;
-  }
-
   void TangentSolver::assemble(const Evaluation        &evaluation,
                                const EvaluationResults &results,
                                const TangentFactors    &factors)

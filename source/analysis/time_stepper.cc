@@ -89,16 +89,6 @@ namespace auxfem
     return all;
   }
 
-  std::optional<double> TimeStepper::estimated_error() const
-  {
-    return error ? std::optional<double>(error->total()) : std::nullopt;
-  }
-
-  TangentSolver &TimeStepper::solver()
-  {
-    return solvers->tangent;
-  }
-
   void TimeStepper::save(Records &records) const
   {
     equations.save(records);

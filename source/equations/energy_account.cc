@@ -99,26 +99,6 @@ namespace auxfem
     , sums(step.from.energy_sums)
   {}
 
-  void EnergyAccount::add(const unsigned int entry, const double energy)
-  {
-    amounts[entry] += energy;
-  }
-
-  void EnergyAccount::add_in_step(const unsigned int entry, const double energy)
-  {
-    sums[entry] += energy;
-  }
-
-  void EnergyAccount::add_power(const unsigned int entry, const double power)
-  {
-    sums[entry] += step.weight * power;
-  }
-
-  bool EnergyAccount::takes_time() const
-  {
-    return step.dt > 0 && step.kind != Evaluation::Kind::stage;
-  }
-
   const StepMotion &EnergyAccount::motion()
   {
     if (!motion_of_step)

@@ -70,16 +70,9 @@ namespace auxfem
 
     bool are_finite(const double *values, const std::size_t n)
     {
-      // Zero times anything else is not a number; four sums, as one would wait
-      // for itself.
-      double            sums[4]   = {0, 0, 0, 0};
-      const std::size_t n_in_four = n - n % 4;
-      for (std::size_t i = 0; i < n_in_four; i += 4)
-        for (unsigned int k = 0; k < 4; ++k)
-          sums[k] += 0 * values[i + k];
-      for (std::size_t i = n_in_four; i < n; ++i)
-        sums[0] += 0 * values[i];
-      return sums[0] + sums[1] + sums[2] + sums[3] == 0;
+      return std::all_of(values, values + n, [](const double value) {
+        return std::isfinite(value);
+      });
     }
 
     /** On every rank, the words of the lowest rank that has some. */
@@ -301,11 +294,6 @@ namespace auxfem
                                       results.of_effects[i].get(),
                                       rates.data());
     return rates;
-  }
-
-  const Unknowns &Equations::unknowns() const
-  {
-    return with_ghosts ? *with_ghosts : structure.numbering.unknowns();
   }
 
   bool Equations::update_couplings(State &accepted)

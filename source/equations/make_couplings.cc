@@ -22,12 +22,11 @@ namespace auxfem
     /** Calls @p add(number, stiffness, base, end) for springs kept on this rank.
      */
     template <class Add>
-    void for_each_spring(const std::vector<JointRelease> &releases,
-                         const DofNumbering              &numbering,
-                         const Add                       &add)
+    void for_each_spring(const LatticeModel &model, const Add &add)
     {
-      unsigned int number = 0;
-      for (const JointRelease &release : releases)
+      const DofNumbering &numbering = model.numbering;
+      unsigned int        number    = 0;
+      for (const JointRelease &release : model.releases)
         if (release.definition->type ==
             JointDefinition::Type::rotational_spring)
           for (const RotationPair &pair : release.pairs)
@@ -43,11 +42,10 @@ namespace auxfem
     }
   } // namespace
 
-  std::unique_ptr<Effect>
-  make_rotational_springs(const std::vector<JointRelease> &releases,
-                          const DofNumbering              &numbering,
-                          const bool                       large_rotations)
+  std::unique_ptr<Effect> make_rotational_springs(const LatticeModel &model)
   {
+    const std::vector<JointRelease> &releases  = model.releases;
+    const DofNumbering              &numbering = model.numbering;
     // On all ranks, also those without any: the records of the state are alike.
     if (std::none_of(releases.begin(),
                      releases.end(),
@@ -56,11 +54,10 @@ namespace auxfem
                          JointDefinition::Type::rotational_spring;
                      }))
       return nullptr;
-    if (large_rotations)
+    if (model.simulated.large_rotation && model.lattice.dimension == 3)
       {
         std::vector<SpaceSpring> springs;
-        for_each_spring(releases,
-                        numbering,
+        for_each_spring(model,
                         [&](const unsigned int number,
                             const double       stiffness,
                             const auto        &base,
@@ -75,8 +72,7 @@ namespace auxfem
         return make_space_springs(numbering, springs);
       }
     std::vector<RotationalSpring> springs;
-    for_each_spring(releases,
-                    numbering,
+    for_each_spring(model,
                     [&](const unsigned int /*number*/,
                         const double stiffness,
                         const auto  &base,
@@ -88,15 +84,12 @@ namespace auxfem
     return make_rotational_springs(numbering, std::move(springs));
   }
 
-  std::unique_ptr<Constraints>
-  make_revolute_hinges(const std::vector<JointRelease> &releases,
-                       const DofNumbering              &numbering,
-                       const bool                       large_rotation,
-                       const double                     length)
+  std::unique_ptr<Constraints> make_revolute_hinges(const LatticeModel &model)
   {
+    const DofNumbering        &numbering = model.numbering;
     std::vector<RevoluteHinge> hinges;
     unsigned int               number = 0;
-    for (const JointRelease &release : releases)
+    for (const JointRelease &release : model.releases)
       if (release.definition->type == JointDefinition::Type::revolute)
         for (const RotationPair &pair : release.pairs)
           {
@@ -110,8 +103,10 @@ namespace auxfem
                                 multipliers,
                                 release.definition->axis});
           }
-    return number > 0
-      ? make_revolute_hinges(numbering, large_rotation, length, hinges)
-      : nullptr;
+    return number > 0 ? make_revolute_hinges(numbering,
+                                             model.simulated.large_rotation,
+                                             model.mean_strut_length,
+                                             hinges)
+                      : nullptr;
   }
 } // namespace auxfem

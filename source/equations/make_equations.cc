@@ -118,11 +118,7 @@ namespace auxfem
           {struts.get(), static_cast<unsigned int>(effects.size())});
         effects.push_back(std::move(struts));
       }
-    if (auto springs =
-          make_rotational_springs(structure.releases,
-                                  structure.numbering,
-                                  simulated.large_rotation &&
-                                    structure.lattice.dimension == 3))
+    if (auto springs = make_rotational_springs(structure))
       effects.push_back(std::move(springs));
 
     for (unsigned int group = 0; group < scene.connectors.size(); ++group)
@@ -179,10 +175,7 @@ namespace auxfem
         reporting_effects.constraints.push_back(of_parts.get());
         effects.push_back(std::move(of_parts));
       }
-    if (auto hinges = make_revolute_hinges(structure.releases,
-                                           structure.numbering,
-                                           simulated.large_rotation,
-                                           structure.mean_strut_length))
+    if (auto hinges = make_revolute_hinges(structure))
       {
         reporting_effects.constraints.push_back(hinges.get());
         effects.push_back(std::move(hinges));
@@ -191,18 +184,13 @@ namespace auxfem
 
   void Equations::make_inertia(const Scene &scene)
   {
-    const SimulatedEffects &simulated = structure.simulated;
-    const RigidBodies      &bodies    = structure.bodies;
+    const RigidBodies &bodies = structure.bodies;
     if (!bodies.in_plane.empty() || !bodies.bars.empty())
       effects.push_back(make_rigid_part_inertia(bodies));
     for (auto &inertia :
          make_strut_inertia(structure, structure.lattice, structure.numbering))
       effects.push_back(std::move(inertia));
-    for (auto &masses : make_masses(scene,
-                                    structure.lattice,
-                                    structure.numbering,
-                                    bodies,
-                                    simulated.large_rotation))
+    for (auto &masses : make_masses(scene, structure))
       effects.push_back(std::move(masses));
   }
 

@@ -29,94 +29,6 @@ namespace auxfem
               "work of the load since the start"};
     }
 
-    void add_dead_load(const JointLoadDefinition &definition,
-                       const Lattice             &lattice,
-                       const DofNumbering        &numbering,
-                       const Scene               &scene,
-                       std::vector<AppliedLoad>  &loads)
-    {
-      const std::vector<unsigned int> joints =
-        select_joints(lattice,
-                      definition.joints,
-                      scene.context,
-                      definition.path + "/Joints");
-      for (const unsigned int c : numbering.components())
-        {
-          if (definition.components[c].is_zero())
-            continue;
-          AppliedLoad load{proportional(definition.components[c], scene),
-                           work_of(definition.name),
-                           {}};
-          for (const unsigned int joint : joints)
-            {
-              if (!numbering.joint_has(joint, c))
-                throw InputError(definition.path + "/Moment " +
-                                 "xyz"[c - first_rotation] + ": " +
-                                 why_no_rotation(numbering, joint));
-              const int unknown = numbering.joint_unknown(joint, c);
-              if (unknown >= 0)
-                load.weights.push_back({unknown, 1.});
-            }
-          loads.push_back(std::move(load));
-        }
-    }
-
-    void add_follower_load(const JointLoadDefinition &definition,
-                           const Lattice             &lattice,
-                           const DofNumbering        &numbering,
-                           const Scene               &scene,
-                           std::vector<FollowerLoad> &loads)
-    {
-      auto components = definition.components;
-      for (TimeFunction &component : components)
-        component = proportional(component, scene);
-      FollowerLoad load{components, work_of(definition.name), {}};
-      for (const unsigned int joint :
-           select_joints(lattice,
-                         definition.joints,
-                         scene.context,
-                         definition.path + "/Joints"))
-        {
-          if (!numbering.joint_has(joint, rotation_z))
-            throw InputError(definition.path +
-                             "/Direction = follows the joint: " +
-                             why_no_rotation(numbering, joint));
-          if (numbering.joint_unknown(joint, rotation_z) >= 0)
-            load.joints.push_back(joint);
-        }
-      loads.push_back(std::move(load));
-    }
-
-    /** Adds a force per length of @p per_length(strut) along component @p c on all chosen struts. */
-    template <class PerLength>
-    void add_along_struts(const unsigned int       c,
-                          const std::vector<bool> &chosen,
-                          const Lattice           &lattice,
-                          const DofNumbering      &numbering,
-                          const PerLength         &per_length,
-                          AppliedLoad             &load)
-    {
-      const unsigned int n = numbering.n_components();
-      for (const DofNumbering::Group &group : numbering.groups())
-        {
-          const LineRule rule(group.order);
-          for (unsigned int e = group.begin; e < group.end; ++e)
-            {
-              const StrutMesh::Interval &interval =
-                numbering.elements()[e].interval;
-              if (!chosen[interval.strut])
-                continue;
-              const Strut &strut = lattice.struts[interval.strut];
-              const double force = per_length(strut) * lattice.length(strut) *
-                (interval.end - interval.begin) / 2;
-              for (unsigned int a = 0; a < rule.integrals.size(); ++a)
-                load.weights.push_back(
-                  {numbering.element_unknowns(e)[n * a + c],
-                   force * rule.integrals[a]});
-            }
-        }
-    }
-
     /** Adds @p force, by its @p shares. */
     void
     add_shares(const ForceShares &shares, const double force, AppliedLoad &load)
@@ -125,128 +37,188 @@ namespace auxfem
         load.weights.push_back({unknown, force * share});
     }
 
-    /** Calls @p action for the rigid parts of all kinds. */
-    template <class Action>
-    void for_each_body(const RigidBodies &bodies, const Action &action)
+    /** The loads of a scene. */
+    struct Loads
     {
-      std::for_each(bodies.in_plane.begin(), bodies.in_plane.end(), action);
-      std::for_each(bodies.bars.begin(), bodies.bars.end(), action);
-      std::for_each(bodies.rotating.begin(), bodies.rotating.end(), action);
-    }
+      void add_dead(const JointLoadDefinition &definition)
+      {
+        const std::vector<unsigned int> joints =
+          joints_of(definition, lattice, scene.context);
+        for (const unsigned int c : numbering.components())
+          {
+            if (definition.components[c].is_zero())
+              continue;
+            AppliedLoad load{proportional(definition.components[c], scene),
+                             work_of(definition.name),
+                             {}};
+            for (const unsigned int joint : joints)
+              {
+                if (!numbering.joint_has(joint, c))
+                  throw InputError(definition.path + "/Moment " +
+                                   "xyz"[c - first_rotation] + ": " +
+                                   why_no_rotation(numbering, joint));
+                const int unknown = numbering.joint_unknown(joint, c);
+                if (unknown >= 0)
+                  load.weights.push_back({unknown, 1.});
+              }
+            dead.push_back(std::move(load));
+          }
+      }
 
-    /** Adds a unit force per length along component @p c of the chosen rigid struts. */
-    void add_along_rigid_struts(const unsigned int       c,
-                                const std::vector<bool> &chosen,
-                                const Lattice           &lattice,
-                                const DofNumbering      &numbering,
-                                const RigidBodies       &bodies,
-                                AppliedLoad             &load)
-    {
-      for_each_body(bodies, [&](const auto &body) {
-        for (const unsigned int number : lattice.rigid_parts[body.part].struts)
-          if (const Strut &strut = lattice.struts[number]; chosen[number])
-            add_shares(force_shares(body,
-                                    lattice,
-                                    numbering,
-                                    lattice.centroid(strut),
-                                    c),
-                       lattice.length(strut),
-                       load);
-      });
-    }
+      void add_following(const JointLoadDefinition &definition)
+      {
+        auto components = definition.components;
+        for (TimeFunction &component : components)
+          component = proportional(component, scene);
+        FollowerLoad load{components, work_of(definition.name), {}};
+        for (const unsigned int joint :
+             joints_of(definition, lattice, scene.context))
+          {
+            if (!numbering.joint_has(joint, rotation_z))
+              throw InputError(definition.path +
+                               "/Direction = follows the joint: " +
+                               why_no_rotation(numbering, joint));
+            if (numbering.joint_unknown(joint, rotation_z) >= 0)
+              load.joints.push_back(joint);
+          }
+        following.push_back(std::move(load));
+      }
 
-    void add_line_loads(const Scene              &scene,
-                        const Lattice            &lattice,
-                        const DofNumbering       &numbering,
-                        const RigidBodies        &bodies,
-                        std::vector<AppliedLoad> &loads)
-    {
-      for (const LineLoadDefinition &definition : scene.line_loads)
-        {
-          std::vector<bool> chosen(lattice.struts.size(), false);
-          for (const unsigned int strut :
-               select_struts(lattice,
-                             definition.struts,
-                             scene.context,
-                             definition.path + "/Struts"))
-            chosen[strut] = true;
-          for (const RigidPart &part : lattice.rigid_parts)
-            for (const unsigned int strut : part.struts)
-              if (chosen[strut])
-                refuse_point_beside(part,
-                                    lattice,
-                                    lattice.centroid(lattice.struts[strut]));
-          for (unsigned int c = 0; c < lattice.dimension; ++c)
-            {
-              if (definition.components[c].is_zero())
-                continue;
-              AppliedLoad load{proportional(definition.components[c], scene),
-                               work_of(definition.name),
-                               {}};
-              add_along_struts(
-                c,
-                chosen,
-                lattice,
-                numbering,
-                [](const Strut &) { return 1.; },
-                load);
-              add_along_rigid_struts(c,
-                                     chosen,
-                                     lattice,
-                                     numbering,
-                                     bodies,
-                                     load);
-              loads.push_back(std::move(load));
-            }
-        }
-    }
+      void add_line_loads()
+      {
+        for (const LineLoadDefinition &definition : scene.line_loads)
+          {
+            std::vector<bool> chosen(lattice.struts.size(), false);
+            for (const unsigned int strut :
+                 struts_of(definition, lattice, scene.context))
+              chosen[strut] = true;
+            for (const RigidPart &part : lattice.rigid_parts)
+              for (const unsigned int strut : part.struts)
+                if (chosen[strut])
+                  refuse_point_beside(part,
+                                      lattice,
+                                      lattice.centroid(lattice.struts[strut]));
+            for (unsigned int c = 0; c < lattice.dimension; ++c)
+              {
+                if (definition.components[c].is_zero())
+                  continue;
+                AppliedLoad load{proportional(definition.components[c], scene),
+                                 work_of(definition.name),
+                                 {}};
+                add_along_struts(
+                  c,
+                  chosen,
+                  [](const Strut &) { return 1.; },
+                  load);
+                add_along_rigid_struts(c, chosen, load);
+                dead.push_back(std::move(load));
+              }
+          }
+      }
 
-    void add_gravity(const Scene                &scene,
-                     const Lattice              &lattice,
-                     const DofNumbering         &numbering,
-                     const std::vector<Section> &sections,
-                     const RigidBodies          &bodies,
-                     std::vector<AppliedLoad>   &loads)
-    {
-      const std::vector<bool> all(lattice.struts.size(), true);
-      for (unsigned int c = 0; c < lattice.dimension; ++c)
-        {
-          if (scene.gravity[c] == 0)
-            continue;
-          AppliedLoad load{
-            proportional(constant(scene.gravity[c], scene.context), scene),
-            {EnergyKind::work,
-             "gravity_work",
-             "work of the weight since the start"},
-            {}};
-          add_along_struts(
-            c,
-            all,
-            lattice,
-            numbering,
-            [&](const Strut &strut) {
-              return sections[strut.section].mass_per_length();
-            },
-            load);
-          for_each_body(bodies, [&](const auto &body) {
-            const RigidPart &part = lattice.rigid_parts[body.part];
-            add_shares(
-              force_shares(body, lattice, numbering, part.centre_of_mass, c),
-              part.mass,
+      void add_gravity()
+      {
+        const std::vector<bool> all(lattice.struts.size(), true);
+        for (unsigned int c = 0; c < lattice.dimension; ++c)
+          {
+            if (scene.gravity[c] == 0)
+              continue;
+            AppliedLoad load{
+              proportional(constant(scene.gravity[c], scene.context), scene),
+              {EnergyKind::work,
+               "gravity_work",
+               "work of the weight since the start"},
+              {}};
+            add_along_struts(
+              c,
+              all,
+              [&](const Strut &strut) {
+                return sections[strut.section].mass_per_length();
+              },
               load);
-          });
-          for (const MassDefinition &mass : scene.masses)
-            for (const unsigned int joint :
-                 select_joints(lattice,
-                               mass.joints,
-                               scene.context,
-                               mass.path + "/Joints"))
-              if (numbering.joint_unknown(joint, c) >= 0)
-                load.weights.push_back(
-                  {numbering.joint_unknown(joint, c), mass.mass});
-          loads.push_back(std::move(load));
-        }
-    }
+            for_each_body([&](const auto &body) {
+              const RigidPart &part = lattice.rigid_parts[body.part];
+              add_shares(
+                force_shares(body, lattice, numbering, part.centre_of_mass, c),
+                part.mass,
+                load);
+            });
+            for (const MassDefinition &mass : scene.masses)
+              for (const unsigned int joint :
+                   joints_of(mass, lattice, scene.context))
+                if (numbering.joint_unknown(joint, c) >= 0)
+                  load.weights.push_back(
+                    {numbering.joint_unknown(joint, c), mass.mass});
+            dead.push_back(std::move(load));
+          }
+      }
+
+      const Scene                &scene;
+      const Lattice              &lattice;
+      const DofNumbering         &numbering;
+      const std::vector<Section> &sections;
+      const RigidBodies          &bodies;
+
+      std::vector<AppliedLoad>  dead      = {};
+      std::vector<FollowerLoad> following = {};
+
+      /** Adds a force per length of @p per_length(strut) along component @p c on all chosen struts. */
+      template <class PerLength>
+      void add_along_struts(const unsigned int       c,
+                            const std::vector<bool> &chosen,
+                            const PerLength         &per_length,
+                            AppliedLoad             &load) const
+      {
+        const unsigned int n = numbering.n_components();
+        for (const DofNumbering::Group &group : numbering.groups())
+          {
+            const LineRule rule(group.order);
+            for (unsigned int e = group.begin; e < group.end; ++e)
+              {
+                const StrutMesh::Interval &interval =
+                  numbering.elements()[e].interval;
+                if (!chosen[interval.strut])
+                  continue;
+                const Strut &strut = lattice.struts[interval.strut];
+                const double force = per_length(strut) * lattice.length(strut) *
+                  (interval.end - interval.begin) / 2;
+                for (unsigned int a = 0; a < rule.integrals.size(); ++a)
+                  load.weights.push_back(
+                    {numbering.element_unknowns(e)[n * a + c],
+                     force * rule.integrals[a]});
+              }
+          }
+      }
+
+      /** Calls @p action for the rigid parts of all kinds. */
+      template <class Action>
+      void for_each_body(const Action &action) const
+      {
+        std::for_each(bodies.in_plane.begin(), bodies.in_plane.end(), action);
+        std::for_each(bodies.bars.begin(), bodies.bars.end(), action);
+        std::for_each(bodies.rotating.begin(), bodies.rotating.end(), action);
+      }
+
+      /** Adds a unit force per length along component @p c of the chosen rigid struts. */
+      void add_along_rigid_struts(const unsigned int       c,
+                                  const std::vector<bool> &chosen,
+                                  AppliedLoad             &load) const
+      {
+        for_each_body([&](const auto &body) {
+          for (const unsigned int number :
+               lattice.rigid_parts[body.part].struts)
+            if (const Strut &strut = lattice.struts[number]; chosen[number])
+              add_shares(force_shares(body,
+                                      lattice,
+                                      numbering,
+                                      lattice.centroid(strut),
+                                      c),
+                         lattice.length(strut),
+                         load);
+        });
+      }
+    };
+
   } // namespace
 
   std::vector<std::unique_ptr<Effect>>
@@ -259,25 +231,25 @@ namespace auxfem
   {
     const bool raised_from_zero =
       !scene.time.scheme->is_dynamic() && !scene.time.static_start;
-    std::vector<AppliedLoad>  dead;
-    std::vector<FollowerLoad> follower_loads;
+    Loads loads{scene, lattice, numbering, sections, bodies};
     for (const JointLoadDefinition &load : scene.joint_loads)
       // Without large rotations nothing turns.
       if (load.follows_joint && simulated.large_rotation)
-        add_follower_load(load, lattice, numbering, scene, follower_loads);
+        loads.add_following(load);
       else
-        add_dead_load(load, lattice, numbering, scene, dead);
-    add_line_loads(scene, lattice, numbering, bodies, dead);
+        loads.add_dead(load);
+    loads.add_line_loads();
     if (simulated.gravity)
-      add_gravity(scene, lattice, numbering, sections, bodies, dead);
+      loads.add_gravity();
     std::vector<std::unique_ptr<Effect>> effects;
-    if (!dead.empty())
-      effects.push_back(make_applied_loads(numbering, raised_from_zero, dead));
-    if (!follower_loads.empty())
+    if (!loads.dead.empty())
+      effects.push_back(
+        make_applied_loads(numbering, raised_from_zero, loads.dead));
+    if (!loads.following.empty())
       effects.push_back(make_follower_loads(lattice,
                                             numbering,
                                             raised_from_zero,
-                                            follower_loads));
+                                            loads.following));
     return effects;
   }
 } // namespace auxfem

@@ -35,21 +35,16 @@ namespace auxfem
     }
   } // namespace
 
-  std::vector<std::unique_ptr<Effect>>
-  make_masses(const Scene        &scene,
-              const Lattice      &lattice,
-              const DofNumbering &numbering,
-              const RigidBodies  &bodies,
-              const bool          large_rotation)
+  std::vector<std::unique_ptr<Effect>> make_masses(const Scene        &scene,
+                                                   const LatticeModel &model)
   {
+    const Lattice          &lattice   = model.lattice;
+    const DofNumbering     &numbering = model.numbering;
     std::vector<PointMass>  points;
     std::vector<RotaryMass> rotary;
     const bool              is_spatial = lattice.dimension == 3;
     for (const MassDefinition &mass : scene.masses)
-      for (const unsigned int joint : select_joints(lattice,
-                                                    mass.joints,
-                                                    scene.context,
-                                                    mass.path + "/Joints"))
+      for (const unsigned int joint : joints_of(mass, lattice, scene.context))
         {
           refuse_missing_rotation(mass, numbering, joint);
           for (const unsigned int c : numbering.components())
@@ -65,7 +60,7 @@ namespace auxfem
             rotary.push_back({numbering.rotations().with(spin),
                               along_global_axes(mass.rotary_inertia)});
         }
-    for (const RotatingBody &body : bodies.rotating)
+    for (const RotatingBody &body : model.bodies.rotating)
       {
         const RigidPart &part = lattice.rigid_parts[body.part];
         if (part.mass == 0)
@@ -79,8 +74,9 @@ namespace auxfem
     if (!points.empty())
       effects.push_back(make_point_masses(numbering, std::move(points)));
     if (!rotary.empty())
-      effects.push_back(
-        make_rotary_masses(numbering, large_rotation, std::move(rotary)));
+      effects.push_back(make_rotary_masses(numbering,
+                                           model.simulated.large_rotation,
+                                           std::move(rotary)));
     return effects;
   }
 } // namespace auxfem

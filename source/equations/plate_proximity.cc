@@ -352,11 +352,6 @@ namespace auxfem
     return "";
   }
 
-  double PlateProximity::thickness(const unsigned int axis) const
-  {
-    return axes[axis].half_thickness > 0 ? axes[axis].half_thickness : thickest;
-  }
-
   dealii::Tensor<1, 3> PlateProximity::displacement(const unsigned int axis,
                                                     const unsigned int point,
                                                     const State &state) const

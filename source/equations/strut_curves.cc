@@ -216,14 +216,6 @@ namespace auxfem
     return curve;
   }
 
-  void StrutCurves::shape(const unsigned int a,
-                          const double       parameter,
-                          double            *values,
-                          double            *slopes) const
-  {
-    basis_of[a]->values_at(parameter, values, slopes);
-  }
-
   bool StrutCurves::are_neighbours(const unsigned int one,
                                    const unsigned int other) const
   {

@@ -182,11 +182,6 @@ namespace auxfem
     return nodes.size() - 1;
   }
 
-  void ExpressionTree::set_root(const Index node)
-  {
-    root = node;
-  }
-
   void ExpressionTree::note_switch(const Index node)
   {
     const std::array<Index, 3> &operands = nodes[node].operands;

@@ -18,9 +18,4 @@ namespace auxfem
                context,
                path)
   {}
-
-  bool Condition::holds_at(const dealii::Point<3> &position)
-  {
-    return function.value_at(position) != 0.;
-  }
 } // namespace auxfem

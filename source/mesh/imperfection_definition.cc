@@ -78,8 +78,7 @@ namespace auxfem
        {"result",
         "Joints and the middles of struts are displaced as at the end of "
         "another run.",
-        {largest_offset, result_folder}}},
-      {Model::lattice}};
+        {largest_offset, result_folder}}}};
   }
 
   ImperfectionDefinition read_imperfection(const ParameterValues &values)

@@ -20,11 +20,7 @@ namespace auxfem
       boost::random::normal_distribution<double> distances(
         0.,
         definition.amplitude);
-      for (const unsigned int joint :
-           select_joints(lattice,
-                         definition.joints,
-                         context,
-                         definition.path + "/Joints"))
+      for (const unsigned int joint : joints_of(definition, lattice, context))
         for (unsigned int c = 0; c < lattice.dimension; ++c)
           added.joints[joint][c] = distances(generator);
       for (unsigned int i = 0; i < lattice.struts.size(); ++i)

@@ -126,10 +126,7 @@ namespace auxfem
       void take(const InitialVelocityDefinition &definition)
       {
         MovingSet set{&definition,
-                      select_joints(lattice,
-                                    definition.joints,
-                                    scene.context,
-                                    definition.path + "/Joints"),
+                      joints_of(definition, lattice, scene.context),
                       std::vector<bool>(lattice.joints.size(), false),
                       {}};
         for (const unsigned int joint : set.joints)
@@ -197,10 +194,7 @@ namespace auxfem
       {
         for (const SupportDefinition &support : scene.supports)
           for (const unsigned int joint :
-               select_joints(lattice,
-                             support.joints,
-                             scene.context,
-                             support.path + "/Joints"))
+               joints_of(support, lattice, scene.context))
             if (of_joints[joint])
               refuse_held(support, joint, *of_joints[joint]);
       }

@@ -116,17 +116,11 @@ namespace auxfem
         {
           std::vector<bool> chosen(lattice.struts.size(), false);
           for (const unsigned int s :
-               select_struts(lattice,
-                             definition.struts,
-                             scene.context,
-                             definition.path + "/Struts"))
+               struts_of(definition, lattice, scene.context))
             chosen[s] = true;
           JointRelease release{&definition, {}, {}};
           for (const unsigned int joint :
-               select_joints(lattice,
-                             definition.joints,
-                             scene.context,
-                             definition.path + "/Joints"))
+               joints_of(definition, lattice, scene.context))
             {
               JointRelease::AtJoint at{joint, {}, {}};
               for (const StrutEnd &end : ends_at[joint])

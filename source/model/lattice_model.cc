@@ -145,9 +145,4 @@ namespace auxfem
   {
     decision_on(simulated.decisions, decision.name) = decision;
   }
-
-  unsigned int LatticeModel::n_large_rotations() const
-  {
-    return simulated.large_rotation ? numbering.rotations().size() : 0;
-  }
 } // namespace auxfem

@@ -241,18 +241,6 @@ namespace auxfem
       add_global(part.motion);
   }
 
-  int DofNumbering::joint_unknown(const unsigned int joint,
-                                  const unsigned int component) const
-  {
-    return layout().local(numbers.joints[joint][component]);
-  }
-
-  bool DofNumbering::joint_has(const unsigned int joint,
-                               const unsigned int component) const
-  {
-    return numbers.joints[joint][component] >= 0;
-  }
-
   int DofNumbering::end_rotation(const unsigned int strut,
                                  const unsigned int end,
                                  const unsigned int component) const

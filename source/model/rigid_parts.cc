@@ -254,19 +254,13 @@ namespace auxfem
             add_part(scene,
                      d,
                      {},
-                     select_joints(lattice,
-                                   definition.joints,
-                                   scene.context,
-                                   definition.path + "/Joints"),
+                     joints_of(definition, lattice, scene.context),
                      lattice,
                      clamped_to);
             continue;
           }
         const std::vector<unsigned int> struts =
-          select_struts(lattice,
-                        definition.struts,
-                        scene.context,
-                        definition.path + "/Struts");
+          struts_of(definition, lattice, scene.context);
         refuse_second_definition(scene, definition, struts, lattice);
         std::vector<std::vector<unsigned int>> groups;
         if (definition.single_struts)

@@ -17,12 +17,6 @@ namespace auxfem
     rotations.push_back(spins);
   }
 
-  const std::array<int, 3> &
-  SpatialRotations::operator[](const unsigned int i) const
-  {
-    return rotations[i];
-  }
-
   unsigned int SpatialRotations::axis(const unsigned int unknown) const
   {
     const std::array<int, 3> &spins = rotations[of_unknown[unknown]];

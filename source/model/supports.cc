@@ -12,16 +12,6 @@ namespace auxfem
 {
   namespace
   {
-    std::vector<unsigned int> joints_of(const SupportDefinition &definition,
-                                        const Scene             &scene,
-                                        const Lattice           &lattice)
-    {
-      return select_joints(lattice,
-                           definition.joints,
-                           scene.context,
-                           definition.path + "/Joints");
-    }
-
     /** Keeps track of which support prescribes what, on all ranks. */
     class Holders
     {
@@ -121,7 +111,8 @@ namespace auxfem
   {
     std::vector<JointMotion> motions;
     for (const SupportDefinition &definition : scene.supports)
-      for (const unsigned int joint : joints_of(definition, scene, lattice))
+      for (const unsigned int joint :
+           joints_of(definition, lattice, scene.context))
         for (unsigned int c = 0; c < n_motion_components; ++c)
           if (definition.fixed[c])
             motions.push_back({joint, c});
@@ -141,7 +132,8 @@ namespace auxfem
         Support support{definition.name, {}, {}, definition.motion};
         for (TimeFunction &motion : support.motion)
           motion = proportional(motion, scene);
-        for (const unsigned int joint : joints_of(definition, scene, lattice))
+        for (const unsigned int joint :
+             joints_of(definition, lattice, scene.context))
           for (const unsigned int c : numbering.components())
             {
               if (!definition.fixed[c] ||

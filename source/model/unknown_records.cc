@@ -111,11 +111,6 @@ namespace auxfem
     , serial(serial_numbers(numbering, layout))
   {}
 
-  std::vector<unsigned int> UnknownRecords::owned() const
-  {
-    return {serial.begin(), serial.begin() + layout.n_owned()};
-  }
-
   void UnknownRecords::keep(const std::string &name,
                             const Vector      &values,
                             Records           &records) const

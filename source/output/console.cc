@@ -26,11 +26,6 @@ namespace auxfem
     }
   } // namespace
 
-  double Progress::fraction() const
-  {
-    return end_time > 0 ? std::min(1., std::max(0., time / end_time)) : 1;
-  }
-
   std::string format_duration(const double seconds)
   {
     const long long total =

@@ -20,31 +20,6 @@ namespace auxfem
     row_list.clear();
   }
 
-  void MemoryRecorder::start(const Solution &solution)
-  {
-    row_list.push_back(history->values(solution));
-  }
-
-  void MemoryRecorder::resume(const Solution &solution, const Records &records)
-  {
-    history->resume(solution.state, records);
-  }
-
-  void MemoryRecorder::save(Records &records) const
-  {
-    history->save(records);
-  }
-
-  std::optional<double> MemoryRecorder::next_time(const double time) const
-  {
-    return row_times.after(time);
-  }
-
-  void MemoryRecorder::between(const Solution &solution)
-  {
-    row_list.push_back(history->values(solution));
-  }
-
   void MemoryRecorder::step(const Solution &solution,
                             const StepReport & /*report*/)
   {

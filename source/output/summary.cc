@@ -13,7 +13,6 @@
 #include <sstream>
 
 #include <nlohmann/json.hpp>
-#include <sys/resource.h>
 
 namespace auxfem
 {
@@ -180,10 +179,17 @@ namespace auxfem
 
   double cpu_seconds()
   {
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    return usage.ru_utime.tv_sec + usage.ru_stime.tv_sec +
-      1e-6 * (usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
+    timespec time{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+    return time.tv_sec + 1e-9 * time.tv_nsec;
+  }
+
+  unsigned long peak_memory()
+  {
+    dealii::Utilities::System::MemoryStats memory{};
+    dealii::Utilities::System::get_memory_stats(memory);
+    constexpr unsigned long kilobyte = 1024;
+    return memory.VmHWM * kilobyte;
   }
 
   Resources gather_resources(const StartTimes &start,
@@ -193,9 +199,7 @@ namespace auxfem
   {
     namespace MPI = dealii::Utilities::MPI;
 
-    dealii::Utilities::System::MemoryStats memory;
-    dealii::Utilities::System::get_memory_stats(memory);
-    const unsigned long peak = memory.VmHWM * 1024; // it counts in kB
+    const unsigned long peak = peak_memory();
 
     std::array<double, 11> times{{wall_seconds,
                                   wall.setup,

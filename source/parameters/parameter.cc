@@ -295,8 +295,6 @@ namespace auxfem
                 unit,
                 range,
                 words,
-                0,
-                0,
                 default_value.empty()}
   {}
 
@@ -324,9 +322,9 @@ namespace auxfem
                 unit,
                 range,
                 words,
+                default_value.empty() && minimum_length > 0,
                 minimum_length,
-                maximum_length,
-                default_value.empty() && minimum_length > 0}
+                maximum_length}
   {}
 
 
@@ -390,8 +388,6 @@ namespace auxfem
                 "1",
                 Range::any(),
                 choices,
-                0,
-                0,
                 default_value.empty()}
   {}
 
@@ -408,8 +404,6 @@ namespace auxfem
                 "1",
                 Range::any(),
                 {},
-                0,
-                0,
                 required}
   {}
 
@@ -427,8 +421,6 @@ namespace auxfem
                 unit,
                 Range::any(),
                 words,
-                0,
-                0,
                 default_value.empty()}
   {}
 

@@ -207,13 +207,6 @@ namespace auxfem
 
 
 
-  std::string FileLocation::text() const
-  {
-    return line == 0 ? file : file + ":" + std::to_string(line);
-  }
-
-
-
   const ParameterEntry *
   ParameterSubsection::find_entry(const std::string &wanted) const
   {

@@ -44,13 +44,6 @@ namespace auxfem
 
 
 
-  bool ParameterValues::is_default(const Parameter &parameter) const
-  {
-    return text(parameter) == parameter.default_value;
-  }
-
-
-
   void ParameterValues::refuse(const Parameter   &parameter,
                                const std::string &reason) const
   {
@@ -63,13 +56,6 @@ namespace auxfem
   void ParameterValues::refuse(const std::string &reason) const
   {
     throw InputError(context.path + ": " + reason);
-  }
-
-
-
-  std::string ParameterValues::name() const
-  {
-    return context.path.substr(context.path.find('/') + 1);
   }
 
 

@@ -230,13 +230,6 @@ namespace auxfem
 
 
 
-  bool SubsectionSchema::serves(const Model model) const
-  {
-    return std::find(models.begin(), models.end(), model) != models.end();
-  }
-
-
-
   const std::string &text_of_free_entry(const ParameterValues &values)
   {
     return values.text(values.parameters.front());

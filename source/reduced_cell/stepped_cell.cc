@@ -76,16 +76,6 @@ namespace auxfem
   TwoStepGrid::TwoStepGrid(const std::array<CellVector, 4> &first) : x(first)
   {}
 
-  CellMotion TwoStepGrid::motion(const double dt) const
-  {
-    return {x[2], (x[3] - x[1]) / (2 * dt)};
-  }
-
-  void TwoStepGrid::shift(const CellVector &next)
-  {
-    x = {{x[1], x[2], x[3], next}};
-  }
-
   TwoStepScheme::TwoStepScheme(const Scene &scene) : scene(scene), cell(scene)
   {
     refuse_uneven_steps(scene);

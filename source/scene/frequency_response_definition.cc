@@ -67,10 +67,7 @@ namespace auxfem
              number_of_frequencies,
              spacing,
              time_of_amplitudes,
-             about_state},
-            "",
-            {},
-            {Model::lattice}};
+             about_state}};
   }
 
   FrequencyResponseDefinition

@@ -72,10 +72,7 @@ namespace auxfem
        damped,
        relaxations,
        amplitude,
-       pictures},
-      "",
-      {},
-      {Model::lattice}};
+       pictures}};
   }
 
   ModesDefinition read_modes(const ParameterValues &values)

@@ -89,10 +89,7 @@ namespace auxfem
              most_points,
              branch,
              opposite_side,
-             points_a_picture},
-            "",
-            {},
-            {Model::lattice}};
+             points_a_picture}};
   }
 
   PathDefinition read_path(const ParameterValues &values)

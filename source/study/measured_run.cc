@@ -3,18 +3,17 @@
 #include <auxfem/output/memory_recorder.h>
 #include <auxfem/output/summary.h>
 #include <auxfem/parameters/errors.h>
+#include <auxfem/parameters/named.h>
 #include <auxfem/reduced_cell/cell_history.h>
 #include <auxfem/reduced_cell/cell_run.h>
 #include <auxfem/study/measured_run.h>
 #include <auxfem/time/interruption.h>
 
 #include <deal.II/base/mpi.h>
-#include <deal.II/base/utilities.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <ctime>
 #include <fstream>
 #include <limits>
 
@@ -30,23 +29,6 @@ namespace auxfem
     using Clock = std::chrono::steady_clock;
 
     const std::string time_column = "time";
-
-    /** Of this process so far, system calls included. */
-    double processor_seconds()
-    {
-      timespec time{};
-      clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-      return time.tv_sec + 1e-9 * time.tv_nsec;
-    }
-
-    std::vector<std::string> names_of(const std::vector<Column> &columns)
-    {
-      std::vector<std::string> names;
-      names.reserve(columns.size());
-      for (const Column &column : columns)
-        names.push_back(column.name);
-      return names;
-    }
 
     /** Of lattices and of the reduced cell: keeps some columns of the history
      * and some fields, and counts unknowns. */
@@ -164,14 +146,6 @@ namespace auxfem
     {
       malloc_trim(0);
       std::ofstream("/proc/self/clear_refs") << "5";
-    }
-
-    unsigned long peak_memory()
-    {
-      dealii::Utilities::System::MemoryStats memory{};
-      dealii::Utilities::System::get_memory_stats(memory);
-      constexpr unsigned long kilobyte = 1024;
-      return memory.VmHWM * kilobyte;
     }
 
     /** nlohmann writes what is not finite as null. */
@@ -297,7 +271,7 @@ namespace auxfem
     MeasuredRun       run;
     SelectionRecorder recorder(scene, communicator, selection, progress, run);
     forget_peak_memory();
-    const double cpu_before = processor_seconds();
+    const double cpu_before = cpu_seconds();
     const auto   start      = Clock::now();
     try
       {
@@ -320,7 +294,7 @@ namespace auxfem
       }
     if (!run.completed())
       run.steps = recorder.n_steps();
-    run.cpu_seconds = mpi::sum(processor_seconds() - cpu_before, communicator);
+    run.cpu_seconds = mpi::sum(cpu_seconds() - cpu_before, communicator);
     run.wall_seconds =
       mpi::max(std::chrono::duration<double>(Clock::now() - start).count(),
                communicator);

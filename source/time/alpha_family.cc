@@ -11,11 +11,6 @@ namespace auxfem
     , c(coefficients)
   {}
 
-  bool AlphaFamily::keeps_massless_in_equilibrium() const
-  {
-    return c.gamma == 2 * c.beta;
-  }
-
   std::optional<double> AlphaFamily::error_constant() const
   {
     constexpr double round_off = 1e-12;

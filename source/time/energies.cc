@@ -74,21 +74,6 @@ namespace auxfem
     , values(entries->entries().size(), 0.)
   {}
 
-  const EnergyLedger &Energies::ledger() const
-  {
-    return *entries;
-  }
-
-  double &Energies::operator[](const unsigned int entry)
-  {
-    return values[entry];
-  }
-
-  double Energies::operator[](const unsigned int entry) const
-  {
-    return values[entry];
-  }
-
   double Energies::sum(const EnergyKind kind) const
   {
     double result = 0;
@@ -96,10 +81,5 @@ namespace auxfem
       if (entries->entries()[i].kind == kind)
         result += values[i];
     return result;
-  }
-
-  double Energies::external() const
-  {
-    return sum(EnergyKind::work);
   }
 } // namespace auxfem

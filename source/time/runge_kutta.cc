@@ -52,12 +52,6 @@ namespace auxfem
       }
   }
 
-  TangentFactors RungeKutta::factors(const State & /*from*/,
-                                     const double dt) const
-  {
-    return {1., 1 / dt, 1 / (dt * dt)};
-  }
-
   void RungeKutta::correct(const State  &from,
                            const Vector &increment,
                            const double  dt,

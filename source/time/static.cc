@@ -76,12 +76,6 @@ namespace auxfem
     put_at_rest(from, to);
   }
 
-  TangentFactors Equilibrium::factors(const State & /*from*/,
-                                      const double /*dt*/) const
-  {
-    return {1., 0., 0.};
-  }
-
   void Equilibrium::correct(const State & /*from*/,
                             const Vector &increment,
                             const double /*dt*/,

@@ -4,9 +4,4 @@ namespace auxfem
 {
   TimeScheme::TimeScheme(const std::string &name) : scheme_name(name)
   {}
-
-  double ImplicitScheme::amplification(const double /*angle*/) const
-  {
-    return 1;
-  }
 } // namespace auxfem

@@ -44,10 +44,16 @@ namespace auxfem
     }
 
     /** The rows that are left. */
-    const JointRows &rows() const;
+    const JointRows &rows() const
+    {
+      return *joint_rows;
+    }
 
     /** S. */
-    const SparseMatrix &matrix() const;
+    const SparseMatrix &matrix() const
+    {
+      return *left;
+    }
 
     /** Negative eigenvalues of A_EE of this rank, if A is symmetric. */
     unsigned long n_negative() const

@@ -23,7 +23,10 @@ namespace auxfem
     unsigned int block_size() const;
 
     /** The rows; ghosts are those of the unknowns' own ghosts. */
-    const UnknownLayout &layout() const;
+    const UnknownLayout &layout() const
+    {
+      return *row_layout;
+    }
 
     /** Row of a local unknown; none if it was not taken. */
     std::optional<unsigned int> row(const unsigned int unknown) const
@@ -41,7 +44,10 @@ namespace auxfem
      * The rows as unknowns of their own, those that stand for nothing
      * prescribed; rotations need no length any more.
      */
-    const Unknowns &as_unknowns() const;
+    const Unknowns &as_unknowns() const
+    {
+      return *own_unknowns;
+    }
 
     /**
      * Motions of the lattice as a rigid body: the translations, then the

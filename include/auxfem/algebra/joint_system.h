@@ -62,7 +62,10 @@ namespace auxfem
 
     /** Local unknowns of the system at the ends of strut @p number, first node
      * first. */
-    const int *ends(std::size_t number) const;
+    const int *ends(const std::size_t number) const
+    {
+      return end_unknowns.data() + number * n_ends;
+    }
 
   private:
     /** What goes to one rank. */

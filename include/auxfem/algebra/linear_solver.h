@@ -95,7 +95,11 @@ namespace auxfem
      * on as many ranks. */
     ///@{
     std::vector<double> pivot_entries() const;
-    void                take_pivots_of(const std::vector<double> &entries);
+
+    void take_pivots_of(const std::vector<double> &entries)
+    {
+      given_pivots = entries;
+    }
     ///@}
 
     /** Memory of all factors on this rank (bytes). */

@@ -22,10 +22,16 @@ namespace auxfem
     RowMigration(const SparseMatrix &matrix, const Unknowns &unknowns);
 
     /** The unknowns where they are now. */
-    const Unknowns &unknowns() const;
+    const Unknowns &unknowns() const
+    {
+      return *new_unknowns;
+    }
 
     /** The matrix where it is now, with the entries of the last fill(). */
-    const SparseMatrix &matrix() const;
+    const SparseMatrix &matrix() const
+    {
+      return *new_matrix;
+    }
 
     /** Takes the entries of @p matrix, whose pattern the constructor got. */
     void fill(const SparseMatrix &matrix);

@@ -88,7 +88,10 @@ namespace auxfem
     void expand(std::vector<double> &z, std::vector<double> &values) const;
 
     /** Memory of the factors (bytes). */
-    std::size_t memory() const;
+    std::size_t memory() const
+    {
+      return factors.size() * sizeof(double);
+    }
 
   private:
     void        follow_pattern();
@@ -140,7 +143,10 @@ namespace auxfem
     ///@}
 
     /** Of nodes between elements, which stand symmetrized. */
-    Symmetry symmetry_of_nodes() const;
+    Symmetry symmetry_of_nodes() const
+    {
+      return symmetry == Symmetry::enforced ? Symmetry::given : symmetry;
+    }
 
     const TangentMatrix         &tangent;
     unsigned long                built_version = 0;

@@ -56,7 +56,10 @@ namespace auxfem
       return changes;
     }
 
-    const Unknowns &unknowns() const;
+    const Unknowns &unknowns() const
+    {
+      return *all;
+    }
 
     std::size_t n_blocks() const
     {

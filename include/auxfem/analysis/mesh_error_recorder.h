@@ -23,7 +23,10 @@ namespace auxfem
                       const OrderReport &report = {});
 
     /** What was found; nullptr before the run has begun. */
-    const MeshError *error() const;
+    const MeshError *error() const
+    {
+      return estimate.get();
+    }
 
     /** @p result with what was found out about the elements. */
     RunResult completed(RunResult result) const;

@@ -63,7 +63,10 @@ namespace auxfem
     double accept(const Evaluation &step);
 
     /** Steps before do not count in the third difference any more. */
-    void forget();
+    void forget()
+    {
+      displacements.forget();
+    }
 
     /** Of all steps together, as far as the scheme has not damped it, relative
      * to the largest motions; the largest so far. */

@@ -37,7 +37,10 @@ namespace auxfem
     void residual(const Evaluation &evaluation, EvaluationResults &results);
 
     /** Counts Work::shortened. */
-    void count_shortened();
+    void count_shortened()
+    {
+      ++work.shortened;
+    }
 
     /** Equations::tangent() into matrix(). */
     void assemble(const Evaluation        &evaluation,

@@ -52,10 +52,16 @@ namespace auxfem
     void resume(Solution &solution, const Records &records);
 
     /** For what has to be solved before the start. */
-    TangentSolver &solver();
+    TangentSolver &solver()
+    {
+      return solvers->tangent;
+    }
 
     /** Estimated error of all steps so far, relative, where steps follow it. */
-    std::optional<double> estimated_error() const;
+    std::optional<double> estimated_error() const
+    {
+      return error ? std::optional<double>(error->total()) : std::nullopt;
+    }
 
     /** Those that look at its steps. */
     Watches &watches()

@@ -66,16 +66,28 @@ namespace auxfem
     explicit EnergyAccount(const Evaluation &step);
 
     /** Adds an amount there is now (J). */
-    void add(unsigned int entry, double energy);
+    void add(const unsigned int entry, const double energy)
+    {
+      amounts[entry] += energy;
+    }
 
     /** Adds what was dissipated, taken, or done as work in the step (J). */
-    void add_in_step(unsigned int entry, double energy);
+    void add_in_step(const unsigned int entry, const double energy)
+    {
+      sums[entry] += energy;
+    }
 
     /** Adds what a power (W) at a stage contributes to that. */
-    void add_power(unsigned int entry, double power);
+    void add_power(const unsigned int entry, const double power)
+    {
+      sums[entry] += step.weight * power;
+    }
 
     /** Whether the evaluation is a step, so that it has a motion. */
-    bool takes_time() const;
+    bool takes_time() const
+    {
+      return step.dt > 0 && step.kind != Evaluation::Kind::stage;
+    }
 
     /** Of the step, which takes time. */
     const StepMotion &motion();

@@ -93,7 +93,10 @@ namespace auxfem
     }
 
     /** Those of the model, with the ghosts that effects have asked for. */
-    const Unknowns &unknowns() const;
+    const Unknowns &unknowns() const
+    {
+      return with_ghosts ? *with_ghosts : structure.numbering.unknowns();
+    }
 
     /** Whether one tangent serves all states (for a constant step). */
     bool is_linear() const;

@@ -33,31 +33,14 @@ namespace auxfem
    * parts that have a rotation of their own, as effects. Throws InputError for
    * rotary inertia on a joint without rotation.
    */
-  std::vector<std::unique_ptr<Effect>>
-  make_masses(const Scene        &scene,
-              const Lattice      &lattice,
-              const DofNumbering &numbering,
-              const RigidBodies  &bodies,
-              bool                large_rotation);
+  std::vector<std::unique_ptr<Effect>> make_masses(const Scene        &scene,
+                                                   const LatticeModel &model);
 
-  /**
-   * The rotational springs of this rank. nullptr if the scene has none.
-   * @param large_rotations whether there are large rotations in space.
-   */
-  std::unique_ptr<Effect>
-  make_rotational_springs(const std::vector<JointRelease> &releases,
-                          const DofNumbering              &numbering,
-                          bool                             large_rotations);
+  /** The rotational springs of this rank. nullptr if the scene has none. */
+  std::unique_ptr<Effect> make_rotational_springs(const LatticeModel &model);
 
-  /**
-   * The revolute hinges. nullptr if the scene has none.
-   * @param length by which their constraints become lengths (m).
-   */
-  std::unique_ptr<Constraints>
-  make_revolute_hinges(const std::vector<JointRelease> &releases,
-                       const DofNumbering              &numbering,
-                       bool                             large_rotation,
-                       double                           length);
+  /** The revolute hinges. nullptr if the scene has none. */
+  std::unique_ptr<Constraints> make_revolute_hinges(const LatticeModel &model);
 
   /**
    * Joint loads, line loads and weight of struts, rigid parts and point masses

@@ -87,7 +87,11 @@ namespace auxfem
 
     /** Half of it (m), of a rigid strut without a section that of the thickest
      * one. */
-    double thickness(unsigned int axis) const;
+    double thickness(const unsigned int axis) const
+    {
+      return axes[axis].half_thickness > 0 ? axes[axis].half_thickness
+                                           : thickest;
+    }
 
     /** Displacement of a point of an axis that this rank counts (m). */
     dealii::Tensor<1, 3> displacement(unsigned int axis,

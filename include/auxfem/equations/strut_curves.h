@@ -40,10 +40,13 @@ namespace auxfem
 
     /** Shape functions of the nodes of an axis at a parameter, and their
      * derivatives if @p slopes is given. */
-    void shape(unsigned int axis,
-               double       parameter,
-               double      *values,
-               double      *slopes = nullptr) const;
+    void shape(const unsigned int axis,
+               const double       parameter,
+               double            *values,
+               double            *slopes = nullptr) const
+    {
+      basis_of[axis]->values_at(parameter, values, slopes);
+    }
 
     /** By how much an axis turns (rad): the largest derivative of the motion
      * along it, at as many points as it has nodes.

@@ -76,7 +76,10 @@ namespace auxfem
     Index constant(double value);
 
     /** Makes @p node the value of the expression. */
-    void set_root(Index node);
+    void set_root(const Index node)
+    {
+      root = node;
+    }
 
     /** All nodes at the time, or over the span of time, @p t. */
     template <typename Number>

@@ -22,7 +22,10 @@ namespace auxfem
               const std::string  &path);
 
     /** Throws InputError if the value at @p position is not a number. */
-    bool holds_at(const dealii::Point<3> &position);
+    bool holds_at(const dealii::Point<3> &position)
+    {
+      return function.value_at(position) != 0.;
+    }
 
   private:
     PositionFunction function;

@@ -29,6 +29,31 @@ namespace auxfem
                                           const SceneContext &context,
                                           const std::string  &path);
 
+  /** @name What the parameter `Joints` or `Struts` of @p definition names. */
+  ///@{
+  template <class Definition>
+  std::vector<unsigned int> joints_of(const Definition   &definition,
+                                      const Lattice      &lattice,
+                                      const SceneContext &context)
+  {
+    return select_joints(lattice,
+                         definition.joints,
+                         context,
+                         definition.path + "/Joints");
+  }
+
+  template <class Definition>
+  std::vector<unsigned int> struts_of(const Definition   &definition,
+                                      const Lattice      &lattice,
+                                      const SceneContext &context)
+  {
+    return select_struts(lattice,
+                         definition.struts,
+                         context,
+                         definition.path + "/Struts");
+  }
+  ///@}
+
   /**
    * Connector pairs named by `between`: a pair set of the cell, `3 5; 7 9`, or
    * `ground: JOINTS`. Throws InputError naming @p path: unknown pairs (with the

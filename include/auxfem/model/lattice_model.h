@@ -46,7 +46,10 @@ namespace auxfem
     const RigidBodies          bodies;
 
     /** Rotations in space kept as quaternions; none if they stay small. */
-    unsigned int n_large_rotations() const;
+    unsigned int n_large_rotations() const
+    {
+      return simulated.large_rotation ? numbering.rotations().size() : 0;
+    }
 
     /** On the effect of this name. */
     const EffectDecision &decision(const std::string &effect) const;

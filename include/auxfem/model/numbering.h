@@ -137,10 +137,17 @@ namespace auxfem
      * not exist (in the plane, or all struts released) or is not kept on this
      * rank.
      */
-    int joint_unknown(unsigned int joint, unsigned int component) const;
+    int joint_unknown(const unsigned int joint,
+                      const unsigned int component) const
+    {
+      return layout().local(numbers.joints[joint][component]);
+    }
 
     /** Whether a joint has this unknown at all, known on every rank. */
-    bool joint_has(unsigned int joint, unsigned int component) const;
+    bool joint_has(const unsigned int joint, const unsigned int component) const
+    {
+      return numbers.joints[joint][component] >= 0;
+    }
 
     /**
      * Local number of a component of the rotation of a strut's end, released

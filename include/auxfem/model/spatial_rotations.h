@@ -25,7 +25,10 @@ namespace auxfem
     }
 
     /** Local numbers of the spins of rotation @p i. */
-    const std::array<int, 3> &operator[](unsigned int i) const;
+    const std::array<int, 3> &operator[](const unsigned int i) const
+    {
+      return rotations[i];
+    }
 
     std::vector<std::array<int, 3>>::const_iterator begin() const
     {

@@ -39,7 +39,10 @@ namespace auxfem
     Vector values(const std::string &name, const Records &records) const;
 
   private:
-    std::vector<unsigned int> owned() const;
+    std::vector<unsigned int> owned() const
+    {
+      return {serial.begin(), serial.begin() + layout.n_owned()};
+    }
 
     const UnknownLayout            &layout;
     const std::vector<unsigned int> serial; ///< numbers, of local unknowns

@@ -3,6 +3,7 @@
 
 #include <auxfem/time/state.h>
 
+#include <algorithm>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -35,7 +36,10 @@ namespace auxfem
     std::optional<PathPosition> path;
 
     /** Part of the time that is done, in [0, 1]. */
-    double fraction() const;
+    double fraction() const
+    {
+      return end_time > 0 ? std::min(1., std::max(0., time / end_time)) : 1;
+    }
   };
 
   /** @p text in indented lines that fit on a screen, without the last line

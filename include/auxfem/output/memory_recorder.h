@@ -23,11 +23,32 @@ namespace auxfem
     MemoryRecorder(const Scene &scene, MPI_Comm communicator);
 
     void begin(const Equations &equations) override;
-    void start(const Solution &solution) override;
-    void resume(const Solution &solution, const Records &records) override;
-    void save(Records &records) const override;
-    std::optional<double> next_time(double time) const override;
-    void                  between(const Solution &solution) override;
+
+    void start(const Solution &solution) override
+    {
+      row_list.push_back(history->values(solution));
+    }
+
+    void resume(const Solution &solution, const Records &records) override
+    {
+      history->resume(solution.state, records);
+    }
+
+    void save(Records &records) const override
+    {
+      history->save(records);
+    }
+
+    std::optional<double> next_time(const double time) const override
+    {
+      return row_times.after(time);
+    }
+
+    void between(const Solution &solution) override
+    {
+      row_list.push_back(history->values(solution));
+    }
+
     void step(const Solution &solution, const StepReport &report) override;
 
     const std::vector<Column> &columns() const

@@ -53,6 +53,9 @@ namespace auxfem
   /** Processor time of this process since its start (s). */
   double cpu_seconds();
 
+  /** The most memory that this process has had in use (bytes). */
+  unsigned long peak_memory();
+
   /**
    * Resources of all ranks since their start. Collective.
    * @param start, wall_seconds, wall times of this rank.

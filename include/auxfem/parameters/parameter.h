@@ -83,10 +83,10 @@ namespace auxfem
     Range       range = {};
     /** Words allowed besides numbers, or the choices. */
     std::vector<std::string> words = {};
-    /** How many numbers a list may have. */
-    unsigned int minimum_length = 0, maximum_length = 0;
     /** The default is empty and the user must give a value. */
     bool required = false;
+    /** How many numbers a list may have. */
+    unsigned int minimum_length = 0, maximum_length = 0;
 
     /**
      * What is wrong with @p text, a clause for an error message; empty if

@@ -15,7 +15,10 @@ namespace auxfem
     unsigned int line = 0;
 
     /** `lattice.prm:12` or `command line`. */
-    std::string text() const;
+    std::string text() const
+    {
+      return line == 0 ? file : file + ":" + std::to_string(line);
+    }
   };
 
   /** `set NAME = VALUE` as found; nothing is known yet about what it means. */

@@ -57,7 +57,10 @@ namespace auxfem
       return parameter.is_word(text(parameter));
     }
 
-    bool is_default(const Parameter &parameter) const;
+    bool is_default(const Parameter &parameter) const
+    {
+      return text(parameter) == parameter.default_value;
+    }
 
     /**
      * Throws InputError: the value of @p parameter is wrong in this scene,
@@ -71,7 +74,10 @@ namespace auxfem
 
     /** The user's name of the subsection or entry, the last part of its path.
      */
-    std::string name() const;
+    std::string name() const
+    {
+      return context.path.substr(context.path.find('/') + 1);
+    }
 
     /** The parameters in the order of their declaration. */
     const Parameters parameters;

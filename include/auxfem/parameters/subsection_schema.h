@@ -4,6 +4,7 @@
 #include <auxfem/parameters/mistakes.h>
 #include <auxfem/parameters/parameter_values.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -47,7 +48,10 @@ namespace auxfem
     /** Models whose scenes may have this subsection. */
     std::vector<Model> models = {Model::lattice};
 
-    bool serves(Model model) const;
+    bool serves(const Model model) const
+    {
+      return std::find(models.begin(), models.end(), model) != models.end();
+    }
   };
 
   /** The text of a Form::free_entries entry. */

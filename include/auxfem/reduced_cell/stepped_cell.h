@@ -70,7 +70,10 @@ namespace auxfem
     explicit TwoStepGrid(const std::array<CellVector, 4> &first);
 
     /** Position at i; velocity [x(i+1) - x(i-1)] / (2 dt). */
-    CellMotion motion(double dt) const;
+    CellMotion motion(const double dt) const
+    {
+      return {x[2], (x[3] - x[1]) / (2 * dt)};
+    }
 
     /** x(i-2). */
     const CellVector &before() const
@@ -79,7 +82,10 @@ namespace auxfem
     }
 
     /** Goes on to i + 1; @p next is x(i+2). */
-    void shift(const CellVector &next);
+    void shift(const CellVector &next)
+    {
+      x = {{x[1], x[2], x[3], next}};
+    }
 
   private:
     std::array<CellVector, 4> x;

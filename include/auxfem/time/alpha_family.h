@@ -76,7 +76,11 @@ namespace auxfem
      * 1/6; gamma = 1/2 - delta makes the order two.
      */
     std::optional<double> error_constant() const override;
-    bool                  keeps_massless_in_equilibrium() const override;
+
+    bool keeps_massless_in_equilibrium() const override
+    {
+      return c.gamma == 2 * c.beta;
+    }
 
   private:
     /** Rates of unknowns without mass in a step of @p dt to @p trial. */

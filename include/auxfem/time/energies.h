@@ -71,10 +71,20 @@ namespace auxfem
     /** All zero. */
     explicit Energies(std::shared_ptr<const EnergyLedger> ledger);
 
-    const EnergyLedger &ledger() const;
+    const EnergyLedger &ledger() const
+    {
+      return *entries;
+    }
 
-    double &operator[](unsigned int entry);
-    double  operator[](unsigned int entry) const;
+    double &operator[](const unsigned int entry)
+    {
+      return values[entry];
+    }
+
+    double operator[](const unsigned int entry) const
+    {
+      return values[entry];
+    }
 
     /** Amounts in the order of the entries. */
     std::vector<double> &amounts()
@@ -119,7 +129,10 @@ namespace auxfem
     }
 
     /** Work of loads and prescribed motion. */
-    double external() const;
+    double external() const
+    {
+      return sum(EnergyKind::work);
+    }
     ///@}
 
     /** Mechanical energy: kinetic + strain + stored. */

@@ -73,11 +73,17 @@ namespace auxfem
     RungeKutta(const std::string &name, const ButcherTableau &tableau);
 
     void predict(const State &from, double dt, State &to) const override;
-    TangentFactors factors(const State &from, double dt) const override;
-    void           correct(const State  &from,
-                           const Vector &increment,
-                           double        dt,
-                           State        &trial) const override;
+
+    TangentFactors factors(const State & /*from*/,
+                           const double dt) const override
+    {
+      return {1., 1 / dt, 1 / (dt * dt)};
+    }
+
+    void correct(const State  &from,
+                 const Vector &increment,
+                 double        dt,
+                 State        &trial) const override;
 
     /** Their positions are constraints. */
     std::optional<std::string> note_on_rigid_parts() const override;

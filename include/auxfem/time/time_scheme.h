@@ -151,7 +151,10 @@ namespace auxfem
      * by
      * @p angle (rad) in it, of a scheme with stages.
      */
-    virtual double amplification(double angle) const;
+    virtual double amplification(const double /*angle*/) const
+    {
+      return 1;
+    }
 
     /**
      * Part of its way that an oscillation misses in a step, of which the

@@ -30,11 +30,6 @@ namespace auxfem
     return deviation;
   }
 
-  double PathTangent::deviation_of_load(const double length) const
-  {
-    return length * length / 2 * load_bend;
-  }
-
   void PathTangent::save(const DofNumbering &numbering, Records &records) const
   {
     const UnknownRecords unknowns(numbering);
@@ -91,15 +86,5 @@ namespace auxfem
     evaluation.to.path->load_factor -= part * last_load;
     add_multiple(1., way_back, off_tangent);
     load_off_tangent -= part * last_load;
-  }
-
-  double ArcLength::deviation() const
-  {
-    return metric.length(off_tangent);
-  }
-
-  double ArcLength::deviation_of_load() const
-  {
-    return std::abs(load_off_tangent);
   }
 } // namespace auxfem

@@ -28,16 +28,6 @@ namespace auxfem
     , smallest(smallest_part * first)
   {}
 
-  double PathStepLength::length() const
-  {
-    return next;
-  }
-
-  void PathStepLength::limit(const double most)
-  {
-    next = std::min(next, most);
-  }
-
   void PathStepLength::reached(const double distance, const double load_factor)
   {
     largest_distance = std::max(largest_distance, distance);

@@ -224,16 +224,6 @@ namespace auxfem
     }
   } // namespace
 
-  double NaturalMode::angular_frequency() const
-  {
-    return eigenvalue > 0 ? std::sqrt(eigenvalue) : 0.;
-  }
-
-  double NaturalMode::growth_rate() const
-  {
-    return eigenvalue < 0 ? std::sqrt(-eigenvalue) : 0.;
-  }
-
   bool has_natural_modes(TangentSolver &solver, const State &state)
   {
     const Equations  &equations  = solver.equations();

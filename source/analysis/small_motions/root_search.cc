@@ -25,11 +25,6 @@ namespace auxfem
     , n_given(known.size())
   {}
 
-  unsigned int RootSearch::weight(const Root &root)
-  {
-    return root.s.imag() > 0 ? 2 : 1;
-  }
-
   unsigned int RootSearch::weight() const
   {
     unsigned int sum = 0;
@@ -37,11 +32,6 @@ namespace auxfem
       if (region.contains(root.s))
         sum += weight(root);
     return sum;
-  }
-
-  unsigned int RootSearch::n_missing(const unsigned int n) const
-  {
-    return std::max(n, weight()) - weight();
   }
 
   /** Newton's method for det A, to four digits, with the roots that are known

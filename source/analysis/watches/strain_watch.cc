@@ -18,6 +18,53 @@ namespace auxfem
      */
     constexpr double doubtful_strain = 0.5, ruinous_strain = 1;
 
+    /** Strains beyond what is allowed. */
+    struct Excess
+    {
+      Occurrence first, largest;
+      double     strain;  ///< the largest
+      bool       on_path; ///< of equilibria, in place of time
+    };
+
+    Finding doubtful_strain_finding(const Excess &excess)
+    {
+      const std::string location =
+        "strut " + std::to_string(excess.largest.number);
+      std::ostringstream text;
+      text.precision(3);
+      text << "The strain reaches " << 100 * excess.strain << " % in an outer "
+           << "fibre of " << location
+           << ". Stress in proportion to strain and sections that keep their "
+              "shape, which beams here are made of, do not hold beyond some "
+           << 100 * doubtful_strain
+           << " % for any material: check loads, sections and units.";
+      return {excess.strain > ruinous_strain ? Verdict::not_to_be_used
+                                             : Verdict::doubtful,
+              text.str(),
+              excess.largest.time,
+              location};
+    }
+
+    Finding yield_finding(const Excess &excess)
+    {
+      const std::string location =
+        "strut " + std::to_string(excess.first.number);
+      std::ostringstream text;
+      text.precision(3);
+      text << "The material yields from about "
+           << moment_text(excess.on_path, excess.first.time, 3)
+           << " on, first in " << location << "; strut "
+           << excess.largest.number << " reaches a strain of "
+           << 100 * excess.strain << " % in an outer fibre at "
+           << moment_text(excess.on_path, excess.largest.time, 3)
+           << ", its Yield strain is "
+           << 100 * excess.strain / excess.largest.size
+           << " %. Struts here stay elastic; real ones are softer from there "
+              "on and keep a part of the deformation. Reduce the load, or use "
+              "the results until then.";
+      return {Verdict::doubtful, text.str(), excess.first.time, location};
+    }
+
     /** Of strains beyond what the section of a strut may have. */
     class StrainLimit : public Watch
     {
@@ -25,11 +72,13 @@ namespace auxfem
       /** @param allowed by section; infinite where any is. */
       StrainLimit(const Equations          &equations,
                   const std::vector<double> allowed,
-                  const std::string        &name)
+                  const std::string        &name,
+                  Finding (*finding)(const Excess &))
         : allowed(allowed)
         , equations(equations)
         , communicator(equations.unknowns().layout.communicator())
         , name(name)
+        , finding(finding)
       {}
 
       void step(const Evaluation        &step,
@@ -55,12 +104,12 @@ namespace auxfem
                    largest = beyond.largest_of_all(communicator);
         if (!first)
           return {};
-        return {finding(
-          *first,
-          *largest,
-          largest->size *
-            allowed
-              [equations.model().lattice.struts[largest->number].section])};
+        const double allowed_there =
+          allowed[equations.model().lattice.struts[largest->number].section];
+        return {finding({*first,
+                         *largest,
+                         largest->size * allowed_there,
+                         equations.layout().path})};
       }
 
       void save(Records &records) const override
@@ -73,52 +122,13 @@ namespace auxfem
         beyond.resume(records, name);
       }
 
-    protected:
-      /** @param strain the largest. */
-      virtual Finding finding(const Occurrence &first,
-                              const Occurrence &largest,
-                              double            strain) const = 0;
-
+    private:
       const std::vector<double> allowed;
-
-      const Equations &equations;
-
-    private:
-      const MPI_Comm    communicator;
-      const std::string name;
-      Occurrences       beyond; ///< strains over what is allowed
-    };
-
-    class StrainWatch : public StrainLimit
-    {
-    public:
-      explicit StrainWatch(const Equations &equations)
-        : StrainLimit(equations,
-                      std::vector<double>(equations.model().sections.size(),
-                                          doubtful_strain),
-                      strain_record)
-      {}
-
-    private:
-      Finding finding(const Occurrence & /*first*/,
-                      const Occurrence &largest,
-                      const double      strain) const override
-      {
-        const std::string  location = "strut " + std::to_string(largest.number);
-        std::ostringstream text;
-        text.precision(3);
-        text << "The strain reaches " << 100 * strain << " % in an outer "
-             << "fibre of " << location
-             << ". Stress in proportion to strain and sections that keep their "
-                "shape, which beams here are made of, do not hold beyond some "
-             << 100 * doubtful_strain
-             << " % for any material: check loads, sections and units.";
-        return {strain > ruinous_strain ? Verdict::not_to_be_used
-                                        : Verdict::doubtful,
-                text.str(),
-                largest.time,
-                location};
-      }
+      const Equations          &equations;
+      const MPI_Comm            communicator;
+      const std::string         name;
+      Finding (*const finding)(const Excess &);
+      Occurrences beyond; ///< strains over what is allowed
     };
 
     std::vector<double> yield_strains(const std::vector<Section> &sections)
@@ -130,46 +140,23 @@ namespace auxfem
       return strains;
     }
 
-    class YieldWatch : public StrainLimit
-    {
-    public:
-      explicit YieldWatch(const Equations &equations)
-        : StrainLimit(equations,
-                      yield_strains(equations.model().sections),
-                      yield_record)
-      {}
-
-    private:
-      Finding finding(const Occurrence &first,
-                      const Occurrence &largest,
-                      const double      strain) const override
-      {
-        const std::string  location = "strut " + std::to_string(first.number);
-        std::ostringstream text;
-        text.precision(3);
-        text
-          << "The material yields from about "
-          << moment_text(equations.layout().path, first.time, 3)
-          << " on, first in " << location << "; strut " << largest.number
-          << " reaches a strain of " << 100 * strain
-          << " % in an outer fibre at "
-          << moment_text(equations.layout().path, largest.time, 3)
-          << ", its Yield strain is " << 100 * strain / largest.size
-          << " %. Struts here stay elastic; real ones are softer from there "
-             "on and keep a part of the deformation. Reduce the load, or use "
-             "the results until then.";
-        return {Verdict::doubtful, text.str(), first.time, location};
-      }
-    };
   } // namespace
 
   std::unique_ptr<Watch> make_strain_watch(const Equations &equations)
   {
-    return std::make_unique<StrainWatch>(equations);
+    return std::make_unique<StrainLimit>(
+      equations,
+      std::vector<double>(equations.model().sections.size(), doubtful_strain),
+      strain_record,
+      doubtful_strain_finding);
   }
 
   std::unique_ptr<Watch> make_yield_watch(const Equations &equations)
   {
-    return std::make_unique<YieldWatch>(equations);
+    return std::make_unique<StrainLimit>(equations,
+                                         yield_strains(
+                                           equations.model().sections),
+                                         yield_record,
+                                         yield_finding);
   }
 } // namespace auxfem

@@ -34,25 +34,15 @@ namespace auxfem
                         const DofNumbering::Group  &group,
                         const std::vector<Section> &sections,
                         const bool                  rotary_inertia)
-        : StrutInertia(damped)
-        , numbering(numbering)
-        , group(group)
+        : StrutInertia(lattice, numbering, group, sections, damped)
         , node_rotations(numbering)
         , rotary(rotary_inertia)
       {
-        for (unsigned int e = group.begin; e < group.end; ++e)
-          {
-            const DofNumbering::Element &element = numbering.elements()[e];
-            const Strut   &strut    = lattice.struts[element.interval.strut];
-            const Section &section  = sections[strut.section];
-            const double   jacobian = lattice.length(strut) *
-              (element.interval.end - element.interval.begin) / 2;
-            elements.push_back({section.mass_per_length() * jacobian,
-                                section.mass_proportional_damping,
-                                element.is_owned});
-            if (rotary)
-              add_rotary_inertia(lattice, element.interval, section, jacobian);
-          }
+        for (unsigned int e = 0; e < elements.size() && rotary; ++e)
+          add_rotary_inertia(lattice,
+                             numbering.elements()[group.begin + e].interval,
+                             elements[e].section,
+                             elements[e].half_length);
       }
 
       bool is_linear() const override
@@ -126,26 +116,9 @@ namespace auxfem
       }
 
     private:
-      double mass_product(const Vector &x, const Vector &y) const override
-      {
-        return product(x, y, [](const Element &) { return 1.; });
-      }
-
-      double damping_product(const Vector &x, const Vector &y) const override
-      {
-        return product(x, y, [](const Element &e) { return e.damping; });
-      }
-
       static constexpr int n_components = 6;
       static constexpr int n            = n_components * (order + 1);
       static constexpr int n_pairs      = (order + 1) * (order + 1);
-
-      struct Element
-      {
-        double mass;    ///< rho A times half the length (kg)
-        double damping; ///< alpha (1/s)
-        bool   owned;
-      };
 
       /** What the nodes of an element do in turning. */
       struct Rotating
@@ -357,9 +330,9 @@ namespace auxfem
           }
       }
 
-      template <class Weight>
-      double
-      product(const Vector &x, const Vector &y, const Weight &weight) const
+      double product(const Vector &x,
+                     const Vector &y,
+                     const Weight  weight) const override
       {
         double sum = 0;
         for (unsigned int e = 0; e < elements.size(); ++e)
@@ -385,12 +358,9 @@ namespace auxfem
         return sum;
       }
 
-      const DofNumbering       &numbering;
-      const DofNumbering::Group group;
-      const NodeRotations       node_rotations;
-      const bool                rotary;
-      const BeamShape<order>    shape;
-      std::vector<Element>      elements;
+      const NodeRotations    node_rotations;
+      const bool             rotary;
+      const BeamShape<order> shape;
       /** M_ab (kg m2), n_pairs an element; none without rotary inertia. */
       std::vector<SpaceTensor> pair_inertias;
     };

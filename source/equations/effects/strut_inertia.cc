@@ -18,25 +18,13 @@ namespace auxfem
                         const DofNumbering::Group  &group,
                         const std::vector<Section> &sections,
                         const bool                  rotary_inertia)
-        : StrutInertia(damped)
-        , numbering(numbering)
-        , group(group)
+        : StrutInertia(lattice, numbering, group, sections, damped)
       {
-        for (unsigned int e = group.begin; e < group.end; ++e)
-          {
-            const DofNumbering::Element &element = numbering.elements()[e];
-            const Strut   &strut    = lattice.struts[element.interval.strut];
-            const Section &section  = sections[strut.section];
-            const double   jacobian = lattice.length(strut) *
-              (element.interval.end - element.interval.begin) / 2;
-            elements.push_back(
-              {section.mass_per_length() * jacobian,
-               rotary_inertia
-                 ? section.rotary_inertia_per_length()[2] * jacobian
-                 : 0.,
-               section.mass_proportional_damping,
-               element.is_owned});
-          }
+        for (const Element &element : elements)
+          rotary.push_back(rotary_inertia
+                             ? element.section.rotary_inertia_per_length()[2] *
+                               element.half_length
+                             : 0.);
       }
 
       bool is_linear() const override
@@ -72,23 +60,12 @@ namespace auxfem
               for (int j = 0; j <= order; ++j)
                 for (int c = 0; c < 3; ++c)
                   block[(3 * i + c) * n + 3 * j + c] = factor *
-                    shape.mass[i][j] *
-                    (c < 2 ? elements[e].mass : elements[e].rotary);
+                    shape.mass[i][j] * (c < 2 ? elements[e].mass : rotary[e]);
             matrix.add(group.begin + e, block);
           }
       }
 
     private:
-      double mass_product(const Vector &x, const Vector &y) const override
-      {
-        return product(x, y, [](const Element &) { return 1.; });
-      }
-
-      double damping_product(const Vector &x, const Vector &y) const override
-      {
-        return product(x, y, [](const Element &e) { return e.damping; });
-      }
-
       static constexpr int n = 3 * (order + 1);
 
       /** Of accelerations @p a and, with damping, velocities @p v. */
@@ -110,29 +87,21 @@ namespace auxfem
                     sum[c] += shape.mass[i][j] * local[3 * j + c];
                 residual[unknowns[3 * i]] += elements[e].mass * sum[0];
                 residual[unknowns[3 * i + 1]] += elements[e].mass * sum[1];
-                residual[unknowns[3 * i + 2]] += elements[e].rotary * sum[2];
+                residual[unknowns[3 * i + 2]] += rotary[e] * sum[2];
               }
           }
       }
 
-      struct Element
-      {
-        double mass;    ///< rho A times half the length (kg)
-        double rotary;  ///< rho I times half the length (kg m2)
-        double damping; ///< alpha (1/s)
-        bool   owned;
-      };
-
-      template <class Weight>
-      double
-      product(const Vector &x, const Vector &y, const Weight &weight) const
+      double product(const Vector &x,
+                     const Vector &y,
+                     const Weight  weight) const override
       {
         double sum = 0;
         for (unsigned int e = 0; e < elements.size(); ++e)
           if (elements[e].owned)
             {
               const int *unknowns = numbering.element_unknowns(group.begin + e);
-              double     linear = 0, rotary = 0;
+              double     linear = 0, angular = 0;
               for (int i = 0; i <= order; ++i)
                 {
                   double weighted[3] = {0, 0, 0};
@@ -141,18 +110,17 @@ namespace auxfem
                       weighted[c] += shape.mass[i][j] * y[unknowns[3 * j + c]];
                   linear += x[unknowns[3 * i]] * weighted[0] +
                     x[unknowns[3 * i + 1]] * weighted[1];
-                  rotary += x[unknowns[3 * i + 2]] * weighted[2];
+                  angular += x[unknowns[3 * i + 2]] * weighted[2];
                 }
               sum += weight(elements[e]) *
-                (elements[e].mass * linear + elements[e].rotary * rotary);
+                (elements[e].mass * linear + rotary[e] * angular);
             }
         return sum;
       }
 
-      const DofNumbering       &numbering;
-      const DofNumbering::Group group;
-      const BeamShape<order>    shape;
-      std::vector<Element>      elements;
+      const BeamShape<order> shape;
+      /** rho I times half the length (kg m2), by element. */
+      std::vector<double> rotary;
     };
   } // namespace
 
@@ -164,8 +132,29 @@ namespace auxfem
             "start"};
   }
 
-  StrutInertia::StrutInertia(const bool damped) : is_damped(damped)
-  {}
+  StrutInertia::StrutInertia(const Lattice              &lattice,
+                             const DofNumbering         &numbering,
+                             const DofNumbering::Group  &group,
+                             const std::vector<Section> &sections,
+                             const bool                  damped)
+    : numbering(numbering)
+    , group(group)
+    , is_damped(damped)
+  {
+    for (unsigned int e = group.begin; e < group.end; ++e)
+      {
+        const DofNumbering::Element &element = numbering.elements()[e];
+        const Strut   &strut       = lattice.struts[element.interval.strut];
+        const Section &section     = sections[strut.section];
+        const double   half_length = lattice.length(strut) *
+          (element.interval.end - element.interval.begin) / 2;
+        elements.push_back({section,
+                            half_length,
+                            section.mass_per_length() * half_length,
+                            section.mass_proportional_damping,
+                            element.is_owned});
+      }
+  }
 
   void StrutInertia::register_in(StateLayout &layout)
   {

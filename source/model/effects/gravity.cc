@@ -20,12 +20,7 @@ namespace auxfem
       for (const RigidPart &part : lattice.rigid_parts)
         mass += part.mass;
       for (const MassDefinition &point : scene.masses)
-        mass += point.mass *
-          select_joints(lattice,
-                        point.joints,
-                        scene.context,
-                        point.path + "/Joints")
-            .size();
+        mass += point.mass * joints_of(point, lattice, scene.context).size();
       return mass;
     }
 
@@ -54,16 +49,9 @@ namespace auxfem
       double sum = 0;
       for (const JointLoadDefinition &load : scene.joint_loads)
         sum += largest_length(load.components, scene.time.end_time) *
-          select_joints(lattice,
-                        load.joints,
-                        scene.context,
-                        load.path + "/Joints")
-            .size();
+          joints_of(load, lattice, scene.context).size();
       for (const LineLoadDefinition &load : scene.line_loads)
-        for (const unsigned int s : select_struts(lattice,
-                                                  load.struts,
-                                                  scene.context,
-                                                  load.path + "/Struts"))
+        for (const unsigned int s : struts_of(load, lattice, scene.context))
           sum += largest_length(load.components, scene.time.end_time) *
             lattice.length(lattice.struts[s]);
       return sum;

@@ -46,10 +46,7 @@ namespace auxfem
                             const Lattice                   &lattice)
     {
       double largest = 0;
-      for (const unsigned int s : select_struts(lattice,
-                                                joint.struts,
-                                                scene.context,
-                                                joint.path + "/Struts"))
+      for (const unsigned int s : struts_of(joint, lattice, scene.context))
         {
           const Strut &strut = lattice.struts[s];
           if (strut.is_rigid())
@@ -78,10 +75,7 @@ namespace auxfem
       double largest = 0;
       for (const JointDefinition &joint : scene.joints)
         {
-          const auto joints = select_joints(lattice,
-                                            joint.joints,
-                                            scene.context,
-                                            joint.path + "/Joints");
+          const auto joints = joints_of(joint, lattice, scene.context);
           if (joint.type != JointDefinition::Type::rotational_spring ||
               !(joint.stiffness > 0) || has_lone_end(joints, lattice))
             return std::nullopt;

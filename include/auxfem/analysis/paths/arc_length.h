@@ -4,6 +4,7 @@
 #include <auxfem/analysis/newton.h>
 #include <auxfem/analysis/paths/path_metric.h>
 
+#include <cmath>
 #include <optional>
 
 namespace auxfem
@@ -28,7 +29,11 @@ namespace auxfem
      * load factor. */
     ///@{
     Vector deviation(double length) const;
-    double deviation_of_load(double length) const;
+
+    double deviation_of_load(const double length) const
+    {
+      return length * length / 2 * load_bend;
+    }
     ///@}
 
     /** @name For paths that are resumed. Collective. */
@@ -75,8 +80,15 @@ namespace auxfem
 
     /** @name How far the point lies off the tangent. */
     ///@{
-    double deviation() const; ///< m
-    double deviation_of_load() const;
+    double deviation() const ///< m
+    {
+      return metric.length(off_tangent);
+    }
+
+    double deviation_of_load() const
+    {
+      return std::abs(load_off_tangent);
+    }
     ///@}
 
   private:

@@ -3,6 +3,7 @@
 
 #include <auxfem/analysis/paths/path_stepper.h>
 
+#include <algorithm>
 #include <limits>
 
 namespace auxfem
@@ -18,10 +19,17 @@ namespace auxfem
      * @param first length (m) */
     PathStepLength(double resolution, double first);
 
-    double length() const; ///< of the next step (m)
+    double length() const ///< of the next step (m)
+    {
+      return next;
+    }
+
 
     /** Makes the next step no longer than @p most (m). */
-    void limit(double most);
+    void limit(const double most)
+    {
+      next = std::min(next, most);
+    }
 
     /** Takes note of a point of the path: its distance from rest (m), its load
      * factor. */

@@ -4,6 +4,7 @@
 #include <auxfem/analysis/tangent_solver.h>
 
 #include <array>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -40,10 +41,16 @@ namespace auxfem
     std::optional<Damped> damped = {};
 
     /** Angular frequency (rad/s); 0 of an unstable mode. */
-    double angular_frequency() const;
+    double angular_frequency() const
+    {
+      return eigenvalue > 0 ? std::sqrt(eigenvalue) : 0.;
+    }
 
     /** Of an unstable mode, at which rate it grows (1/s); else 0. */
-    double growth_rate() const;
+    double growth_rate() const
+    {
+      return eigenvalue < 0 ? std::sqrt(-eigenvalue) : 0.;
+    }
   };
 
   /** Modes by rising eigenvalue. */

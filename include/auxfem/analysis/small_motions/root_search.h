@@ -3,6 +3,7 @@
 
 #include <auxfem/analysis/small_motions/root_count.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace auxfem
@@ -38,13 +39,19 @@ namespace auxfem
     std::vector<Root> found_anew() const;
 
     /** Of @p root alone or with its conjugate. */
-    static unsigned int weight(const Root &root);
+    static unsigned int weight(const Root &root)
+    {
+      return root.s.imag() > 0 ? 2 : 1;
+    }
 
     /** Of all that were found. */
     unsigned int weight() const;
 
     /** What lacks to @p n in the region, as n_roots() counts. */
-    unsigned int n_missing(unsigned int n) const;
+    unsigned int n_missing(const unsigned int n) const
+    {
+      return std::max(n, weight()) - weight();
+    }
 
   private:
     /** How a root is found from a start. */

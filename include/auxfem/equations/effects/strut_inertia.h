@@ -19,12 +19,17 @@ namespace auxfem
   /** What mass-proportional damping of struts takes from the motion. */
   EnergyEntry mass_damping_entry();
 
-  /** What the inertia of struts has in the plane and in space: its energies. */
+  /** What the inertia of struts has in the plane and in space: elements and
+   * energies. */
   class StrutInertia : public InertiaEffect
   {
   public:
     /** @param damped whether a section has mass-proportional damping. */
-    explicit StrutInertia(bool damped);
+    StrutInertia(const Lattice              &lattice,
+                 const DofNumbering         &numbering,
+                 const DofNumbering::Group  &group,
+                 const std::vector<Section> &sections,
+                 bool                        damped);
 
     void register_in(StateLayout &layout) override;
     void account_step(const Evaluation    &step,
@@ -53,9 +58,36 @@ namespace auxfem
       std::vector<double> means; ///< empty unless between two states
     };
 
+    struct Element
+    {
+      const Section &section;
+      double         half_length; ///< m
+      double         mass;        ///< rho A times half the length (kg)
+      double         damping;     ///< alpha (1/s)
+      bool           owned;
+    };
+
+    using Weight = double (*)(const Element &);
+
+    const DofNumbering       &numbering;
+    const DofNumbering::Group group;
+    std::vector<Element>      elements;
+
   private:
-    /** As mass_product(), with the matrix of mass-proportional damping. */
-    virtual double damping_product(const Vector &x, const Vector &y) const = 0;
+    /** As mass_product(), each element with a @p weight. */
+    virtual double
+    product(const Vector &x, const Vector &y, Weight weight) const = 0;
+
+    double mass_product(const Vector &x, const Vector &y) const override
+    {
+      return product(x, y, [](const Element &) { return 1.; });
+    }
+
+    /** The same with the matrix of mass-proportional damping. */
+    double damping_product(const Vector &x, const Vector &y) const
+    {
+      return product(x, y, [](const Element &e) { return e.damping; });
+    }
 
     const bool   is_damped;
     unsigned int damping_entry = 0;
