@@ -36,25 +36,6 @@ namespace auxfem
     }
   } // namespace
 
-  TimeStepper::RateSolver::RateSolver(const Equations        &equations,
-                                      const SolverParameters &parameters,
-                                      Work                   &work)
-    : solver(equations, parameters, work)
-    , rates(solver)
-  {}
-
-  TimeStepper::Solvers::Solvers(const Equations        &equations,
-                                const SolverParameters &parameters,
-                                const NewtonParameters &newton_parameters,
-                                const bool              restores_rates,
-                                Work                   &work)
-    : tangent(equations, parameters, work)
-    , newton(tangent, newton_parameters)
-    , rates(restores_rates
-              ? std::make_unique<RateSolver>(equations, parameters, work)
-              : nullptr)
-  {}
-
   TimeStepper::TimeStepper(Equations &equations, const Scene &scene, Work &work)
     : equations(equations)
     , parameters(scene.time)
@@ -62,18 +43,16 @@ namespace auxfem
     , work(work)
     , trial(equations.initial_solution())
     , rotations(equations.model().numbering)
-    , solvers(
-        std::make_unique<Solvers>(equations,
-                                  scene.solver,
-                                  scene.newton,
-                                  !equations.reporting().constraints.empty() &&
-                                    scheme.carries_on_alternating_errors(),
-                                  work))
+    , solvers(std::make_unique<Solvers>(equations, scene, work))
     , control(make_control(parameters))
     , dense_output(equations, scheme)
-    , ends(step_ends(scene))
+    , ends(scene)
     , watches_of_scene(scene, equations, work)
   {
+    if (!equations.reporting().constraints.empty() &&
+        scheme.carries_on_alternating_errors())
+      solvers->rates =
+        std::make_unique<RateSolver>(equations, scene.solver, work);
     if (parameters.relative_tolerance)
       error.emplace(equations, parameters);
     if (scheme.stages() != nullptr)
@@ -210,7 +189,7 @@ namespace auxfem
       {
         update_couplings(state);
         const bool is_jump = pass_events(solution, report, recorder);
-        take_step(solution, next_target(state.time, end), report, recorder);
+        take_step(solution, ends.next(state.time, end), report, recorder);
         if (is_jump)
           state.before.reset();
       }
@@ -267,72 +246,23 @@ namespace auxfem
       }
   }
 
-  double TimeStepper::next_target(const double time,
-                                  const double end_of_scene_step) const
-  {
-    const auto next = ends_at(time).second;
-    return next != ends.end() &&
-        next->time < end_of_scene_step - nearness_of_step_ends(parameters)
-      ? next->time
-      : end_of_scene_step;
-  }
-
-  std::pair<TimeStepper::StepEnds::const_iterator,
-            TimeStepper::StepEnds::const_iterator>
-  TimeStepper::ends_at(const double time) const
-  {
-    const double near = nearness_of_step_ends(parameters);
-    return {std::lower_bound(ends.begin(),
-                             ends.end(),
-                             time - near,
-                             [](const StepEnd &end, const double time) {
-                               return end.time < time;
-                             }),
-            std::upper_bound(ends.begin(),
-                             ends.end(),
-                             time + near,
-                             [](const double time, const StepEnd &end) {
-                               return time < end.time;
-                             })};
-  }
-
-  std::optional<double> TimeStepper::event_at_begin(const double time) const
-  {
-    const auto [first, after] = ends_at(time);
-    if (first != after)
-      return std::prev(after)->time;
-    return time == 0 ? std::optional<double>(0.) : std::nullopt;
-  }
-
-  std::optional<TimeLimit> TimeStepper::event_at_end(const double time) const
-  {
-    const auto [first, after] = ends_at(time);
-    if (first == after)
-      return {};
-    return TimeLimit{first->time, TimeSide::before};
-  }
-
   bool TimeStepper::pass_events(Solution   &solution,
                                 StepReport &report,
                                 Recorder   &recorder)
   {
-    const auto [first, after] = ends_at(solution.state.time);
-    if (first == after)
+    const std::optional<StepEnd::Jump> jump = ends.jump_at(solution.state.time);
+    if (!jump)
       return false;
-    StepEnd::Jump jump = StepEnd::Jump::none;
-    std::for_each(first, after, [&jump](const StepEnd &end) {
-      jump = std::max(jump, end.jump);
-    });
     if (scheme.is_dynamic())
       {
         if (stages)
           stages->forget();
-        renew_rates(solution, jump, std::prev(after)->time);
+        renew_rates(solution, *jump);
         return false;
       }
     solution.state.before.reset();
-    if (jump != StepEnd::Jump::accelerations || !solution.state.velocity)
-      return jump != StepEnd::Jump::none;
+    if (*jump != StepEnd::Jump::accelerations || !solution.state.velocity)
+      return *jump != StepEnd::Jump::none;
     take_sudden_loads(solution, report, recorder);
     return false;
   }
@@ -353,9 +283,7 @@ namespace auxfem
     state.before.reset();
   }
 
-  void TimeStepper::renew_rates(Solution           &solution,
-                                const StepEnd::Jump jump,
-                                const double        event)
+  void TimeStepper::renew_rates(Solution &solution, const StepEnd::Jump jump)
   {
     using Jump   = StepEnd::Jump;
     State &state = solution.state;
@@ -364,6 +292,7 @@ namespace auxfem
         (scheme.balances_means() && jump != Jump::velocities))
       return;
     ConsistentRates rates(solvers->tangent);
+    const double    event  = *ends.event_at_begin(state.time);
     const State     before = rates.renew(state, event, parameters.step);
     account_for_rates(solution, before, &rates, event);
     solvers->newton.drop_factorization();
@@ -378,8 +307,8 @@ namespace auxfem
     rejected_error     = 0;
     trial.state.time   = planned.end;
     Evaluation step    = evaluation_of(state, planned.dt);
-    step.event_at_from = event_at_begin(state.time);
-    step.event_at_to   = event_at_end(planned.end);
+    step.event_at_from = ends.event_at_begin(state.time);
+    step.event_at_to   = ends.event_at_end(planned.end);
     if (stages ? !solve_stages(solution, step, report)
                : !solve_step(step, report))
       return false;

@@ -88,15 +88,6 @@ namespace auxfem
         : "";
     }
 
-    /** Displacements and what there is of velocities. */
-    std::vector<Vector *> motions_of(State &state)
-    {
-      std::vector<Vector *> motions = {&state.displacement};
-      if (state.velocity)
-        motions.push_back(&*state.velocity);
-      return motions;
-    }
-
     /**
      * Multipliers have no inertia: their rates, by-products of the time scheme,
      * must not enter its next prediction.
@@ -152,8 +143,11 @@ namespace auxfem
     // Supports prescribe motions where they have known of unknowns from the
     // start.
     if (with_ghosts)
-      for (Vector *motion : motions_of(evaluation.to))
-        unknowns().layout.update_ghosts(motion->data());
+      {
+        unknowns().layout.update_ghosts(evaluation.to.displacement.data());
+        if (evaluation.to.velocity)
+          unknowns().layout.update_ghosts(evaluation.to.velocity->data());
+      }
     double *residual = evaluation.to.residual.data();
     std::fill(residual, residual + evaluation.to.residual.size(), 0.);
     const auto add = [&](const unsigned int begin, const unsigned int end) {

@@ -146,4 +146,62 @@ namespace auxfem
         ends.back().jump = std::max(ends.back().jump, end.jump);
     return ends;
   }
+
+  StepEnds::StepEnds(const Scene &scene)
+    : near(nearness_of_step_ends(scene.time))
+    , ends(step_ends(scene))
+  {}
+
+  double StepEnds::next(const double time, const double end_of_scene_step) const
+  {
+    const auto next = at(time).second;
+    return next != ends.end() && next->time < end_of_scene_step - near
+      ? next->time
+      : end_of_scene_step;
+  }
+
+  std::pair<StepEnds::Iterator, StepEnds::Iterator>
+  StepEnds::at(const double time) const
+  {
+    return {std::lower_bound(ends.begin(),
+                             ends.end(),
+                             time - near,
+                             [](const StepEnd &end, const double time) {
+                               return end.time < time;
+                             }),
+            std::upper_bound(ends.begin(),
+                             ends.end(),
+                             time + near,
+                             [](const double time, const StepEnd &end) {
+                               return time < end.time;
+                             })};
+  }
+
+  std::optional<Jump> StepEnds::jump_at(const double time) const
+  {
+    const auto [first, after] = at(time);
+    if (first == after)
+      return {};
+    Jump jump = Jump::none;
+    std::for_each(first, after, [&jump](const StepEnd &end) {
+      jump = std::max(jump, end.jump);
+    });
+    return jump;
+  }
+
+  std::optional<double> StepEnds::event_at_begin(const double time) const
+  {
+    const auto [first, after] = at(time);
+    if (first != after)
+      return std::prev(after)->time;
+    return time == 0 ? std::optional<double>(0.) : std::nullopt;
+  }
+
+  std::optional<TimeLimit> StepEnds::event_at_end(const double time) const
+  {
+    const auto [first, after] = at(time);
+    if (first == after)
+      return {};
+    return TimeLimit{first->time, TimeSide::before};
+  }
 } // namespace auxfem

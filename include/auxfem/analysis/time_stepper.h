@@ -81,16 +81,6 @@ namespace auxfem
     std::string why_not_acceptable(const Evaluation &step);
     /** Whatever keeps states or results makes room if ghosts @p are_more. */
     void take_ghosts(bool are_more);
-    /** Where the next step must end at the latest (s). */
-    double next_target(double time, double end_of_scene_step) const;
-    using StepEnds = std::vector<StepEnd>;
-    /** Those at @p time (s), which is one time for a step. */
-    std::pair<StepEnds::const_iterator, StepEnds::const_iterator>
-    ends_at(double time) const;
-    /** Where a step that begins at @p time (s) takes the functions of time. */
-    std::optional<double> event_at_begin(double time) const;
-    /** Where one that ends there does. */
-    std::optional<TimeLimit> event_at_end(double time) const;
     /**
      * What follows from loads, or motions of supports, that are not smooth at
      * the state. Returns whether the next step follows a jump of them.
@@ -104,8 +94,8 @@ namespace auxfem
     void take_sudden_loads(Solution   &solution,
                            StepReport &report,
                            Recorder   &recorder);
-    /** With inertia: rates just after the jump at the time @p event (s). */
-    void renew_rates(Solution &solution, StepEnd::Jump jump, double event);
+    /** With inertia: rates just after the @p jump. */
+    void renew_rates(Solution &solution, StepEnd::Jump jump);
     /**
      * Results and energies of an instant at which rates have been found; where
      * supports have struck, with the work of their impulses.
@@ -153,7 +143,10 @@ namespace auxfem
     {
       RateSolver(const Equations        &equations,
                  const SolverParameters &parameters,
-                 Work                   &work);
+                 Work                   &work)
+        : solver(equations, parameters, work)
+        , rates(solver)
+      {}
 
       TangentSolver   solver;
       ConsistentRates rates;
@@ -162,16 +155,15 @@ namespace auxfem
     /** All that keeps factorizations. */
     struct Solvers
     {
+      Solvers(const Equations &equations, const Scene &scene, Work &work)
+        : tangent(equations, scene.solver, work)
+        , newton(tangent, scene.newton)
+      {}
+
       TangentSolver tangent;
       Newton        newton;
       /** Only where rates are restored after each step. */
       std::unique_ptr<RateSolver> rates;
-
-      Solvers(const Equations        &equations,
-              const SolverParameters &parameters,
-              const NewtonParameters &newton_parameters,
-              bool                    restores_rates,
-              Work                   &work);
     };
 
     Equations                     &equations;

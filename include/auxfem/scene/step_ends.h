@@ -3,6 +3,7 @@
 
 #include <auxfem/scene/scene.h>
 
+#include <optional>
 #include <vector>
 
 namespace auxfem
@@ -37,6 +38,35 @@ namespace auxfem
    * not; jumps never are, nor what strikes.
    */
   std::vector<StepEnd> step_ends(const Scene &scene);
+
+  /** Those of a scene, as its steps ask for them. */
+  class StepEnds
+  {
+  public:
+    explicit StepEnds(const Scene &scene);
+
+    /** Where a step from @p time (s) ends at the latest: at the next of them,
+     * if that comes before @p end_of_scene_step. */
+    double next(double time, double end_of_scene_step) const;
+
+    /** What jumps at @p time (s), if it is one of them. */
+    std::optional<StepEnd::Jump> jump_at(double time) const;
+
+    /** Where a step that begins at @p time (s) takes the functions of time. */
+    std::optional<double> event_at_begin(double time) const;
+
+    /** Where one that ends there does. */
+    std::optional<TimeLimit> event_at_end(double time) const;
+
+  private:
+    using Iterator = std::vector<StepEnd>::const_iterator;
+
+    /** Those at @p time (s), which is one time for a step. */
+    std::pair<Iterator, Iterator> at(double time) const;
+
+    const double               near;
+    const std::vector<StepEnd> ends;
+  };
 
   /** Times that are closer (s) are one to the steps. */
   double nearness_of_step_ends(const TimeParameters &time);

@@ -21,6 +21,7 @@ namespace auxfem
         dealii::outer_product(e, n);
     }
 
+    /** By the law of the group, along its ConnectorLines. */
     class ConnectorGroupForces : public ConnectorForces
     {
     public:

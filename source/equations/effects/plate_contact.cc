@@ -31,6 +31,7 @@ namespace auxfem
       }
     };
 
+    /** See PlateContact. */
     class PlateTouches
       : public ContactEffect<PlateContact, PlatePair, PlateTouch>
     {

@@ -8,6 +8,7 @@ namespace auxfem
 {
   namespace
   {
+    /** See StrutContact. */
     class StrutTouches
       : public ContactEffect<StrutContact, AxisPair, StrutTouch>
     {
