@@ -324,13 +324,12 @@ namespace auxfem
         const auto &of_group = static_cast<const ConnectorResults &>(results);
         for (const unsigned int i : owned)
           {
-            const ConnectorEnds &ends  = connectors[i];
-            const bool is_turned_round = ends.line(step.from.displacement) *
-                ends.line(step.to.displacement) <
-              0;
-            const double part = is_turned_round
-              ? 0.
-              : of_group.current_length[i] / ends.rest_length;
+            // Below zero of a line that has been turned round.
+            const ConnectorEnds &ends = connectors[i];
+            const double         both = ends.line(step.from.displacement) *
+              ends.line(step.to.displacement);
+            const double part =
+              both < 0 ? 0. : of_group.current_length[i] / ends.rest_length;
             if (part < found.part)
               found = {part, ends.first_joint};
           }
