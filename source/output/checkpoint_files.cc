@@ -127,7 +127,7 @@ namespace auxfem
 
     errno = 0;
     std::ofstream stream(temporary, std::ios::binary);
-    stream << checkpoint_bytes({next->number, content});
+    write_checkpoint(next->number, content, stream);
     stream.close();
     if (!stream)
       cannot_write(temporary);

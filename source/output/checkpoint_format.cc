@@ -1,5 +1,8 @@
 #include <auxfem/output/checkpoint_format.h>
 
+#include <array>
+#include <utility>
+
 #include <zlib.h>
 
 namespace auxfem
@@ -17,17 +20,43 @@ namespace auxfem
                      end - begin);
     }
 
-    void append_number(std::string &bytes, const std::uint64_t number)
+    /** Writes a file part by part, each with its CRC behind it. */
+    class PartWriter
     {
-      for (unsigned int i = 0; i < 8; ++i)
-        bytes.push_back(static_cast<char>((number >> (8 * i)) & 0xff));
-    }
+    public:
+      explicit PartWriter(std::ostream &stream) : stream(stream)
+      {}
 
-    void append_text(std::string &bytes, const std::string &text)
-    {
-      append_number(bytes, text.size());
-      bytes += text;
-    }
+      void write(const char *const bytes, const std::size_t n)
+      {
+        stream.write(bytes, n);
+        sum = crc32_z(sum, reinterpret_cast<const Bytef *>(bytes), n);
+      }
+
+      void write_number(const std::uint64_t number)
+      {
+        std::array<char, 8> digits;
+        for (unsigned int i = 0; i < 8; ++i)
+          digits[i] = static_cast<char>((number >> (8 * i)) & 0xff);
+        write(digits.data(), digits.size());
+      }
+
+      void write_text(const std::string &text)
+      {
+        write_number(text.size());
+        write(text.data(), text.size());
+      }
+
+      void end_part()
+      {
+        write_number(sum);
+        sum = 0;
+      }
+
+    private:
+      std::ostream &stream;
+      std::uint64_t sum = 0; ///< CRC of the part so far
+    };
 
     /** Takes a file apart from its first byte on. */
     class ByteReader
@@ -87,25 +116,24 @@ namespace auxfem
     };
   } // namespace
 
-  std::string checkpoint_bytes(const NumberedCheckpoint &checkpoint)
+  void write_checkpoint(const std::uint64_t      number,
+                        const CheckpointContent &content,
+                        std::ostream            &stream)
   {
-    const CheckpointContent &content = checkpoint.content;
-
-    std::string bytes = format_name;
-    append_number(bytes, checkpoint_format_version);
-    append_number(bytes, checkpoint.number);
-    append_text(bytes, content.program_version);
-    append_number(bytes, content.n_ranks);
-    append_number(bytes, content.sections.size());
-    append_number(bytes, crc_32(bytes, 0, bytes.size()));
+    PartWriter writer(stream);
+    writer.write(format_name.data(), format_name.size());
+    writer.write_number(checkpoint_format_version);
+    writer.write_number(number);
+    writer.write_text(content.program_version);
+    writer.write_number(content.n_ranks);
+    writer.write_number(content.sections.size());
+    writer.end_part();
     for (const CheckpointContent::Section &section : content.sections)
       {
-        const std::size_t begin = bytes.size();
-        append_text(bytes, section.name);
-        append_text(bytes, section.bytes);
-        append_number(bytes, crc_32(bytes, begin, bytes.size()));
+        writer.write_text(section.name);
+        writer.write_text(section.bytes);
+        writer.end_part();
       }
-    return bytes;
   }
 
   NumberedCheckpoint read_checkpoint(const std::string &bytes)
@@ -136,7 +164,7 @@ namespace auxfem
         section.name  = reader.take_text();
         section.bytes = reader.take_text();
         reader.check_part();
-        content.sections.push_back(section);
+        content.sections.push_back(std::move(section));
       }
     if (!reader.at_end())
       throw DamagedCheckpoint("what follows its last section");

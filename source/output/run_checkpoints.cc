@@ -143,13 +143,13 @@ namespace auxfem
                              const std::vector<std::string> &files_before)
   {
     const auto                     begin = Clock::now();
-    const std::string              mine  = bytes_of(records);
+    std::string                    mine  = bytes_of(records);
     const std::vector<std::size_t> sizes =
       mpi::gather(communicator, mine.size());
     if (mpi::this_mpi_process(communicator) > 0)
       send_to_first(mine.data(), mine.size(), communicator);
     on_first_rank(communicator, [&]() {
-      CheckpointContent content = content_of(mine);
+      CheckpointContent content = content_of(std::move(mine));
       for (unsigned int rank = 1; rank < sizes.size(); ++rank)
         {
           std::string bytes(sizes[rank], ' ');
@@ -163,7 +163,7 @@ namespace auxfem
     took = last - begin;
   }
 
-  CheckpointContent RunCheckpoints::content_of(const std::string &bytes) const
+  CheckpointContent RunCheckpoints::content_of(std::string bytes) const
   {
     std::map<std::string, unsigned int> input_files;
     for (const std::string &file : scene.input_files)
@@ -174,8 +174,9 @@ namespace auxfem
     content.n_ranks         = mpi::n_mpi_processes(communicator);
     content.sections        = {{scene_section, absolute(scene.file)},
                                {parameter_section, scene.all_parameters},
-                               {input_file_section, bytes_of(input_files)},
-                               {rank_section + "0", bytes}};
+                               {input_file_section, bytes_of(input_files)}};
+    // Into a list it would be copied.
+    content.sections.push_back({rank_section + "0", std::move(bytes)});
     return content;
   }
 } // namespace auxfem

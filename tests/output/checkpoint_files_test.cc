@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <random>
+#include <sstream>
 
 #include <support/messages.h>
 #include <sys/wait.h>
@@ -55,6 +56,14 @@ namespace
     write_bytes(file, bytes);
   }
 
+  std::string checkpoint_bytes(const std::uint64_t      number,
+                               const CheckpointContent &content)
+  {
+    std::ostringstream stream;
+    write_checkpoint(number, content, stream);
+    return stream.str();
+  }
+
   /** The head of a checkpoint in the next version of the format. */
   std::string with_later_format(const std::string &bytes)
   {
@@ -74,7 +83,7 @@ namespace
 TEST(CheckpointFormat, WhatIsWrittenIsRead)
 {
   const NumberedCheckpoint read =
-    read_checkpoint(checkpoint_bytes({1ull << 40, content_of("abc")}));
+    read_checkpoint(checkpoint_bytes(1ull << 40, content_of("abc")));
   EXPECT_EQ(read.number, 1ull << 40);
   EXPECT_EQ(read.content.program_version, "1.2.3");
   EXPECT_EQ(read.content.n_ranks, 4u);
@@ -87,7 +96,7 @@ TEST(CheckpointFormat, WhatIsWrittenIsRead)
 
 TEST(CheckpointFormat, EveryChangedBitIsNoticed)
 {
-  const std::string whole = checkpoint_bytes({3, content_of("abc")});
+  const std::string whole = checkpoint_bytes(3, content_of("abc"));
   for (std::size_t i = 0; i < whole.size(); ++i)
     for (unsigned int bit = 0; bit < 8; ++bit)
       {
@@ -100,7 +109,7 @@ TEST(CheckpointFormat, EveryChangedBitIsNoticed)
 
 TEST(CheckpointFormat, EveryLengthButTheWholeIsNoticed)
 {
-  const std::string whole = checkpoint_bytes({3, content_of("abc")});
+  const std::string whole = checkpoint_bytes(3, content_of("abc"));
   for (std::size_t n = 0; n < whole.size(); ++n)
     EXPECT_THROW(read_checkpoint(whole.substr(0, n)), DamagedCheckpoint) << n;
   EXPECT_THROW(read_checkpoint(whole + "x"), DamagedCheckpoint);

@@ -4,6 +4,7 @@
 #include <auxfem/output/checkpoint_files.h>
 
 #include <cstdint>
+#include <ostream>
 #include <stdexcept>
 
 namespace auxfem
@@ -37,11 +38,15 @@ namespace auxfem
   /** The version of the format that is written, the only one that is read. */
   inline constexpr std::uint64_t checkpoint_format_version = 1;
 
-  /** The bytes of a file as CheckpointFiles describes it. */
-  std::string checkpoint_bytes(const NumberedCheckpoint &checkpoint);
+  /** Writes a file as CheckpointFiles describes it, section after section: none
+   * is held twice.
+   * @param number the larger, the newer */
+  void write_checkpoint(std::uint64_t            number,
+                        const CheckpointContent &content,
+                        std::ostream            &stream);
 
   /**
-   * What checkpoint_bytes() was given. Throws DamagedCheckpoint and
+   * What write_checkpoint() was given. Throws DamagedCheckpoint and
    * LaterCheckpointFormat.
    */
   NumberedCheckpoint read_checkpoint(const std::string &bytes);

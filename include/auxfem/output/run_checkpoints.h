@@ -64,7 +64,7 @@ namespace auxfem
   private:
     using Clock = std::chrono::steady_clock;
 
-    CheckpointContent content_of(const std::string &bytes) const;
+    CheckpointContent content_of(std::string bytes) const;
 
     const Scene      &scene;
     const MPI_Comm    communicator;
