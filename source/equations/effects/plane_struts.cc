@@ -67,7 +67,7 @@ namespace auxfem
       }
 
       template <class Number>
-      [[gnu::flatten]] static BeamEnergyOf<Number>
+      AUXFEM_ONE_PIECE static BeamEnergyOf<Number>
       internal_force(const BeamShape<order> &shape,
                      const AtRestOf<Number> &at_rest,
                      const MotionOf<Number> &motion,
@@ -94,7 +94,7 @@ namespace auxfem
         return motion(numbering, unknowns, evaluation.to);
       }
 
-      [[gnu::flatten]] static void tangent(const BeamShape<order> &shape,
+      AUXFEM_ONE_PIECE static void tangent(const BeamShape<order> &shape,
                                            const AtRestOf<Lanes>  &at_rest,
                                            const MotionOf<Lanes>  &motion,
                                            const TangentFactors   &factors,
@@ -267,7 +267,7 @@ namespace auxfem
       }
 
       template <class Number, std::size_t n_motions>
-      [[gnu::flatten]] static void
+      AUXFEM_ONE_PIECE static void
       viscous_forces(const BeamShape<order> &shape,
                      const AtRestOf<Number> &at_rest,
                      const MotionOf<Number> (&motions)[n_motions],

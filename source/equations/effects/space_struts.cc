@@ -68,7 +68,7 @@ namespace auxfem
       }
 
       template <class Number>
-      [[gnu::flatten]] static BeamEnergyOf<Number>
+      AUXFEM_ONE_PIECE static BeamEnergyOf<Number>
       internal_force(const BeamShape<order> &shape,
                      const AtRestOf<Number> &at_rest,
                      const MotionOf<Number> &motion,
@@ -321,7 +321,7 @@ namespace auxfem
       }
 
       template <class Number, std::size_t n_motions>
-      [[gnu::flatten]] static void
+      AUXFEM_ONE_PIECE static void
       viscous_forces(const BeamShape<order> &shape,
                      const AtRestOf<Number> &at_rest,
                      const MotionOf<Number> (&motions)[n_motions],

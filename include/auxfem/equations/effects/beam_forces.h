@@ -9,6 +9,17 @@
 #include <cmath>
 #include <limits>
 
+/**
+ * Before a function: everything it calls becomes one piece with it, which a
+ * compiler would find too large. Not with sanitizers, whose checks would make
+ * minutes of compiling of it.
+ */
+#ifdef AUXFEM_SANITIZERS
+#  define AUXFEM_ONE_PIECE
+#else
+#  define AUXFEM_ONE_PIECE [[gnu::flatten]]
+#endif
+
 namespace auxfem
 {
   /**
