@@ -1,6 +1,8 @@
 #include <auxfem/analysis/watch.h>
 
 #include <algorithm>
+#include <cmath>
+#include <sstream>
 
 namespace auxfem
 {
@@ -20,6 +22,18 @@ namespace auxfem
       return equations.model().simulated.contact && scene.contact.friction > 0;
     }
   } // namespace
+
+  std::string shorter_step_text(const double          scene_step,
+                                const ImplicitScheme &scheme,
+                                const double          missed)
+  {
+    std::ostringstream text;
+    text.precision(2);
+    text << " (Time/Time step = " << scene_step << " s). A step of "
+         << scene_step * std::pow(0.01 / missed, 1. / scheme.order())
+         << " s would miss 1 %.";
+    return text.str();
+  }
 
   Watches::Watches(const Scene &scene, const Equations &equations, Work &work)
   {

@@ -42,6 +42,16 @@ namespace auxfem
     ///@}
   };
 
+  /**
+   * ` (Time/Time step = ... s). A step of ... s would miss 1 %.`: the end of
+   * what a watch says of steps that miss too much.
+   * @param scene_step that of the scene (s)
+   * @param missed part that its steps miss
+   */
+  std::string shorter_step_text(double                scene_step,
+                                const ImplicitScheme &scheme,
+                                double                missed);
+
   /** All watches that the scene gives cause for, one per file. */
   class Watches
   {

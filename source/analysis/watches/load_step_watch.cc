@@ -112,10 +112,8 @@ namespace auxfem
         std::ostringstream text;
         text.precision(2);
         text << load << " changes within steps, which miss " << 100 * missed
-             << " % of its impulse (Time/Time step = " << scene_step
-             << " s). A step of "
-             << scene_step * std::pow(0.01 / missed, 1. / scheme.order())
-             << " s would miss 1 %.";
+             << " % of its impulse"
+             << shorter_step_text(scene_step, scheme, missed);
         return {Verdict::doubtful, text.str(), time, ""};
       }
 

@@ -195,11 +195,8 @@ namespace auxfem
         std::ostringstream text;
         text.precision(2);
         text << "The steps are long for the motion: each misses about "
-             << 100 * relative
-             << " % of the way of the joints (Time/Time step = " << scene_step
-             << " s). A step of "
-             << scene_step * std::pow(0.01 / relative, 1. / scheme.order())
-             << " s would miss 1 %.";
+             << 100 * relative << " % of the way of the joints"
+             << shorter_step_text(scene_step, scheme, relative);
         return {is_ruinous ? Verdict::not_to_be_used : Verdict::doubtful,
                 text.str(),
                 time,
