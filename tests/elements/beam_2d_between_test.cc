@@ -20,11 +20,11 @@ namespace
   }
 
   template <class Beam, class Damping = NoIncrementDamping>
-  Beam2D::StepEnergy mean_force(const Beam                  &beam,
-                                const typename Beam::Vector &u0,
-                                const typename Beam::Vector &u1,
-                                typename Beam::Vector       &force,
-                                const Damping               &damping = {})
+  Beam2D::StepEnergyOf<double> mean_force(const Beam                  &beam,
+                                          const typename Beam::Vector &u0,
+                                          const typename Beam::Vector &u1,
+                                          typename Beam::Vector       &force,
+                                          const Damping &damping = {})
   {
     return Beam2D::mean_force<Beam::order, true>(beam.shape,
                                                  beam.jacobian,

@@ -44,14 +44,20 @@ namespace
                        SpaceVector({1.3, -1.8, 0.5})))
     {}
 
+    Beam3D::StepStart<Beam::order> at_start() const
+    {
+      return {beam.shape, beam.frames.data(), beam.jacobian, start.data()};
+    }
+
     template <class Damping = NoIncrementDamping>
-    Beam3D::StepEnergy force(Vector &result, const Damping &damping = {}) const
+    Beam3D::StepEnergyOf<double> force(Vector        &result,
+                                       const Damping &damping = {}) const
     {
       return Beam3D::mean_force(beam.shape,
                                 beam.frames.data(),
                                 beam.jacobian,
                                 beam.section,
-                                start.data(),
+                                at_start(),
                                 end.data(),
                                 rate_of_step,
                                 result.data(),
@@ -112,7 +118,7 @@ namespace
                            beam.frames.data(),
                            beam.jacobian,
                            beam.section,
-                           start.data(),
+                           at_start(),
                            end.data(),
                            rate_of_step,
                            0.5,

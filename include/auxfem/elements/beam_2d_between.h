@@ -33,21 +33,23 @@ namespace auxfem
   namespace Beam2D
   {
     /** Strains, or increments of strains. */
-    struct Strains
+    template <class Number>
+    struct StrainsOf
     {
-      double epsilon, gamma, kappa;
+      Number epsilon, gamma, kappa;
     };
 
     /** A Gauss point at the start of a step. */
-    struct PointAtStart
+    template <class Number>
+    struct PointAtStartOf
     {
-      Strains strains;
-      double  cosine, sine; ///< of t
-      double  x, y;         ///< r'
+      StrainsOf<Number> strains;
+      Number            cosine, sine; ///< of t
+      Number            x, y;         ///< r'
     };
 
     /** An element at the start of a step, which iterations have in common. */
-    template <int order>
+    template <int order, class Number = double>
     struct StepStart
     {
       /** Values are not set. */
@@ -55,38 +57,39 @@ namespace auxfem
 
       /** Of displacements @p u. */
       StepStart(const BeamShape<order> &shape,
-                const Frame            *frames,
-                const double            jacobian,
-                const double           *u)
+                const FrameOf<Number>  *frames,
+                const Number            jacobian,
+                const Number           *u)
       {
         std::copy(u, u + 3 * (order + 1), displacements);
         for (int g = 0; g < order; ++g)
           {
-            const Frame     &frame = frames[g];
-            const Gradient   d     = interpolate(shape, g, 1 / jacobian, u);
-            const Kinematics k     = kinematics<true>(frame, d);
-            points[g]              = {{k.epsilon, k.gamma, k.kappa},
-                                      k.cosine,
-                                      k.sine,
-                                      frame.axial * frame.cosine - frame.shear * frame.sine +
-                                        d.ux,
-                                      frame.axial * frame.sine + frame.shear * frame.cosine +
-                                        d.uy};
+            const FrameOf<Number>   &frame = frames[g];
+            const GradientOf<Number> d =
+              interpolate(shape, g, Number(1 / jacobian), u);
+            const KinematicsOf<Number> k = kinematics<true>(frame, d);
+            points[g]                    = {{k.epsilon, k.gamma, k.kappa},
+                                            k.cosine,
+                                            k.sine,
+                                            frame.axial * frame.cosine - frame.shear * frame.sine +
+                                              d.ux,
+                                            frame.axial * frame.sine + frame.shear * frame.cosine +
+                                              d.uy};
           }
       }
 
-      double       displacements[3 * (order + 1)];
-      PointAtStart points[order];
+      Number                 displacements[3 * (order + 1)];
+      PointAtStartOf<Number> points[order];
     };
 
     /** Increments of the displacements of an element in a step. */
-    template <int order>
+    template <int order, class Number = double>
     struct NodeIncrements
     {
       /** Of displacements @p u0 and @p u1 at start and end. */
-      NodeIncrements(const double *u0, const double *u1)
+      NodeIncrements(const Number *u0, const Number *u1)
       {
-        double cosines[order + 1];
+        Number cosines[order + 1];
         for (int a = 0; a <= order; ++a)
           {
             x[a]       = u1[3 * a] - u0[3 * a];
@@ -97,30 +100,33 @@ namespace auxfem
         reference        = (half[0] + half[1]) / 2;
         reference_cosine = cosine_of_small(reference);
         // Both ends are as far from their mean.
-        const double of_ends = reference_cosine / sinc(half[0] - reference);
+        const Number of_ends =
+          reference_cosine / sinc(Number(half[0] - reference));
         for (int end = 0; end < 2; ++end)
           c[end] = cosines[end] * of_ends;
         for (int a = 2; a <= order; ++a)
-          c[a] = cosines[a] * reference_cosine / sinc(half[a] - reference);
+          c[a] =
+            cosines[a] * reference_cosine / sinc(Number(half[a] - reference));
         of_end[0] = cosines[0] / (cosines[0] + cosines[1]);
         of_end[1] = 1 - of_end[0];
       }
 
-      double x[order + 1], y[order + 1];  ///< of translations
-      double half[order + 1];             ///< d_a
-      double reference, reference_cosine; ///< d_r
-      double c[order + 1];                ///< c_a
-      double of_end[2];                   ///< dphi_r by dphi_a
+      Number x[order + 1], y[order + 1];  ///< of translations
+      Number half[order + 1];             ///< d_a
+      Number reference, reference_cosine; ///< d_r
+      Number c[order + 1];                ///< c_a
+      Number of_end[2];                   ///< dphi_r by dphi_a
     };
 
     /** Increments at a Gauss point. */
-    struct PointIncrements
+    template <class Number>
+    struct PointIncrementsOf
     {
       template <int order>
-      PointIncrements(const BeamShape<order>      &shape,
-                      const int                    g,
-                      const double                 inverse_jacobian,
-                      const NodeIncrements<order> &nodes)
+      PointIncrementsOf(const BeamShape<order>              &shape,
+                        const int                            g,
+                        const Number                         inverse_jacobian,
+                        const NodeIncrements<order, Number> &nodes)
       {
         for (int a = 0; a <= order; ++a)
           {
@@ -134,29 +140,30 @@ namespace auxfem
         kappa *= 2 * inverse_jacobian;
       }
 
-      double x = 0, y = 0; ///< of r'
-      double kappa = 0;
-      double half  = 0; ///< d_g
+      Number x = 0, y = 0; ///< of r'
+      Number kappa = 0;
+      Number half  = 0; ///< d_g
     };
 
     /** Kinematics of a Gauss point over a step. */
-    struct StepKinematics
+    template <class Number>
+    struct StepKinematicsOf
     {
-      Strains start, increment;
+      StrainsOf<Number> start, increment;
       /** Means of t, n = (-sine, cosine) over the step; not of unit length. */
-      double cosine, sine;
-      double half_cosine;   ///< cos(d_g), the length of these means
-      double x, y;          ///< mean of r'
-      double stretch, slip; ///< mean of r' times the means of t and n
+      Number cosine, sine;
+      Number half_cosine;   ///< cos(d_g), the length of these means
+      Number x, y;          ///< mean of r'
+      Number stretch, slip; ///< mean of r' times the means of t and n
 
-      Strains end() const
+      StrainsOf<Number> end() const
       {
         return {start.epsilon + increment.epsilon,
                 start.gamma + increment.gamma,
                 start.kappa + increment.kappa};
       }
 
-      Strains mean() const
+      StrainsOf<Number> mean() const
       {
         return {start.epsilon + increment.epsilon / 2,
                 start.gamma + increment.gamma / 2,
@@ -164,12 +171,14 @@ namespace auxfem
       }
     };
 
-    inline StepKinematics step_kinematics(const PointAtStart    &start,
-                                          const PointIncrements &d)
+    template <class Number>
+    inline StepKinematicsOf<Number>
+    step_kinematics(const PointAtStartOf<Number>    &start,
+                    const PointIncrementsOf<Number> &d)
     {
-      StepKinematics k;
+      StepKinematicsOf<Number> k;
       k.start                = start.strains;
-      const double half_sine = d.half * sinc(d.half);
+      const Number half_sine = d.half * sinc(d.half);
       k.half_cosine          = cosine_of_small(d.half);
       k.cosine =
         k.half_cosine * (k.half_cosine * start.cosine - half_sine * start.sine);
@@ -182,7 +191,7 @@ namespace auxfem
 
       // By increments, not as differences of strains; with them those at the
       // end cost no sine and cosine.
-      const double turn = 2 * half_sine / k.half_cosine;
+      const Number turn = 2 * half_sine / k.half_cosine;
       k.increment       = {k.cosine * d.x + k.sine * d.y + k.slip * turn,
                            k.cosine * d.y - k.sine * d.x - k.stretch * turn,
                            d.kappa};
@@ -191,12 +200,12 @@ namespace auxfem
 
     /** How far the rotation of a Gauss point is from d_r, over what nodes with
      * their c_a give. */
-    template <int order>
-    inline double rotation_scale(const NodeIncrements<order> &nodes,
-                                 const PointIncrements       &point,
-                                 const StepKinematics        &k)
+    template <int order, class Number>
+    inline Number rotation_scale(const NodeIncrements<order, Number> &nodes,
+                                 const PointIncrementsOf<Number>     &point,
+                                 const StepKinematicsOf<Number>      &k)
     {
-      return sinc(point.half - nodes.reference) /
+      return sinc(Number(point.half - nodes.reference)) /
         (k.half_cosine * nodes.reference_cosine);
     }
 
@@ -204,15 +213,15 @@ namespace auxfem
      * How the rotation at a Gauss point and its slope follow those of the nodes
      * over a step.
      */
-    template <int order>
+    template <int order, class Number>
     struct RotationShapes
     {
-      RotationShapes(const BeamShape<order>      &shape,
-                     const int                    g,
-                     const NodeIncrements<order> &increments,
-                     const double                 scale)
+      RotationShapes(const BeamShape<order>              &shape,
+                     const int                            g,
+                     const NodeIncrements<order, Number> &increments,
+                     const Number                         scale)
       {
-        double sum = 0, slope = 0;
+        Number sum = 0, slope = 0;
         for (int a = 0; a <= order; ++a)
           {
             value[a]      = shape.value[g][a] * increments.c[a] * scale;
@@ -227,21 +236,24 @@ namespace auxfem
           }
       }
 
-      double value[order + 1];      ///< dphi_g by dphi_a
-      double derivative[order + 1]; ///< dkappa_g by dphi_a, times J
+      Number value[order + 1];      ///< dphi_g by dphi_a
+      Number derivative[order + 1]; ///< dkappa_g by dphi_a, times J
     };
 
     /** Mean section forces over a step: N, Q (N), M (N m). */
-    struct MeanForces
+    template <class Number>
+    struct MeanForcesOf
     {
-      double axial, shear, bending;
+      Number axial, shear, bending;
     };
 
     /** Elastic ones of the mean strains. */
-    inline MeanForces mean_forces(const StepKinematics &k,
-                                  const Stiffness      &stiffness)
+    template <class Number>
+    inline MeanForcesOf<Number>
+    mean_forces(const StepKinematicsOf<Number> &k,
+                const StiffnessOf<Number>      &stiffness)
     {
-      const Strains mean = k.mean();
+      const StrainsOf<Number> mean = k.mean();
       return {stiffness.axial * mean.epsilon,
               stiffness.shear * mean.gamma,
               stiffness.bending * mean.kappa};
@@ -251,13 +263,14 @@ namespace auxfem
      * Adds those of damping, from the increment of the strains over the time
      * @p dt (s); returns what is lost in the step (J/m).
      */
-    inline double add_damping(const StepKinematics &k,
-                              const Stiffness      &stiffness,
-                              const double          dt,
-                              MeanForces           &forces)
+    template <class Number>
+    inline Number add_damping(const StepKinematicsOf<Number> &k,
+                              const StiffnessOf<Number>      &stiffness,
+                              const double                    dt,
+                              MeanForcesOf<Number>           &forces)
     {
-      const double rate = stiffness.damping_time / dt;
-      const double N    = rate * stiffness.axial * k.increment.epsilon,
+      const Number rate = stiffness.damping_time / dt;
+      const Number N    = rate * stiffness.axial * k.increment.epsilon,
                    Q    = rate * stiffness.shear * k.increment.gamma,
                    M    = rate * stiffness.bending * k.increment.kappa;
       forces.axial += N;
@@ -271,16 +284,17 @@ namespace auxfem
      * Adds those of @p damping at Gauss point @p g; returns what it takes in the
      * step (J/m).
      */
-    inline double add_damping(const StepKinematics   &k,
-                              const Stiffness        &stiffness,
-                              const IncrementDamping &damping,
-                              const int               g,
-                              MeanForces             &forces)
+    template <class Number>
+    inline Number add_damping(const StepKinematicsOf<Number>   &k,
+                              const StiffnessOf<Number>        &stiffness,
+                              const IncrementDampingOf<Number> &damping,
+                              const int                         g,
+                              MeanForcesOf<Number>             &forces)
     {
-      const Strains &d = k.increment;
-      const double   N = stiffness.axial * damping(3 * g, d.epsilon),
-                   Q   = stiffness.shear * damping(3 * g + 1, d.gamma),
-                   M   = stiffness.bending * damping(3 * g + 2, d.kappa);
+      const StrainsOf<Number> &d = k.increment;
+      const Number             N = stiffness.axial * damping(3 * g, d.epsilon),
+                   Q = stiffness.shear * damping(3 * g + 1, d.gamma),
+                   M = stiffness.bending * damping(3 * g + 2, d.kappa);
       forces.axial += N;
       forces.shear += Q;
       forces.bending += M;
@@ -289,9 +303,10 @@ namespace auxfem
 
     /** Strain energy at the end of a step, energy lost in it and taken by
      * IncrementDamping (J). */
-    struct StepEnergy
+    template <class Number>
+    struct StepEnergyOf
     {
-      double strain = 0, lost = 0, taken = 0;
+      Number strain = 0, lost = 0, taken = 0;
     };
 
     /**
@@ -301,32 +316,37 @@ namespace auxfem
      */
     template <int  order,
               bool damped,
+              class Number,
               class HighFrequencyDamping = NoIncrementDamping>
-    inline StepEnergy
+    inline StepEnergyOf<Number>
     mean_force(const BeamShape<order>                      &shape,
-               const double                                 jacobian,
-               const Stiffness                             &stiffness,
-               const StepStart<order>                      &start,
-               const double                                *u1,
+               const Number                                 jacobian,
+               const StiffnessOf<Number>                   &stiffness,
+               const StepStart<order, Number>              &start,
+               const Number                                *u1,
                const double                                 dt,
-               double                                      *force,
+               Number                                      *force,
                [[maybe_unused]] const HighFrequencyDamping &damping = {})
     {
-      StepEnergy                  energy;
-      const double                inverse_jacobian = 1 / jacobian;
-      const NodeIncrements<order> increments(start.displacements, u1);
+      StepEnergyOf<Number>                energy;
+      const Number                        inverse_jacobian = 1 / jacobian;
+      const NodeIncrements<order, Number> increments(start.displacements, u1);
       // By dphi_a - dphi_r over c_a, and by rotations of all nodes alike.
-      double by_rotations[order + 1] = {}, by_all = 0;
+      Number by_rotations[order + 1] = {}, by_all = 0;
       for (int i = 0; i < 3 * (order + 1); ++i)
         force[i] = 0;
       for (int g = 0; g < order; ++g)
         {
-          const PointIncrements point(shape, g, inverse_jacobian, increments);
-          const StepKinematics  k    = step_kinematics(start.points[g], point);
-          const Strains         end  = k.end();
-          MeanForces            mean = mean_forces(k, stiffness);
-          const double          w    = shape.weight[g];
-          const double          weight = w * jacobian;
+          const PointIncrementsOf<Number> point(shape,
+                                                g,
+                                                inverse_jacobian,
+                                                increments);
+          const StepKinematicsOf<Number>  k =
+            step_kinematics(start.points[g], point);
+          const StrainsOf<Number> end    = k.end();
+          MeanForcesOf<Number>    mean   = mean_forces(k, stiffness);
+          const double            w      = shape.weight[g];
+          const Number            weight = w * jacobian;
           energy.strain += weight / 2 *
             (stiffness.axial * end.epsilon * end.epsilon +
              stiffness.shear * end.gamma * end.gamma +
@@ -336,11 +356,11 @@ namespace auxfem
           if constexpr (HighFrequencyDamping::is_used)
             energy.taken +=
               weight * add_damping(k, stiffness, damping, g, mean);
-          const double fx = w * (k.cosine * mean.axial - k.sine * mean.shear),
+          const Number fx = w * (k.cosine * mean.axial - k.sine * mean.shear),
                        fy = w * (k.sine * mean.axial + k.cosine * mean.shear),
                        m  = weight *
             (mean.axial * k.slip - mean.shear * k.stretch);
-          const double by_value   = m * rotation_scale(increments, point, k),
+          const Number by_value   = m * rotation_scale(increments, point, k),
                        by_bending = w * mean.bending;
           for (int a = 0; a <= order; ++a)
             {
@@ -370,51 +390,56 @@ namespace auxfem
      */
     template <int  order,
               bool damped,
+              class Number,
               class HighFrequencyDamping = NoIncrementDamping>
     inline void
     mean_tangent(const BeamShape<order>                      &shape,
-                 const Frame                                 *frames,
-                 const double                                 jacobian,
-                 const Stiffness                             &stiffness,
-                 const StepStart<order>                      &start,
-                 const double                                *u1,
+                 const FrameOf<Number>                       *frames,
+                 const Number                                 jacobian,
+                 const StiffnessOf<Number>                   &stiffness,
+                 const StepStart<order, Number>              &start,
+                 const Number                                *u1,
                  const double                                 dt,
                  const double                                 stiffness_factor,
                  const double                                 damping_factor,
-                 double                                      *matrix,
+                 Number                                      *matrix,
                  [[maybe_unused]] const HighFrequencyDamping &damping = {})
     {
       constexpr int n                = 3 * (order + 1);
-      const double  inverse_jacobian = 1 / jacobian;
-      double        material         = stiffness_factor +
+      const Number  inverse_jacobian = 1 / jacobian;
+      Number        material         = stiffness_factor +
         (damped ? stiffness.damping_time * damping_factor : 0.);
       if constexpr (HighFrequencyDamping::is_used)
         material += damping.in_tangent;
-      const NodeIncrements<order> increments(start.displacements, u1);
+      const NodeIncrements<order, Number> increments(start.displacements, u1);
       for (int i = 0; i < n * n; ++i)
         matrix[i] = 0;
       for (int g = 0; g < order; ++g)
         {
-          const PointIncrements point(shape, g, inverse_jacobian, increments);
-          const StepKinematics  k    = step_kinematics(start.points[g], point);
-          MeanForces            mean = mean_forces(k, stiffness);
+          const PointIncrementsOf<Number> point(shape,
+                                                g,
+                                                inverse_jacobian,
+                                                increments);
+          const StepKinematicsOf<Number>  k =
+            step_kinematics(start.points[g], point);
+          MeanForcesOf<Number> mean = mean_forces(k, stiffness);
           if (damped)
             add_damping(k, stiffness, dt, mean);
           if constexpr (HighFrequencyDamping::is_used)
             add_damping(k, stiffness, damping, g, mean);
           // Mean N and Q by x', y' and phi at the end.
-          const double EA     = material * stiffness.axial,
-                       GA     = material * stiffness.shear,
-                       c      = 2 * k.cosine - start.points[g].cosine,
-                       s      = 2 * k.sine - start.points[g].sine;
-          const Strains end   = k.end();
-          const double  dN[3] = {EA * c,
-                                 EA * s,
-                                 EA * (end.gamma + frames[g].shear)},
-                       dQ[3]  = {-GA * s,
-                                 GA * c,
-                                 -GA * (end.epsilon + frames[g].axial)};
-          double G[3][3];
+          const Number EA               = material * stiffness.axial,
+                       GA               = material * stiffness.shear,
+                       c                = 2 * k.cosine - start.points[g].cosine,
+                       s                = 2 * k.sine - start.points[g].sine;
+          const StrainsOf<Number> end   = k.end();
+          const Number            dN[3] = {EA * c,
+                                           EA * s,
+                                           EA * (end.gamma + frames[g].shear)},
+                       dQ[3]            = {-GA * s,
+                                           GA * c,
+                                           -GA * (end.epsilon + frames[g].axial)};
+          Number G[3][3];
           for (int j = 0; j < 3; ++j)
             {
               G[0][j] = k.cosine * dN[j] - k.sine * dQ[j];
@@ -422,8 +447,8 @@ namespace auxfem
               G[2][j] = k.slip * dN[j] - k.stretch * dQ[j];
             }
           // The means of t and n turn with half of the rotation at the end.
-          const double along = c * k.x + s * k.y, across = c * k.y - s * k.x;
-          const double N = stiffness_factor * mean.axial,
+          const Number along = c * k.x + s * k.y, across = c * k.y - s * k.x;
+          const Number N = stiffness_factor * mean.axial,
                        Q = stiffness_factor * mean.shear;
           G[0][2] -= N * s + Q * c;
           G[1][2] += N * c - Q * s;
@@ -431,27 +456,26 @@ namespace auxfem
           G[2][1] += N * k.cosine - Q * k.sine;
           G[2][2] -= N * along + Q * across;
 
-          const RotationShapes<order> rotation(shape,
-                                               g,
-                                               increments,
-                                               rotation_scale(increments,
-                                                              point,
-                                                              k));
-          const double                w = shape.weight[g];
-          const double                bending =
+          const RotationShapes<order, Number> rotation(
+            shape,
+            g,
+            increments,
+            rotation_scale(increments, point, k));
+          const double w = shape.weight[g];
+          const Number bending =
             w * inverse_jacobian * material * stiffness.bending;
           for (int a = 0; a <= order; ++a)
             for (int b = 0; b <= order; ++b)
               {
                 const double slope = shape.derivative[g][a];
-                const double dd =
+                const Number dd =
                   w * inverse_jacobian * slope * shape.derivative[g][b];
                 const double dv = w * slope * shape.value[g][b];
-                const double vd =
+                const Number vd =
                   w * rotation.value[a] * shape.derivative[g][b];
-                const double vv =
+                const Number vv =
                   w * jacobian * rotation.value[a] * shape.value[g][b];
-                double *block = matrix + 3 * a * n + 3 * b;
+                Number *block = matrix + 3 * a * n + 3 * b;
                 for (int i = 0; i < 2; ++i)
                   {
                     for (int j = 0; j < 2; ++j)

@@ -29,17 +29,29 @@ namespace auxfem
   /** @name Functions of half the rotation increment of a step, which is small. */
   ///@{
   /** sin(x) / x. */
-  inline double sinc(const double x)
+  template <class Number>
+  inline Number sinc(const Number &x)
   {
-    const double y = x * x;
-    return y > largest_small_square ? std::sin(x) / x : sinc_series(y);
+    using std::sin;
+    const Number y      = x * x;
+    Number       result = sinc_series(y);
+    const auto   large  = y > largest_small_square;
+    if (any_of(large))
+      where(large, result) = sin(x) / x;
+    return result;
   }
 
   /** cos(x). */
-  inline double cosine_of_small(const double x)
+  template <class Number>
+  inline Number cosine_of_small(const Number &x)
   {
-    const double y = x * x;
-    return y > largest_small_square ? std::cos(x) : cosine_series(y);
+    using std::cos;
+    const Number y      = x * x;
+    Number       result = cosine_series(y);
+    const auto   large  = y > largest_small_square;
+    if (any_of(large))
+      where(large, result) = cos(x);
+    return result;
   }
   ///@}
 
@@ -53,25 +65,29 @@ namespace auxfem
   }
 
   /** c of a rotation by less than half a turn. */
-  inline SpaceVector cayley_rotation(const Quaternion &rotation)
+  template <class Number>
+  inline VectorOf<Number> cayley_rotation(const QuaternionOf<Number> &rotation)
   {
     return 2 / rotation.scalar * rotation.vector;
   }
 
   /** c of a rotation vector shorter than pi. */
-  inline SpaceVector cayley_rotation(const SpaceVector &rotation_vector)
+  template <class Number>
+  inline VectorOf<Number>
+  cayley_rotation(const VectorOf<Number> &rotation_vector)
   {
     return cayley_rotation(exponential(rotation_vector));
   }
 
   /** The mean of @p v and what the rotation with @p c makes of it:
    * (I - [c]x / 2)^-1 v. */
-  inline SpaceVector mean_over_rotation(const SpaceVector &c,
-                                        const SpaceVector &v)
+  template <class Number>
+  inline VectorOf<Number> mean_over_rotation(const VectorOf<Number> &c,
+                                             const VectorOf<Number> &v)
   {
-    const SpaceVector half = c / 2;
-    return (v + dealii::cross_product_3d(half, v) + (half * v) * half) /
-      (1 + half.norm_square());
+    const VectorOf<Number> half = 0.5 * c;
+    return 1 / (1 + half.norm_square()) *
+      (v + dealii::cross_product_3d(half, v) + (half * v) * half);
   }
 
   /**
@@ -79,9 +95,11 @@ namespace auxfem
    * along, C <- C exp(theta): I + [c]x / 2 + c c^T / 4. In fixed axes, of
    * exp(theta) C, it is that of -c.
    */
-  inline SpaceTensor cayley_change_by_spin(const SpaceVector &c)
+  template <class Number>
+  inline TensorOf<Number> cayley_change_by_spin(const VectorOf<Number> &c)
   {
-    return plus_identity(0.5 * cross_product_tensor(c) + 0.25 * dyad(c, c), 1.);
+    return plus_identity(0.5 * cross_product_tensor(c) + 0.25 * dyad(c, c),
+                         Number(1));
   }
 } // namespace auxfem
 

@@ -32,8 +32,10 @@ namespace auxfem
     static constexpr bool is_used = false;
   };
 
-  /** The damping in an element, of which the increments are remembered. */
-  struct IncrementDamping
+  /** The damping in an element, or with Lanes for numbers in several, of which
+   * the increments are remembered. */
+  template <class Number>
+  struct IncrementDampingOf
   {
     static constexpr bool is_used = true;
 
@@ -43,15 +45,17 @@ namespace auxfem
      * they begin, and is near enough to the others. */
     double in_tangent;
     /** delta E_{n-1}, and where delta E_n is put; point by point. */
-    const double *last;
-    double       *now;
+    const Number *last;
+    Number       *now;
 
     /**
      * @param chi the damping
      * @param dt, dt_before lengths of this step and the one before (s); of the
      *   latter 0 if there is none
      */
-    IncrementDamping(const double chi, const double dt, const double dt_before)
+    IncrementDampingOf(const double chi,
+                       const double dt,
+                       const double dt_before)
       : in_tangent(chi / 2)
       , last(nullptr)
       , now(nullptr)
@@ -63,12 +67,13 @@ namespace auxfem
 
     /** What is added to mean strain @p i of an element, @p increment being its
      * delta E_n, which is remembered. */
-    double operator()(const int i, const double increment) const
+    Number operator()(const int i, const Number &increment) const
     {
       now[i] = increment;
       return present * increment - before * last[i];
     }
   };
+  using IncrementDamping = IncrementDampingOf<double>;
 } // namespace auxfem
 
 #endif

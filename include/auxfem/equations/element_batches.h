@@ -2,6 +2,7 @@
 #define auxfem_equations_element_batches_h
 
 #include <auxfem/elements/lanes.h>
+#include <auxfem/time/state.h>
 
 #include <algorithm>
 #include <utility>
@@ -15,6 +16,12 @@ namespace auxfem
     EachLane<unsigned int> elements;
     /** How many there are without the repeated ones. */
     unsigned int size;
+
+    /** From 0 on in the order of the elements. */
+    unsigned int number() const
+    {
+      return elements[0] / n_lanes;
+    }
 
     /** What @p of_element, a function of an element, gives for each. */
     template <class OfElement>
@@ -67,6 +74,20 @@ namespace auxfem
   template <class Unknowns>
   using NumberAt =
     decltype(value_at(nullptr, std::declval<const Unknowns &>(), 0));
+
+  /** By how much the displacement of unknown @p i is more than that of unknown
+   * @p other, to the last digit of the difference, at a @p state with
+   * compensation. */
+  inline Lanes relative_displacement(const State                 &state,
+                                     const EachLane<const int *> &unknowns,
+                                     const int                    i,
+                                     const int                    other)
+  {
+    const double *u = state.displacement.data(),
+                 *c = state.compensation->data();
+    return (value_at(u, unknowns, i) - value_at(u, unknowns, other)) +
+      (value_at(c, unknowns, i) - value_at(c, unknowns, other));
+  }
 
   /** Adds those of one @p lane of @p of_lanes to @p values. */
   template <std::size_t n>

@@ -159,15 +159,6 @@ namespace auxfem
     ///@}
   };
 
-  /** By how much the displacement of @p unknown is more than that of @p other,
-   * to the last digit of the difference, at a state with compensation. */
-  inline double
-  relative_displacement(const State &state, const int unknown, const int other)
-  {
-    const Vector &u = state.displacement, &c = *state.compensation;
-    return (u[unknown] - u[other]) + (c[unknown] - c[other]);
-  }
-
   /** The argument of time histories: the time (s), on a path of equilibria the
    * load factor. */
   inline double time_of_loads(const State &state)

@@ -111,62 +111,62 @@ namespace auxfem
                                                        block);
       }
 
-      /** An element at the start of a step; displacements relative to the first
+      /** Elements at the start of a step; displacements relative to the first
        * node, rotations but for full turns. */
       struct StepStart
       {
-        /** Values are not set. */
-        StepStart() = default;
-
         StepStart(const BeamShape<order> &shape,
-                  const AtRest           &at_rest,
+                  const AtRestOf<Lanes>  &at_rest,
                   const DofNumbering & /*numbering*/,
-                  const int   *unknowns,
-                  const State &state)
-          : turns(std::round(state.displacement[unknowns[2]] / turn))
+                  const EachLane<const int *> &unknowns,
+                  const State                 &state)
+          : turns(round(
+              Lanes(value_at(state.displacement.data(), unknowns, 2) / turn)))
         {
-          double u[n];
+          Lanes u[n];
           gather(unknowns, state, u);
           element = {shape, at_rest.frames, at_rest.jacobian, u};
         }
 
         /** Displacements of the same kind at another state. */
-        void gather(const int *unknowns, const State &state, double *u) const
+        void gather(const EachLane<const int *> &unknowns,
+                    const State                 &state,
+                    Lanes                       *u) const
         {
           for (int i = 0; i < n; i += n_components)
             {
-              const int *node = unknowns + i;
               for (int c = 0; c < 2; ++c)
-                u[i + c] = relative_displacement(state, node[c], unknowns[c]);
-              double rotation = state.displacement[node[2]];
-              if (turns != 0)
-                rotation =
-                  std::fma(-turns, turn, rotation) - turns * rest_of_turn;
-              u[i + 2] = rotation + (*state.compensation)[node[2]];
+                u[i + c] = relative_displacement(state, unknowns, i + c, c);
+              const Lanes rotation =
+                value_at(state.displacement.data(), unknowns, i + 2);
+              u[i + 2] = fma(-turns, Lanes(turn), rotation) -
+                turns * rest_of_turn +
+                value_at(state.compensation->data(), unknowns, i + 2);
             }
         }
 
-        Beam2D::StepStart<order> element;
+        Beam2D::StepStart<order, Lanes> element;
 
       private:
         /** 2 pi, and what the number lacks. */
         static constexpr double turn         = 2 * dealii::numbers::PI,
                                 rest_of_turn = 2.4492935982947064e-16;
 
-        double turns;
+        Lanes turns;
       };
 
       template <class HighFrequencyDamping>
-      static Beam2D::StepEnergy mean_force(const BeamShape<order> &shape,
-                                           const AtRest           &at_rest,
-                                           const DofNumbering & /*numbering*/,
-                                           const int                  *unknowns,
-                                           const StepStart            &start,
-                                           const Evaluation           &step,
-                                           const HighFrequencyDamping &damping,
-                                           double                     *force)
+      AUXFEM_ONE_PIECE static Beam2D::StepEnergyOf<Lanes>
+      mean_force(const BeamShape<order> &shape,
+                 const AtRestOf<Lanes>  &at_rest,
+                 const DofNumbering & /*numbering*/,
+                 const EachLane<const int *> &unknowns,
+                 const StepStart             &start,
+                 const Evaluation            &step,
+                 const HighFrequencyDamping  &damping,
+                 Lanes                       *force)
       {
-        double end[n];
+        Lanes end[n];
         start.gather(unknowns, step.to, end);
         return Beam2D::mean_force<order, damped>(shape,
                                                  at_rest.jacobian,
@@ -179,17 +179,18 @@ namespace auxfem
       }
 
       template <class HighFrequencyDamping>
-      static void mean_tangent(const BeamShape<order> &shape,
-                               const AtRest           &at_rest,
-                               const DofNumbering & /*numbering*/,
-                               const int                  *unknowns,
-                               const StepStart            &start,
-                               const Evaluation           &step,
-                               const TangentFactors       &factors,
-                               const HighFrequencyDamping &damping,
-                               double                     *block)
+      AUXFEM_ONE_PIECE static void
+      mean_tangent(const BeamShape<order> &shape,
+                   const AtRestOf<Lanes>  &at_rest,
+                   const DofNumbering & /*numbering*/,
+                   const EachLane<const int *> &unknowns,
+                   const StepStart             &start,
+                   const Evaluation            &step,
+                   const TangentFactors        &factors,
+                   const HighFrequencyDamping  &damping,
+                   Lanes                       *block)
       {
-        double end[n];
+        Lanes end[n];
         start.gather(unknowns, step.to, end);
         Beam2D::mean_tangent<order, damped>(shape,
                                             at_rest.frames,

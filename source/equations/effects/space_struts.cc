@@ -173,86 +173,69 @@ namespace auxfem
           }
       }
 
-      /** Nodes at one end of a step, displacements relative to the first. */
-      static std::array<Beam3D::Node, order + 1>
-      nodes_in_step(const DofNumbering &numbering,
-                    const int          *unknowns,
-                    const State        &state)
+      /** Elements at the start of a step. */
+      struct StepStart : public Beam3D::StepStart<order, Lanes>
       {
-        std::array<Beam3D::Node, order + 1> nodes;
-        for (int a = 0; a <= order; ++a)
-          {
-            const int *node = unknowns + n_components * a;
-            for (int c = 0; c < 3; ++c)
-              nodes[a].displacement[c] =
-                relative_displacement(state, node[c], unknowns[c]);
-            nodes[a].rotation = rotation_at(numbering, unknowns, state, a);
-          }
-        return nodes;
-      }
-
-      /** An element at the start of a step. */
-      struct StepStart
-      {
-        /** Values are not set. */
-        StepStart() = default;
-
-        StepStart(const BeamShape<order> & /*shape*/,
-                  const AtRest & /*at_rest*/,
-                  const DofNumbering &numbering,
-                  const int          *unknowns,
-                  const State        &state)
-          : nodes(nodes_in_step(numbering, unknowns, state))
+        StepStart(const BeamShape<order>      &shape,
+                  const AtRestOf<Lanes>       &at_rest,
+                  const DofNumbering          &numbering,
+                  const EachLane<const int *> &unknowns,
+                  const State                 &state)
+          : Beam3D::StepStart<order, Lanes>(
+              shape,
+              at_rest.frames,
+              at_rest.jacobian,
+              nodes_in_step<order>(numbering, unknowns, state).data())
         {}
-
-        std::array<Beam3D::Node, order + 1> nodes;
       };
 
       template <class HighFrequencyDamping>
-      static Beam3D::StepEnergy mean_force(const BeamShape<order> &shape,
-                                           const AtRest           &at_rest,
-                                           const DofNumbering     &numbering,
-                                           const int              *unknowns,
-                                           const StepStart        &start,
-                                           const Evaluation       &step,
-                                           const HighFrequencyDamping &damping,
-                                           double                     *force)
+      static Beam3D::StepEnergyOf<Lanes>
+      mean_force(const BeamShape<order>      &shape,
+                 const AtRestOf<Lanes>       &at_rest,
+                 const DofNumbering          &numbering,
+                 const EachLane<const int *> &unknowns,
+                 const StepStart             &start,
+                 const Evaluation            &step,
+                 const HighFrequencyDamping  &damping,
+                 Lanes                       *force)
       {
         return Beam3D::mean_force(
           shape,
           at_rest.frames,
           at_rest.jacobian,
           at_rest.stiffness.elastic,
-          start.nodes.data(),
-          nodes_in_step(numbering, unknowns, step.to).data(),
-          damped ? at_rest.stiffness.damping_time / step.dt : 0.,
+          start,
+          nodes_in_step<order>(numbering, unknowns, step.to).data(),
+          Lanes(damping_time(at_rest) / step.dt),
           force,
           damping);
       }
 
       template <class HighFrequencyDamping>
-      static void mean_tangent(const BeamShape<order>     &shape,
-                               const AtRest               &at_rest,
-                               const DofNumbering         &numbering,
-                               const int                  *unknowns,
-                               const StepStart            &start,
-                               const Evaluation           &step,
-                               const TangentFactors       &factors,
-                               const HighFrequencyDamping &damping,
-                               double                     *block)
+      static void mean_tangent(const BeamShape<order>      &shape,
+                               const AtRestOf<Lanes>       &at_rest,
+                               const DofNumbering          &numbering,
+                               const EachLane<const int *> &unknowns,
+                               const StepStart             &start,
+                               const Evaluation            &step,
+                               const TangentFactors        &factors,
+                               const HighFrequencyDamping  &damping,
+                               Lanes                       *block)
       {
-        const double beta = damped ? at_rest.stiffness.damping_time : 0.;
-        Beam3D::mean_tangent(shape,
-                             at_rest.frames,
-                             at_rest.jacobian,
-                             at_rest.stiffness.elastic,
-                             start.nodes.data(),
-                             nodes_in_step(numbering, unknowns, step.to).data(),
-                             beta / step.dt,
-                             factors.stiffness,
-                             factors.stiffness + beta * factors.damping,
-                             block,
-                             damping);
+        const Lanes beta = damping_time(at_rest);
+        Beam3D::mean_tangent(
+          shape,
+          at_rest.frames,
+          at_rest.jacobian,
+          at_rest.stiffness.elastic,
+          start,
+          nodes_in_step<order>(numbering, unknowns, step.to).data(),
+          Lanes(beta / step.dt),
+          factors.stiffness,
+          Lanes(factors.stiffness + beta * factors.damping),
+          block,
+          damping);
       }
 
       static Stiffness stiffness(const Section &section)
@@ -404,6 +387,12 @@ namespace auxfem
       }
 
     private:
+      /** Zero without damping (s). */
+      static Lanes damping_time(const AtRestOf<Lanes> &at_rest)
+      {
+        return damped ? at_rest.stiffness.damping_time : Lanes(0);
+      }
+
       template <class Number>
       static Beam3D::ElementKinematics<order, Number>
       kinematics(const BeamShape<order> &shape,

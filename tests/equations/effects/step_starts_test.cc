@@ -9,13 +9,15 @@ TEST(StepStarts, AreMadeAnewWhereTheStartDiffersInItsLastBit)
   StateLayout layout;
   layout.compensation = true;
   layout.n_rotations  = 1;
-  State              state(/*n_unknowns=*/3, layout);
-  StepStarts<double> starts;
-  unsigned int       n_made = 0;
-  const auto         update = [&] {
-    starts.update(state, /*n_elements=*/2, [&](const unsigned int e) {
-      ++n_made;
-      return state.displacement[e] + (*state.compensation)[e];
+  State             state(/*n_unknowns=*/3, layout);
+  StepStarts<Lanes> starts;
+  unsigned int      n_made = 0;
+  const auto        update = [&] {
+    starts.update(state, /*n_elements=*/2, [&](const ElementBatch &batch) {
+      n_made += batch.size;
+      return batch.numbers([&](const unsigned int e) {
+        return state.displacement[e] + (*state.compensation)[e];
+      });
     });
   };
   update();
@@ -26,11 +28,11 @@ TEST(StepStarts, AreMadeAnewWhereTheStartDiffersInItsLastBit)
   state.displacement[1] = 1;
   update();
   EXPECT_EQ(n_made, 4u);
-  EXPECT_EQ(starts[1], 1.);
+  EXPECT_EQ(starts[0][1], 1.);
   (*state.compensation)[0] = 1e-300;
   update();
   EXPECT_EQ(n_made, 6u);
-  EXPECT_EQ(starts[0], 1e-300);
+  EXPECT_EQ(starts[0][0], 1e-300);
   state.rotations[0].vector[2] = 1e-17;
   update();
   EXPECT_EQ(n_made, 8u);

@@ -1,6 +1,7 @@
 #ifndef auxfem_equations_effects_beam_elements_h
 #define auxfem_equations_effects_beam_elements_h
 
+#include <auxfem/algebra/tangent_matrix.h>
 #include <auxfem/elements/section.h>
 #include <auxfem/equations/element_batches.h>
 #include <auxfem/model/numbering.h>
@@ -129,6 +130,19 @@ namespace auxfem
                                                    const State &state) const
     {
       return Beam::motion(numbering, unknowns(batch), state);
+    }
+
+    /** Adds tangents of the elements of @p batch. */
+    void add_blocks(const ElementBatch &batch,
+                    const Lanes (&blocks)[n * n],
+                    TangentMatrix &matrix) const
+    {
+      for (unsigned int lane = 0; lane < batch.size; ++lane)
+        {
+          double block[n * n];
+          take_lane(blocks, lane, block);
+          matrix.add(group.begin + batch.elements[lane], block);
+        }
     }
 
     const Lattice              &lattice;

@@ -33,11 +33,11 @@ namespace auxfem
    * `geometric_tangent`, `elastic_forces`, `viscous_forces` (of several motions
    * of the same positions) at its Gauss points, and `rotation`, `axes` for
    * output, `strain_product` for energies. With large rotations it has a type
-   * `StepStart`, what the iterations of a step have in common, and `mean_force`
-   * and `mean_tangent` over a step.
+   * `StepStart`, what the iterations of a step have in common of several
+   * elements, and `mean_force` and `mean_tangent` over a step.
    *
-   * Forces at a state, their tangent and the work of damping are computed of
-   * several elements at a time.
+   * Forces, their tangents and the work of damping are computed of several
+   * elements at a time.
    */
   template <class Beam>
   class BeamForces : public BeamSamples<Beam>
@@ -82,22 +82,24 @@ namespace auxfem
       auto &of_struts  = static_cast<Results &>(*results);
       of_struts.energy = {};
       if (evaluation.kind == Evaluation::Kind::between)
-        mean_forces.for_each_force(evaluation,
-                                   of_struts.starts,
-                                   [&](const unsigned int e,
-                                       const BeamEnergy  &energy,
-                                       const double      *force) {
-                                     const int *unknowns = beams.unknowns(e);
-                                     for (int i = 0; i < n; ++i)
-                                       residual[unknowns[i]] += force[i];
-                                     enter(e,
-                                           energy,
-                                           largest_at_ends(force,
-                                                           beams[e].length),
-                                           of_struts);
-                                   });
+        mean_forces.for_each_force(
+          evaluation,
+          of_struts.starts,
+          [&](const ElementBatch        &batch,
+              const BeamEnergyOf<Lanes> &energy,
+              const Lanes(&force)[n]) {
+            add_forces(batch, energy, force, residual, of_struts);
+          });
       else
-        add_internal_forces(evaluation.to, residual, of_struts);
+        beams.for_each_batch([&](const ElementBatch &batch) {
+          Lanes      force[n];
+          const auto energy =
+            Beam::internal_force(beams.shape,
+                                 beams.at_rest(batch),
+                                 beams.motion(batch, evaluation.to),
+                                 force);
+          add_forces(batch, energy, force, residual, of_struts);
+        });
     }
 
     void add_tangent(const Evaluation                     &evaluation,
@@ -249,46 +251,30 @@ namespace auxfem
       return static_cast<const BeamResults &>(*results).energy;
     }
 
-    void add_internal_forces(const State &state,
-                             double      *residual,
-                             BeamResults &results) const
+    /** Adds the @p force of several elements, and enters what they do. */
+    void add_forces(const ElementBatch        &batch,
+                    const BeamEnergyOf<Lanes> &energy,
+                    const Lanes (&force)[n],
+                    double      *residual,
+                    BeamResults &results) const
     {
-      beams.for_each_batch([&](const ElementBatch &batch) {
-        Lanes       force[n];
-        const auto  energy = Beam::internal_force(beams.shape,
-                                                 beams.at_rest(batch),
-                                                 beams.motion(batch, state),
-                                                 force);
-        const Lanes largest =
-          largest_at_ends(force, batch.numbers([&](const unsigned int e) {
-            return beams[e].length;
-          }));
-        for (unsigned int lane = 0; lane < batch.size; ++lane)
-          {
-            const unsigned int e = batch.elements[lane];
-            add_lane(force, lane, beams.unknowns(e), residual);
-            enter(e,
-                  {energy.strain[lane], energy.dissipation[lane]},
-                  largest[lane],
-                  results);
-          }
-      });
-    }
-
-    /** Enters what element @p e does, with the @p largest force at its ends. */
-    void enter(const unsigned int e,
-               const BeamEnergy  &energy,
-               const double       largest,
-               BeamResults       &results) const
-    {
-      if (beams[e].owned)
+      const Lanes largest =
+        largest_at_ends(force, batch.numbers([&](const unsigned int e) {
+          return beams[e].length;
+        }));
+      for (unsigned int lane = 0; lane < batch.size; ++lane)
         {
-          results.energy.strain += energy.strain;
-          results.energy.dissipation += energy.dissipation;
-          results.energy.taken += energy.taken;
+          const unsigned int e = batch.elements[lane];
+          add_lane(force, lane, beams.unknowns(e), residual);
+          if (beams[e].owned)
+            {
+              results.energy.strain += energy.strain[lane];
+              results.energy.dissipation += energy.dissipation[lane];
+              results.energy.taken += energy.taken[lane];
+            }
+          results.forces[e]          = largest[lane];
+          results.strain_energies[e] = energy.strain[lane];
         }
-      results.forces[e]          = largest;
-      results.strain_energies[e] = energy.strain;
     }
 
     /** Adds the tangent of the internal forces at the end of the step. */
@@ -306,29 +292,22 @@ namespace auxfem
                                            factors),
                       factors,
                       block);
-        for (unsigned int lane = 0; lane < batch.size; ++lane)
-          {
-            double of_element[n * n];
-            take_lane(block, lane, of_element);
-            matrix.add(beams.group.begin + batch.elements[lane], of_element);
-          }
+        beams.add_blocks(batch, block, matrix);
       });
     }
 
     /** As in BeamResults. */
-    template <class Number>
-    static Number largest_at_ends(const Number *force, const Number &length)
+    static Lanes largest_at_ends(const Lanes (&force)[n], const Lanes &length)
     {
-      using std::abs, std::max;
-      Number of_forces = 0, of_moments = 0;
+      Lanes of_forces = 0, of_moments = 0;
       // The first two nodes.
       for (int a = 0; a < 2; ++a)
         for (int c = 0; c < n_components; ++c)
           {
-            Number &largest = c < n_translations ? of_forces : of_moments;
-            largest         = max(largest, abs(force[n_components * a + c]));
+            Lanes &largest = c < n_translations ? of_forces : of_moments;
+            largest        = max(largest, abs(force[n_components * a + c]));
           }
-      return max(of_forces, Number(of_moments / length));
+      return max(of_forces, Lanes(of_moments / length));
     }
 
     /** Raises @p forces in the rows of element @p e to @p force (N). */

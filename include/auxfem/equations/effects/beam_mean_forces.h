@@ -1,7 +1,6 @@
 #ifndef auxfem_equations_effects_beam_mean_forces_h
 #define auxfem_equations_effects_beam_mean_forces_h
 
-#include <auxfem/algebra/tangent_matrix.h>
 #include <auxfem/elements/increment_damping.h>
 #include <auxfem/equations/effect.h>
 #include <auxfem/equations/effects/beam_elements.h>
@@ -14,8 +13,8 @@
 namespace auxfem
 {
   /**
-   * Mean forces of beams over a step between two states, with the damping of
-   * high frequencies. @p Beam is as in BeamForces.
+   * Mean forces of beams over a step between two states, of several elements at
+   * a time, with the damping of high frequencies. @p Beam is as in BeamForces.
    */
   template <class Beam>
   class BeamMeanForces
@@ -53,7 +52,8 @@ namespace auxfem
     }
 
     /**
-     * Calls @p act with every element, its energies and its force.
+     * Calls @p act with several elements at a time, their energies and their
+     * forces, for all.
      * @param starts kept from one evaluation of the step to the next
      */
     template <class Action>
@@ -63,30 +63,23 @@ namespace auxfem
     {
       if constexpr (!Beam::is_linear)
         find_starts(step.from, starts);
-      with_damping_of_increments(step, [&](const auto &damping_of) {
-        for (unsigned int e = 0; e < beams.size(); ++e)
+      for_each_batch(step, [&](const ElementBatch &batch, const auto &damping) {
+        Lanes force[n];
+        if constexpr (Beam::is_linear)
+          act(batch, linear_mean_force(step, batch, damping, force), force);
+        else
           {
-            double force[n];
-            if constexpr (Beam::is_linear)
-              {
-                const BeamEnergy energy =
-                  linear_mean_force(step, e, damping_of(e), force);
-                act(e, energy, force);
-              }
-            else
-              {
-                const auto energy = Beam::mean_force(beams.shape,
-                                                     beams[e].at_rest,
-                                                     beams.numbering,
-                                                     beams.unknowns(e),
-                                                     starts[e],
-                                                     step,
-                                                     damping_of(e),
-                                                     force);
-                act(e,
-                    BeamEnergy{energy.strain, energy.lost, energy.taken},
-                    force);
-              }
+            const auto energy = Beam::mean_force(beams.shape,
+                                                 beams.at_rest(batch),
+                                                 beams.numbering,
+                                                 beams.unknowns(batch),
+                                                 starts[batch.number()],
+                                                 step,
+                                                 damping,
+                                                 force);
+            act(batch,
+                BeamEnergyOf<Lanes>{energy.strain, energy.lost, energy.taken},
+                force);
           }
       });
     }
@@ -97,21 +90,18 @@ namespace auxfem
                      const TangentFactors &factors,
                      TangentMatrix        &matrix) const
     {
-      with_damping_of_increments(step, [&](const auto &damping_of) {
-        double block[n * n];
-        for (unsigned int e = 0; e < beams.size(); ++e)
-          {
-            Beam::mean_tangent(beams.shape,
-                               beams[e].at_rest,
-                               beams.numbering,
-                               beams.unknowns(e),
-                               starts[e],
-                               step,
-                               factors,
-                               damping_of(e),
-                               block);
-            matrix.add(beams.group.begin + e, block);
-          }
+      for_each_batch(step, [&](const ElementBatch &batch, const auto &damping) {
+        Lanes block[n * n];
+        Beam::mean_tangent(beams.shape,
+                           beams.at_rest(batch),
+                           beams.numbering,
+                           beams.unknowns(batch),
+                           starts[batch.number()],
+                           step,
+                           factors,
+                           damping,
+                           block);
+        beams.add_blocks(batch, block, matrix);
       });
     }
 
@@ -119,12 +109,7 @@ namespace auxfem
      * linear tangent. */
     double stiffness_of_damping(const Evaluation &step) const
     {
-      double of_damping = 0;
-      with_damping_of_increments(step, [&](const auto &damping_of) {
-        if constexpr (decltype(damping_of(0))::is_used)
-          of_damping = damping_of(0).in_tangent;
-      });
-      return of_damping;
+      return damps_high_frequencies() ? increment_damping(step).in_tangent : 0;
     }
 
   private:
@@ -141,38 +126,57 @@ namespace auxfem
       return interval.strut * of_strut + interval.number();
     }
 
+    /** Of the @p step, without increments. */
+    IncrementDampingOf<Lanes> increment_damping(const Evaluation &step) const
+    {
+      return {high_frequency_damping,
+              step.dt,
+              step.from.history[length_of_step]};
+    }
+
     /**
-     * Calls @p act with a function of an element that says how the increments in
-     * the @p step between two states are damped.
+     * Calls @p act with batches of all elements and what damps their increments
+     * in the @p step between two states.
      */
     template <class Action>
-    void with_damping_of_increments(const Evaluation &step,
-                                    const Action     &act) const
+    void for_each_batch(const Evaluation &step, const Action &act) const
     {
       if (!damps_high_frequencies())
         {
-          act([](unsigned int) { return NoIncrementDamping(); });
+          beams.for_each_batch([&](const ElementBatch &batch) {
+            act(batch, NoIncrementDamping());
+          });
           return;
         }
-      IncrementDamping damping(high_frequency_damping,
-                               step.dt,
-                               step.from.history[length_of_step]);
+      IncrementDampingOf<Lanes> damping = increment_damping(step);
+      Lanes                     last[n_increments], now[n_increments];
+      damping.last                    = last;
+      damping.now                     = now;
       step.to.history[length_of_step] = step.dt;
-      act([&](const unsigned int e) {
-        const std::size_t at = first_increment + std::size_t(e) * n_increments;
-        damping.last         = step.from.history.data() + at;
-        damping.now          = step.to.history.data() + at;
-        return damping;
+      const auto increments = [&](auto &history, const unsigned int e) {
+        return history.data() + first_increment + std::size_t(e) * n_increments;
+      };
+      beams.for_each_batch([&](const ElementBatch &batch) {
+        const auto remembered = batch.each([&](const unsigned int e) {
+          return increments(step.from.history, e);
+        });
+        for (int i = 0; i < n_increments; ++i)
+          last[i] = Lanes([&](const auto lane) { return remembered[lane][i]; });
+        act(batch, damping);
+        for (unsigned int lane = 0; lane < batch.size; ++lane)
+          take_lane(now,
+                    lane,
+                    increments(step.to.history, batch.elements[lane]));
       });
     }
 
     void find_starts(const State &from, Starts &starts) const
     {
-      starts.update(from, beams.size(), [&](const unsigned int e) {
+      starts.update(from, beams.size(), [&](const ElementBatch &batch) {
         return typename Beam::StepStart(beams.shape,
-                                        beams[e].at_rest,
+                                        beams.at_rest(batch),
                                         beams.numbering,
-                                        beams.unknowns(e),
+                                        beams.unknowns(batch),
                                         from);
       });
     }
@@ -180,27 +184,25 @@ namespace auxfem
     /** By the forces of mean unknowns, and of what the damping adds to
      * them: increments of unknowns stand for those of strains. */
     template <class HighFrequencyDamping>
-    BeamEnergy
+    BeamEnergyOf<Lanes>
     linear_mean_force(const Evaluation                            &step,
-                      const unsigned int                           e,
+                      const ElementBatch                          &batch,
                       [[maybe_unused]] const HighFrequencyDamping &damping,
-                      double                                      *force) const
+                      Lanes                                       *force) const
     {
-      using Motion              = typename Beam::Motion;
-      const Motion start        = beams.motion(e, step.from),
-                   end          = beams.motion(e, step.to);
+      using Motion              = typename Beam::template MotionOf<Lanes>;
+      const Motion start        = beams.motion(batch, step.from),
+                   end          = beams.motion(batch, step.to);
       Motion     mean           = end;
-      const auto internal_force = [&](const Motion &motion, double *force) {
-        return Beam::internal_force(beams.shape,
-                                    beams[e].at_rest,
-                                    motion,
-                                    force);
+      const auto at_rest        = beams.at_rest(batch);
+      const auto internal_force = [&](const Motion &motion, Lanes *force) {
+        return Beam::internal_force(beams.shape, at_rest, motion, force);
       };
-      const double strain = internal_force(end, force).strain;
-      double       taken  = 0;
+      const Lanes strain = internal_force(end, force).strain;
+      Lanes       taken  = 0;
       for (int i = 0; i < n; ++i)
         {
-          mean.u[i] = (start.u[i] + end.u[i]) / 2;
+          mean.u[i] = 0.5 * (start.u[i] + end.u[i]);
           if (Beam::is_damped)
             mean.v[i] = (end.u[i] - start.u[i]) / step.dt;
         }
@@ -209,7 +211,7 @@ namespace auxfem
           Motion added{};
           for (int i = 0; i < n; ++i)
             {
-              added.u[i] = damping(i, end.u[i] - start.u[i]);
+              added.u[i] = damping(i, Lanes(end.u[i] - start.u[i]));
               mean.u[i] += added.u[i];
             }
           internal_force(added, force);

@@ -53,6 +53,27 @@ namespace auxfem
   }
   ///@}
 
+  /** Nodes at one end of a step, displacements relative to the first. */
+  template <int order>
+  std::array<Beam3D::NodeOf<Lanes>, order + 1>
+  nodes_in_step(const DofNumbering          &numbering,
+                const EachLane<const int *> &unknowns,
+                const State                 &state)
+  {
+    std::array<Beam3D::NodeOf<Lanes>, order + 1> nodes;
+    for (int a = 0; a <= order; ++a)
+      {
+        for (int c = 0; c < 3; ++c)
+          nodes[a].displacement[c] =
+            relative_displacement(state,
+                                  unknowns,
+                                  Beam3D::n_components * a + c,
+                                  c);
+        nodes[a].rotation = rotation_at(numbering, unknowns, state, a);
+      }
+    return nodes;
+  }
+
   /** Motion of the nodes with large rotations. */
   template <int order, bool damped, class Number>
   struct RotatingMotion

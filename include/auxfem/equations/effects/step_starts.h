@@ -1,43 +1,46 @@
 #ifndef auxfem_equations_effects_step_starts_h
 #define auxfem_equations_effects_step_starts_h
 
-#include <auxfem/time/state.h>
+#include <auxfem/equations/element_batches.h>
 
 #include <cstring>
 
 namespace auxfem
 {
   /**
-   * What the iterations of a step find of every element at its start, made once
-   * in a step: kept for as long as the start is the same to the last bit.
+   * What the iterations of a step find of all elements at its start, of several
+   * at a time, made once in a step: kept for as long as the start is the same
+   * to the last bit.
    */
-  template <class OfElement>
+  template <class OfBatch>
   class StepStarts
   {
   public:
     /**
      * @param from start of the step
-     * @param make what there is of an element by its number, from which alone
-     *   and @p from it follows
+     * @param make what there is of an ElementBatch, from which alone and @p from
+     *   it follows
      */
     template <class Make>
     void
     update(const State &from, const unsigned int n_elements, const Make &make)
     {
-      if (of_elements.size() == n_elements && is_of(from))
+      if (n_elements == this->n_elements && is_of(from))
         return;
-      displacement = from.displacement;
-      compensation = *from.compensation;
-      rotations    = from.rotations;
-      of_elements.resize(n_elements);
-      for (unsigned int e = 0; e < n_elements; ++e)
-        of_elements[e] = make(e);
+      this->n_elements = n_elements;
+      displacement     = from.displacement;
+      compensation     = *from.compensation;
+      rotations        = from.rotations;
+      of_batches.clear();
+      for_each_batch(n_elements, [&](const ElementBatch &batch) {
+        of_batches.push_back(make(batch));
+      });
     }
 
-    /** Of element @p e at the last start. */
-    const OfElement &operator[](const unsigned int e) const
+    /** Of batch @p number at the last start. */
+    const OfBatch &operator[](const unsigned int number) const
     {
-      return of_elements[e];
+      return of_batches[number];
     }
 
   private:
@@ -59,7 +62,8 @@ namespace auxfem
 
     Vector                  displacement, compensation;
     std::vector<Quaternion> rotations;
-    std::vector<OfElement>  of_elements;
+    unsigned int            n_elements = 0;
+    std::vector<OfBatch>    of_batches;
   };
 } // namespace auxfem
 
