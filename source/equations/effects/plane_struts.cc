@@ -179,7 +179,7 @@ namespace auxfem
       }
 
       template <class HighFrequencyDamping>
-      AUXFEM_ONE_PIECE static void
+      static void
       mean_tangent(const BeamShape<order> &shape,
                    const AtRestOf<Lanes>  &at_rest,
                    const DofNumbering & /*numbering*/,
