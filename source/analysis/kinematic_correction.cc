@@ -270,6 +270,8 @@ namespace auxfem
     EvaluationResults results = small.make_results();
     small.residual(evaluation_of(state, linear), results);
     grow_error(size);
+    // So that a checkpoint needs no matrix.
+    is_factorized = false;
     find(state, evaluation_of, linear.residual);
   }
 
@@ -324,7 +326,7 @@ namespace auxfem
                   time,
                   unstable ? 1. : 0.});
     UnknownRecords(solver.model().numbering).keep(error_record, error, records);
-    solver.save(stiffness_record, is_factorized, records);
+    solver.save(stiffness_record, /*with_factorization=*/false, records);
     Records of_watches;
     for (const auto &watch : watches)
       watch->save(of_watches);
@@ -343,7 +345,7 @@ namespace auxfem
     unstable                         = values[6] != 0;
     error =
       UnknownRecords(solver.model().numbering).values(error_record, records);
-    is_factorized            = solver.resume(stiffness_record, records);
+    solver.resume(stiffness_record, records);
     const Records of_watches = records.all_of(correction_record);
     for (const auto &watch : watches)
       watch->resume(of_watches);

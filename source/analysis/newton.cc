@@ -163,21 +163,25 @@ namespace auxfem
                      kept->is_exact ? 1. : 0.,
                      kept->is_fresh ? 1. : 0.});
     records.keep(newton_record, values);
-    solver.save(tangent_record, kept.has_value(), records);
+    // A linear one is the same whenever it is assembled.
+    solver.save(tangent_record, kept && !is_linear, records);
   }
 
   void Newton::resume(const Records &records)
   {
     const std::vector<double> values =
       records.values(newton_record, records.values_per_item(newton_record));
-    has_failed = values[0] != 0;
-    if (solver.resume(tangent_record, records))
-      kept = Kept{static_cast<Evaluation::Kind>(int(values[1])),
-                  values[2],
-                  {values[3], values[4], values[5]},
-                  solver.matrix().version(),
-                  values[6] != 0,
-                  values[7] != 0};
+    has_failed            = values[0] != 0;
+    const bool is_resumed = solver.resume(tangent_record, records);
+    if (values.size() == 1)
+      return;
+    (is_resumed ? kept : to_assemble) =
+      Kept{static_cast<Evaluation::Kind>(int(values[1])),
+           values[2],
+           {values[3], values[4], values[5]},
+           solver.matrix().version(),
+           values[6] != 0,
+           values[7] != 0};
   }
 
   bool Newton::prepare(const ImplicitScheme    &scheme,
@@ -187,13 +191,15 @@ namespace auxfem
   {
     const TangentFactors factors =
       scheme.factors(evaluation.from, evaluation.dt);
-    const bool serves = kept && kept->kind == evaluation.kind &&
-      kept->dt == evaluation.dt && kept->factors == factors &&
-      kept->pattern_version == solver.equations().pattern().version() &&
-      (is_linear ||
-       (parameters.keep_factorization &&
-        reduction >= parameters.kept_reduction));
-    if (serves)
+    const auto is_of_step = [&](const Kept &tangent) {
+      return tangent.kind == evaluation.kind && tangent.dt == evaluation.dt &&
+        tangent.factors == factors &&
+        tangent.pattern_version == solver.equations().pattern().version();
+    };
+    if (kept && is_of_step(*kept) &&
+        (is_linear ||
+         (parameters.keep_factorization &&
+          reduction >= parameters.kept_reduction)))
       {
         kept->is_fresh = false;
         return true;
@@ -205,7 +211,10 @@ namespace auxfem
       exactness = Exactness::exact;
     kept.reset();
     solver.assemble(evaluation, results, factors);
-    if (!solver.factorize(exactness))
+    const bool again = to_assemble && is_of_step(*to_assemble);
+    to_assemble.reset();
+    if (!(again ? solver.factorize_again(exactness)
+                : solver.factorize(exactness)))
       return false;
     kept = Kept{evaluation.kind,
                 evaluation.dt,

@@ -3,6 +3,7 @@
 #include <auxfem/parameters/errors.h>
 
 #include <map>
+#include <utility>
 
 namespace auxfem
 {
@@ -58,19 +59,26 @@ namespace auxfem
     // Blocks that several ranks have are kept by each, as different items.
     const unsigned int first = number_of_blocks_before(pattern, numbering);
     std::map<unsigned int, std::vector<unsigned int>> items;
-    std::map<unsigned int, std::vector<double>>       values;
     for (std::size_t block = 0; block < pattern.n_blocks(); ++block)
+      items[pattern.size(block)].push_back(first + block);
+    for (auto &[n, of_size] : items)
       {
-        const unsigned int        n = pattern.size(block);
-        const std::vector<double> numbers =
-          numbers_of(pattern, block, unknowns);
-        const double *const entries = matrix.values(block);
-        items[n].push_back(first + block);
-        values[n].insert(values[n].end(), numbers.begin(), numbers.end());
-        values[n].insert(values[n].end(), entries, entries + n * n);
+        std::vector<double> values;
+        values.reserve(of_size.size() * (n + n * n));
+        for (const unsigned int item : of_size)
+          {
+            const unsigned int        block = item - first;
+            const std::vector<double> numbers =
+              numbers_of(pattern, block, unknowns);
+            const double *const entries = matrix.values(block);
+            values.insert(values.end(), numbers.begin(), numbers.end());
+            values.insert(values.end(), entries, entries + n * n);
+          }
+        records.keep(name_of_blocks(name, n),
+                     std::move(of_size),
+                     n + n * n,
+                     std::move(values));
       }
-    for (const auto &[n, of_size] : items)
-      records.keep(name_of_blocks(name, n), of_size, n + n * n, values[n]);
     if (!matrix.added_diagonal().empty())
       unknowns.keep(name + diagonal, matrix.added_diagonal(), records);
   }

@@ -76,6 +76,14 @@ namespace auxfem
     return solver.inertia();
   }
 
+  bool TangentSolver::factorize_again(const Exactness exactness)
+  {
+    const bool done = factorize(exactness);
+    --work.factorizations;
+    has_new_inertia = false;
+    return done;
+  }
+
   void TangentSolver::save(const std::string &name,
                            const bool         with_factorization,
                            Records           &records) const
@@ -112,9 +120,8 @@ namespace auxfem
     resume_matrix(name, model().numbering, records, tangent);
     const std::vector<double> flags =
       records.values(name + factorization_record, 2);
-    const bool done =
-      factorize(flags[0] != 0 ? Exactness::exact : Exactness::approximate);
-    --work.factorizations;
+    const bool done = factorize_again(flags[0] != 0 ? Exactness::exact
+                                                    : Exactness::approximate);
     has_new_inertia = flags[1] != 0;
     return done;
   }

@@ -5,6 +5,7 @@
 #include <array>
 #include <cerrno>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <system_error>
 #include <utility>
@@ -53,7 +54,10 @@ namespace auxfem
       std::ifstream stream(file, std::ios::binary);
       if (!stream && (errno == ENOENT || errno == ENOTDIR))
         return slot;
-      std::string             bytes;
+      std::string     bytes;
+      std::error_code ignored;
+      if (const auto size = std::filesystem::file_size(file, ignored); !ignored)
+        bytes.reserve(size);
       std::array<char, 65536> block;
       // Fails at the end of the file, too; bad() if it cannot be read to there.
       while (stream.read(block.data(), block.size()) || stream.gcount() > 0)
@@ -71,9 +75,12 @@ namespace auxfem
         {
           slot.fault = std::string("is damaged (") + damage.what() + ")";
         }
-      catch (const LaterCheckpointFormat &format)
+      catch (const OtherCheckpointFormat &format)
         {
-          refuse_later_format(file, format.what());
+          if (format.version > checkpoint_format_version)
+            refuse_later_format(file, format.what());
+          slot.fault =
+            std::string("is in version ") + format.what() + " of its format";
         }
       return slot;
     }
@@ -142,14 +149,14 @@ namespace auxfem
 
   CheckpointFiles::Found CheckpointFiles::newest() const
   {
-    const std::array<CheckpointSlot, 2> slots = read_slots(folder);
+    std::array<CheckpointSlot, 2> slots = read_slots(folder);
 
     std::string faults;
     for (const CheckpointSlot &slot : slots)
       if (!slot.fault.empty())
         faults += (faults.empty() ? "" : ", ") + slot.file + " " + slot.fault;
     if (slots[0].checkpoint)
-      return {slots[0].checkpoint->content,
+      return {std::move(slots[0].checkpoint->content),
               faults.empty()
                 ? ""
                 : "The run goes on from its other checkpoint: " + faults + "."};

@@ -151,10 +151,10 @@ namespace auxfem
     content.n_ranks             = reader.take_number();
     const std::uint64_t n       = reader.take_number();
     reader.check_part();
-    // After the checksum: a damaged version is no later version. Later formats
+    // After the checksum: a damaged version is no other version. Later formats
     // have to keep this head.
     if (version != checkpoint_format_version)
-      throw LaterCheckpointFormat(version);
+      throw OtherCheckpointFormat(version);
 
     for (std::uint64_t i = 0; i < n; ++i)
       {

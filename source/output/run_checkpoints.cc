@@ -5,13 +5,19 @@
 #include <auxfem/version.h>
 
 #include <deal.II/base/mpi.h>
-#include <deal.II/base/utilities.h>
 
+#include <boost/archive/binary_iarchive.hpp>
+#include <boost/archive/binary_oarchive.hpp>
+#include <boost/iostreams/device/array.hpp>
+#include <boost/iostreams/device/back_inserter.hpp>
+#include <boost/iostreams/stream_buffer.hpp>
 #include <boost/serialization/map.hpp>
 
 #include <array>
 #include <filesystem>
 #include <fstream>
+#include <streambuf>
+#include <utility>
 
 #include <zlib.h>
 
@@ -19,6 +25,7 @@ namespace auxfem
 {
   namespace
   {
+    namespace io  = boost::iostreams;
     namespace mpi = dealii::Utilities::MPI;
 
     const std::string scene_section      = "scene file",
@@ -30,20 +37,55 @@ namespace auxfem
      * hundredth, as there is another one at the end. */
     constexpr unsigned int largest_part = 300;
 
-    template <class Object>
-    std::string bytes_of(const Object &object)
+    /** Counts what is written to it. */
+    struct ByteCounter : public std::streambuf
     {
-      const std::vector<char> bytes =
-        dealii::Utilities::pack(object, /*allow_compression=*/false);
-      return {bytes.begin(), bytes.end()};
+      std::size_t n = 0;
+
+      int_type overflow(const int_type character) override
+      {
+        ++n;
+        return character;
+      }
+
+      std::streamsize xsputn(const char * /*bytes*/,
+                             const std::streamsize n_bytes) override
+      {
+        n += n_bytes;
+        return n_bytes;
+      }
+    };
+
+    /** What @p write writes to an archive, about @p n_bytes. */
+    template <class Write>
+    std::string bytes_by(const Write &write, const std::size_t n_bytes = 0)
+    {
+      std::string bytes;
+      bytes.reserve(n_bytes);
+      io::stream_buffer<io::back_insert_device<std::string>> buffer(bytes);
+      boost::archive::binary_oarchive                        archive(buffer);
+      write(archive);
+      buffer.close();
+      return bytes;
     }
 
-    template <class Object>
-    Object object_of(const std::string &bytes)
+    /** Neither they nor their bytes are held twice. */
+    std::string bytes_of(Records records)
     {
-      return dealii::Utilities::unpack<Object>(std::vector<char>(bytes.begin(),
-                                                                 bytes.end()),
-                                               /*allow_compression=*/false);
+      ByteCounter                     counter;
+      boost::archive::binary_oarchive counting(counter);
+      records.save(counting, /*version=*/0);
+      return bytes_by([&](auto &archive) { records.move_to(archive); },
+                      counter.n);
+    }
+
+    /** Calls @p read with an archive of @p bytes. */
+    template <class Read>
+    void read_bytes(const std::string &bytes, const Read &read)
+    {
+      io::stream_buffer<io::array_source> buffer(bytes.data(), bytes.size());
+      boost::archive::binary_iarchive     archive(buffer);
+      read(archive);
     }
 
     std::string absolute(const std::string &file)
@@ -80,8 +122,12 @@ namespace auxfem
                        const MPI_Comm           communicator)
     {
       const auto of_rank = [&](const unsigned int rank) {
-        return object_of<Records>(
-          section(content, rank_section + std::to_string(rank)));
+        Records records;
+        read_bytes(section(content, rank_section + std::to_string(rank)),
+                   [&](auto &archive) {
+                     records.load(archive, /*version=*/0);
+                   });
+        return records;
       };
       if (content.n_ranks == mpi::n_mpi_processes(communicator))
         return of_rank(mpi::this_mpi_process(communicator));
@@ -110,11 +156,11 @@ namespace auxfem
                        content.program_version + ", this is " + version +
                        ". Go on with that version, or start from t = 0.");
     RunToResume run;
-    run.folder      = folder;
-    run.scene_file  = section(content, scene_section);
-    run.parameters  = section(content, parameter_section);
-    run.input_files = object_of<std::map<std::string, unsigned int>>(
-      section(content, input_file_section));
+    run.folder     = folder;
+    run.scene_file = section(content, scene_section);
+    run.parameters = section(content, parameter_section);
+    read_bytes(section(content, input_file_section),
+               [&](auto &archive) { archive >> run.input_files; });
     run.records = records_in(content, communicator);
     run.warning = found.warning;
     return run;
@@ -139,11 +185,11 @@ namespace auxfem
       : mpi::broadcast(communicator, due);
   }
 
-  void RunCheckpoints::write(const Records                  &records,
+  void RunCheckpoints::write(Records                         records,
                              const std::vector<std::string> &files_before)
   {
     const auto                     begin = Clock::now();
-    std::string                    mine  = bytes_of(records);
+    std::string                    mine  = bytes_of(std::move(records));
     const std::vector<std::size_t> sizes =
       mpi::gather(communicator, mine.size());
     if (mpi::this_mpi_process(communicator) > 0)
@@ -174,7 +220,9 @@ namespace auxfem
     content.n_ranks         = mpi::n_mpi_processes(communicator);
     content.sections        = {{scene_section, absolute(scene.file)},
                                {parameter_section, scene.all_parameters},
-                               {input_file_section, bytes_of(input_files)}};
+                               {input_file_section, bytes_by([&](auto &archive) {
+                           archive << input_files;
+                         })}};
     // Into a list it would be copied.
     content.sections.push_back({rank_section + "0", std::move(bytes)});
     return content;

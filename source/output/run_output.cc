@@ -202,7 +202,7 @@ namespace auxfem
         return checkpoints && checkpoints->is_due();
       }
 
-      void take(const Records &checkpoint) override
+      void take(Records checkpoint) override
       {
         const Stopwatch          watch(checkpoint_seconds);
         std::vector<std::string> written = {folder + "/history.csv"};
@@ -215,7 +215,7 @@ namespace auxfem
         if (singular_points)
           for (const std::string &name : singular_points->files())
             written.push_back(folder + "/" + name);
-        checkpoints->write(checkpoint, written);
+        checkpoints->write(std::move(checkpoint), written);
         is_last_in_checkpoint = true;
       }
 

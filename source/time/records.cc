@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <utility>
 
 namespace auxfem
 {
@@ -38,83 +39,73 @@ namespace auxfem
         records.back().items.size() * records.back().values_per_item;
   }
 
-  void Records::keep(const std::string               &name,
-                     const std::vector<unsigned int> &items,
-                     const unsigned int               values_per_item,
-                     const std::vector<double>       &new_values)
+  void Records::keep(const std::string        &name,
+                     std::vector<unsigned int> items,
+                     const unsigned int        values_per_item,
+                     std::vector<double>       values)
   {
-    Assert(new_values.size() == items.size() * values_per_item,
+    Assert(values.size() == items.size() * values_per_item,
            dealii::ExcInternalError());
-    layout.keep(name, items, values_per_item);
-    all_values.insert(all_values.end(), new_values.begin(), new_values.end());
+    records.push_back(
+      {name, std::move(items), values_per_item, std::move(values)});
   }
 
-  void Records::keep(const std::string         &name,
-                     const std::vector<double> &new_values)
+  void Records::keep(const std::string &name, std::vector<double> values)
   {
-    keep(name, the_run, new_values.size(), new_values);
+    const unsigned int n = values.size();
+    keep(name, the_run, n, std::move(values));
   }
 
-  const Record &Records::find(const std::string &name) const
+  const Records::KeptRecord &Records::find(const std::string &name) const
   {
-    const std::vector<Record> &list = layout.list();
-    const auto                 record =
-      std::find_if(list.begin(), list.end(), [&](const Record &candidate) {
-        return candidate.name == name;
+    const auto record =
+      std::find_if(records.begin(), records.end(), [&](const KeptRecord &kept) {
+        return kept.name == name;
       });
-    if (record == list.end())
+    if (record == records.end())
       refuse('"' + name + '"');
     return *record;
   }
 
   void Records::add(const Records &others)
   {
-    Records all;
-    for (const Record &record : others.layout.list())
-      if (!has(record.name))
-        layout.keep(record.name, {}, record.values_per_item);
-    for (const Record &record : layout.list())
-      {
-        std::vector<unsigned int> items = record.items;
-        std::vector<double>       values_of_all =
-          values(record.name, items, record.values_per_item);
-        if (others.has(record.name) &&
-            others.values_per_item(record.name) == record.values_per_item)
-          {
-            const std::set<unsigned int> known(items.begin(), items.end());
-            std::vector<unsigned int>    more;
-            for (const unsigned int item : others.items(record.name))
-              if (known.count(item) == 0)
-                more.push_back(item);
-            const std::vector<double> of_more =
-              others.values(record.name, more, record.values_per_item);
-            items.insert(items.end(), more.begin(), more.end());
-            values_of_all.insert(values_of_all.end(),
-                                 of_more.begin(),
-                                 of_more.end());
-          }
-        all.keep(record.name, items, record.values_per_item, values_of_all);
-      }
-    *this = std::move(all);
+    for (const KeptRecord &other : others.records)
+      if (!has(other.name))
+        keep(other.name, {}, other.values_per_item, {});
+    for (KeptRecord &record : records)
+      if (others.has(record.name) &&
+          others.values_per_item(record.name) == record.values_per_item)
+        {
+          const std::set<unsigned int> known(record.items.begin(),
+                                             record.items.end());
+          std::vector<unsigned int>    more;
+          for (const unsigned int item : others.items(record.name))
+            if (known.count(item) == 0)
+              more.push_back(item);
+          const std::vector<double> of_more =
+            others.values(record.name, more, record.values_per_item);
+          record.items.insert(record.items.end(), more.begin(), more.end());
+          record.values.insert(record.values.end(),
+                               of_more.begin(),
+                               of_more.end());
+        }
   }
 
   bool Records::has(const std::string &name) const
   {
-    const std::vector<Record> &list = layout.list();
-    return std::any_of(list.begin(), list.end(), [&](const Record &candidate) {
-      return candidate.name == name;
-    });
+    return std::any_of(records.begin(),
+                       records.end(),
+                       [&](const KeptRecord &kept) {
+                         return kept.name == name;
+                       });
   }
 
-  void Records::keep_all(const std::string &owner, const Records &others)
+  void Records::keep_all(const std::string &owner, Records others)
   {
-    for (const Record &record : others.layout.list())
+    for (KeptRecord &record : others.records)
       {
-        const auto first = others.all_values.begin() + record.first;
-        keep(owner + ": " + record.name,
-             record.items,
-             record.values_per_item,
-             {first, first + record.items.size() * record.values_per_item});
+        record.name = owner + ": " + record.name;
+        records.push_back(std::move(record));
       }
   }
 
@@ -122,16 +113,12 @@ namespace auxfem
   {
     const std::string begin = owner + ": ";
     Records           result;
-    for (const Record &record : layout.list())
+    for (const KeptRecord &record : records)
       if (record.name.compare(0, begin.size(), begin) == 0)
-        {
-          const auto first = all_values.begin() + record.first;
-          result.keep(record.name.substr(begin.size()),
-                      record.items,
-                      record.values_per_item,
-                      {first,
-                       first + record.items.size() * record.values_per_item});
-        }
+        result.keep(record.name.substr(begin.size()),
+                    record.items,
+                    record.values_per_item,
+                    record.values);
     return result;
   }
 
@@ -139,13 +126,13 @@ namespace auxfem
                                       const std::vector<unsigned int> &items,
                                       const unsigned int values_per_item) const
   {
-    const Record &record = find(name);
+    const KeptRecord &record = find(name);
     if (record.values_per_item != values_per_item)
       refuse('"' + name + "\" with " + std::to_string(values_per_item) +
              " values each");
     std::map<unsigned int, std::size_t> positions;
     for (std::size_t i = 0; i < record.items.size(); ++i)
-      positions[record.items[i]] = record.first + i * values_per_item;
+      positions[record.items[i]] = i * values_per_item;
     std::vector<double> result;
     result.reserve(items.size() * values_per_item);
     for (const unsigned int item : items)
@@ -153,7 +140,7 @@ namespace auxfem
         const auto position = positions.find(item);
         if (position == positions.end())
           refuse('"' + name + "\" of item " + std::to_string(item));
-        const auto begin = all_values.begin() + position->second;
+        const auto begin = record.values.begin() + position->second;
         result.insert(result.end(), begin, begin + values_per_item);
       }
     return result;

@@ -45,9 +45,9 @@ namespace auxfem
         return !ends_run() && time >= halt_time;
       }
 
-      void take(const Records &records) override
+      void take(Records records) override
       {
-        checkpoint = records;
+        checkpoint = std::move(records);
       }
 
       bool ends_run() const override

@@ -64,13 +64,13 @@ namespace
     return stream.str();
   }
 
-  /** The head of a checkpoint in the next version of the format. */
-  std::string with_later_format(const std::string &bytes)
+  /** The head of a checkpoint in another @p version of the format. */
+  std::string in_version(const std::uint64_t version, const std::string &bytes)
   {
     // 16 bytes of name; five more numbers and the text "1.2.3".
     const std::size_t end    = 16 + 5 * 8 + 5;
     std::string       result = bytes.substr(0, end);
-    result.at(16)            = 2;
+    result.at(16)            = static_cast<char>(version);
     boost::crc_32_type crc;
     crc.process_bytes(result.data(), result.size());
     for (unsigned int i = 0; i < 8; ++i)
@@ -194,16 +194,30 @@ TEST(CheckpointFiles, ALaterFormatIsRefusedAndKept)
   CheckpointFiles   files(folder);
   files.write(content_of("first"));
   const std::string later =
-    with_later_format(testing_support::read_text(folder + "/checkpoint_a"));
+    in_version(checkpoint_format_version + 1,
+               testing_support::read_text(folder + "/checkpoint_a"));
   write_bytes(folder + "/checkpoint_b", later);
   const std::vector<std::string> parts = {"checkpoint_b",
-                                          "version 2",
-                                          "reads version 1"};
+                                          "version 3",
+                                          "reads version 2"};
   expect_parts(input_error_of([&]() { files.newest(); }), parts);
   expect_parts(input_error_of(
                  [&]() { CheckpointFiles(folder).write(content_of("")); }),
                parts);
   EXPECT_EQ(testing_support::read_text(folder + "/checkpoint_b"), later);
+}
+
+TEST(CheckpointFiles, AnEarlierFormatIsToldAndReplaced)
+{
+  const std::string folder = checkpoint_folder("earlier");
+  CheckpointFiles(folder).write(content_of("first"));
+  write_bytes(folder + "/checkpoint_a",
+              in_version(checkpoint_format_version - 1,
+                         testing_support::read_text(folder + "/checkpoint_a")));
+  expect_parts(input_error_of([&]() { CheckpointFiles(folder).newest(); }),
+               {"checkpoint_a is in version 1 of its format"});
+  CheckpointFiles(folder).write(content_of("second"));
+  EXPECT_EQ(found_in(folder), "second");
 }
 
 TEST(CheckpointFiles, AFolderThatIsNotThereCannotBeWrittenTo)

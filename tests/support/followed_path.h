@@ -108,7 +108,7 @@ namespace auxfem
         return points.size() + singular_points.size() != n_at_checkpoint;
       }
 
-      void take(const Records &records) override
+      void take(Records records) override
       {
         n_at_checkpoint = points.size() + singular_points.size();
         if (step_of_saved_state(records) + 1 < points.size())

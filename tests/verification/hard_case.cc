@@ -103,9 +103,9 @@ namespace auxfem
           return n_steps == middle && former == nullptr;
         }
 
-        void take(const Records &records) override
+        void take(Records records) override
         {
-          course.middle           = records;
+          course.middle           = std::move(records);
           course.n_motions_before = course.motions.size();
         }
 

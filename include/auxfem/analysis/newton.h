@@ -143,6 +143,9 @@ namespace auxfem
      */
     Vector              way;
     std::optional<Kept> kept;
+    /** What the run that is resumed had kept, if it is to be assembled again.
+     */
+    std::optional<Kept> to_assemble;
     Exactness           exactness = Exactness::exact;
     /** Whether the last attempt did, so that the next one takes more care. */
     bool has_failed = false;

@@ -93,6 +93,12 @@ namespace auxfem
     }
 
     /**
+     * As factorize(), of a matrix that a run that is resumed had factorized:
+     * that counts as no work, and nobody asks for its inertia again.
+     */
+    bool factorize_again(Exactness exactness);
+
+    /**
      * Keeps what later factorizations depend on beside their matrix, and the
      * matrix if it is to be factorized again.
      * @param name of this solver among those of the run

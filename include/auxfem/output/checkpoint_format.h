@@ -25,18 +25,20 @@ namespace auxfem
     {}
   };
 
-  /** A checkpoint file is whole, but in a later version of the format. */
-  class LaterCheckpointFormat : public std::runtime_error
+  /** A checkpoint file is whole, but in another version of the format. */
+  class OtherCheckpointFormat : public std::runtime_error
   {
   public:
-    /** @param version of the format. */
-    explicit LaterCheckpointFormat(const std::uint64_t version)
+    explicit OtherCheckpointFormat(const std::uint64_t version)
       : std::runtime_error(std::to_string(version))
+      , version(version)
     {}
+
+    const std::uint64_t version;
   };
 
   /** The version of the format that is written, the only one that is read. */
-  inline constexpr std::uint64_t checkpoint_format_version = 1;
+  inline constexpr std::uint64_t checkpoint_format_version = 2;
 
   /** Writes a file as CheckpointFiles describes it, section after section: none
    * is held twice.
@@ -47,7 +49,7 @@ namespace auxfem
 
   /**
    * What write_checkpoint() was given. Throws DamagedCheckpoint and
-   * LaterCheckpointFormat.
+   * OtherCheckpointFormat.
    */
   NumberedCheckpoint read_checkpoint(const std::string &bytes);
 } // namespace auxfem

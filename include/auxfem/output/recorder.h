@@ -10,6 +10,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace auxfem
 {
@@ -95,7 +96,7 @@ namespace auxfem
     }
 
     /** One that was due, or is there because the run ends. Collective. */
-    virtual void take(const Records & /*checkpoint*/)
+    virtual void take(Records /*checkpoint*/)
     {}
 
     /**
@@ -198,9 +199,9 @@ namespace auxfem
       return recorder.wants_checkpoint();
     }
 
-    void take(const Records &checkpoint) override
+    void take(Records checkpoint) override
     {
-      recorder.take(checkpoint);
+      recorder.take(std::move(checkpoint));
     }
 
     void resume(const Solution &solution, const Records &records) override

@@ -59,7 +59,7 @@ namespace auxfem
      * are on the disk before it. Throws ComputationError if the disk takes no
      * more.
      */
-    void write(const Records &records, const std::vector<std::string> &files);
+    void write(Records records, const std::vector<std::string> &files);
 
   private:
     using Clock = std::chrono::steady_clock;

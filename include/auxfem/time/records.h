@@ -1,6 +1,7 @@
 #ifndef auxfem_time_records_h
 #define auxfem_time_records_h
 
+#include <boost/serialization/split_member.hpp>
 #include <boost/serialization/string.hpp>
 #include <boost/serialization/vector.hpp>
 
@@ -24,12 +25,6 @@ namespace auxfem
     unsigned int              values_per_item = 1;
     /** Index of the first value among those of all records. */
     std::size_t first = 0;
-
-    template <class Archive>
-    void serialize(Archive &archive, const unsigned int /*version*/)
-    {
-      archive &name &items &values_per_item &first;
-    }
   };
 
   /** Which records there are and where their values lie. */
@@ -49,12 +44,6 @@ namespace auxfem
     /** Values of all records. */
     std::size_t n_values() const;
 
-    template <class Archive>
-    void serialize(Archive &archive, const unsigned int /*version*/)
-    {
-      archive &records;
-    }
-
   private:
     std::vector<Record> records;
   };
@@ -67,14 +56,14 @@ namespace auxfem
   class Records
   {
   public:
-    /** Adds a record of @p items with @p new_values, item by item. */
-    void keep(const std::string               &name,
-              const std::vector<unsigned int> &items,
-              unsigned int                     values_per_item,
-              const std::vector<double>       &new_values);
+    /** Adds a record of @p items with @p values, item by item. */
+    void keep(const std::string        &name,
+              std::vector<unsigned int> items,
+              unsigned int              values_per_item,
+              std::vector<double>       values);
 
     /** Adds a record of the run as a whole, the same on all ranks. */
-    void keep(const std::string &name, const std::vector<double> &new_values);
+    void keep(const std::string &name, std::vector<double> values);
 
     /** Adds a record of the run as a whole, a text, the same on all ranks. */
     void keep_text(const std::string &name, const std::string &text);
@@ -85,7 +74,7 @@ namespace auxfem
     void add(const Records &others);
 
     /** Adds all of @p others, of somebody of whom there may be several. */
-    void keep_all(const std::string &owner, const Records &others);
+    void keep_all(const std::string &owner, Records others);
 
     /** What keep_all() has kept. */
     Records all_of(const std::string &owner) const;
@@ -122,16 +111,58 @@ namespace auxfem
     }
 
     template <class Archive>
-    void serialize(Archive &archive, const unsigned int /*version*/)
+    void save(Archive &archive, const unsigned int /*version*/) const
     {
-      archive &layout &all_values;
+      archive << records.size();
+      for (const KeptRecord &record : records)
+        record.save(archive);
     }
 
-  private:
-    const Record &find(const std::string &name) const;
+    /** Writes what load() reads, and lets go of each record as soon as it is
+     * saved. */
+    template <class Archive>
+    void move_to(Archive &archive)
+    {
+      archive << records.size();
+      for (KeptRecord &record : records)
+        {
+          record.save(archive);
+          record = {};
+        }
+      records.clear();
+    }
 
-    RecordLayout        layout;
-    std::vector<double> all_values;
+    template <class Archive>
+    void load(Archive &archive, const unsigned int /*version*/)
+    {
+      std::size_t n_records = 0;
+      archive >> n_records;
+      records.resize(n_records);
+      for (KeptRecord &record : records)
+        archive >> record.name >> record.items >> record.values_per_item >>
+          record.values;
+    }
+
+    BOOST_SERIALIZATION_SPLIT_MEMBER()
+
+  private:
+    struct KeptRecord
+    {
+      std::string               name;
+      std::vector<unsigned int> items;
+      unsigned int              values_per_item = 1;
+      std::vector<double>       values; ///< item by item
+
+      template <class Archive>
+      void save(Archive &archive) const
+      {
+        archive << name << items << values_per_item << values;
+      }
+    };
+
+    const KeptRecord &find(const std::string &name) const;
+
+    std::vector<KeptRecord> records;
   };
 } // namespace auxfem
 
