@@ -152,16 +152,17 @@ namespace auxfem
 
   void Newton::save(Records &records) const
   {
-    std::vector<double> values = {has_failed ? 1. : 0.};
-    if (kept)
+    std::vector<double>        values  = {has_failed ? 1. : 0.};
+    const std::optional<Kept> &tangent = kept ? kept : to_assemble;
+    if (tangent)
       values.insert(values.end(),
-                    {double(kept->kind),
-                     kept->dt,
-                     kept->factors.stiffness,
-                     kept->factors.damping,
-                     kept->factors.mass,
-                     kept->is_exact ? 1. : 0.,
-                     kept->is_fresh ? 1. : 0.});
+                    {double(tangent->kind),
+                     tangent->dt,
+                     tangent->factors.stiffness,
+                     tangent->factors.damping,
+                     tangent->factors.mass,
+                     tangent->is_exact ? 1. : 0.,
+                     tangent->is_fresh ? 1. : 0.});
     records.keep(newton_record, values);
     // A linear one is the same whenever it is assembled.
     solver.save(tangent_record, kept && !is_linear, records);
@@ -171,17 +172,17 @@ namespace auxfem
   {
     const std::vector<double> values =
       records.values(newton_record, records.values_per_item(newton_record));
-    has_failed            = values[0] != 0;
-    const bool is_resumed = solver.resume(tangent_record, records);
-    if (values.size() == 1)
-      return;
-    (is_resumed ? kept : to_assemble) =
-      Kept{static_cast<Evaluation::Kind>(int(values[1])),
-           values[2],
-           {values[3], values[4], values[5]},
-           solver.matrix().version(),
-           values[6] != 0,
-           values[7] != 0};
+    has_failed               = values[0] != 0;
+    const bool is_there      = values.size() > 1,
+               is_factorized = solver.resume(tangent_record, records);
+    if (is_there && (is_linear || is_factorized))
+      (is_linear ? to_assemble : kept) =
+        Kept{static_cast<Evaluation::Kind>(int(values[1])),
+             values[2],
+             {values[3], values[4], values[5]},
+             solver.matrix().version(),
+             values[6] != 0,
+             values[7] != 0};
   }
 
   bool Newton::prepare(const ImplicitScheme    &scheme,
