@@ -31,6 +31,12 @@ namespace auxfem
     std::fill(entries.begin(), entries.end(), 0.);
   }
 
+  void TangentMatrix::release()
+  {
+    entries = std::vector<double>();
+    first   = std::vector<std::size_t>();
+  }
+
   void TangentMatrix::add(const std::size_t block, const double *values)
   {
     const std::size_t begin = first[block], end = first[block + 1];

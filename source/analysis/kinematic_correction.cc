@@ -228,6 +228,7 @@ namespace auxfem
         return equilibrium_at(largest, before, now);
       },
       Vector(motion->size(), 0.));
+    forget_tangent();
   }
 
   std::optional<Vector>
@@ -270,9 +271,14 @@ namespace auxfem
     EvaluationResults results = small.make_results();
     small.residual(evaluation_of(state, linear), results);
     grow_error(size);
-    // So that a checkpoint needs no matrix.
-    is_factorized = false;
     find(state, evaluation_of, linear.residual);
+    forget_tangent();
+  }
+
+  void KinematicCorrection::forget_tangent()
+  {
+    is_factorized = false;
+    solver.matrix().release();
   }
 
   void KinematicCorrection::grow_error(const double size)

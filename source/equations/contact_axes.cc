@@ -152,8 +152,10 @@ namespace auxfem
   {
     const Lattice           &lattice = model.lattice;
     const ContactSections    sections(model, stiffness_factor);
+    std::vector<AxisElement> elements = all_elements(model.numbering);
     std::vector<ContactAxis> axes;
-    for (AxisElement &element : all_elements(model.numbering))
+    axes.reserve(elements.size());
+    for (AxisElement &element : elements)
       {
         const Strut &strut = lattice.struts[element.strut];
         ContactAxis  axis;

@@ -37,6 +37,9 @@ namespace auxfem
      */
     void reset();
 
+    /** Lets go of the memory of the entries; until reset() there are none. */
+    void release();
+
     /** Adds the row-major block @p values to block @p block. */
     void add(std::size_t block, const double *values);
 

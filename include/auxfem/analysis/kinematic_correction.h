@@ -88,6 +88,9 @@ namespace auxfem
     std::optional<Vector> linear_answer(const TimeLimit &time);
     /** Where the error last looked at is largest. */
     std::string location() const;
+    /** Looks are rare: neither memory nor a checkpoint holds it till the next.
+     */
+    void forget_tangent();
     /** First guess of `error` from that of the look before, for a motion of
      * @p size (m). */
     void grow_error(double size);
