@@ -18,7 +18,7 @@ namespace
   class Pairs
   {
   public:
-    static constexpr unsigned int n_pairs = 400;
+    static constexpr unsigned int n_pairs = 100;
 
     explicit Pairs(const MPI_Comm communicator)
       : layout(communicator, n_owned(communicator), {})

@@ -154,11 +154,12 @@ namespace
     ASSERT_EQ(start_auxfem(into_folder).exit_code, 0);
     const Table former = history();
 
-    // Libraries and Open MPI take half of this, the lattice more than the rest.
-    const std::string limited = "ulimit -v 1400000; exec ";
+    // Libraries and Open MPI take two thirds of this, the lattice more than the
+    // rest.
+    const std::string limited = "ulimit -v 1000000; exec ";
     const std::string words   = " '" AUXFEM_EXECUTABLE "' scene.prm --output "
-                                "out --set 'Lattice/Cells x=400' --set "
-                                "'Lattice/Cells y=400'";
+                                "out --set 'Lattice/Cells x=300' --set "
+                                "'Lattice/Cells y=300'";
     for (const std::string launcher : {"", AUXFEM_MPIRUN " -n 2"})
       {
         const ProgramRun run =
