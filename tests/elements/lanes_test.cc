@@ -54,7 +54,7 @@ namespace
   {
     Array of_difference = numbers;
     for (std::size_t i = 0; i < numbers.size(); ++i)
-      of_difference[i] -= lanes[i][lane];
+      of_difference[i] -= number_in(lanes[i], lane);
     return largest(of_difference) / largest(numbers);
   }
 
@@ -80,7 +80,7 @@ namespace
 
     Lanes jacobian() const
     {
-      return Lanes([&](const auto lane) { return beams[lane].jacobian; });
+      return each_lane([&](const auto lane) { return beams[lane].jacobian; });
     }
 
     Beam2D::StiffnessOf<Lanes> section() const
@@ -135,12 +135,13 @@ namespace
                                                         elements.v[lane],
                                                         0.9,
                                                         2.5);
-        EXPECT_NEAR(energy.strain[lane] / energy_of_beam.strain,
+        EXPECT_NEAR(number_in(energy.strain, lane) / energy_of_beam.strain,
                     1,
                     lanes_round_off);
         if (damped)
           {
-            EXPECT_NEAR(energy.dissipation[lane] / energy_of_beam.dissipation,
+            EXPECT_NEAR(number_in(energy.dissipation, lane) /
+                          energy_of_beam.dissipation,
                         1,
                         lanes_round_off);
           }
@@ -196,7 +197,7 @@ namespace
 
     Lanes jacobian() const
     {
-      return Lanes([&](const auto lane) { return beams[lane].jacobian; });
+      return each_lane([&](const auto lane) { return beams[lane].jacobian; });
     }
 
     Beam3D::StiffnessOf<Lanes> section() const
@@ -313,17 +314,18 @@ TEST(Lanes, AreFilledWithTheNumbersOfObjectsInTheirOrder)
           {
             const Lanes displacement = lanes[a].displacement[i],
                         vector       = lanes[a].rotation.vector[i];
-            EXPECT_EQ(displacement[lane], node.displacement[i]);
-            EXPECT_EQ(vector[lane], node.rotation.vector[i]);
+            EXPECT_EQ(number_in(displacement, lane), node.displacement[i]);
+            EXPECT_EQ(number_in(vector, lane), node.rotation.vector[i]);
           }
-        EXPECT_EQ(lanes[a].rotation.scalar[lane], node.rotation.scalar);
+        EXPECT_EQ(number_in(lanes[a].rotation.scalar, lane),
+                  node.rotation.scalar);
       }
 }
 
 TEST(Lanes, AreTakenOneByOne)
 {
-  const Lanes lanes[] = {Lanes([](const auto lane) { return 10. + lane; }),
-                         Lanes([](const auto lane) { return 20. + lane; })};
+  const Lanes lanes[] = {each_lane([](const auto lane) { return 10. + lane; }),
+                         each_lane([](const auto lane) { return 20. + lane; })};
   for (std::size_t lane = 0; lane < n_lanes; ++lane)
     {
       double numbers[2];
@@ -380,10 +382,12 @@ TEST(Lanes, BeamsInSpaceAreWhatTheyAreOneByOne)
               elements.nodes[lane].data(),
               elements.velocities[lane].data(),
               elements.by_spin[lane].data());
-            EXPECT_NEAR(lanes.energy[lane] / of_beam.energy,
+            EXPECT_NEAR(number_in(lanes.energy, lane) / of_beam.energy,
                         1,
                         lanes_round_off);
-            EXPECT_NEAR(lanes.power[lane] / of_beam.power, 1, lanes_round_off);
+            EXPECT_NEAR(number_in(lanes.power, lane) / of_beam.power,
+                        1,
+                        lanes_round_off);
             EXPECT_LT(difference(of_beam.force, lanes.force, lane),
                       lanes_round_off);
             EXPECT_LT(difference(of_beam.matrix, lanes.matrix, lane),
@@ -420,7 +424,7 @@ TEST(Lanes, SmallDisplacementsInSpaceAreWhatTheyAreOneByOne)
               beam.jacobian,
               beam.section,
               displacements[lane].data());
-            EXPECT_NEAR(lanes.energy[lane] / of_beam.energy,
+            EXPECT_NEAR(number_in(lanes.energy, lane) / of_beam.energy,
                         1,
                         lanes_round_off);
             EXPECT_LT(difference(of_beam.force, lanes.force, lane),

@@ -15,12 +15,46 @@
  */
 namespace auxfem
 {
+#ifdef AUXFEM_SANITIZERS
+  /** One element at a time: sanitizers, which look into each function of the
+   * library's vectors, would make several slower than one after the other. */
+  using Lanes = double;
+
+  constexpr std::size_t n_lanes = 1;
+
+  /** What @p of_lane, a function of a lane, gives for each. */
+  template <class OfLane>
+  Lanes each_lane(const OfLane &of_lane)
+  {
+    return of_lane(std::size_t(0));
+  }
+
+  /** The number of one @p lane. */
+  inline double number_in(const Lanes &lanes, const std::size_t /*lane*/)
+  {
+    return lanes;
+  }
+#else
   /** A number of each of the elements that are computed at a time: as many as
    * a register of the compiling processor's instructions holds. */
   using Lanes = std::experimental::native_simd<double>;
 
   /** How many elements these are: 4 with AVX2, 2 without. */
   constexpr std::size_t n_lanes = Lanes::size();
+
+  /** What @p of_lane, a function of a lane, gives for each. */
+  template <class OfLane>
+  Lanes each_lane(const OfLane &of_lane)
+  {
+    return Lanes(of_lane);
+  }
+
+  /** The number of one @p lane. */
+  inline double number_in(const Lanes &lanes, const std::size_t lane)
+  {
+    return lanes[lane];
+  }
+#endif
 
   /** An object of each of them. */
   template <class T>
@@ -36,7 +70,7 @@ namespace auxfem
     OfLanes result;
     auto   *lanes = reinterpret_cast<Lanes *>(&result);
     for (std::size_t i = 0; i < sizeof(OfNumbers) / sizeof(double); ++i)
-      lanes[i] = Lanes([&](const auto lane) {
+      lanes[i] = each_lane([&](const auto lane) {
         return reinterpret_cast<const double *>(objects[lane])[i];
       });
     return result;
@@ -58,10 +92,11 @@ namespace auxfem
   take_lane(const Lanes (&lanes)[n], const std::size_t lane, double *numbers)
   {
     for (std::size_t i = 0; i < n; ++i)
-      numbers[i] = lanes[i][lane];
+      numbers[i] = number_in(lanes[i], lane);
   }
 } // namespace auxfem
 
+#ifndef AUXFEM_SANITIZERS
 namespace dealii
 {
   /** Tensors take Lanes for numbers. */
@@ -71,5 +106,6 @@ namespace dealii
     using type = auxfem::Lanes;
   };
 } // namespace dealii
+#endif
 
 #endif

@@ -37,7 +37,8 @@ namespace auxfem
     template <class OfElement>
     Lanes numbers(const OfElement &of_element) const
     {
-      return Lanes([&](const auto lane) { return of_element(elements[lane]); });
+      return each_lane(
+        [&](const auto lane) { return of_element(elements[lane]); });
     }
   };
 
@@ -67,7 +68,8 @@ namespace auxfem
                         const EachLane<const int *> &unknowns,
                         const int                    i)
   {
-    return Lanes([&](const auto lane) { return values[unknowns[lane][i]]; });
+    return each_lane(
+      [&](const auto lane) { return values[unknowns[lane][i]]; });
   }
 
   /** double or Lanes. */
@@ -97,7 +99,7 @@ namespace auxfem
                 double           *values)
   {
     for (std::size_t i = 0; i < n; ++i)
-      values[unknowns[i]] += of_lanes[i][lane];
+      values[unknowns[i]] += number_in(of_lanes[i], lane);
   }
   ///@}
 } // namespace auxfem

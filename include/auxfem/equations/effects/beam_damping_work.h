@@ -90,10 +90,10 @@ namespace auxfem
             (product(at_start, along_start) + product(at_end, along_end));
         }
       for (unsigned int lane = 0; lane < batch.size; ++lane)
-        if (beams[batch.elements[lane]].owned && beta[lane] != 0)
+        if (beams[batch.elements[lane]].owned && number_in(beta, lane) != 0)
           {
-            work.lost += lost[lane];
-            work.of_forces += of_forces[lane];
+            work.lost += number_in(lost, lane);
+            work.of_forces += number_in(of_forces, lane);
           }
     });
     return work;

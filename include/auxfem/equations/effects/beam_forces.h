@@ -268,12 +268,12 @@ namespace auxfem
           add_lane(force, lane, beams.unknowns(e), residual);
           if (beams[e].owned)
             {
-              results.energy.strain += energy.strain[lane];
-              results.energy.dissipation += energy.dissipation[lane];
-              results.energy.taken += energy.taken[lane];
+              results.energy.strain += number_in(energy.strain, lane);
+              results.energy.dissipation += number_in(energy.dissipation, lane);
+              results.energy.taken += number_in(energy.taken, lane);
             }
-          results.forces[e]          = largest[lane];
-          results.strain_energies[e] = energy.strain[lane];
+          results.forces[e]          = number_in(largest, lane);
+          results.strain_energies[e] = number_in(energy.strain, lane);
         }
     }
 
@@ -299,6 +299,7 @@ namespace auxfem
     /** As in BeamResults. */
     static Lanes largest_at_ends(const Lanes (&force)[n], const Lanes &length)
     {
+      using std::abs, std::max;
       Lanes of_forces = 0, of_moments = 0;
       // The first two nodes.
       for (int a = 0; a < 2; ++a)

@@ -161,7 +161,8 @@ namespace auxfem
           return increments(step.from.history, e);
         });
         for (int i = 0; i < n_increments; ++i)
-          last[i] = Lanes([&](const auto lane) { return remembered[lane][i]; });
+          last[i] =
+            each_lane([&](const auto lane) { return remembered[lane][i]; });
         act(batch, damping);
         for (unsigned int lane = 0; lane < batch.size; ++lane)
           take_lane(now,
