@@ -137,6 +137,7 @@ namespace auxfem
         block = end;
       }
     remove_disturbed(pattern, found);
+    found.shrink_to_fit();
     return found;
   }
 } // namespace auxfem

@@ -46,6 +46,8 @@ namespace auxfem
       }
     std::sort(nodes.begin(), nodes.end());
     nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    nodes.shrink_to_fit();
+    turned_at.shrink_to_fit();
     for (unsigned int i = 0; i < curves.connected().size(); ++i)
       for (const unsigned int axis : curves.connected()[i])
         {

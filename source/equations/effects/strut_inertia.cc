@@ -141,6 +141,7 @@ namespace auxfem
     , group(group)
     , is_damped(damped)
   {
+    elements.reserve(group.end - group.begin);
     for (unsigned int e = group.begin; e < group.end; ++e)
       {
         const DofNumbering::Element &element = numbering.elements()[e];
