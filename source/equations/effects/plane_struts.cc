@@ -179,16 +179,15 @@ namespace auxfem
       }
 
       template <class HighFrequencyDamping>
-      static void
-      mean_tangent(const BeamShape<order> &shape,
-                   const AtRestOf<Lanes>  &at_rest,
-                   const DofNumbering & /*numbering*/,
-                   const EachLane<const int *> &unknowns,
-                   const StepStart             &start,
-                   const Evaluation            &step,
-                   const TangentFactors        &factors,
-                   const HighFrequencyDamping  &damping,
-                   Lanes                       *block)
+      static void mean_tangent(const BeamShape<order> &shape,
+                               const AtRestOf<Lanes>  &at_rest,
+                               const DofNumbering & /*numbering*/,
+                               const EachLane<const int *> &unknowns,
+                               const StepStart             &start,
+                               const Evaluation            &step,
+                               const TangentFactors        &factors,
+                               const HighFrequencyDamping  &damping,
+                               Lanes                       *block)
       {
         Lanes end[n];
         start.gather(unknowns, step.to, end);
