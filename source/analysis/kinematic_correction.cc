@@ -11,6 +11,7 @@
 #include <cmath>
 #include <limits>
 #include <sstream>
+#include <utility>
 
 namespace auxfem
 {
@@ -267,11 +268,15 @@ namespace auxfem
     if (size <= larger * size_of_motion &&
         relative() <= little * scene.effects.tolerance)
       return;
-    State             linear  = state;
-    EvaluationResults results = small.make_results();
-    small.residual(evaluation_of(state, linear), results);
+    Vector left;
+    {
+      State             linear  = state;
+      EvaluationResults results = small.make_results();
+      small.residual(evaluation_of(state, linear), results);
+      left = std::move(linear.residual);
+    }
     grow_error(size);
-    find(state, evaluation_of, linear.residual);
+    find(state, evaluation_of, left);
     forget_tangent();
   }
 
@@ -336,7 +341,7 @@ namespace auxfem
     Records of_watches;
     for (const auto &watch : watches)
       watch->save(of_watches);
-    records.keep_all(correction_record, of_watches);
+    records.keep_all(correction_record, std::move(of_watches));
   }
 
   void KinematicCorrection::resume(const Records &records)
