@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 namespace auxfem
 {
@@ -88,7 +89,7 @@ namespace auxfem
             advance(recorder);
           }
         if (recorder.keeps_checkpoints() && here.has(branches_record))
-          recorder.take(here);
+          recorder.take(std::move(here));
       }
 
       /** What is to be said of where it has ended. */

@@ -62,12 +62,14 @@ namespace auxfem
                 damping_rate * point.increment.kappa};
     }
 
-    /** What @p damping adds at Gauss point @p g. */
+    /** Adds to mean @p strains what @p damping adds at Gauss point @p g, and
+     * returns that. */
     template <class Number>
     inline StrainsOf<Number>
-    added_strains(const IncrementDampingOf<Number> &damping,
-                  const int                         g,
-                  const StrainsOf<Number>          &increment)
+    add_damping(const IncrementDampingOf<Number> &damping,
+                const int                         g,
+                const StrainsOf<Number>          &increment,
+                StrainsOf<Number>                &strains)
     {
       StrainsOf<Number> added;
       for (int i = 0; i < 3; ++i)
@@ -75,6 +77,8 @@ namespace auxfem
           added.gamma[i] = damping(6 * g + i, increment.gamma[i]);
           added.kappa[i] = damping(6 * g + 3 + i, increment.kappa[i]);
         }
+      strains.gamma += added.gamma;
+      strains.kappa += added.kappa;
       return added;
     }
 
@@ -144,13 +148,11 @@ namespace auxfem
           if constexpr (HighFrequencyDamping::is_used)
             {
               const StrainsOf<Number> added =
-                added_strains(damping, g, point.increment);
+                add_damping(damping, g, point.increment, strains);
               const MeanForcesOf<Number> forces = mean_forces(added, stiffness);
               energy.taken += weight *
                 (forces.force * point.increment.gamma +
                  forces.moment * point.increment.kappa);
-              strains.gamma += added.gamma;
-              strains.kappa += added.kappa;
             }
           const MeanForcesOf<Number>  mean = mean_forces(strains, stiffness);
           const QuaternionOf<Number> &axes = point.start.rotation;
@@ -293,12 +295,7 @@ namespace auxfem
             at_end);
           StrainsOf<Number> strains = mean_strains(point, damping_rate);
           if constexpr (HighFrequencyDamping::is_used)
-            {
-              const StrainsOf<Number> added =
-                added_strains(damping, g, point.increment);
-              strains.gamma += added.gamma;
-              strains.kappa += added.kappa;
-            }
+            add_damping(damping, g, point.increment, strains);
           const MeanStiffnessOf<Number> k      = mean_stiffness(point,
                                                            frames[g],
                                                            stiffness,

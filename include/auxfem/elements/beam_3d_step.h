@@ -32,14 +32,10 @@ namespace auxfem
                       const NodeOf<Number>                   *nodes,
                       const RelativeRotations<order, Number> &relative)
       {
-        VectorOf<Number> stretch, psi, gradient;
-        for (int a = 0; a <= order; ++a)
-          {
-            const Number derivative = shape.derivative[g][a] * inverse_jacobian;
-            stretch += derivative * nodes[a].displacement;
-            psi += shape.value[g][a] * relative.psi[a];
-            gradient += derivative * relative.psi[a];
-          }
+        const VectorOf<Number> stretch =
+          displacement_slope(shape, g, inverse_jacobian, nodes);
+        const auto [psi, gradient] =
+          relative.at_point(shape, g, inverse_jacobian);
         rotation                           = exponential(psi) * relative.middle;
         slope                              = frame.slope + stretch;
         const QuaternionOf<Number> inverse = conjugate(rotation);
@@ -82,29 +78,23 @@ namespace auxfem
     /** Rotation exp(psi) of a Gauss point relative to P_r, and its derivatives.
      */
     template <class Number>
-    struct RelativePointOf
+    struct RelativePointOf : public RelativeRotationOf<Number>
     {
-      VectorOf<Number>               psi, gradient; ///< psi, psi'
-      RotationCoefficientsOf<Number> coefficients;  ///< of psi
-      QuaternionOf<Number>           turn;          ///< exp(psi)
-      TensorOf<Number>               tangent;       ///< T(psi)
+      RotationCoefficientsOf<Number> coefficients; ///< of psi
+      QuaternionOf<Number>           turn;         ///< exp(psi)
+      TensorOf<Number>               tangent;      ///< T(psi)
 
       template <int order>
       RelativePointOf(const BeamShape<order>                 &shape,
                       const int                               g,
                       const Number                            inverse_jacobian,
                       const RelativeRotations<order, Number> &relative)
-      {
-        for (int a = 0; a <= order; ++a)
-          {
-            psi += shape.value[g][a] * relative.psi[a];
-            gradient +=
-              shape.derivative[g][a] * inverse_jacobian * relative.psi[a];
-          }
-        coefficients = RotationCoefficientsOf<Number>(psi);
-        turn         = exponential(psi);
-        tangent      = tangent_operator(coefficients, psi);
-      }
+        : RelativeRotationOf<Number>(
+            relative.at_point(shape, g, inverse_jacobian))
+        , coefficients(this->psi)
+        , turn(exponential(this->psi))
+        , tangent(tangent_operator(coefficients, this->psi))
+      {}
     };
 
     /** An element half way through a step and at its end, and by how much its

@@ -94,6 +94,13 @@ namespace auxfem
     /** Unknowns of a node. */
     constexpr int n_components = 6;
 
+    /** psi and its derivative by s at a point. */
+    template <class Number>
+    struct RelativeRotationOf
+    {
+      VectorOf<Number> psi, gradient;
+    };
+
     /** Rotations of the nodes relative to the middle of the element's ends. */
     template <int order, class Number = double>
     struct RelativeRotations
@@ -122,6 +129,21 @@ namespace auxfem
           psi[a] = rotation_vector(rotations[a] * inverse);
       }
 
+      /** At Gauss point @p g. */
+      RelativeRotationOf<Number> at_point(const BeamShape<order> &shape,
+                                          const int               g,
+                                          const Number inverse_jacobian) const
+      {
+        RelativeRotationOf<Number> point;
+        for (int a = 0; a <= order; ++a)
+          {
+            point.psi += shape.value[g][a] * psi[a];
+            point.gradient +=
+              shape.derivative[g][a] * inverse_jacobian * psi[a];
+          }
+        return point;
+      }
+
       /** P at a point where the shape functions are @p values. */
       QuaternionOf<Number> at(const double *values) const
       {
@@ -146,6 +168,20 @@ namespace auxfem
     };
     using Kinematics = KinematicsOf<double>;
 
+    /** u' at Gauss point @p g. */
+    template <int order, class Number>
+    inline VectorOf<Number> displacement_slope(const BeamShape<order> &shape,
+                                               const int               g,
+                                               const Number inverse_jacobian,
+                                               const NodeOf<Number> *nodes)
+    {
+      VectorOf<Number> slope;
+      for (int a = 0; a <= order; ++a)
+        slope +=
+          shape.derivative[g][a] * inverse_jacobian * nodes[a].displacement;
+      return slope;
+    }
+
     template <int order, class Number>
     inline KinematicsOf<Number>
     kinematics(const BeamShape<order>                 &shape,
@@ -155,14 +191,10 @@ namespace auxfem
                const NodeOf<Number>                   *nodes,
                const RelativeRotations<order, Number> &relative)
     {
-      VectorOf<Number> stretch, psi, gradient;
-      for (int a = 0; a <= order; ++a)
-        {
-          const Number derivative = shape.derivative[g][a] * inverse_jacobian;
-          stretch += derivative * nodes[a].displacement;
-          psi += shape.value[g][a] * relative.psi[a];
-          gradient += derivative * relative.psi[a];
-        }
+      const VectorOf<Number> stretch =
+        displacement_slope(shape, g, inverse_jacobian, nodes);
+      const auto [psi, gradient] =
+        relative.at_point(shape, g, inverse_jacobian);
       const RotationCoefficientsOf<Number> c(psi);
       const QuaternionOf<Number>           turn     = exponential(psi);
       const QuaternionOf<Number>           rotation = turn * relative.middle,

@@ -5,6 +5,7 @@
 
 #include <deal.II/base/numbers.h>
 
+#include <array>
 #include <cmath>
 
 namespace auxfem
@@ -111,6 +112,9 @@ namespace auxfem
                                                        block);
       }
 
+      /** Displacements of elements at the end of a step. */
+      using StepEnd = std::array<Lanes, n>;
+
       /** Elements at the start of a step; displacements relative to the first
        * node, rotations but for full turns. */
       struct StepStart
@@ -123,16 +127,15 @@ namespace auxfem
           : turns(round(
               Lanes(value_at(state.displacement.data(), unknowns, 2) / turn)))
         {
-          Lanes u[n];
-          gather(unknowns, state, u);
-          element = {shape, at_rest.frames, at_rest.jacobian, u};
+          const StepEnd u = displacements(unknowns, state);
+          element         = {shape, at_rest.frames, at_rest.jacobian, u.data()};
         }
 
         /** Displacements of the same kind at another state. */
-        void gather(const EachLane<const int *> &unknowns,
-                    const State                 &state,
-                    Lanes                       *u) const
+        StepEnd displacements(const EachLane<const int *> &unknowns,
+                              const State                 &state) const
         {
+          StepEnd u;
           for (int i = 0; i < n; i += n_components)
             {
               for (int c = 0; c < 2; ++c)
@@ -143,6 +146,7 @@ namespace auxfem
                 turns * rest_of_turn +
                 value_at(state.compensation->data(), unknowns, i + 2);
             }
+          return u;
         }
 
         Beam2D::StepStart<order, Lanes> element;
@@ -155,49 +159,51 @@ namespace auxfem
         Lanes turns;
       };
 
+      static StepEnd end_of_step(const DofNumbering & /*numbering*/,
+                                 const EachLane<const int *> &unknowns,
+                                 const StepStart             &start,
+                                 const State                 &state)
+      {
+        return start.displacements(unknowns, state);
+      }
+
       template <class HighFrequencyDamping>
       AUXFEM_ONE_PIECE static Beam2D::StepEnergyOf<Lanes>
-      mean_force(const BeamShape<order> &shape,
-                 const AtRestOf<Lanes>  &at_rest,
-                 const DofNumbering & /*numbering*/,
-                 const EachLane<const int *> &unknowns,
-                 const StepStart             &start,
-                 const Evaluation            &step,
-                 const HighFrequencyDamping  &damping,
-                 Lanes                       *force)
+      mean_force(const BeamShape<order>     &shape,
+                 const AtRestOf<Lanes>      &at_rest,
+                 const StepStart            &start,
+                 const StepEnd              &end,
+                 const double                dt,
+                 const HighFrequencyDamping &damping,
+                 Lanes                      *force)
       {
-        Lanes end[n];
-        start.gather(unknowns, step.to, end);
         return Beam2D::mean_force<order, damped>(shape,
                                                  at_rest.jacobian,
                                                  at_rest.stiffness,
                                                  start.element,
-                                                 end,
-                                                 step.dt,
+                                                 end.data(),
+                                                 dt,
                                                  force,
                                                  damping);
       }
 
       template <class HighFrequencyDamping>
-      static void mean_tangent(const BeamShape<order> &shape,
-                               const AtRestOf<Lanes>  &at_rest,
-                               const DofNumbering & /*numbering*/,
-                               const EachLane<const int *> &unknowns,
-                               const StepStart             &start,
-                               const Evaluation            &step,
-                               const TangentFactors        &factors,
-                               const HighFrequencyDamping  &damping,
-                               Lanes                       *block)
+      static void mean_tangent(const BeamShape<order>     &shape,
+                               const AtRestOf<Lanes>      &at_rest,
+                               const StepStart            &start,
+                               const StepEnd              &end,
+                               const double                dt,
+                               const TangentFactors       &factors,
+                               const HighFrequencyDamping &damping,
+                               Lanes                      *block)
       {
-        Lanes end[n];
-        start.gather(unknowns, step.to, end);
         Beam2D::mean_tangent<order, damped>(shape,
                                             at_rest.frames,
                                             at_rest.jacobian,
                                             at_rest.stiffness,
                                             start.element,
-                                            end,
-                                            step.dt,
+                                            end.data(),
+                                            dt,
                                             factors.stiffness,
                                             factors.damping,
                                             block,

@@ -173,6 +173,9 @@ namespace auxfem
           }
       }
 
+      /** Nodes of elements at the end of a step. */
+      using StepEnd = std::array<Beam3D::NodeOf<Lanes>, order + 1>;
+
       /** Elements at the start of a step. */
       struct StepStart : public Beam3D::StepStart<order, Lanes>
       {
@@ -189,53 +192,57 @@ namespace auxfem
         {}
       };
 
-      template <class HighFrequencyDamping>
-      static Beam3D::StepEnergyOf<Lanes>
-      mean_force(const BeamShape<order>      &shape,
-                 const AtRestOf<Lanes>       &at_rest,
-                 const DofNumbering          &numbering,
-                 const EachLane<const int *> &unknowns,
-                 const StepStart             &start,
-                 const Evaluation            &step,
-                 const HighFrequencyDamping  &damping,
-                 Lanes                       *force)
+      static StepEnd end_of_step(const DofNumbering          &numbering,
+                                 const EachLane<const int *> &unknowns,
+                                 const StepStart & /*start*/,
+                                 const State &state)
       {
-        return Beam3D::mean_force(
-          shape,
-          at_rest.frames,
-          at_rest.jacobian,
-          at_rest.stiffness.elastic,
-          start,
-          nodes_in_step<order>(numbering, unknowns, step.to).data(),
-          Lanes(damping_time(at_rest) / step.dt),
-          force,
-          damping);
+        return nodes_in_step<order>(numbering, unknowns, state);
       }
 
       template <class HighFrequencyDamping>
-      static void mean_tangent(const BeamShape<order>      &shape,
-                               const AtRestOf<Lanes>       &at_rest,
-                               const DofNumbering          &numbering,
-                               const EachLane<const int *> &unknowns,
-                               const StepStart             &start,
-                               const Evaluation            &step,
-                               const TangentFactors        &factors,
-                               const HighFrequencyDamping  &damping,
-                               Lanes                       *block)
+      static Beam3D::StepEnergyOf<Lanes>
+      mean_force(const BeamShape<order>     &shape,
+                 const AtRestOf<Lanes>      &at_rest,
+                 const StepStart            &start,
+                 const StepEnd              &end,
+                 const double                dt,
+                 const HighFrequencyDamping &damping,
+                 Lanes                      *force)
+      {
+        return Beam3D::mean_force(shape,
+                                  at_rest.frames,
+                                  at_rest.jacobian,
+                                  at_rest.stiffness.elastic,
+                                  start,
+                                  end.data(),
+                                  Lanes(damping_time(at_rest) / dt),
+                                  force,
+                                  damping);
+      }
+
+      template <class HighFrequencyDamping>
+      static void mean_tangent(const BeamShape<order>     &shape,
+                               const AtRestOf<Lanes>      &at_rest,
+                               const StepStart            &start,
+                               const StepEnd              &end,
+                               const double                dt,
+                               const TangentFactors       &factors,
+                               const HighFrequencyDamping &damping,
+                               Lanes                      *block)
       {
         const Lanes beta = damping_time(at_rest);
-        Beam3D::mean_tangent(
-          shape,
-          at_rest.frames,
-          at_rest.jacobian,
-          at_rest.stiffness.elastic,
-          start,
-          nodes_in_step<order>(numbering, unknowns, step.to).data(),
-          Lanes(beta / step.dt),
-          factors.stiffness,
-          Lanes(factors.stiffness + beta * factors.damping),
-          block,
-          damping);
+        Beam3D::mean_tangent(shape,
+                             at_rest.frames,
+                             at_rest.jacobian,
+                             at_rest.stiffness.elastic,
+                             start,
+                             end.data(),
+                             Lanes(beta / dt),
+                             factors.stiffness,
+                             Lanes(factors.stiffness + beta * factors.damping),
+                             block,
+                             damping);
       }
 
       static Stiffness stiffness(const Section &section)

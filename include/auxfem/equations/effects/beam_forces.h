@@ -34,7 +34,7 @@ namespace auxfem
    * of the same positions) at its Gauss points, and `rotation`, `axes` for
    * output, `strain_product` for energies. With large rotations it has a type
    * `StepStart`, what the iterations of a step have in common of several
-   * elements, and `mean_force` and `mean_tangent` over a step.
+   * elements, and functions `end_of_step`, `mean_force` and `mean_tangent`.
    *
    * Forces, their tangents and the work of damping are computed of several
    * elements at a time.

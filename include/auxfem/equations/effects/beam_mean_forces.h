@@ -71,10 +71,9 @@ namespace auxfem
           {
             const auto energy = Beam::mean_force(beams.shape,
                                                  beams.at_rest(batch),
-                                                 beams.numbering,
-                                                 beams.unknowns(batch),
                                                  starts[batch.number()],
-                                                 step,
+                                                 end(batch, starts, step),
+                                                 step.dt,
                                                  damping,
                                                  force);
             act(batch,
@@ -94,10 +93,9 @@ namespace auxfem
         Lanes block[n * n];
         Beam::mean_tangent(beams.shape,
                            beams.at_rest(batch),
-                           beams.numbering,
-                           beams.unknowns(batch),
                            starts[batch.number()],
-                           step,
+                           end(batch, starts, step),
+                           step.dt,
                            factors,
                            damping,
                            block);
@@ -169,6 +167,17 @@ namespace auxfem
                     lane,
                     increments(step.to.history, batch.elements[lane]));
       });
+    }
+
+    /** Of several elements. */
+    auto end(const ElementBatch &batch,
+             const Starts       &starts,
+             const Evaluation   &step) const
+    {
+      return Beam::end_of_step(beams.numbering,
+                               beams.unknowns(batch),
+                               starts[batch.number()],
+                               step.to);
     }
 
     void find_starts(const State &from, Starts &starts) const
