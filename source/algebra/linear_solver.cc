@@ -225,7 +225,7 @@ namespace auxfem
       std::all_of(right_side.begin(), right_side.end(), [](const double value) {
         return std::isfinite(value);
       });
-    if (current->n_iterations() == 0 &&
+    if (current->n_iterations() == 0 && matrix.has_entries() &&
         matrix.pattern().unknowns().layout.largest(is_finite ? 0. : 1.) == 0)
       {
         const double error =

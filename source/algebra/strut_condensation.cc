@@ -108,6 +108,7 @@ namespace auxfem
           : FactorizationOutcome::singular;
       }
     system->add_others(tangent);
+    keep_prescribed_entries();
     const std::vector<double> sums =
       layout.sum(std::vector<double>{double(n_negative), double(n_inner)});
     Inertia of_all;
@@ -241,6 +242,18 @@ namespace auxfem
                                     room.of_strut.data());
   }
 
+  void StrutCondensation::keep_prescribed_entries()
+  {
+    prescribed_entries.clear();
+    for (const std::size_t b : prescribed_blocks)
+      {
+        const std::size_t n = tangent.pattern().size(b);
+        prescribed_entries.insert(prescribed_entries.end(),
+                                  tangent.values(b),
+                                  tangent.values(b) + n * n);
+      }
+  }
+
   void StrutCondensation::move_prescribed(std::vector<double> &values) const
   {
     const Unknowns      &unknowns      = tangent.pattern().unknowns();
@@ -257,17 +270,18 @@ namespace auxfem
     for (const int i : prescribed_unknowns)
       prescribed[i] = values[i];
     layout.update_ghosts(prescribed.data());
+    const double *block = prescribed_entries.data();
     for (const std::size_t b : prescribed_blocks)
       {
-        const int *const    of_block = tangent.pattern().begin(b);
-        const unsigned int  n        = tangent.pattern().size(b);
-        const double *const block    = tangent.values(b);
+        const int *const  of_block = tangent.pattern().begin(b);
+        const std::size_t n        = tangent.pattern().size(b);
         for (unsigned int i = 0; i < n; ++i)
           if (layout.is_owned(of_block[i]) && !is_prescribed(of_block[i]))
             for (unsigned int j = 0; j < n; ++j)
               if (is_prescribed(of_block[j]))
                 values[of_block[i]] -=
                   block[i * n + j] * prescribed[of_block[j]];
+        block += n * n;
       }
   }
 

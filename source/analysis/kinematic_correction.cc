@@ -89,8 +89,7 @@ namespace auxfem
     , inertia(scene.time.scheme->is_dynamic()
                 ? std::pow(2 / scene.time.end_time, 2)
                 : 0.)
-    , rest(exact.equations().initial_state())
-    , error(rest.displacement.size(), 0.)
+    , error(exact.model().numbering.layout().n_local(), 0.)
   {
     const Equations &equations = exact.equations();
     if (!equations.reporting().struts.empty())
@@ -99,16 +98,25 @@ namespace auxfem
         if (!scene.lattice.struts_may_cross)
           watches.push_back(make_crossing_watch(scene, equations));
       }
+    if (watches.empty())
+      return;
+    const State beginning = equations.initial_state();
     for (const auto &watch : watches)
-      watch->start(rest);
+      watch->start(beginning);
+  }
+
+  State KinematicCorrection::at_rest() const
+  {
+    State rest = solver.equations().initial_state();
     for (std::optional<Vector> *rates : {&rest.velocity, &rest.acceleration})
       if (*rates)
         (*rates)->assign((*rates)->size(), 0.);
+    return rest;
   }
 
   State KinematicCorrection::exact_state(const State &motion) const
   {
-    State exact        = rest;
+    State exact        = at_rest();
     exact.time         = motion.time;
     exact.path         = motion.path;
     exact.displacement = motion.displacement;
@@ -219,7 +227,7 @@ namespace auxfem
       }
     if (!motion)
       return;
-    State small        = rest;
+    State small        = at_rest();
     small.displacement = *motion;
     if (small.acceleration)
       add_multiple(inertia, *motion, *small.acceleration);
@@ -235,6 +243,7 @@ namespace auxfem
   std::optional<Vector>
   KinematicCorrection::linear_answer(const TimeLimit &time)
   {
+    const State       rest       = at_rest();
     State             loaded     = rest;
     EvaluationResults results    = solver.equations().make_results();
     const Evaluation  evaluation = equilibrium_at(time, rest, loaded);

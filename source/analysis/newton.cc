@@ -223,6 +223,9 @@ namespace auxfem
                 solver.matrix().version(),
                 solver.linear_solver().is_exact(),
                 /*is_fresh=*/true};
+    // Its factorization will serve for long.
+    if (is_linear)
+      solver.matrix().release();
     return true;
   }
 

@@ -87,6 +87,22 @@ TEST(LinearSolver, SolvesSymmetricEquations)
       }
 }
 
+TEST(LinearSolver, SolvesWithoutTheEntriesOfTheMatrix)
+{
+  for (const NetworkShape &shape : shapes(0, 0.1))
+    {
+      const StrutNetwork network(shape);
+      LinearSolver       solver(of_type("auto"), *network.matrix);
+      ASSERT_EQ(solver.factorize(Exactness::exact), FactorizationOutcome::done);
+      std::vector<double> expected = network.owned(network.right_side()),
+                          x        = expected;
+      ASSERT_TRUE(solver.solve(expected)) << solver.why();
+      network.matrix->release();
+      ASSERT_TRUE(solver.solve(x)) << solver.why();
+      EXPECT_EQ(x, expected);
+    }
+}
+
 TEST(LinearSolver, SolvesEquationsWithMultipliers)
 {
   for (const std::string type : {"auto", "klu", "mumps"})

@@ -23,9 +23,9 @@ namespace auxfem
   /**
    * Solution of the linear equations A x = b of a TangentMatrix: what lies
    * inside struts is condensed, what is left at the joints solved directly or
-   * by iteration, with factors that serve until the next factorize(). Between
-   * the two the matrix must stay as it is. All functions are collective but
-   * those that return a text or a count.
+   * by iteration, with factors that serve until the next factorize(). Only that
+   * needs the entries of the matrix. All functions are collective but those
+   * that return a text or a count.
    */
   class LinearSolver
   {

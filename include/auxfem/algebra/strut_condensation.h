@@ -28,8 +28,8 @@ namespace auxfem
   {
   public:
     /**
-     * @param matrix must outlive the object, and stay as it is between
-     *   condense() and the last expand().
+     * @param matrix must outlive the object; its entries are needed by
+     *   condense() only.
      */
     explicit StrutCondensation(const TangentMatrix &matrix);
 
@@ -122,6 +122,7 @@ namespace auxfem
     const double *
     added(const int *unknowns, unsigned int n, std::vector<double> &room) const;
     bool has_finite_entries(const StrutElements &elements) const;
+    void keep_prescribed_entries();
     void move_prescribed(std::vector<double> &values) const;
     /** Local unknowns between the nodes of element @p e of a strut. */
     const int *inner_unknowns(const StrutElements &elements,
@@ -152,10 +153,12 @@ namespace auxfem
     unsigned long                built_version = 0;
     std::vector<StrutElements>   struts;
     std::unique_ptr<JointSystem> system;
-    /** Owned ones, and blocks with any. */
+    /** Owned ones, blocks with any, and the entries of these one after the
+     * other. */
     ///@{
     std::vector<int>         prescribed_unknowns;
     std::vector<std::size_t> prescribed_blocks;
+    std::vector<double>      prescribed_entries;
     ///@}
     Symmetry            symmetry = Symmetry::given;
     std::vector<double> factors;

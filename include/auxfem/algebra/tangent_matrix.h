@@ -40,6 +40,12 @@ namespace auxfem
     /** Lets go of the memory of the entries; until reset() there are none. */
     void release();
 
+    /** Not between release() and reset(). */
+    bool has_entries() const
+    {
+      return !first.empty();
+    }
+
     /** Adds the row-major block @p values to block @p block. */
     void add(std::size_t block, const double *values);
 

@@ -64,6 +64,9 @@ namespace auxfem
     ///@}
 
   private:
+    /** The unloaded state, whose rates are zero. Made anew for every look:
+     * looks are rare. */
+    State at_rest() const;
     /** The exact state of @p motion with `error` added. */
     State exact_state(const State &motion) const;
     /**
@@ -99,7 +102,6 @@ namespace auxfem
     TangentSolver      &solver;
     const NodeRotations rotations;
     const double        inertia; ///< of the error (1/s2)
-    State               rest;
     Vector              error;
     double              largest_error = 0, largest_motion = 0; ///< m
     double              largest_rotation = 0;                  ///< rad
