@@ -290,6 +290,17 @@ namespace
   };
 } // namespace
 
+TEST(Lanes, GiveBackTheObjectsTheyAreMadeOf)
+{
+  using Object = std::array<double, 3>;
+  EachLane<Object> objects;
+  for (std::size_t lane = 0; lane < n_lanes; ++lane)
+    objects[lane] = {{1. + lane, -0.5 * lane, 1e-3}};
+  const auto lanes = in_lanes<std::array<Lanes, 3>>(objects);
+  for (std::size_t lane = 0; lane < n_lanes; ++lane)
+    EXPECT_EQ(in_lane<Object>(lanes, lane), objects[lane]);
+}
+
 TEST(Lanes, AreFilledWithTheNumbersOfObjectsInTheirOrder)
 {
   using Nodes      = std::array<Beam3D::Node, 2>;

@@ -86,6 +86,20 @@ namespace auxfem
     return in_lanes<OfLanes>(pointers);
   }
 
+  /** The object of double of one @p lane of an object of Lanes; as in_lanes().
+   */
+  template <class OfNumbers, class OfLanes>
+  OfNumbers in_lane(const OfLanes &objects, const std::size_t lane)
+  {
+    static_assert(sizeof(OfLanes) == n_lanes * sizeof(OfNumbers));
+    OfNumbers   result;
+    const auto *lanes   = reinterpret_cast<const Lanes *>(&objects);
+    auto       *numbers = reinterpret_cast<double *>(&result);
+    for (std::size_t i = 0; i < sizeof(OfNumbers) / sizeof(double); ++i)
+      numbers[i] = number_in(lanes[i], lane);
+    return result;
+  }
+
   /** The @p n numbers at @p lanes of one @p lane. */
   template <std::size_t n>
   void

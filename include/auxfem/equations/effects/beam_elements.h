@@ -20,11 +20,13 @@ namespace auxfem
     static constexpr int n_components = Beam::n_components;
     static constexpr int n            = n_components * (order + 1);
 
+    using AtRest        = typename Beam::AtRest;
+    using AtRestInLanes = typename Beam::template AtRestOf<Lanes>;
+
     struct Element
     {
-      typename Beam::AtRest at_rest;
-      double                length; ///< of the strut (m)
-      bool                  owned;
+      double length; ///< of the strut (m)
+      bool   owned;
       /** See strain_per_energy() (1/N). */
       double strain_per_energy;
     };
@@ -45,28 +47,18 @@ namespace auxfem
       of_elements.reserve(n_elements);
       for (unsigned int e = 0; e < n_elements; ++e)
         {
-          const DofNumbering::Element &element =
-            numbering.elements()[group.begin + e];
-          const Strut   &strut   = lattice.struts[element.interval.strut];
-          const Section &section = sections[strut.section];
-          const double   length  = lattice.length(strut);
-
-          Element data;
-          data.length                    = length;
-          typename Beam::AtRest &at_rest = data.at_rest;
-          at_rest.jacobian =
-            length * (element.interval.end - element.interval.begin) / 2;
-          at_rest.stiffness = Beam::stiffness(section);
-          if (!shear_flexibility)
-            Beam::hold_shear(at_rest.stiffness,
-                             12 /
-                               (BeamShape<order>::shear_made_up_for * 4 *
-                                at_rest.jacobian * at_rest.jacobian));
-          data.owned             = element.is_owned;
-          data.strain_per_energy = strain_per_energy(section);
-          set_frames(element.interval, strut, section, at_rest);
-          of_elements.push_back(data);
+          const Section &section = this->section(e);
+          of_elements.push_back({lattice.length(strut(e)),
+                                 numbering.elements()[group.begin + e].is_owned,
+                                 strain_per_energy(section)});
         }
+      batches_at_rest.reserve((n_elements + n_lanes - 1) / n_lanes);
+      for_each_batch([&](const ElementBatch &batch) {
+        batches_at_rest.push_back(
+          in_lanes<AtRestInLanes>(batch.each([&](const unsigned int e) {
+            return make_at_rest(e, shear_flexibility);
+          })));
+      });
     }
 
     unsigned int size() const
@@ -113,11 +105,14 @@ namespace auxfem
       auxfem::for_each_batch(size(), action);
     }
 
-    typename Beam::template AtRestOf<Lanes>
-    at_rest(const ElementBatch &batch) const
+    AtRest at_rest(const unsigned int e) const
     {
-      return in_lanes<typename Beam::template AtRestOf<Lanes>>(batch.each(
-        [&](const unsigned int e) { return &of_elements[e].at_rest; }));
+      return in_lane<AtRest>(batches_at_rest[e / n_lanes], e % n_lanes);
+    }
+
+    const AtRestInLanes &at_rest(const ElementBatch &batch) const
+    {
+      return batches_at_rest[batch.number()];
     }
 
     EachLane<const int *> unknowns(const ElementBatch &batch) const
@@ -168,26 +163,35 @@ namespace auxfem
      * Frames of the true axis; r0' is that of the interpolated axis, so the
      * strut is free of stress at rest.
      */
-    void set_frames(const StrutMesh::Interval &interval,
-                    const Strut               &strut,
-                    const Section             &section,
-                    typename Beam::AtRest     &at_rest) const
+    AtRest make_at_rest(const unsigned int e,
+                        const bool         shear_flexibility) const
     {
+      const StrutMesh::Interval &part = interval(e);
+      AtRest                     at_rest;
+      at_rest.jacobian  = of_elements[e].length * (part.end - part.begin) / 2;
+      at_rest.stiffness = Beam::stiffness(section(e));
+      if (!shear_flexibility)
+        Beam::hold_shear(at_rest.stiffness,
+                         12 /
+                           (BeamShape<order>::shear_made_up_for * 4 *
+                            at_rest.jacobian * at_rest.jacobian));
       dealii::Point<3>     nodes[order + 1], position;
       dealii::Tensor<1, 3> tangent;
       for (int a = 0; a <= order; ++a)
-        lattice.axis(strut, interval.at(shape.node[a]), nodes[a], tangent);
+        lattice.axis(strut(e), part.at(shape.node[a]), nodes[a], tangent);
       for (int g = 0; g < order; ++g)
         {
-          lattice.axis(strut, interval.at(shape.point[g]), position, tangent);
+          lattice.axis(strut(e), part.at(shape.point[g]), position, tangent);
           dealii::Tensor<1, 3> slope;
           for (int a = 0; a <= order; ++a)
             slope += shape.derivative[g][a] / at_rest.jacobian * nodes[a];
-          at_rest.frames[g] = Beam::frame(tangent, slope, section.reference);
+          at_rest.frames[g] = Beam::frame(tangent, slope, section(e).reference);
         }
+      return at_rest;
     }
 
-    std::vector<Element> of_elements;
+    std::vector<Element>       of_elements;
+    std::vector<AtRestInLanes> batches_at_rest;
   };
 } // namespace auxfem
 

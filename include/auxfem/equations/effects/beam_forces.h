@@ -137,7 +137,7 @@ namespace auxfem
           SectionForces forces[order], before[order];
           for (unsigned int e = 0; e < beams.size(); ++e)
             {
-              const typename Beam::AtRest &at_rest = beams[e].at_rest;
+              const typename Beam::AtRest at_rest = beams.at_rest(e);
               Beam::elastic_forces(beams.shape,
                                    at_rest,
                                    beams.motion(e, change.to),
@@ -221,12 +221,15 @@ namespace auxfem
         ? 4
         : std::numeric_limits<double>::infinity();
       for (unsigned int e = 0; e < beams.size(); ++e)
-        raise_nodes(
-          e,
-          Beam::largest_stiffness(beams[e].at_rest.stiffness) *
-            (std::min(most, largest_displacement / beams[e].at_rest.jacobian) +
-             std::min(1., largest_rotation)),
-          forces);
+        {
+          const typename Beam::AtRest at_rest = beams.at_rest(e);
+          raise_nodes(e,
+                      Beam::largest_stiffness(at_rest.stiffness) *
+                        (std::min(most,
+                                  largest_displacement / at_rest.jacobian) +
+                         std::min(1., largest_rotation)),
+                      forces);
+        }
     }
 
   private:

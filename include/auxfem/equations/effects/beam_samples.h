@@ -66,10 +66,10 @@ namespace auxfem
                                    const unsigned int of_numbering,
                                    const unsigned int n_points) const override
     {
-      const unsigned int           e       = index(of_numbering);
-      const typename Beam::AtRest &at_rest = beams[e].at_rest;
-      const typename Beam::Motion  motion  = beams.motion(e, state);
-      SectionForces                elastic[order], viscous[1][order] = {};
+      const unsigned int          e       = index(of_numbering);
+      const typename Beam::AtRest at_rest = beams.at_rest(e);
+      const typename Beam::Motion motion  = beams.motion(e, state);
+      SectionForces               elastic[order], viscous[1][order] = {};
       Beam::elastic_forces(beams.shape, at_rest, motion, elastic);
       if constexpr (Beam::is_damped)
         {
@@ -114,7 +114,7 @@ namespace auxfem
     double energy_density(const unsigned int   of_numbering,
                           const SectionForces &forces) const override
     {
-      return Beam::strain_product(beams[index(of_numbering)].at_rest.stiffness,
+      return Beam::strain_product(beams.at_rest(index(of_numbering)).stiffness,
                                   forces,
                                   forces) /
         2;
@@ -148,7 +148,7 @@ namespace auxfem
       ScaledMotion motion;
       for (const SectionForces &forces : elastic)
         motion.strains.push_back(
-          scaled_strains(beams[e].at_rest.stiffness, forces));
+          scaled_strains(beams.at_rest(e).stiffness, forces));
       if (!state.acceleration)
         return motion;
       const double scale = std::sqrt(beams.section(e).mass_per_length());
@@ -200,8 +200,8 @@ namespace auxfem
           const double of_section   = allowed[beams.strut(e).section],
                        least_strain = largest.ratio * of_section;
           if (!beam.owned ||
-              2 * beam.strain_per_energy * energies[e] <=
-                least_strain * least_strain * weight * beam.at_rest.jacobian)
+              2 * beam.strain_per_energy * energies[e] <= least_strain *
+                  least_strain * weight * beams.at_rest(e).jacobian)
             continue;
           const double ratio = largest_strain(state, e) / of_section;
           if (ratio > largest.ratio)
@@ -255,7 +255,7 @@ namespace auxfem
                         SectionForces (&of_points)[order]) const
     {
       Beam::elastic_forces(beams.shape,
-                           beams[e].at_rest,
+                           beams.at_rest(e),
                            beams.motion(e, state),
                            of_points);
     }
