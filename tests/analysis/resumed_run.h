@@ -14,16 +14,34 @@ namespace auxfem
 {
   namespace testing_support
   {
-    /** Ends a run at its first checkpoint from a time on. */
-    class HaltingRecorder : public MemoryRecorder
+    /** Lets a run go on from a checkpoint, once, and ends it at its first one
+     * from a time on. */
+    class InterruptedRecorder : public MemoryRecorder
     {
     public:
-      HaltingRecorder(const Scene   &scene,
-                      const MPI_Comm communicator,
-                      const double   time)
+      /**
+       * @param former checkpoint that the run goes on from; nullptr: none
+       * @param halt_time s; nothing: the run goes on to its end
+       */
+      InterruptedRecorder(const Scene                &scene,
+                          const MPI_Comm              communicator,
+                          const Records *const        former,
+                          const std::optional<double> halt_time)
         : MemoryRecorder(scene, communicator)
-        , halt_time(time)
+        , former(former)
+        , halt_time(halt_time)
       {}
+
+      const Records *goes_on_from() const override
+      {
+        return former;
+      }
+
+      void resume(const Solution &solution, const Records &records) override
+      {
+        MemoryRecorder::resume(solution, records);
+        former = nullptr;
+      }
 
       void between(const Solution &solution) override
       {
@@ -42,7 +60,7 @@ namespace auxfem
 
       bool wants_checkpoint() override
       {
-        return !ends_run() && time >= halt_time;
+        return halt_time && !checkpoint && time >= *halt_time;
       }
 
       void take(Records records) override
@@ -58,35 +76,9 @@ namespace auxfem
       std::optional<Records> checkpoint;
 
     private:
-      const double halt_time; ///< s
-      double       time = 0;  ///< s
-    };
-
-    /** Lets a run go on from a checkpoint, once. */
-    class ResumingRecorder : public MemoryRecorder
-    {
-    public:
-      ResumingRecorder(const Scene   &scene,
-                       const MPI_Comm communicator,
-                       const Records &checkpoint)
-        : MemoryRecorder(scene, communicator)
-        , checkpoint(checkpoint)
-      {}
-
-      const Records *goes_on_from() const override
-      {
-        return has_gone_on ? nullptr : &checkpoint;
-      }
-
-      void resume(const Solution &solution, const Records &records) override
-      {
-        MemoryRecorder::resume(solution, records);
-        has_gone_on = true;
-      }
-
-    private:
-      const Records &checkpoint;
-      bool           has_gone_on = false;
+      const Records              *former;
+      const std::optional<double> halt_time; ///< s
+      double                      time = 0;  ///< s
     };
 
     /** A result with all rows from the first step on. */
@@ -104,20 +96,30 @@ namespace auxfem
       return {std::move(result), recorder.rows()};
     }
 
-    /** The same halted after a part of its time, and resumed. */
-    inline RecordedRun resumed_run(const Scene   &scene,
-                                   const MPI_Comm communicator,
-                                   const double   part)
+    /** The same halted after each of some parts of its time, and resumed. */
+    inline RecordedRun resumed_run(const Scene               &scene,
+                                   const MPI_Comm             communicator,
+                                   const std::vector<double> &parts)
     {
-      HaltingRecorder first(scene, communicator, part * scene.time.end_time);
-      run(scene, communicator, first);
-      ResumingRecorder second(scene, communicator, first.checkpoint.value());
-      RunResult        result = run(scene, communicator, second);
+      std::optional<Records>           checkpoint;
       std::vector<std::vector<double>> rows;
-      // It may have had to be done again from the start.
-      if (second.rows().empty() || second.rows().front().front() > 0)
-        rows = first.rows();
-      rows.insert(rows.end(), second.rows().begin(), second.rows().end());
+      const auto go_on = [&](const std::optional<double> halt_time) {
+        InterruptedRecorder recorder(scene,
+                                     communicator,
+                                     checkpoint ? &*checkpoint : nullptr,
+                                     halt_time);
+        RunResult           result = run(scene, communicator, recorder);
+        // It may have had to be done again from the start.
+        if (!recorder.rows().empty() && recorder.rows().front().front() == 0)
+          rows.clear();
+        rows.insert(rows.end(), recorder.rows().begin(), recorder.rows().end());
+        if (halt_time)
+          checkpoint = recorder.checkpoint.value();
+        return result;
+      };
+      for (const double part : parts)
+        go_on(part * scene.time.end_time);
+      RunResult result = go_on({});
       return {std::move(result), std::move(rows)};
     }
 
@@ -154,11 +156,7 @@ namespace auxfem
     {
       const Scene scene = read_scene_from_text(text, "test.prm", overrides);
       RecordedRun whole = whole_run(scene, communicator);
-      for (const double part : {0.1, 0.5, 0.8})
-        {
-          SCOPED_TRACE(part);
-          expect_same(whole, resumed_run(scene, communicator, part));
-        }
+      expect_same(whole, resumed_run(scene, communicator, {0.1, 0.5, 0.8}));
       return whole;
     }
   } // namespace testing_support
