@@ -2,6 +2,7 @@
 #include <auxfem/equations/strut_gap.h>
 
 #include <equations/equations_on_ranks.h>
+#include <equations/sampled_distance.h>
 #include <gtest/gtest.h>
 #include <support/scene_text.h>
 
@@ -73,17 +74,10 @@ namespace
      * thickness (m), by many points. */
     double sampled_gap(const std::array<AxisCurve, 2> &now) const
     {
-      constexpr unsigned int n     = 60;
-      double                 least = 1e9;
+      double least = 1e9;
       for (unsigned int one = 0; one < 2; ++one)
         for (const auto &range : curves.free_ranges(one, 1 - one))
-          for (unsigned int i = 0; i <= n; ++i)
-            least =
-              std::min(least,
-                       nearest_point(now[1 - one],
-                                     now[one].at(range[0] +
-                                                 (range[1] - range[0]) * i / n))
-                         .distance);
+          least = sampled_distance(60, now[one], range, now[1 - one], least);
       return least - thickness;
     }
 
@@ -147,9 +141,8 @@ TEST(StrutGap, StraightWaysThroughEachOtherAreSeen)
 
 TEST(StrutGap, ComesBelowFindsWhatHappensInTheMiddleOfAStep)
 {
-  constexpr double       thickness = Axes::thickness;
-  constexpr unsigned int n_times   = 200;
-  std::mt19937           generator(5);
+  constexpr double thickness = Axes::thickness;
+  std::mt19937     generator(5);
   for (const unsigned int dimension : {2u, 3u})
     {
       const Axes   axes      = crossing_axes(dimension);
@@ -167,13 +160,15 @@ TEST(StrutGap, ComesBelowFindsWhatHappensInTheMiddleOfAStep)
           axes.move(0, way, to);
           for (const unsigned int axis : {0u, 1u})
             axes.bend(axis, 0.1, generator, to);
-          double least = 1e9;
-          for (unsigned int t = 0; t <= n_times; ++t)
-            least = std::min(least,
-                             axes.sampled_gap(axes.at(
-                               on_the_way(from, to, double(t) / n_times))));
-          const bool found =
-            axes.gap.comes_below(Axes::pair, axes.at(from), axes.at(to), 0);
+          const auto   begin = axes.at(from), end = axes.at(to);
+          const double least = least_value(
+            200,
+            longest_way(begin[0], end[0]) + longest_way(begin[1], end[1]),
+            [&](const double part) {
+              return axes.sampled_gap(axes.at(on_the_way(from, to, part)));
+            },
+            1e9);
+          const bool found = axes.gap.comes_below(Axes::pair, begin, end, 0);
           // It may miss what goes in by a twentieth of the thickness, and take
           // for touching what comes as near.
           if (least < -0.06 * thickness)

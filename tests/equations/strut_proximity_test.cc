@@ -1,6 +1,7 @@
 #include <auxfem/equations/strut_proximity.h>
 
 #include <equations/equations_on_ranks.h>
+#include <equations/sampled_distance.h>
 #include <gtest/gtest.h>
 #include <support/scene_text.h>
 
@@ -30,19 +31,20 @@ namespace
       , proximity(of_scene.model, curves)
     {}
 
-    /** Least distance (m) of two axes, by many points of both. */
-    double distance(const AxisPair &pair, const std::vector<double> &u) const
+    AxisCurve curve(const unsigned int axis, const std::vector<double> &u) const
     {
-      constexpr unsigned int n     = 30;
-      double                 least = 1e9;
-      const AxisCurve        other =
-        curves.curve(pair[1], axes[pair[1]].unknowns.data(), u.data());
-      const AxisCurve one =
-        curves.curve(pair[0], axes[pair[0]].unknowns.data(), u.data());
-      for (unsigned int i = 0; i <= n; ++i)
-        least =
-          std::min(least, nearest_point(other, one.at(double(i) / n)).distance);
-      return least;
+      return curves.curve(axis, axes[axis].unknowns.data(), u.data());
+    }
+
+    /** Whether two axes touch, by many points of both. */
+    bool touch(const AxisPair &pair, const std::vector<double> &u) const
+    {
+      const double thickness = curves.thickness(pair[0], pair[1]);
+      return sampled_distance(30,
+                              curve(pair[0], u),
+                              {{0., 1.}},
+                              curve(pair[1], u),
+                              thickness) < thickness;
     }
 
     EquationsOnRanks         of_scene;
@@ -69,8 +71,7 @@ TEST(StrutProximity, AllThatTouchAreNearHoweverTheLatticeMoves)
         for (unsigned int b = a + 1; b < stars.axes.size(); ++b)
           {
             const AxisPair pair{{a, b}};
-            if (stars.curves.are_neighbours(a, b) ||
-                stars.distance(pair, u) > stars.curves.thickness(a, b))
+            if (stars.curves.are_neighbours(a, b) || !stars.touch(pair, u))
               continue;
             ++n_touching;
             EXPECT_TRUE(std::binary_search(near.begin(), near.end(), pair))
