@@ -63,9 +63,9 @@ namespace
     return recorder.column("arm." + column);
   }
 
-  constexpr unsigned int parts = 512;
+  constexpr unsigned int parts = 128;
 
-  /** Those of turned_arm() with steps of 1/512. */
+  /** Those of turned_arm() with steps of 1/128: to ten digits. */
   std::vector<double> fine_rotations(const unsigned int dimension,
                                      const std::string &axis,
                                      const std::string &column)

@@ -21,7 +21,7 @@ namespace
            "Joints = 2 | Force y = 0.01 * sin(" + text(frequency) + " * t)")
       .mesh(order)
       .probe("tip", "2")
-      .time(1, "1 ms", "newmark");
+      .time(1, "2 ms", "newmark");
   }
 
   struct ShakenTip

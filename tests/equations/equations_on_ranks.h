@@ -278,13 +278,13 @@ namespace auxfem
     }
 
     /**
-     * 2 x 2 x 2 stars in space with all that star_with_everything() has, a
+     * 2 x 1 x 2 stars in space with all that star_with_everything() has, a
      * revolute hinge and loads in all directions: hit so hard that struts turn
      * far.
      */
     inline SceneText space_star_with_everything()
     {
-      return star_with_everything(2, 2)
+      return star_with_everything(2, 1)
         .dimension(3)
         .add("Lattice",
              "Cell = space star | Cells z = 2 | Opening angle = 70 deg")

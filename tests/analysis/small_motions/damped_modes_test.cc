@@ -25,7 +25,7 @@ namespace
 
   SceneText held_rod(const double beta = rod_beta)
   {
-    return testing_support::held_rod(rod_EA, rod_mass, beta, 4);
+    return testing_support::held_rod(rod_EA, rod_mass, beta, 3);
   }
 
   std::vector<NaturalMode>
