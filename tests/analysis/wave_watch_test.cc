@@ -75,7 +75,7 @@ TEST(WaveWatch, TellsElementsThatMoveTheTipOtherwiseThanFineOnes)
     }
 }
 
-TEST(WaveWatch, FindsTheSameOnAllRanks)
+TEST(WaveWatchOnRanks, FindsTheSame)
 {
   const std::string scene = shaken(2, 100);
   const auto        alone = findings_of(scene),

@@ -280,6 +280,7 @@ namespace auxfem
         double in_step = 0;
         for_all(*this,
                 [&](auto &of_poles) { in_step += of_poles.filter(step); });
+        in_step = layout.sum(in_step);
         unresolved += in_step * step.dt;
         kinetic += step.to.energies.kinetic() * step.dt;
         largest.add(in_step, step.to.time);
@@ -287,7 +288,7 @@ namespace auxfem
 
       std::vector<Finding> findings() const override
       {
-        const double part = layout.sum(unresolved) / kinetic;
+        const double part = unresolved / kinetic;
         if (!(part > doubtful_part))
           return {};
         const std::string  location = "strut " + std::to_string(worst().strut);
@@ -302,16 +303,14 @@ namespace auxfem
         return {
           {part > ruinous_part ? Verdict::not_to_be_used : Verdict::doubtful,
            text.str(),
-           largest.of_all_ranks(layout).time,
+           largest.time,
            location}};
       }
 
       void save(Records &records) const override
       {
-        const LargestInTime of_steps = largest.of_all_ranks(layout);
-        records.keep(
-          wave_record,
-          {layout.sum(unresolved), kinetic, of_steps.value, of_steps.time});
+        records.keep(wave_record,
+                     {unresolved, kinetic, largest.value, largest.time});
         FilterMemory memory(numbering.layout().n_local());
         for_all(*this, [&](auto &of_poles) { of_poles.tell(memory); });
         memory.save(UnknownRecords(numbering), records);
@@ -320,10 +319,9 @@ namespace auxfem
       void resume(const Records &records) override
       {
         const std::vector<double> values = records.values(wave_record, 4);
-        // Sums go on on one rank.
-        unresolved = layout.rank() == 0 ? values[0] : 0.;
-        kinetic    = values[1];
-        largest    = {values[2], values[3]};
+        unresolved                       = values[0];
+        kinetic                          = values[1];
+        largest                          = {values[2], values[3]};
         const FilterMemory memory(UnknownRecords(numbering), records);
         for_all(*this, [&](auto &of_poles) { of_poles.take(memory); });
       }
@@ -377,9 +375,9 @@ namespace auxfem
                  FilteredVelocities<2>,
                  FilteredVelocities<3>>
                     velocities;
-      double        unresolved = 0; ///< J s, on this rank
-      double        kinetic    = 0; ///< J s, of all ranks
-      LargestInTime largest;        ///< J, on this rank
+      double        unresolved = 0; ///< J s
+      double        kinetic    = 0; ///< J s
+      LargestInTime largest;        ///< J
     };
   } // namespace
 
