@@ -109,7 +109,7 @@ TEST(CrossingWatch, FindsTheSameInRunsThatAreResumed)
       1u);
 }
 
-TEST(CrossingWatch, FindsTheSameOnAllRanks)
+TEST(CrossingWatchOnRanks, FindsTheSame)
 {
   for (const std::string &scene : {bent_through("0.4 * t"), bent_past("0.005")})
     {

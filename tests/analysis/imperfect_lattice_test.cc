@@ -95,7 +95,7 @@ TEST(ImperfectLattice, ABowGrowsAsThatOfAColumn)
               4e-3 * amplitude);
 }
 
-TEST(ImperfectLattice, IsTheSameOnAllRanks)
+TEST(ImperfectLatticeOnRanks, IsTheSame)
 {
   const Lattice alone    = imperfect_one(bent_by_mode(1e-3)),
                 together = imperfect_one(bent_by_mode(1e-3), MPI_COMM_WORLD);

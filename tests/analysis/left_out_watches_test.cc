@@ -198,7 +198,7 @@ TEST(LeftOutWatches, FindTheSameInRunsThatAreResumed)
     EXPECT_GE(expect_same_when_resumed(scene).result.findings.size(), 1u);
 }
 
-TEST(LeftOutWatches, FindTheSameOnAllRanks)
+TEST(LeftOutWatchesOnRanks, FindTheSame)
 {
   for (const std::string &scene : {std::string(shaken_struts(12, 0)),
                                    std::string(shortened_spring("-0.99 * t"))})

@@ -141,7 +141,8 @@ TEST(PathResume, OntoAnotherBranch)
     expect_singular_points(resume_everywhere(star(),
                                              {std::string("Path/Branch=") +
                                                 branch,
-                                              "Path/Points=10"}),
+                                              "Path/First load increment=0.1",
+                                              "Path/Points=8"}),
                            0,
                            1);
 }

@@ -172,7 +172,7 @@ TEST(SmallDisplacementWatch, TellsDisplacementsThatAreNotSmall)
   EXPECT_EQ(verdict_of(with(1.5)), Verdict::not_to_be_used);
 }
 
-TEST(SmallDisplacementWatch, FindsTheSameOnAllRanks)
+TEST(SmallDisplacementWatchOnRanks, FindsTheSame)
 {
   const SceneText text =
     chain("-0.6 * t", "0.1 * t").set("Effects/Large rotation", "off");

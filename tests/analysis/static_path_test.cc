@@ -244,7 +244,7 @@ TEST(StaticPath, LeavesABranchToEitherSide)
   EXPECT_NEAR(to_one, -to_other, 1e-6);
 }
 
-TEST(StaticPath, IsTheSameOnAllRanks)
+TEST(StaticPathOnRanks, IsTheSame)
 {
   const SceneText scene = static_scene()
                             .cells("star", 3, 2)
@@ -326,7 +326,7 @@ namespace
   }
 } // namespace
 
-TEST(StaticPath, FindsDivergenceOnAllRanks)
+TEST(StaticPathOnRanks, FindsDivergence)
 {
   const SceneText scene = stars_under_follower_loads();
   for (const char *solver : {"auto", "mumps"})

@@ -207,7 +207,7 @@ TEST(BucklingModes, AboutAnEquilibriumAreOfWhatIsAdded)
   EXPECT_NEAR(1 + 0.5 * buckling_of(scene, 1).modes.at(0).factor, exact, 1e-2);
 }
 
-TEST(BucklingModes, AreTheSameOnAllRanks)
+TEST(BucklingModesOnRanks, AreTheSame)
 {
   const SceneText scene = pressed(column(3).support("foot", "0", "clamp"), "3");
   const BucklingModes alone    = buckling_of(scene, 3),

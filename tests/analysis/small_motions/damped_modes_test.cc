@@ -216,7 +216,7 @@ namespace
 // tanh(s / w) = -1 / matched with w = sqrt(EA / m) / L: all modes decay alike;
 // with less than the matched dashpot they swing as a rod with a free end, with
 // more as one that is held, and one motion does not swing.
-TEST(DampedModes, StronglyMixedOnesAreFound)
+TEST(DampedModesOnRanks, StronglyMixedOnesAreFound)
 {
   const double wave = std::sqrt(rod_EA / rod_mass);
   for (const double matched : {0.5, 0.8, 1.25, 2.})
@@ -297,7 +297,7 @@ TEST(DampedModes, AreCounted)
     }
 }
 
-TEST(DampedModes, AreTheSameOnAllRanks)
+TEST(DampedModesOnRanks, AreTheSame)
 {
   const auto alone    = damped_modes_of(held_rod(), 2),
              together = damped_modes_of(held_rod(), 2, MPI_COMM_WORLD);

@@ -186,7 +186,7 @@ TEST(HarmonicResponse, LoadsOfAStaticStartAreNoAmplitudes)
   expect_near(vibration_of(scene, 2.).first, bar_force / bar_resistance(2.));
 }
 
-TEST(HarmonicResponse, IsTheSameOnAllRanks)
+TEST(HarmonicResponseOnRanks, IsTheSame)
 {
   const SceneText scene = pushed(damped_bar());
   expect_near(vibration_of(scene, 2.2, MPI_COMM_WORLD).first,

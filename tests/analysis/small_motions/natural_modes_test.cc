@@ -200,7 +200,7 @@ TEST(NaturalModes, OfARigidRodOnASpring)
   EXPECT_NEAR(found.modes[0].eigenvalue / 70., 1, 1e-10);
 }
 
-TEST(NaturalModes, AreTheSameOnAllRanks)
+TEST(NaturalModesOnRanks, AreTheSame)
 {
   const SceneText    star     = star_lattice();
   const NaturalModes alone    = modes_of(star, 6),

@@ -441,7 +441,7 @@ namespace
   }
 } // namespace
 
-TEST(PlateContact, IsTheSameOnAnyNumberOfRanks)
+TEST(PlateContactOnRanks, IsTheSame)
 {
   for (const ContactCase &of_case : contact_cases)
     for (const Kind kind : {Kind::step, Kind::between})
