@@ -179,7 +179,7 @@ TEST(IterativeSolver, IncompleteFactorizationServesShortSteps)
   for (const double follower : {0., 3.})
     {
       options.follower = follower;
-      const BeamSystem system(2, star_lattice(2, {{30, 30, 1}}), options);
+      const BeamSystem system(2, star_lattice(2, {{16, 16, 1}}), options);
       SolverParameters parameters;
       parameters.preconditioner = "ilu";
       const std::unique_ptr<LinearSolverMethod> solver =
@@ -242,7 +242,7 @@ TEST(IterativeSolver, BadMatricesAreTold)
 
 TEST(IterativeSolver, WhatIsNotSolvedIsTold)
 {
-  const BeamSystem system(2, star_lattice(2, {{30, 30, 1}}));
+  const BeamSystem system(2, star_lattice(2, {{16, 16, 1}}));
   SolverParameters parameters;
   parameters.maximum_iterations = 3;
   const std::unique_ptr<LinearSolverMethod> solver =

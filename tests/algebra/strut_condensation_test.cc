@@ -169,7 +169,7 @@ TEST(StrutCondensation, GoesAlongSeveralElements)
   NetworkShape shape;
   for (const unsigned int n_components : {3, 6})
     for (const unsigned int order : {1, 3})
-      for (const unsigned int n_elements : {2, 3, 5})
+      for (const unsigned int n_elements : {2, n_components == 3 ? 5 : 3})
         {
           shape.n_components = n_components;
           shape.order        = order;

@@ -212,13 +212,14 @@ namespace auxfem::testing_support
             first.back() + count[r] * static_cast<int>(components.size()));
           first.push_back(first_constraint.back() + n_constraints[r]);
         }
+      rows.resize(first[rank + 1] - first[rank]);
     }
 
     /** Adds to the rows of this rank. */
     void add(const int row, const int column, const double entry)
     {
       if (row >= first[rank] && row < first[rank + 1])
-        triplets.emplace_back(row, column, entry);
+        rows[row - first[rank]].push_back({column, entry});
     }
 
     /** Direction and two across it. */
@@ -351,9 +352,10 @@ namespace auxfem::testing_support
     void make_layout()
     {
       std::vector<int> ghosts;
-      for (const auto &[row, column, entry] : triplets)
-        if (column < first[rank] || column >= first[rank + 1])
-          ghosts.push_back(column);
+      for (const std::vector<Summand> &row : rows)
+        for (const auto &[column, value] : row)
+          if (column < first[rank] || column >= first[rank + 1])
+            ghosts.push_back(column);
       std::sort(ghosts.begin(), ghosts.end());
       ghosts.erase(std::unique(ghosts.begin(), ghosts.end()), ghosts.end());
       layout   = std::make_unique<UnknownLayout>(MPI_COMM_WORLD,
@@ -387,45 +389,48 @@ namespace auxfem::testing_support
     void fill(const BeamOptions &options)
     {
       matrix = std::make_unique<SparseMatrix>(*layout);
-      for (auto &[row, column, entry] : triplets)
+      for (unsigned int row = 0; row < rows.size(); ++row)
         {
-          row -= first[rank];
-          column = layout->local(column);
+          fill_row(row);
+          matrix->first[row + 1] = matrix->columns.size();
+          if (unknowns->kinds[row] == UnknownKind::translation)
+            for (std::size_t i = matrix->first[row]; i < matrix->first[row + 1];
+                 ++i)
+              if (matrix->columns[i] == static_cast<int>(row))
+                matrix->entries[i] += options.inertia;
         }
-      std::sort(triplets.begin(),
-                triplets.end(),
-                [](const auto &a, const auto &b) {
-                  return std::tie(std::get<0>(a), std::get<1>(a)) <
-                    std::tie(std::get<0>(b), std::get<1>(b));
+      rows.clear();
+      if (options.follower != 0)
+        add_follower(options.follower);
+    }
+
+    void fill_row(const unsigned int row)
+    {
+      std::vector<Summand> &summands = rows[row];
+      for (Summand &summand : summands)
+        summand.column = layout->local(summand.column);
+      std::sort(summands.begin(),
+                summands.end(),
+                [](const Summand &a, const Summand &b) {
+                  return a.column < b.column;
                 });
       int last = -1;
-      for (const auto &[row, column, entry] : triplets)
+      for (const auto &[column, value] : summands)
         {
-          if (row != last || column != matrix->columns.back())
+          if (column != last)
             {
               matrix->columns.push_back(column);
               matrix->entries.push_back(0);
             }
-          last                   = row;
-          matrix->first[row + 1] = matrix->columns.size();
+          last = column;
           const bool is_fixed =
             unknowns->kinds[row] == UnknownKind::prescribed ||
             unknowns->kinds[column] == UnknownKind::prescribed;
           if (!is_fixed)
-            matrix->entries.back() += entry;
-          else if (row == column)
+            matrix->entries.back() += value;
+          else if (static_cast<int>(row) == column)
             matrix->entries.back() = 1;
-          if (row == column && unknowns->kinds[row] == UnknownKind::translation)
-            diagonal.push_back(matrix->entries.size() - 1);
         }
-      triplets.clear();
-      std::sort(diagonal.begin(), diagonal.end());
-      diagonal.erase(std::unique(diagonal.begin(), diagonal.end()),
-                     diagonal.end());
-      for (const std::size_t i : diagonal)
-        matrix->entries[i] += options.inertia;
-      if (options.follower != 0)
-        add_follower(options.follower);
     }
 
     void add_follower(const double moment)
@@ -442,14 +447,19 @@ namespace auxfem::testing_support
               matrix->entries[i] += moment;
     }
 
-    BeamLattice                 lattice;
-    std::vector<unsigned int>   components;
-    unsigned int                n_ranks, rank;
-    std::vector<unsigned int>   rank_of, position;
-    std::vector<int>            first, first_constraint, n_constraints;
-    std::map<int, unsigned int> joint_of_constraint;
-    std::vector<std::tuple<int, int, double>> triplets;
-    std::vector<std::size_t>                  diagonal;
+    struct Summand
+    {
+      int    column; ///< global at first, then local
+      double value;
+    };
+
+    BeamLattice                       lattice;
+    std::vector<unsigned int>         components;
+    unsigned int                      n_ranks, rank;
+    std::vector<unsigned int>         rank_of, position;
+    std::vector<int>                  first, first_constraint, n_constraints;
+    std::map<int, unsigned int>       joint_of_constraint;
+    std::vector<std::vector<Summand>> rows; ///< of this rank
   };
 } // namespace auxfem::testing_support
 
