@@ -79,15 +79,15 @@ namespace auxfem
       {
       public:
         /** @param interval steps from one that is recorded to the next
-         * @param middle step at which a checkpoint is taken
+         * @param checkpoint_step at which a checkpoint is taken
          * @param former checkpoint that the run goes on from; nullptr: none */
         CourseRecorder(const unsigned int   interval,
-                       const unsigned long  middle,
+                       const unsigned long  checkpoint_step,
                        const bool           is_free,
                        const Records *const former,
                        Course              &course)
           : interval(interval)
-          , middle(middle)
+          , checkpoint_step(checkpoint_step)
           , is_free(is_free)
           , former(former)
           , course(course)
@@ -100,12 +100,12 @@ namespace auxfem
 
         bool wants_checkpoint() override
         {
-          return n_steps == middle && former == nullptr;
+          return n_steps == checkpoint_step && former == nullptr;
         }
 
         void take(Records records) override
         {
-          course.middle           = std::move(records);
+          course.checkpoint       = std::move(records);
           course.n_motions_before = course.motions.size();
         }
 
@@ -159,7 +159,7 @@ namespace auxfem
         }
 
         const unsigned int           interval;
-        const unsigned long          middle;
+        const unsigned long          checkpoint_step;
         const bool                   is_free;
         const Records *const         former;
         Course                      &course;
@@ -180,7 +180,8 @@ namespace auxfem
         scene.time.step /= refinement;
         Course         course;
         CourseRecorder recorder(refinement,
-                                scene.time.n_steps() / 2,
+                                std::lround(hard.part_before_checkpoint *
+                                            scene.time.n_steps()),
                                 hard.is_free,
                                 former,
                                 course);
@@ -217,9 +218,9 @@ namespace auxfem
                                    const std::string &scheme,
                                    const Course      &whole)
       {
-        if (!whole.middle)
+        if (!whole.checkpoint)
           return "ended before";
-        const Course resumed  = course_of(hard, scheme, 1, &*whole.middle);
+        const Course resumed  = course_of(hard, scheme, 1, &*whole.checkpoint);
         const bool   is_equal = whole.is_completed == resumed.is_completed &&
           whole.verdict == resumed.verdict &&
           whole.rejected == resumed.rejected &&

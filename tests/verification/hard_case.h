@@ -24,6 +24,8 @@ namespace auxfem
       /** Nothing from outside acts on struts without rigid parts, whose momenta
        * then are measured. */
       bool is_free = false;
+      /** Part of the steps before the checkpoint that it is resumed from. */
+      double part_before_checkpoint = 0.5;
     };
 
     /** What is seen of a run. */
@@ -39,13 +41,13 @@ namespace auxfem
       unsigned long rejected       = 0;
       /** Displacements of all joints, by step of the scene. */
       std::vector<std::vector<double>> motions;
-      /** From the middle of the run, and how many motions there were then. */
-      std::optional<Records> middle;
+      /** From within the run, and how many motions there were then. */
+      std::optional<Records> checkpoint;
       std::size_t            n_motions_before = 0;
     };
 
     /**
-     * Runs @p hard by every time scheme with inertia, and again from the middle
+     * Runs @p hard by every time scheme with inertia, and again from a checkpoint
      * on; leaves a table by scheme. Expects what holds of all cases: everything
      * is finite, no run is wrong and calls itself sound, one that is resumed is
      * equal to the last digit, and energy-momentum keeps energy and momenta.
