@@ -1,3 +1,4 @@
+#include <programs/one_message.h>
 #include <support/graphics_series.h>
 
 namespace
@@ -8,27 +9,6 @@ namespace
   class ParallelProgram : public ProgramTest
   {
   protected:
-    static unsigned int count(const std::string &text, const std::string &part)
-    {
-      unsigned int n = 0;
-      for (std::size_t position = text.find(part);
-           position != std::string::npos;
-           position = text.find(part, position + 1))
-        ++n;
-      return n;
-    }
-
-    /** The message is there, once, and the run ends with @p exit_code. */
-    static void expect_one_message(const ProgramRun  &run,
-                                   const int          exit_code,
-                                   const std::string &message)
-    {
-      EXPECT_EQ(run.exit_code, exit_code) << run.errors;
-      EXPECT_EQ(count(run.errors, message), 1u) << run.errors;
-      EXPECT_EQ(count(run.errors, "auxfem: "), 1u) << run.errors;
-      expect_without(run.errors, {"Stacktrace", "internal error"});
-    }
-
     /** All columns of two histories agree to 1e-10 of the largest value. */
     static void expect_same(const Table &one, const Table &two)
     {
@@ -202,63 +182,6 @@ end
 
 
 
-  TEST_F(ParallelProgram, CheckCountsTheWhole)
-  {
-    write("scene.prm", data_text("star.prm"));
-    const ProgramRun run = run_auxfem_on(2, {"--check", "scene.prm"});
-    EXPECT_EQ(run.exit_code, 0) << run.errors;
-    for (const char *pattern : {"Joints +44\n",
-                                "Struts +48\n",
-                                "Elements +48 of order 3\n",
-                                "Connectors +4\n",
-                                "Unknowns +420, 414 of them free\n",
-                                "MPI ranks +2\n"})
-      EXPECT_TRUE(std::regex_search(run.output, std::regex(pattern)))
-        << pattern << run.output;
-    EXPECT_EQ(count(run.output, "MPI ranks"), 1u);
-    EXPECT_FALSE(std::filesystem::exists(path("output")));
-  }
-
-
-
-  TEST_F(ParallelProgram, OneRankAnswersForAll)
-  {
-    EXPECT_EQ(count(run_auxfem_on(2, {"--version"}).output, "auxfem "), 1u);
-    EXPECT_EQ(count(run_auxfem_on(2, {"--help"}).output, "Usage:"), 1u);
-  }
-
-
-
-  TEST_F(ParallelProgram, BadInputIsRefusedOnce)
-  {
-    write("scene.prm", data_text("star.prm"));
-    write("file", "");
-    expect_one_message(run_auxfem_on(2, {"lost.prm"}),
-                       1,
-                       "\"lost.prm\" cannot be opened");
-    expect_one_message(run_auxfem_on(2, {"scene.prm", "--set", "Time/Tiem=1"}),
-                       1,
-                       "Time/Tiem: unknown parameter");
-    expect_one_message(
-      run_auxfem_on(2,
-                    {"scene.prm", "--set", "Connectors/damper/Between=3 500"}),
-      1,
-      "there is no joint 500");
-    expect_one_message(run_auxfem_on(2, {"scene.prm", "--output", "file/out"}),
-                       1,
-                       "cannot be used");
-    expect_one_message(run_auxfem_on(2,
-                                     {"scene.prm",
-                                      "--set",
-                                      "Time/Scheme=static",
-                                      "--set",
-                                      "Supports/foundation/Type=roller x"}),
-                       1,
-                       "horizontal displacement of joint");
-  }
-
-
-
   TEST_F(ParallelProgram, MoreRanksThanStrutsAreRefused)
   {
     write("scene.prm", data_text("arch.prm"));
@@ -290,83 +213,6 @@ end
     EXPECT_EQ(
       GraphicsSeries(path("out/solution.pvd"), path("vtk")).datasets.n_rows,
       3u);
-
-    expect_one_message(run_auxfem_on(2,
-                                     {"scene.prm",
-                                      "--output",
-                                      "floor",
-                                      "--set",
-                                      "Loads/hit/Force y=if(t < 81e-6, 0, -50)",
-                                      "--set",
-                                      "Newton/Maximum iterations=1",
-                                      "--set",
-                                      "Time/Smallest time step=5 us"}),
-                       2,
-                       "did not converge");
-  }
-
-
-
-  TEST_F(ParallelProgram, AFollowerLoadThatEndsOnOneRankEndsAll)
-  {
-    write("scene.prm", data_text("star.prm"));
-    expect_one_message(
-      run_auxfem_on(2,
-                    {"scene.prm",
-                     "--set",
-                     "Time/Scheme=energy-momentum",
-                     "--set",
-                     "Loads/hit/Joints=nearest: 0, 0.04",
-                     "--set",
-                     "Loads/hit/Direction=follows the joint",
-                     "--set",
-                     "Loads/hit/Force y=-8 * sqrt(0.31e-3 - t)"}),
-      2,
-      "not a finite number at t = 0.0003");
-  }
-
-
-
-  TEST_F(ParallelProgram, ALineLoadBesideARigidArcIsRefusedOnAllRanks)
-  {
-    write("scene.prm", R"(
-set Dimension = 3
-subsection Lattice
-  set Cell   = frame
-  set Joints = 0 0; 1 0; 2 0; 3 0
-  set Struts = 0 1; 1 2 0.3; 2 3 -0.3
-end
-subsection Sections
-  subsection rod
-    set Shape           = circle
-    set Radius          = 10 mm
-    set Young's modulus = 70 GPa
-    set Density         = 2700 kg/m3
-  end
-end
-subsection Rigid parts
-  subsection arc
-    set Struts         = 1, 2
-    set Mass           = 1 kg
-    set Elastic struts = clamped
-  end
-end
-subsection Supports
-  subsection clamp
-    set Joints = 0
-  end
-end
-subsection Loads
-  subsection wind
-    set Type               = line
-    set Struts             = 1
-    set Force per length z = 1
-  end
-end
-)");
-    const std::string message = "a line load on a rigid arc";
-    expect_one_message(run_auxfem({"scene.prm"}), 1, message);
-    expect_one_message(run_auxfem_on(2, {"scene.prm"}), 1, message);
   }
 
 

@@ -176,12 +176,13 @@ namespace auxfem
     class ProgramTest : public testing::Test
     {
     protected:
-      ProgramTest()
+      /** @param suffix of the folder, which tells those of ranks apart */
+      explicit ProgramTest(const std::string &suffix = "")
       {
         const testing::TestInfo &test =
           *testing::UnitTest::GetInstance()->current_test_info();
         folder = std::string(AUXFEM_TEST_OUTPUT_DIRECTORY) + "/" +
-          test.test_suite_name() + "." + test.name();
+          test.test_suite_name() + "." + test.name() + suffix;
         std::filesystem::remove_all(folder);
         std::filesystem::create_directories(folder);
       }
