@@ -41,10 +41,13 @@ namespace auxfem
       return found;
     }
 
-    /** Names that files of the series @p name have. */
-    std::regex file_names(const std::string &name)
+    bool is_file_of_series(const std::string &file, const std::string &series)
     {
-      return std::regex(name + "_\\d+(\\.\\d+)?\\.p?vtu");
+      // Modes have hundreds of series: an expression for each would take longer
+      // to be made than small lattices take.
+      static const std::regex after_name("_\\d+(\\.\\d+)?\\.p?vtu");
+      return file.compare(0, series.size(), series) == 0 &&
+        std::regex_match(file.begin() + series.size(), file.end(), after_name);
     }
   } // namespace
 
@@ -164,10 +167,10 @@ namespace auxfem
       {
         if (exists(file(series + ".pvd")))
           names.push_back(series + ".pvd");
-        const std::regex of_series = file_names(series);
         for (const fs::path &entry : entries(file(series)))
-          if (std::regex_match(entry.filename().string(), of_series))
-            names.push_back(series + "/" + entry.filename().string());
+          if (const std::string name = entry.filename().string();
+              is_file_of_series(name, series))
+            names.push_back(series + "/" + name);
       }
     return names;
   }
