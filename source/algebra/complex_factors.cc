@@ -4,6 +4,7 @@
 #include <deal.II/base/numbers.h>
 
 #include <cmath>
+#include <iterator>
 #include <numeric>
 
 #include <klu.h>
@@ -32,15 +33,26 @@ namespace auxfem
       return all;
     }
 
-    /** What the ranks have, one after the other, on all of them. */
+    /** What the ranks have, one after the other, on all of them. deal.II's
+     * all_gather() would compress it, which takes longer than all else. */
     template <typename T>
     std::vector<T> of_all_ranks(const std::vector<T> &mine,
                                 const MPI_Comm        communicator)
     {
-      std::vector<T> all;
-      for (const std::vector<T> &part :
-           dealii::Utilities::MPI::all_gather(communicator, mine))
-        all.insert(all.end(), part.begin(), part.end());
+      const std::vector<int> sizes =
+        dealii::Utilities::MPI::all_gather(communicator, int(mine.size()));
+      std::vector<int> first(1, 0);
+      std::partial_sum(sizes.begin(), sizes.end(), std::back_inserter(first));
+      std::vector<T>     all(first.back());
+      const MPI_Datatype type = dealii::Utilities::MPI::mpi_type_id_for_type<T>;
+      MPI_Allgatherv(mine.data(),
+                     mine.size(),
+                     type,
+                     all.data(),
+                     sizes.data(),
+                     first.data(),
+                     type,
+                     communicator);
       return all;
     }
 
