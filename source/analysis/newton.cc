@@ -223,9 +223,11 @@ namespace auxfem
                 solver.matrix().version(),
                 solver.linear_solver().is_exact(),
                 /*is_fresh=*/true};
+#ifndef DEBUG // where solutions are checked by it
     // Its factorization will serve for long.
     if (is_linear)
       solver.matrix().release();
+#endif
     return true;
   }
 

@@ -341,6 +341,7 @@ TEST(StaticPathOnRanks, FindsDivergence)
           together(scene.str(), settings, MPI_COMM_WORLD);
         // MUMPS on several ranks need not repeat its own round-off, and the
         // steps beyond the bifurcation are as long as iterations allow.
+        EXPECT_NEAR(alone.points.size(), together.points.size(), 2);
         EXPECT_NEAR(n_beyond_divergence(alone),
                     n_beyond_divergence(together),
                     2);

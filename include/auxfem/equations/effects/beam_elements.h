@@ -46,12 +46,9 @@ namespace auxfem
       const unsigned int n_elements = group.end - group.begin;
       of_elements.reserve(n_elements);
       for (unsigned int e = 0; e < n_elements; ++e)
-        {
-          const Section &section = this->section(e);
-          of_elements.push_back({lattice.length(strut(e)),
-                                 numbering.elements()[group.begin + e].is_owned,
-                                 strain_per_energy(section)});
-        }
+        of_elements.push_back({lattice.length(strut(e)),
+                               numbering.elements()[group.begin + e].is_owned,
+                               strain_per_energy(section(e))});
       batches_at_rest.reserve((n_elements + n_lanes - 1) / n_lanes);
       for_each_batch([&](const ElementBatch &batch) {
         batches_at_rest.push_back(
