@@ -197,9 +197,9 @@ namespace auxfem
       const auto part = remaining_part(coarse, middle, fine, ratio);
       if (!part)
         return fine;
-      Values limit = fine;
-      for (std::size_t i = 0; i < limit->numbers.size(); ++i)
-        limit->numbers[i] += *part * (fine->numbers[i] - middle->numbers[i]);
+      QuantityValues limit = *fine;
+      for (std::size_t i = 0; i < limit.numbers.size(); ++i)
+        limit.numbers[i] += *part * (fine->numbers[i] - middle->numbers[i]);
       return limit;
     }
 
