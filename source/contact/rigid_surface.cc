@@ -9,32 +9,32 @@ namespace auxfem
 {
   namespace
   {
-    using Vector = RigidSurface::Vector;
-    using Lines  = std::vector<std::vector<Vector>>;
+    using Vector3 = RigidSurface::Vector;
+    using Lines   = std::vector<std::vector<Vector3>>;
 
-    Vector unit_vector(const unsigned int direction)
+    Vector3 unit_vector(const unsigned int direction)
     {
-      Vector result;
+      Vector3 result;
       result[direction] = 1;
       return result;
     }
 
     /** Two unit vectors across @p normal; in the plane the first lies in it. */
-    std::array<Vector, 2> across(const Vector &normal)
+    std::array<Vector3, 2> across(const Vector3 &normal)
     {
       const unsigned int least = std::abs(normal[2]) < 0.9 ? 2 : 0;
-      Vector first = dealii::cross_product_3d(unit_vector(least), normal);
+      Vector3 first = dealii::cross_product_3d(unit_vector(least), normal);
       first /= first.norm();
       return {{first, dealii::cross_product_3d(normal, first)}};
     }
 
-    std::vector<Vector> circle(const double  radius,
-                               const Vector &first,
-                               const Vector &second,
-                               const Vector &centre = Vector())
+    std::vector<Vector3> circle(const double   radius,
+                                const Vector3 &first,
+                                const Vector3 &second,
+                                const Vector3 &centre = Vector3())
     {
       constexpr unsigned int n = 48;
-      std::vector<Vector>    points;
+      std::vector<Vector3>   points;
       for (unsigned int i = 0; i <= n; ++i)
         {
           const double angle = 2 * dealii::numbers::PI * i / n;
@@ -48,26 +48,27 @@ namespace auxfem
     class PlaneSurface : public RigidSurface
     {
     public:
-      explicit PlaneSurface(const Vector &normal) : normal(normal)
+      explicit PlaneSurface(const Vector3 &normal) : normal(normal)
       {}
 
-      double distance(const Vector &position) const override
+      double distance(const Vector3 &position) const override
       {
         return normal * position;
       }
 
-      SurfaceDistance at(const Vector &position) const override
+      SurfaceDistance at(const Vector3 &position) const override
       {
         return {normal * position, normal, {}};
       }
 
-      MeanDistance between(const Vector & /*from*/,
-                           const Vector & /*to*/) const override
+      MeanDistance between(const Vector3 & /*from*/,
+                           const Vector3 & /*to*/) const override
       {
         return {normal, {}};
       }
 
-      double least_distance(const Vector &from, const Vector &to) const override
+      double least_distance(const Vector3 &from,
+                            const Vector3 &to) const override
       {
         return std::min(distance(from), distance(to));
       }
@@ -84,7 +85,7 @@ namespace auxfem
       }
 
     private:
-      const Vector normal;
+      const Vector3 normal;
     };
 
     /** Everything nearer than a radius to a point or, across an axis, to a
@@ -93,7 +94,7 @@ namespace auxfem
     {
     public:
       /** @param axis zero: a ball */
-      RoundSurface(const Vector &axis, const double radius)
+      RoundSurface(const Vector3 &axis, const double radius)
         : axis(axis)
         , radius(radius)
       {
@@ -102,14 +103,14 @@ namespace auxfem
             projection[i][j] = (i == j ? 1. : 0.) - axis[i] * axis[j];
       }
 
-      double distance(const Vector &position) const override
+      double distance(const Vector3 &position) const override
       {
         return (projection * position).norm() - radius;
       }
 
-      SurfaceDistance at(const Vector &position) const override
+      SurfaceDistance at(const Vector3 &position) const override
       {
-        const Vector    r = projection * position;
+        const Vector3   r = projection * position;
         const double    l = r.norm();
         SurfaceDistance result{l - radius, r / l, {}};
         for (unsigned int i = 0; i < 3; ++i)
@@ -119,13 +120,14 @@ namespace auxfem
         return result;
       }
 
-      MeanDistance between(const Vector &from, const Vector &to) const override
+      MeanDistance between(const Vector3 &from,
+                           const Vector3 &to) const override
       {
         // r1^2 - r0^2 over r0 + r1, as for the length of a connector.
-        const Vector r0 = projection * from, r1 = projection * to;
-        const double sum = r0.norm() + r1.norm();
-        const Vector now = r1 / r1.norm();
-        MeanDistance result{(r0 + r1) / sum, {}};
+        const Vector3 r0 = projection * from, r1 = projection * to;
+        const double  sum = r0.norm() + r1.norm();
+        const Vector3 now = r1 / r1.norm();
+        MeanDistance  result{(r0 + r1) / sum, {}};
         for (unsigned int i = 0; i < 3; ++i)
           for (unsigned int j = 0; j < 3; ++j)
             result.change[i][j] =
@@ -133,11 +135,12 @@ namespace auxfem
         return result;
       }
 
-      double least_distance(const Vector &from, const Vector &to) const override
+      double least_distance(const Vector3 &from,
+                            const Vector3 &to) const override
       {
-        const Vector start = projection * from, way = projection * (to - from);
-        const double square = way.norm_square();
-        const double part =
+        const Vector3 start = projection * from, way = projection * (to - from);
+        const double  square = way.norm_square();
+        const double  part =
           square > 0 ? std::clamp(-(start * way) / square, 0., 1.) : 0.;
         return (start + part * way).norm() - radius;
       }
@@ -145,24 +148,25 @@ namespace auxfem
       Lines outline(const double       size,
                     const unsigned int dimension) const override
       {
-        const Vector x = unit_vector(0), y = unit_vector(1), z = unit_vector(2);
+        const Vector3 x = unit_vector(0), y = unit_vector(1),
+                      z = unit_vector(2);
         if (dimension == 2)
           return {circle(radius, x, y)};
         if (axis.norm_square() == 0)
           return {circle(radius, x, y),
                   circle(radius, y, z),
                   circle(radius, z, x)};
-        const auto [a, b]  = across(axis);
-        const Vector along = size / 2 * axis;
-        Lines        lines = {circle(radius, a, b, along),
-                              circle(radius, a, b, -along)};
-        for (const Vector &side : {a, -a, b, -b})
+        const auto [a, b]   = across(axis);
+        const Vector3 along = size / 2 * axis;
+        Lines         lines = {circle(radius, a, b, along),
+                               circle(radius, a, b, -along)};
+        for (const Vector3 &side : {a, -a, b, -b})
           lines.push_back({radius * side - along, radius * side + along});
         return lines;
       }
 
     private:
-      const Vector         axis;
+      const Vector3        axis;
       const double         radius;
       dealii::Tensor<2, 3> projection; ///< across the axis
     };
@@ -176,7 +180,7 @@ namespace auxfem
 
   std::shared_ptr<const RigidSurface> make_sphere_surface(const double radius)
   {
-    return std::make_shared<RoundSurface>(Vector(), radius);
+    return std::make_shared<RoundSurface>(Vector3(), radius);
   }
 
   std::shared_ptr<const RigidSurface>

@@ -18,7 +18,7 @@ namespace auxfem
      * Two joints of different cells closer than this part of the cell's size
      * are one: far above round-off of the cell centres, far below any strut.
      */
-    constexpr double relative_tolerance = 1e-8;
+    constexpr double joint_tolerance = 1e-8;
 
     /** Largest extent of the cell, its period included (m). */
     double cell_size(const UnitCell &cell)
@@ -43,7 +43,7 @@ namespace auxfem
     {
     public:
       JointFinder(const double size)
-        : tolerance(relative_tolerance * size)
+        : tolerance(joint_tolerance * size)
         , width(size > 0. ? 1e-3 * size : 1.)
       {}
 
@@ -138,7 +138,7 @@ namespace auxfem
       ArrayBuilder(const UnitCell &cell, const Index3 &n_cells)
         : cell(cell)
         , n_cells(n_cells)
-        , tolerance(relative_tolerance * cell_size(cell))
+        , tolerance(joint_tolerance * cell_size(cell))
         , finder(cell_size(cell))
       {
         lattice.n_cells = n_cells[0] * n_cells[1] * n_cells[2];

@@ -5,12 +5,12 @@ namespace auxfem
 {
   namespace
   {
-    const Quantity bar_length = {"Bar length",
-                                 "0.5 m",
-                                 "m",
-                                 Range::positive(),
-                                 "Length L1 of each of the four bars."};
-    const Quantity angle      = {
+    const Quantity cell_bar_length = {"Bar length",
+                                      "0.5 m",
+                                      "m",
+                                      Range::positive(),
+                                      "Length L1 of each of the four bars."};
+    const Quantity cell_angle      = {
            "Angle",
            "30 deg",
            "deg",
@@ -45,7 +45,7 @@ namespace auxfem
             "The star cell of rigid parts, loaded from above; only with Model "
             "= reduced cell, which also uses Connectors (exactly one), Time, "
             "Newton and Output.",
-            {bar_length, angle, bar_mass, part_mass, load},
+            {cell_bar_length, cell_angle, bar_mass, part_mass, load},
             "",
             {},
             {Model::reduced_cell}};
@@ -56,8 +56,8 @@ namespace auxfem
   ReducedCellDefinition read_reduced_cell(ParameterValues &values)
   {
     ReducedCellDefinition cell;
-    cell.bar_length = values[bar_length];
-    cell.angle      = values[angle];
+    cell.bar_length = values[cell_bar_length];
+    cell.angle      = values[cell_angle];
     cell.bar_mass   = values[bar_mass];
     cell.part_mass  = values.value_or(part_mass, 3 * cell.bar_mass);
     cell.load       = read_time_function(values, load);

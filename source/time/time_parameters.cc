@@ -130,7 +130,7 @@ namespace auxfem
 
     // Newton
 
-    const Quantity tolerance = {
+    const Quantity newton_tolerance = {
       "Tolerance",
       "auto",
       "1",
@@ -199,13 +199,14 @@ namespace auxfem
 
   SubsectionSchema newton_schema()
   {
-    return {"Newton",
-            SubsectionSchema::Form::fixed,
-            "When a step counts as solved.",
-            {tolerance, maximum_iterations, factorization, kept_reduction},
-            "",
-            {},
-            {Model::lattice, Model::reduced_cell}};
+    return {
+      "Newton",
+      SubsectionSchema::Form::fixed,
+      "When a step counts as solved.",
+      {newton_tolerance, maximum_iterations, factorization, kept_reduction},
+      "",
+      {},
+      {Model::lattice, Model::reduced_cell}};
   }
 
 
@@ -213,9 +214,9 @@ namespace auxfem
   NewtonParameters read_newton(ParameterValues &values)
   {
     NewtonParameters newton;
-    newton.tolerance_is_given = !values.is_word(tolerance);
+    newton.tolerance_is_given = !values.is_word(newton_tolerance);
     if (newton.tolerance_is_given)
-      newton.tolerance = values[tolerance];
+      newton.tolerance = values[newton_tolerance];
     newton.maximum_iterations = values[maximum_iterations];
     newton.keep_factorization = values[factorization] == "kept";
     newton.kept_reduction     = values[kept_reduction];

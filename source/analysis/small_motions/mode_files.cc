@@ -70,7 +70,7 @@ namespace auxfem
        "damping over the critical one; negative where it grows"},
       {"residual", "1", "what is left of the equations of motion"}};
 
-    std::vector<Column> columns()
+    std::vector<Column> natural_columns()
     {
       std::vector<Column> all = {
         {"mode", "", "number, by rising frequency"},
@@ -164,7 +164,7 @@ namespace auxfem
     Rows rows;
     for (unsigned int i = 0; i < found.modes.size(); ++i)
       rows.push_back(row(found.modes[i], i + 1));
-    write_table(folder, natural_table, columns(), rows);
+    write_table(folder, natural_table, natural_columns(), rows);
   }
 
   void write_mode_table(const ComplexModes &found, const std::string &folder)

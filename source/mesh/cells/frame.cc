@@ -95,7 +95,8 @@ namespace auxfem
              "Separate joints by semicolons: \"0 0; 1 0; 1 1\"."));
     }
 
-    dealii::Point<3> read_joint(const Item &item, const unsigned int dimension)
+    dealii::Point<3> position_of_joint(const Item        &item,
+                                       const unsigned int dimension)
     {
       if (item.words.size() != 2 && item.words.size() != 3)
         refuse_coordinates(item, dimension);
@@ -117,7 +118,7 @@ namespace auxfem
       std::vector<dealii::Point<3>> joints;
       for (const Item &item :
            split_items(value, joints_entry.name, "joint", context.path))
-        joints.push_back(read_joint(item, context.dimension));
+        joints.push_back(position_of_joint(item, context.dimension));
       return joints;
     }
 
