@@ -10,6 +10,24 @@ namespace auxfem
 {
   namespace
   {
+    /**
+     * Joints with more neighbours stay. With 3 the rest needs more iterations,
+     * with 6 it gets too dense.
+     */
+    constexpr unsigned int most_neighbours = 4;
+
+    /**
+     * The same for joints that were at the boundary between ranks. In the plane
+     * what is left among them has slender members, which multigrid meets with
+     * twice the iterations: prm/star-10x10.prm in statics with 60 x 60 cells on
+     * four ranks takes 50, 32, 26, 26 with 4, 5, 6, 8, on one rank 21. In space
+     * more than 4 cost iterations (16 cells a side on four ranks: 64 with 6).
+     */
+    unsigned int most_neighbours_at_boundary(const Unknowns &unknowns)
+    {
+      return unknowns.components.size() == 3 ? 6 : most_neighbours;
+    }
+
     /** Rows that are eliminated faster than solved by iteration. */
     constexpr std::size_t most_at_once = 1000;
 
@@ -42,7 +60,9 @@ namespace auxfem
         , krylov(load_krylov_solver(parameters))
       {
         stages[0].elimination =
-          std::make_unique<JointElimination>(unknowns, most_at_once);
+          std::make_unique<JointElimination>(unknowns,
+                                             most_neighbours,
+                                             most_at_once);
       }
 
       /** Returns false if a matrix is singular. */
@@ -62,6 +82,7 @@ namespace auxfem
                       std::make_unique<RowMigration>(before.matrix(), rows);
                     stage.elimination = std::make_unique<JointElimination>(
                       stage.migration->unknowns(),
+                      most_neighbours_at_boundary(rows),
                       0);
                     stage.version = 0;
                   }

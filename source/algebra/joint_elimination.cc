@@ -9,12 +9,6 @@ namespace auxfem
 {
   namespace
   {
-    /**
-     * Joints with more neighbours stay. With 3 the rest needs more iterations,
-     * with 6 it gets too dense.
-     */
-    constexpr unsigned int most_neighbours = 4;
-
     constexpr unsigned int n_attempts  = 8;
     constexpr unsigned int most_merged = 300; ///< rows
 
@@ -22,9 +16,11 @@ namespace auxfem
     constexpr double negligible = 16 * std::numeric_limits<double>::epsilon();
   } // namespace
 
-  JointElimination::JointElimination(const Unknowns   &unknowns,
-                                     const std::size_t most_at_once)
+  JointElimination::JointElimination(const Unknowns    &unknowns,
+                                     const unsigned int most_neighbours,
+                                     const std::size_t  most_at_once)
     : unknowns(unknowns)
+    , most_neighbours(most_neighbours)
     , most_at_once(most_at_once)
   {}
 

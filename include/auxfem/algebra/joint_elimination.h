@@ -25,10 +25,13 @@ namespace auxfem
   public:
     /**
      * @param unknowns of the rows and columns of all matrices to come
+     * @param most_neighbours joints with more of them stay
      * @param most_at_once on one rank: goes on to the end if that leaves fewer
      * rows
      */
-    JointElimination(const Unknowns &unknowns, std::size_t most_at_once);
+    JointElimination(const Unknowns &unknowns,
+                     unsigned int    most_neighbours,
+                     std::size_t     most_at_once);
 
     /**
      * Makes S, with a new order if there is none yet or if the one there is
@@ -95,6 +98,7 @@ namespace auxfem
     }
 
     const Unknowns                  &unknowns;
+    const unsigned int               most_neighbours;
     const std::size_t                most_at_once;
     std::vector<double>              scale; ///< by local unknown
     double                           stiffness = 0;

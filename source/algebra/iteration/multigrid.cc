@@ -59,6 +59,7 @@ namespace auxfem
           unknowns->joint[row] = row / block_size;
         elimination = std::make_unique<JointElimination>(
           *unknowns,
+          std::numeric_limits<unsigned int>::max(),
           std::numeric_limits<std::size_t>::max());
         if (!elimination->factorize(make_matrix(rows)))
           throw std::runtime_error("the coarsest level is singular");
@@ -187,12 +188,12 @@ namespace auxfem
 
     /**
      * Chebyshev smoothing does the same on any number of ranks. With MueLu's
-     * own bounds of eigenvalues conjugate gradients break down. Small
-     * aggregates save iterations on several ranks: 29 and 48 on two and four
-     * with at most 4 joints, 58 and 63 with 6, 23 on one with both (60 x 60
-     * cells of prm/star-10x10.prm in statics). Keeping the hierarchy's
-     * structure for the next matrix was measured and saves a tenth of a
-     * factorization at most.
+     * own bounds of eigenvalues conjugate gradients break down. Aggregates of
+     * at most 6 joints instead of 4 cost a quarter less a solution in the plane
+     * (60 x 60 cells of prm/star-10x10.prm in statics: 21 iterations either
+     * way), in space a seventh more iterations (prm/lattice-3d.prm, 6 cells a
+     * side, four ranks: 38 and 34). Keeping the hierarchy's structure for the
+     * next matrix was measured and saves a tenth of a factorization at most.
      */
     ParameterList settings(const unsigned int block_size)
     {
@@ -202,7 +203,7 @@ namespace auxfem
       list.set("number of equations", static_cast<int>(block_size));
       list.set("coarse: max size", 1000);
       list.set("coarse: type", "none");
-      list.set("aggregation: max agg size", 4);
+      list.set("aggregation: max agg size", block_size == 3 ? 6 : 4);
       list.set("smoother: type", "CHEBYSHEV");
       ParameterList &smoother = list.sublist("smoother: params");
       smoother.set("chebyshev: degree", 4);
