@@ -242,7 +242,7 @@ TEST(IterativeSolver, BadMatricesAreTold)
 
 TEST(IterativeSolver, WhatIsNotSolvedIsTold)
 {
-  const BeamSystem system(2, star_lattice(2, {{16, 16, 1}}));
+  const BeamSystem system(2, star_lattice(2, {{24, 24, 1}}));
   SolverParameters parameters;
   parameters.maximum_iterations = 3;
   const std::unique_ptr<LinearSolverMethod> solver =
@@ -264,7 +264,7 @@ TEST(JointElimination, EveryMultiplierMakesOneNegativeEigenvalue)
   BeamOptions options;
   options.rigid_struts = {1, 30, 31};
   const BeamSystem system(2, plane, options);
-  JointElimination elimination(*system.unknowns, 1000);
+  JointElimination elimination(*system.unknowns, 4, 1000);
   ASSERT_TRUE(elimination.factorize(*system.matrix));
   // On several ranks some are at the boundary and stay.
   const double n = system.layout->sum(elimination.n_negative());
@@ -280,7 +280,7 @@ TEST(JointElimination, CompressedStrutsMakeNegativeEigenvalues)
   BeamOptions options;
   options.tension = -100.;
   const BeamSystem system(2, plane, options);
-  JointElimination elimination(*system.unknowns, 1000);
+  JointElimination elimination(*system.unknowns, 4, 1000);
   ASSERT_TRUE(elimination.factorize(*system.matrix));
   EXPECT_GT(system.layout->sum(elimination.n_negative()), 0.);
 }
