@@ -113,10 +113,13 @@ namespace auxfem
       layout.sum(std::vector<double>{double(n_negative), double(n_inner)});
     Inertia of_all;
     of_all.negative = sums[0];
-    of_all.positive = sums[1] - sums[0];
     determinant     = determinant_sign(of_all);
+    // Else what counts as negative is what turns the sign of the determinant.
     if (symmetry != Symmetry::none)
-      inertia = of_all;
+      {
+        of_all.positive = sums[1] - sums[0];
+        inertia         = of_all;
+      }
     return FactorizationOutcome::done;
   }
 

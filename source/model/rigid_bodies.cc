@@ -1,7 +1,6 @@
+#include <auxfem/algebra/principal_axes.h>
 #include <auxfem/model/rigid_bodies.h>
 #include <auxfem/parameters/errors.h>
-
-#include <deal.II/base/symmetric_tensor.h>
 
 namespace auxfem
 {
@@ -53,15 +52,15 @@ namespace auxfem
                                    const SpaceVector              &target,
                                    SpaceVector                    &rest)
     {
-      dealii::SymmetricTensor<2, 3> spread;
+      dealii::Tensor<2, 3> spread;
       for (const SpaceVector &arm : arms)
-        spread += dealii::symmetrize(dealii::outer_product(arm, arm));
+        spread += dealii::outer_product(arm, arm);
       constexpr double flat = 1e-12;
-      const auto       axes = dealii::eigenvectors(spread);
+      const auto       axes = principal_axes(spread);
       SpaceVector      dual;
       rest = target;
       for (const auto &[value, axis] : axes)
-        if (value > flat * axes[0].first)
+        if (value > flat * axes[0].value)
           {
             const double along = target * axis;
             dual += along / value * axis;

@@ -147,8 +147,8 @@ TEST(History, RowInSpaceHasThreeOfEach)
     });
   // Joint j turns by 2 j + 3 about (0.6, 0, -0.8): 5 and 7 in the middle.
   for (const auto &[c, along] : {std::pair(3u, 0.6), std::pair(5u, -0.8)})
-    set_joints(to.displacement, model, c, [&](const unsigned int j) {
-      return along * (2 * j + 3);
+    set_joints(to.displacement, model, c, [axis = along](const unsigned int j) {
+      return axis * (2 * j + 3);
     });
   set_joints(*to.velocity, model, 2, [](const unsigned int j) {
     return 1. * j;

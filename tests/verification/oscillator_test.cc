@@ -210,12 +210,12 @@ TEST(OscillatorMotion, ForcedAmplitudeIsThatOfTheTransferFunction)
                          "Loads/shaker",
                          "Joints = 0 | Force x = sin(" + text(w) + " * t)")));
       double sine = 0, cosine = 0;
-      run.run([&] {
+      run.run([&, omega = w] {
         if (run.state.step <= (n_periods - 1) * steps_a_period)
           return;
         const double t = run.state.time;
-        sine += 2. / steps_a_period * run.motion(0, 0) * std::sin(w * t);
-        cosine += 2. / steps_a_period * run.motion(0, 0) * std::cos(w * t);
+        sine += 2. / steps_a_period * run.motion(0, 0) * std::sin(omega * t);
+        cosine += 2. / steps_a_period * run.motion(0, 0) * std::cos(omega * t);
       });
       // The scheme sees inertia and rate w^2 and w off by (w dt)^2 / 6 = 4e-5
       // relatively; near resonance |u| w^2 = 5 times that.

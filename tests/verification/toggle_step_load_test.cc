@@ -44,8 +44,10 @@ TEST(ToggleStepLoad, ApexFollowsTheReference)
 
   ComparisonTable table("Williams' toggle under a step load P, deflection of "
                         "the apex (in)");
-  for (const auto &[load, deflections] : expected)
+  for (const auto &expected_of_load : expected)
     {
+      const double load        = expected_of_load.first;
+      const auto  &deflections = expected_of_load.second;
       SceneRun     run(toggle(load));
       unsigned int next = 0;
       run.run([&] {
