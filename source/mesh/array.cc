@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <set>
 #include <unordered_map>
 
 namespace auxfem
@@ -20,43 +19,54 @@ namespace auxfem
      */
     constexpr double joint_tolerance = 1e-8;
 
+    /** Lowest and highest coordinate of @p joints along x, y or z (m). */
+    std::pair<double, double>
+    bounds(const std::vector<dealii::Point<3>> &joints, const unsigned int d)
+    {
+      const auto [low, high] =
+        std::minmax_element(joints.begin(),
+                            joints.end(),
+                            [d](const auto &a, const auto &b) {
+                              return a[d] < b[d];
+                            });
+      return {(*low)[d], (*high)[d]};
+    }
+
+    double cell_extent(const UnitCell &cell, const unsigned int d)
+    {
+      const auto [low, high] = bounds(cell.joints, d);
+      return high - low;
+    }
+
     /** Largest extent of the cell, its period included (m). */
     double cell_size(const UnitCell &cell)
     {
       double size = 0;
       for (unsigned int d = 0; d < 3; ++d)
-        {
-          double lowest  = cell.joints.front()[d];
-          double highest = lowest;
-          for (const auto &joint : cell.joints)
-            {
-              lowest  = std::min(lowest, joint[d]);
-              highest = std::max(highest, joint[d]);
-            }
-          size = std::max({size, highest - lowest, cell.period[d]});
-        }
+        size = std::max({size, cell_extent(cell, d), cell.period[d]});
       return size;
     }
 
-    /** Finds joints by position, through buckets on a cubic grid. */
+    /** Finds joints of a cell by position, through buckets on a cubic grid. */
     class JointFinder
     {
     public:
-      JointFinder(const double size)
-        : tolerance(joint_tolerance * size)
+      JointFinder(const std::vector<dealii::Point<3>> &joints,
+                  const double                         size)
+        : joints(joints)
+        , tolerance(joint_tolerance * size)
         , width(size > 0. ? 1e-3 * size : 1.)
-      {}
-
-      /**
-       * Index of a joint at @p position that is not in @p taken; invalid_index if
-       * there is none.
-       */
-      unsigned int find(const std::vector<dealii::Point<3>> &joints,
-                        const dealii::Point<3>              &position,
-                        const std::vector<unsigned int>     &taken) const
       {
-        const Key low  = key_of(position, -tolerance);
-        const Key high = key_of(position, tolerance);
+        for (unsigned int joint = 0; joint < joints.size(); ++joint)
+          buckets[key_of(joints[joint], 0.)].push_back(joint);
+      }
+
+      /** Indices of all joints at @p position. */
+      std::vector<unsigned int> find(const dealii::Point<3> &position) const
+      {
+        std::vector<unsigned int> found;
+        const Key                 low  = key_of(position, -tolerance);
+        const Key                 high = key_of(position, tolerance);
         for (auto x = low[0]; x <= high[0]; ++x)
           for (auto y = low[1]; y <= high[1]; ++y)
             for (auto z = low[2]; z <= high[2]; ++z)
@@ -64,18 +74,11 @@ namespace auxfem
                 const auto bucket = buckets.find(Key{{x, y, z}});
                 if (bucket == buckets.end())
                   continue;
-                for (const unsigned int index : bucket->second)
-                  if (joints[index].distance(position) <= tolerance &&
-                      std::find(taken.begin(), taken.end(), index) ==
-                        taken.end())
-                    return index;
+                for (const unsigned int joint : bucket->second)
+                  if (joints[joint].distance(position) <= tolerance)
+                    found.push_back(joint);
               }
-        return invalid_index;
-      }
-
-      void insert(const dealii::Point<3> &position, const unsigned int index)
-      {
-        buckets[key_of(position, 0.)].push_back(index);
+        return found;
       }
 
     private:
@@ -101,9 +104,99 @@ namespace auxfem
         return key;
       }
 
+      const std::vector<dealii::Point<3>>                     &joints;
       double                                                   tolerance;
       double                                                   width;
       std::unordered_map<Key, std::vector<unsigned int>, Hash> buckets;
+    };
+
+    /** A joint of a cell made before another: where one of the other lies, too.
+     */
+    struct EarlierJoint
+    {
+      std::array<int, 3> offset; ///< from the other cell, in cells
+      unsigned int       joint;  ///< of the cell
+    };
+
+    /**
+     * Of each joint of @p cell all in whose place it lies as cells are made,
+     * those along x first, then y and z.
+     */
+    std::vector<std::vector<EarlierJoint>>
+    find_earlier_joints(const UnitCell &cell, const Index3 &n_cells)
+    {
+      const double       size = cell_size(cell);
+      const JointFinder  finder(cell.joints, size);
+      std::array<int, 3> reach = {{0, 0, 0}};
+      for (unsigned int d = 0; d < 3; ++d)
+        if (n_cells[d] > 1)
+          reach[d] =
+            std::min<int>(n_cells[d] - 1,
+                          (cell_extent(cell, d) + joint_tolerance * size) /
+                            cell.period[d]);
+
+      std::vector<std::vector<EarlierJoint>> earlier(cell.joints.size());
+      std::array<int, 3>                     offset;
+      for (offset[2] = -reach[2]; offset[2] <= 0; ++offset[2])
+        for (offset[1] = -reach[1]; offset[1] <= reach[1]; ++offset[1])
+          for (offset[0] = -reach[0]; offset[0] <= reach[0]; ++offset[0])
+            {
+              if (std::make_tuple(offset[2], offset[1], offset[0]) >=
+                  std::make_tuple(0, 0, 0))
+                continue;
+              dealii::Tensor<1, 3> shift;
+              for (unsigned int d = 0; d < 3; ++d)
+                shift[d] = offset[d] * cell.period[d];
+              for (unsigned int joint = 0; joint < cell.joints.size(); ++joint)
+                for (const unsigned int other :
+                     finder.find(cell.joints[joint] - shift))
+                  earlier[joint].push_back({offset, other});
+            }
+      return earlier;
+    }
+
+    /** Numbers of what links two joints, whatever the order of these. */
+    class LinkNumbers
+    {
+    public:
+      /**
+       * The first number added between joints @p a and @p b of which
+       * @p is_sought; invalid_index if there is none.
+       */
+      template <class IsSought>
+      unsigned int find(const unsigned int a,
+                        const unsigned int b,
+                        const IsSought    &is_sought) const
+      {
+        const auto [low, high] = std::minmax(a, b);
+        if (low >= first.size())
+          return invalid_index;
+        for (unsigned int l = first[low]; l != invalid_index; l = links[l].next)
+          if (links[l].high == high && is_sought(links[l].number))
+            return links[l].number;
+        return invalid_index;
+      }
+
+      void
+      add(const unsigned int a, const unsigned int b, const unsigned int number)
+      {
+        const auto [low, high] = std::minmax(a, b);
+        if (low >= first.size())
+          first.resize(low + 1, invalid_index);
+        links.push_back({high, number, first[low]});
+        first[low] = links.size() - 1;
+      }
+
+    private:
+      struct Link
+      {
+        unsigned int high;
+        unsigned int number;
+        unsigned int next; ///< of the same lower joint
+      };
+
+      std::vector<unsigned int> first; ///< by lower joint
+      std::vector<Link>         links;
     };
 
     void check_numbers_of_cells(const UnitCell &cell, const Index3 &n_cells)
@@ -139,7 +232,7 @@ namespace auxfem
         : cell(cell)
         , n_cells(n_cells)
         , tolerance(joint_tolerance * cell_size(cell))
-        , finder(cell_size(cell))
+        , earlier_joints(find_earlier_joints(cell, n_cells))
       {
         lattice.n_cells = n_cells[0] * n_cells[1] * n_cells[2];
         lattice.joints.reserve(std::size_t(lattice.n_cells) *
@@ -150,7 +243,7 @@ namespace auxfem
 
       Lattice build()
       {
-        create_empty_sets();
+        create_sets();
         Index3 at;
         for (at[2] = 0; at[2] < n_cells[2]; ++at[2])
           for (at[1] = 0; at[1] < n_cells[1]; ++at[1])
@@ -165,7 +258,8 @@ namespace auxfem
       }
 
     private:
-      void create_empty_sets()
+      /** Those across cells may stay empty. */
+      void create_sets()
       {
         for (const auto &port : cell.ports)
           lattice.joint_sets[port.first];
@@ -175,6 +269,12 @@ namespace auxfem
           lattice.pair_sets[set.first];
         for (const auto &set : cell.pairs_across)
           lattice.pair_sets[set.first];
+        for (const auto &strut : cell.struts)
+          {
+            sets_of_struts.emplace_back();
+            for (const std::string &set : strut.sets)
+              sets_of_struts.back().push_back(&lattice.strut_sets[set]);
+          }
       }
 
       void add_cell(const Index3 &at)
@@ -197,59 +297,90 @@ namespace auxfem
           centre[d] = at[d] * cell.period[d];
 
         global.clear();
-        for (const auto &joint : cell.joints)
+        for (unsigned int j = 0; j < cell.joints.size(); ++j)
           {
-            const dealii::Point<3> position = joint + centre;
-            unsigned int index = finder.find(lattice.joints, position, global);
+            unsigned int index = joint_of_earlier_cell(j, at);
             if (index == invalid_index)
               {
                 index = lattice.joints.size();
-                lattice.joints.push_back(position);
-                finder.insert(position, index);
+                lattice.joints.push_back(cell.joints[j] + centre);
               }
             global.push_back(index);
           }
-        global_of_cell.push_back(global);
+        joints_of_cells.insert(joints_of_cells.end(),
+                               global.begin(),
+                               global.end());
+      }
+
+      /**
+       * The lattice's joint where joint @p j of the cell @p at lies, if there is
+       * one already and no other of this cell is the same; else invalid_index.
+       */
+      unsigned int joint_of_earlier_cell(const unsigned int j,
+                                         const Index3      &at) const
+      {
+        unsigned int index = invalid_index;
+        for (const EarlierJoint &earlier : earlier_joints[j])
+          {
+            unsigned int other       = 0;
+            unsigned int stride      = 1;
+            bool         is_in_array = true;
+            for (unsigned int d = 0; d < 3; ++d)
+              {
+                const int place = int(at[d]) + earlier.offset[d];
+                is_in_array =
+                  is_in_array && place >= 0 && place < int(n_cells[d]);
+                other += place * stride;
+                stride *= n_cells[d];
+              }
+            if (!is_in_array)
+              continue;
+            const unsigned int found = joint_of_cell(other, earlier.joint);
+            if (std::find(global.begin(), global.end(), found) == global.end())
+              index = std::min(index, found);
+          }
+        return index;
+      }
+
+      unsigned int joint_of_cell(const unsigned int number,
+                                 const unsigned int joint) const
+      {
+        return joints_of_cells[std::size_t(number) * cell.joints.size() +
+                               joint];
       }
 
       void add_struts()
       {
-        for (const auto &unit : cell.struts)
+        for (unsigned int u = 0; u < cell.struts.size(); ++u)
           {
-            Strut strut;
+            const auto &unit = cell.struts[u];
+            Strut       strut;
             strut.joints  = {{global[unit.first], global[unit.second]}};
             strut.sagitta = unit.sagitta;
             strut.normal  = unit.normal;
             strut.cell    = number;
-            add_strut(strut, unit.sets);
+            add_strut(strut, sets_of_struts[u]);
           }
       }
 
-      void add_strut(const Strut &strut, const std::vector<std::string> &sets)
+      void add_strut(const Strut                                    &strut,
+                     const std::vector<std::vector<unsigned int> *> &sets)
       {
+        const auto &[a, b]       = strut.joints;
         const unsigned int index = lattice.struts.size();
-        const unsigned int known = find_strut(strut);
+        const unsigned int known =
+          strut_numbers.find(a, b, [&](const unsigned int other) {
+            // Arcs that bulge to different sides are different struts.
+            return (rise(lattice.struts[other]) - rise(strut)).norm() <=
+              tolerance;
+          });
         if (known == invalid_index)
-          strut_at.emplace(std::minmax(strut.joints[0], strut.joints[1]),
-                           index);
+          strut_numbers.add(a, b, index);
         else if (lattice.struts[known].cell != strut.cell)
           return;
-        for (const auto &set : sets)
-          lattice.strut_sets[set].push_back(index);
+        for (auto *const set : sets)
+          set->push_back(index);
         lattice.struts.push_back(strut);
-      }
-
-      /** The first strut with the same axis; invalid_index if there is none. */
-      unsigned int find_strut(const Strut &strut) const
-      {
-        const auto known =
-          strut_at.equal_range(std::minmax(strut.joints[0], strut.joints[1]));
-        for (auto other = known.first; other != known.second; ++other)
-          // Arcs that bulge to different sides are different struts.
-          if ((rise(lattice.struts[other->second]) - rise(strut)).norm() <=
-              tolerance)
-            return other->second;
-        return invalid_index;
       }
 
       dealii::Tensor<1, 3> rise(const Strut &strut) const
@@ -269,7 +400,7 @@ namespace auxfem
               Strut strut;
               strut.joints = {{pair.first, pair.second}};
               strut.cell   = pair.cell;
-              add_strut(strut, {set});
+              add_strut(strut, {&lattice.strut_sets[set]});
             }
       }
 
@@ -283,9 +414,13 @@ namespace auxfem
 
       void add_pair(const std::string &name, const JointPair &pair)
       {
-        const auto [low, high] = std::minmax(pair.first, pair.second);
-        if (known_pairs[name].emplace(low, high).second)
-          lattice.pair_sets[name].push_back(pair);
+        LinkNumbers &numbers = pair_numbers[name];
+        auto        &pairs   = lattice.pair_sets[name];
+        const auto   any     = [](unsigned int) { return true; };
+        if (numbers.find(pair.first, pair.second, any) != invalid_index)
+          return;
+        numbers.add(pair.first, pair.second, pairs.size());
+        pairs.push_back(pair);
       }
 
       /** Needs all cells: the next one of a cell is made after it. */
@@ -308,10 +443,10 @@ namespace auxfem
               const unsigned int d = member.direction;
               if (c / stride[d] % n_cells[d] + 1 == n_cells[d])
                 continue;
-              const JointPair pair = {
-                global_of_cell[c][member.first],
-                global_of_cell[c + stride[d]][member.second],
-                c};
+              const JointPair pair = {joint_of_cell(c, member.first),
+                                      joint_of_cell(c + stride[d],
+                                                    member.second),
+                                      c};
               if (pair.first != pair.second)
                 pairs.push_back(pair);
             }
@@ -343,14 +478,8 @@ namespace auxfem
                                    {"back", "front"}};
         for (unsigned int d = 0; d < 3; ++d)
           {
-            const auto [lowest, highest] =
-              std::minmax_element(lattice.joints.begin(),
-                                  lattice.joints.end(),
-                                  [d](const auto &a, const auto &b) {
-                                    return a[d] < b[d];
-                                  });
-            const double low = (*lowest)[d], high = (*highest)[d];
-            const bool   is_planar = (high - low <= tolerance);
+            const auto [low, high] = bounds(lattice.joints, d);
+            const bool is_planar   = (high - low <= tolerance);
             if (d == 2 && is_planar)
               continue;
             for (unsigned int i = 0; i < lattice.joints.size(); ++i)
@@ -381,19 +510,18 @@ namespace auxfem
           sort_and_unite(set.second);
       }
 
-      const UnitCell           &cell;
-      const Index3             &n_cells;
-      const double              tolerance; ///< for positions (m)
-      JointFinder               finder;
-      Lattice                   lattice;
+      const UnitCell &cell;
+      const Index3   &n_cells;
+      const double    tolerance; ///< for positions (m)
+      const std::vector<std::vector<EarlierJoint>> earlier_joints; ///< by joint
+      /** In which each strut of the cell is. */
+      std::vector<std::vector<std::vector<unsigned int> *>> sets_of_struts;
+      Lattice                                               lattice;
       unsigned int              number = 0; ///< of the cell in work
       std::vector<unsigned int> global; ///< lattice joint of each cell joint
-      std::vector<std::vector<unsigned int>> global_of_cell; ///< by number
-      /** Struts by the lower and the higher number of their joints. */
-      std::multimap<std::pair<unsigned int, unsigned int>, unsigned int>
-        strut_at;
-      std::map<std::string, std::set<std::pair<unsigned int, unsigned int>>>
-        known_pairs;
+      std::vector<unsigned int> joints_of_cells; ///< the same, of all cells
+      LinkNumbers               strut_numbers;
+      std::map<std::string, LinkNumbers> pair_numbers; ///< by pair set
     };
   } // namespace
 
