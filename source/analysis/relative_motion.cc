@@ -13,7 +13,7 @@ namespace auxfem
   {
     double length_of(const LatticeModel &model, const unsigned int element)
     {
-      const StrutMesh::Interval &interval =
+      const StrutInterval &interval =
         model.numbering.elements()[element].interval;
       return model.lattice.length(model.lattice.struts[interval.strut]) *
         (interval.end - interval.begin);

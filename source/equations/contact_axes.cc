@@ -1,101 +1,11 @@
 #include <auxfem/equations/contact_axes.h>
 
-#include <deal.II/base/mpi.h>
-
 #include <algorithm>
 
 namespace auxfem
 {
   namespace
   {
-    /** What the rank that owns an element knows of it. */
-    struct AxisElement
-    {
-      unsigned int     strut = 0, order = 1;
-      double           begin = 0, end = 1; ///< fractions of the strut's length
-      std::vector<int> unknowns;
-      bool             is_owned = false;
-
-      template <class Archive>
-      void serialize(Archive &archive, const unsigned int /*version*/)
-      {
-        archive &strut &order &begin &end &unknowns;
-      }
-    };
-
-    std::vector<AxisElement>
-    elements_of_this_rank(const DofNumbering &numbering)
-    {
-      const unsigned int       dimension = numbering.lattice().dimension;
-      std::vector<AxisElement> mine;
-      for (unsigned int e = 0; e < numbering.elements().size(); ++e)
-        {
-          const DofNumbering::Element &element = numbering.elements()[e];
-          if (!element.is_owned)
-            continue;
-          AxisElement axis{element.interval.strut,
-                           element.order,
-                           element.interval.begin,
-                           element.interval.end,
-                           {},
-                           true};
-          for (unsigned int node = 0; node <= element.order; ++node)
-            for (unsigned int c = 0; c < dimension; ++c)
-              axis.unknowns.push_back(
-                numbering.layout().global(numbering.element_unknowns(
-                  e)[node * numbering.n_components() + c]));
-          mine.push_back(axis);
-        }
-      return mine;
-    }
-
-    std::vector<AxisElement> rigid_struts(const DofNumbering &numbering)
-    {
-      const Lattice           &lattice = numbering.lattice();
-      std::vector<AxisElement> all;
-      for (unsigned int s = 0; s < lattice.struts.size(); ++s)
-        if (lattice.struts[s].is_rigid())
-          {
-            AxisElement axis;
-            axis.strut = s;
-            for (const unsigned int joint : lattice.struts[s].joints)
-              for (unsigned int c = 0; c < lattice.dimension; ++c)
-                axis.unknowns.push_back(numbering.global().joints[joint][c]);
-            axis.is_owned = numbering.layout().is_owned(
-              numbering.layout().local(axis.unknowns.front()));
-            all.push_back(axis);
-          }
-      return all;
-    }
-
-    /** Of all ranks, in the order of the struts. Collective. */
-    std::vector<AxisElement> all_elements(const DofNumbering &numbering)
-    {
-      const MPI_Comm           communicator = numbering.layout().communicator();
-      std::vector<AxisElement> all          = rigid_struts(numbering);
-      std::vector<AxisElement> mine         = elements_of_this_rank(numbering);
-      if (numbering.layout().n_ranks() == 1)
-        all.insert(all.end(), mine.begin(), mine.end());
-      else
-        {
-          const auto of_ranks =
-            dealii::Utilities::MPI::all_gather(communicator, mine);
-          for (unsigned int rank = 0; rank < of_ranks.size(); ++rank)
-            for (AxisElement element : of_ranks[rank])
-              {
-                element.is_owned = rank == numbering.layout().rank();
-                all.push_back(element);
-              }
-        }
-      std::sort(all.begin(),
-                all.end(),
-                [](const AxisElement &a, const AxisElement &b) {
-                  return std::pair(a.strut, a.begin) <
-                    std::pair(b.strut, b.begin);
-                });
-      return all;
-    }
-
     /** Half the thickness of a strut (m): in the plane that in it, in space the
      * smaller one. */
     double half_thickness(const Section &section, const unsigned int dimension)
@@ -145,32 +55,57 @@ namespace auxfem
       const double        factor;
       double              stiffest = 0;
     };
+
+    /** Of an element, or of a rigid strut as a whole; without what its section
+     * is to contact. */
+    ContactAxis axis_of(const DofNumbering  &numbering,
+                        const StrutInterval &element,
+                        const unsigned int   order)
+    {
+      const Lattice &lattice = numbering.lattice();
+      const Strut   &strut   = lattice.struts[element.strut];
+      ContactAxis    axis;
+      axis.strut  = element.strut;
+      axis.begin  = element.begin;
+      axis.end    = element.end;
+      axis.order  = order;
+      axis.length = (element.end - element.begin) * lattice.length(strut);
+      dealii::Tensor<1, 3> tangent;
+      lattice.axis(strut, axis.begin, axis.ends[0], tangent);
+      lattice.axis(strut, axis.end, axis.ends[1], tangent);
+
+      std::vector<int> unknowns;
+      unknowns.reserve((order + 1) * numbering.n_components());
+      axis.unknowns.reserve((order + 1) * lattice.dimension);
+      numbering.global().add_element(lattice, element, order, unknowns);
+      for (std::size_t i = 0; i < unknowns.size(); ++i)
+        if (i % numbering.n_components() < lattice.dimension)
+          axis.unknowns.push_back(unknowns[i]);
+      axis.is_owned = numbering.layout().owner(axis.unknowns.back()) ==
+        numbering.layout().rank();
+      return axis;
+    }
   } // namespace
 
   std::vector<ContactAxis> make_contact_axes(const LatticeModel &model,
                                              const double stiffness_factor)
   {
-    const Lattice           &lattice = model.lattice;
-    const ContactSections    sections(model, stiffness_factor);
-    std::vector<AxisElement> elements = all_elements(model.numbering);
-    std::vector<ContactAxis> axes;
-    axes.reserve(elements.size());
-    for (AxisElement &element : elements)
+    const std::vector<Strut> &struts = model.lattice.struts;
+    const ContactSections     sections(model, stiffness_factor);
+    std::vector<ContactAxis>  axes;
+    for (unsigned int s = 0; s < struts.size(); ++s)
       {
-        const Strut &strut = lattice.struts[element.strut];
-        ContactAxis  axis;
-        axis.strut    = element.strut;
-        axis.begin    = element.begin;
-        axis.end      = element.end;
-        axis.unknowns = std::move(element.unknowns);
-        axis.is_owned = element.is_owned;
-        sections.set(axis);
-        axis.order  = element.order;
-        axis.length = (element.end - element.begin) * lattice.length(strut);
-        dealii::Tensor<1, 3> tangent;
-        lattice.axis(strut, axis.begin, axis.ends[0], tangent);
-        lattice.axis(strut, axis.end, axis.ends[1], tangent);
-        axes.push_back(std::move(axis));
+        const StrutDivision division = struts[s].is_rigid()
+          ? StrutDivision{1, 1}
+          : model.numbering.divisions()[s];
+        const double        n        = division.n_elements;
+        for (unsigned int e = 0; e < division.n_elements; ++e)
+          {
+            axes.push_back(axis_of(model.numbering,
+                                   {s, e / n, (e + 1) / n},
+                                   division.order));
+            sections.set(axes.back());
+          }
       }
     return axes;
   }

@@ -81,7 +81,7 @@ namespace auxfem
     , counted(std::move(struts))
     , lattice(apart(model.lattice, counted))
     , numbering(lattice,
-                StrutMesh(lattice, std::move(divisions), MPI_COMM_SELF),
+                StrutPartition(lattice, std::move(divisions), MPI_COMM_SELF),
                 no_ties(lattice),
                 MPI_COMM_SELF)
     , forces(make_strut_forces(model,

@@ -175,7 +175,7 @@ namespace auxfem
             const LineRule rule(group.order);
             for (unsigned int e = group.begin; e < group.end; ++e)
               {
-                const StrutMesh::Interval &interval =
+                const StrutInterval &interval =
                   numbering.elements()[e].interval;
                 if (!chosen[interval.strut])
                   continue;

@@ -15,55 +15,55 @@ namespace auxfem
         first.push_back(first.back() + division.n_inner_nodes() + 2);
       return first;
     }
+    /**
+     * Place of a node among the inner nodes of its strut as they are numbered:
+     * of each element the end it shares with the next one, then its own.
+     */
+    unsigned int place_among_inner(const StrutInterval &element,
+                                   const unsigned int   order,
+                                   const unsigned int   node)
+    {
+      const unsigned int first = element.number() * order;
+      if (node == 0)
+        return first - order;
+      const bool is_last = element.end == 1.;
+      return node == 1 ? first : first + (is_last ? 0 : 1) + node - 2;
+    }
   } // namespace
 
   GlobalNumbers::GlobalNumbers(const Lattice                   &lattice,
-                               const StrutMesh                 &mesh,
+                               const StrutPartition            &partition,
                                const std::vector<unsigned int> &components,
                                const Ties                      &ties,
                                const unsigned int               n_ranks)
-    : first_nodes(find_first_nodes(mesh.divisions()))
+    : first_nodes(find_first_nodes(partition.divisions))
+    , first_inner(lattice.struts.size(), -1)
+    , components(components)
   {
-    // Every node gets the numbers its joint has, if it lies at one, else those
-    // of its own. Numbers are first counted apart for each rank (the rank whose
-    // cell touches the unknown first owns it), then shifted to rank ranges.
-    using Unknown                             = UnknownDistribution::Unknown;
-    const std::size_t            n_components = components.size();
-    UnknownDistribution          distribution(lattice, ties, n_ranks);
-    std::vector<Unknown>         of_node(first_nodes.back() * n_components);
-    std::vector<const Unknown *> of_cell;
-    for (const auto &cell : active_cells(mesh.triangulation(), mesh))
+    // Numbers are first counted apart for each rank (the rank whose strut
+    // touches the unknown first owns it), then shifted to rank ranges.
+    UnknownDistribution distribution(lattice, ties, n_ranks);
+    for (unsigned int s = 0; s < lattice.struts.size(); ++s)
       {
-        const StrutMesh::Interval interval = mesh.interval(cell);
-        const int                 rank     = cell->subdomain_id();
-        const unsigned int order = mesh.divisions()[interval.strut].order;
-        const std::size_t  first =
-          first_nodes[interval.strut] + std::size_t(order) * interval.number();
-        for (unsigned int node = 0; node <= order; ++node)
-          {
-            Unknown *own =
-              &of_node[(first + place_along(node, order)) * n_components];
-            for (const unsigned int component : components)
-              of_cell.push_back(interval.is_joint(node)
-                                  ? distribution.assign_end(interval.strut,
-                                                            node,
-                                                            component,
-                                                            rank)
-                                  : distribution.assign(*own++, rank));
-          }
+        if (lattice.struts[s].is_rigid())
+          continue;
+        const int rank = partition.ranks[s];
+        for (const unsigned int end : {0, 1})
+          for (const unsigned int component : components)
+            distribution.assign_end(s, end, component, rank);
+        first_inner[s] =
+          distribution.assign_inner(partition.divisions[s].n_inner_nodes() *
+                                      components.size(),
+                                    rank);
       }
-    distribution.assign_joints(mesh);
+    distribution.assign_joints(partition.ranks);
     distribution.assign_rigid_parts();
     distribution.assign_hinges();
     take(distribution);
 
-    cells.resize(of_cell.size());
-    std::transform(of_cell.begin(),
-                   of_cell.end(),
-                   cells.begin(),
-                   [&](const Unknown *unknown) {
-                     return first_owned[unknown->owner] + unknown->number;
-                   });
+    for (unsigned int s = 0; s < lattice.struts.size(); ++s)
+      if (first_inner[s] >= 0)
+        first_inner[s] += first_owned[partition.ranks[s]];
     for (unsigned int h = 0; h < hinges.size(); ++h)
       hinges[h].joint = ties.hinged[h].joint;
   }
@@ -129,6 +129,44 @@ namespace auxfem
       ? part.joints[joint]
       : rigid_parts[rigid_part]
           .clamped_joints[number - 1 - d * (part.joints.size() - 2)];
+  }
+
+  const GlobalNumbers::OfMotion &
+  GlobalNumbers::end_rotation(const Lattice     &lattice,
+                              const unsigned int strut,
+                              const unsigned int end) const
+  {
+    const auto released = released_ends.find({strut, end});
+    return released == released_ends.end()
+      ? joints[lattice.struts[strut].joints[end]]
+      : released->second;
+  }
+
+  void GlobalNumbers::add_element(const Lattice       &lattice,
+                                  const StrutInterval &element,
+                                  const unsigned int   order,
+                                  std::vector<int>    &result) const
+  {
+    for (unsigned int node = 0; node <= order; ++node)
+      {
+        if (element.is_joint(node))
+          {
+            const OfMotion &displacement =
+              joints[lattice.struts[element.strut].joints[node]];
+            const OfMotion &rotation =
+              end_rotation(lattice, element.strut, node);
+            for (const unsigned int component : components)
+              result.push_back(component < first_rotation
+                                 ? displacement[component]
+                                 : rotation[component]);
+            continue;
+          }
+        for (unsigned int c = 0; c < components.size(); ++c)
+          result.push_back(
+            first_inner[element.strut] +
+            int(place_among_inner(element, order, node) * components.size() +
+                c));
+      }
   }
 
   GlobalNumbers::OfMotion

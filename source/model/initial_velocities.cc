@@ -263,8 +263,8 @@ namespace auxfem
       /** Nodes of an element but those at joints, whose unknowns are these. */
       void move_element(const unsigned int e)
       {
-        const StrutMesh::Interval &interval = numbering.elements()[e].interval;
-        const Strut               &strut    = lattice.struts[interval.strut];
+        const StrutInterval &interval = numbering.elements()[e].interval;
+        const Strut         &strut    = lattice.struts[interval.strut];
         if (!of_joints[strut.joints[0]] || !of_joints[strut.joints[1]])
           return;
         const std::array<MovingEnd, 2> ends = {

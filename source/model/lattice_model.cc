@@ -114,7 +114,9 @@ namespace auxfem
                                 : std::vector<JointRelease>())
     , connector_pairs(pairs_of(scene, lattice))
     , numbering(lattice,
-                StrutMesh(lattice, divisions_of(scene, lattice), communicator),
+                StrutPartition(lattice,
+                               divisions_of(scene, lattice),
+                               communicator),
                 all_ties(scene, lattice, releases, connector_pairs),
                 communicator)
     , rows(numbering.unknowns().owned_rows())

@@ -1,3 +1,4 @@
+#include <auxfem/mesh/strut_mesh.h>
 #include <auxfem/model/numbering.h>
 
 #include <deal.II/base/mpi.h>
@@ -17,19 +18,19 @@ namespace auxfem
     }
   } // namespace
 
-  DofNumbering::DofNumbering(const Lattice   &lattice,
-                             const StrutMesh &mesh,
-                             const Ties      &ties,
-                             const MPI_Comm   communicator)
+  DofNumbering::DofNumbering(const Lattice        &lattice,
+                             const StrutPartition &partition,
+                             const Ties           &ties,
+                             const MPI_Comm        communicator)
     : of_lattice(lattice)
-    , of_struts(mesh.divisions())
+    , of_struts(partition.divisions)
     , node_components(components_of_nodes(lattice.dimension))
     , numbers(lattice,
-              mesh,
+              partition,
               node_components,
               ties,
               dealii::Utilities::MPI::n_mpi_processes(communicator))
-    , kept(find_kept(mesh,
+    , kept(find_kept(partition,
                      ties,
                      dealii::Utilities::MPI::this_mpi_process(communicator)))
     , of_unknowns(UnknownLayout(communicator, kept.n_owned, kept.ghosts))
@@ -44,9 +45,31 @@ namespace auxfem
       find_rotations();
   }
 
-  DofNumbering::Kept DofNumbering::find_kept(const StrutMesh   &mesh,
-                                             const Ties        &ties,
-                                             const unsigned int rank)
+  std::vector<unsigned int>
+  DofNumbering::find_struts(const StrutPartition &partition,
+                            const unsigned int    rank) const
+  {
+    const auto has_mine = [&](const GlobalNumbers::OfMotion &of_motion) {
+      return std::any_of(of_motion.begin(), of_motion.end(), [&](const int g) {
+        return g >= numbers.first_owned[rank] &&
+          g < numbers.first_owned[rank + 1];
+      });
+    };
+    std::vector<unsigned int> struts;
+    for (unsigned int s = 0; s < of_lattice.struts.size(); ++s)
+      if (const Strut &strut = of_lattice.struts[s]; !strut.is_rigid() &&
+          (partition.ranks[s] == rank ||
+           has_mine(numbers.joints[strut.joints[0]]) ||
+           has_mine(numbers.joints[strut.joints[1]]) ||
+           has_mine(numbers.end_rotation(of_lattice, s, 0)) ||
+           has_mine(numbers.end_rotation(of_lattice, s, 1))))
+        struts.push_back(s);
+    return struts;
+  }
+
+  DofNumbering::Kept DofNumbering::find_kept(const StrutPartition &partition,
+                                             const Ties           &ties,
+                                             const unsigned int    rank)
   {
     const int begin    = numbers.first_owned[rank],
               end      = numbers.first_owned[rank + 1];
@@ -62,22 +85,23 @@ namespace auxfem
           result.ghosts.push_back(g);
         }
     };
-    std::size_t next = 0;
-    for (const auto &cell : active_cells(mesh.triangulation(), mesh))
+    const StrutMesh  mesh(of_struts, find_struts(partition, rank));
+    std::vector<int> of_element;
+    for (const StrutInterval &interval : mesh.intervals())
       {
-        const StrutMesh::Interval interval = mesh.interval(cell);
-        const unsigned int        order    = of_struts[interval.strut].order;
-        const std::size_t         c        = next;
-        next += (order + 1) * n_components();
-        const int *const        first = numbers.cells.data() + c,
-                         *const last  = numbers.cells.data() + next;
-        if (std::none_of(first, last, is_mine))
+        const unsigned int order = of_struts[interval.strut].order;
+        of_element.clear();
+        numbers.add_element(of_lattice, interval, order, of_element);
+        if (std::none_of(of_element.begin(), of_element.end(), is_mine))
           continue;
-        std::for_each(first, last, keep);
-        result.cells.push_back(c);
+        std::for_each(of_element.begin(), of_element.end(), keep);
+        result.elements.push_back(result.numbers.size());
+        result.numbers.insert(result.numbers.end(),
+                              of_element.begin(),
+                              of_element.end());
         // The rank of the last node owns an unknown of the element, so it
-        // keeps the element; the rank of the cell may not.
-        element_list.push_back({interval, order, is_mine(last[-1])});
+        // keeps the element; the rank of the strut may not.
+        element_list.push_back({interval, order, is_mine(of_element.back())});
       }
     sort_elements(result);
     for (const JointPair &pair : ties.connected)
@@ -109,7 +133,7 @@ namespace auxfem
       if (!of_lattice.struts[strut].is_rigid())
         used.insert(of_struts[strut].order);
     std::vector<Element>     sorted;
-    std::vector<std::size_t> cells;
+    std::vector<std::size_t> sorted_numbers;
     for (const unsigned int order : used)
       {
         const unsigned int begin = sorted.size();
@@ -117,13 +141,13 @@ namespace auxfem
           if (element_list[e].order == order)
             {
               sorted.push_back(element_list[e]);
-              cells.push_back(kept.cells[e]);
+              sorted_numbers.push_back(kept.elements[e]);
             }
         element_groups.push_back(
           {order, begin, static_cast<unsigned int>(sorted.size())});
       }
     element_list.swap(sorted);
-    kept.cells.swap(cells);
+    kept.elements.swap(sorted_numbers);
   }
 
   void DofNumbering::take_elements()
@@ -134,11 +158,9 @@ namespace auxfem
         const unsigned int n = (element_list[e].order + 1) * n_components();
         for (unsigned int i = 0; i < n; ++i)
           element_numbers.push_back(
-            layout().local(numbers.cells[kept.cells[e] + i]));
+            layout().local(kept.numbers[kept.elements[e] + i]));
         first_number.push_back(element_numbers.size());
       }
-    numbers.cells.clear();
-    numbers.cells.shrink_to_fit();
     kept = Kept();
   }
 
@@ -247,12 +269,8 @@ namespace auxfem
   {
     if (of_lattice.struts[strut].is_rigid())
       return -1;
-    const auto released = numbers.released_ends.find({strut, end});
-    const GlobalNumbers::OfMotion &of_end =
-      released == numbers.released_ends.end()
-      ? numbers.joints[of_lattice.struts[strut].joints[end]]
-      : released->second;
-    return layout().local(of_end[component]);
+    return layout().local(
+      numbers.end_rotation(of_lattice, strut, end)[component]);
   }
 
   int DofNumbering::rotation_unknown(const RotationOwner &rotation_owner,

@@ -20,9 +20,9 @@ namespace auxfem
     const std::vector<std::size_t> &first_node = numbering.global().first_nodes;
     for (unsigned int e = 0; e < numbering.elements().size(); ++e)
       {
-        const StrutMesh::Interval &interval = numbering.elements()[e].interval;
-        const unsigned int         order    = numbering.elements()[e].order;
-        const int                 *unknowns = numbering.element_unknowns(e);
+        const StrutInterval &interval = numbering.elements()[e].interval;
+        const unsigned int   order    = numbering.elements()[e].order;
+        const int           *unknowns = numbering.element_unknowns(e);
         for (unsigned int node = 0; node <= order; ++node)
           name(unknowns[numbering.n_components() * node + first_rotation],
                n_parts + n_joints + n_ends + first_node[interval.strut] +

@@ -45,12 +45,17 @@ namespace auxfem
           of_released_end[{s, end}];
   }
 
-  const UnknownDistribution::Unknown *
-  UnknownDistribution::assign(Unknown &unknown, const int rank)
+  void UnknownDistribution::assign(Unknown &unknown, const int rank)
   {
     if (unknown.owner < 0)
       unknown = {rank, count[rank]++};
-    return &unknown;
+  }
+
+  int UnknownDistribution::assign_inner(const unsigned int n, const int rank)
+  {
+    const int first = count[rank];
+    count[rank] += n;
+    return first;
   }
 
   UnknownDistribution::Motion &
@@ -73,20 +78,20 @@ namespace auxfem
     return const_cast<UnknownDistribution *>(this)->motion_of(rotation_owner);
   }
 
-  const UnknownDistribution::Unknown *
-  UnknownDistribution::assign_end(const unsigned int strut,
-                                  const unsigned int end,
-                                  const unsigned int component,
-                                  const int          rank)
+  void UnknownDistribution::assign_end(const unsigned int strut,
+                                       const unsigned int end,
+                                       const unsigned int component,
+                                       const int          rank)
   {
     const unsigned int joint  = lattice.struts[strut].joints[end];
     Motion            &motion = component < first_rotation ? of_joint[joint]
                  : ties.released[strut][end] ? of_released_end.at({strut, end})
                                              : motion_of(rotation_of_joint[joint]);
-    return assign(motion[component], rank);
+    assign(motion[component], rank);
   }
 
-  void UnknownDistribution::assign_joints(const StrutMesh &mesh)
+  void
+  UnknownDistribution::assign_joints(const std::vector<unsigned int> &ranks)
   {
     const auto assign_displacements = [&](const unsigned int joint,
                                           const int          rank) {
@@ -97,7 +102,7 @@ namespace auxfem
     for (unsigned int s = 0; s < lattice.struts.size(); ++s)
       if (lattice.struts[s].is_rigid())
         for (const unsigned int joint : lattice.struts[s].joints)
-          assign_displacements(joint, mesh.rank(s));
+          assign_displacements(joint, ranks[s]);
     // A joint without struts (a mass on connectors) has displacements only.
     for (unsigned int joint = 0; joint < of_joint.size(); ++joint)
       assign_displacements(joint, 0);

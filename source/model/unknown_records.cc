@@ -65,9 +65,9 @@ namespace auxfem
       const auto &first    = numbering.global().first_nodes;
       for (unsigned int e = 0; e < elements.size(); ++e)
         {
-          const StrutMesh::Interval &interval = elements[e].interval;
-          const unsigned int         order    = elements[e].order;
-          const int                 *unknowns = numbering.element_unknowns(e);
+          const StrutInterval &interval = elements[e].interval;
+          const unsigned int   order    = elements[e].order;
+          const int           *unknowns = numbering.element_unknowns(e);
           for (unsigned int node = 0; node <= order;
                ++node, unknowns += numbering.n_components())
             if (!interval.is_joint(node))

@@ -128,7 +128,7 @@ namespace auxfem
            ++e)
         {
           const DofNumbering::Element &element  = numbering.elements()[e];
-          const StrutMesh::Interval   &interval = element.interval;
+          const StrutInterval         &interval = element.interval;
           if (!element.is_owned)
             continue;
           const ScaledMotion motion =

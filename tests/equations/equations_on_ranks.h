@@ -136,7 +136,7 @@ namespace auxfem
       const dealii::FE_Q<1>     fe(dofs.divisions().front().order);
       for (unsigned int e = 0; e < dofs.elements().size(); ++e)
         {
-          const StrutMesh::Interval &interval = dofs.elements()[e].interval;
+          const StrutInterval &interval = dofs.elements()[e].interval;
           for (unsigned int a = 0; a <= dofs.divisions().front().order; ++a)
             for (unsigned int c = 0; c < dofs.n_components(); ++c)
               {

@@ -35,6 +35,12 @@ namespace auxfem
         }
     throw std::logic_error("no cell " + name);
   }
+
+  /** @p nx x @p ny star cells as they are without parameters. */
+  inline Lattice array_of_stars(const unsigned int nx, const unsigned int ny)
+  {
+    return make_array(cell_from_text("star", "")->build(), {{nx, ny, 1}});
+  }
 } // namespace auxfem
 
 #endif

@@ -34,8 +34,8 @@ namespace
              const Ties                       &ties,
              const MPI_Comm                    communicator)
       : lattice(lattice)
-      , mesh(this->lattice, divisions, communicator)
-      , dofs(this->lattice, mesh, complete(ties), communicator)
+      , partition(this->lattice, divisions, communicator)
+      , dofs(this->lattice, partition, complete(ties), communicator)
     {}
 
     Ties complete(Ties ties) const
@@ -44,15 +44,10 @@ namespace
       return ties;
     }
 
-    const Lattice      lattice;
-    const StrutMesh    mesh;
-    const DofNumbering dofs;
+    const Lattice        lattice;
+    const StrutPartition partition;
+    const DofNumbering   dofs;
   };
-
-  Lattice stars(const unsigned int nx, const unsigned int ny)
-  {
-    return make_array(cell_from_text("star", "")->build(), {{nx, ny, 1}});
-  }
 
   /** Joint 0 in the middle, joints 1, 2, 3 around it, strut i from 0 to i + 1.
    */
@@ -74,7 +69,7 @@ namespace
 TEST(DofNumbering, FourByFourStarsHave1080UnknownsAtOrderTwo)
 {
   // 16 x 12 struts with one inner node, 168 joints, 3 unknowns each.
-  const Numbered stars_4x4(stars(4, 4), 2);
+  const Numbered stars_4x4(array_of_stars(4, 4), 2);
   EXPECT_EQ(stars_4x4.lattice.struts.size(), 192u);
   EXPECT_EQ(stars_4x4.lattice.joints.size(), 168u);
   EXPECT_EQ(stars_4x4.dofs.layout().n_global(), 3u * (192 + 168));
@@ -86,7 +81,7 @@ TEST(DofNumbering, FourByFourStarsHave1080UnknownsAtOrderTwo)
   for (const unsigned int joint : stars_4x4.lattice.joint_sets.at("bottom"))
     for (const unsigned int c : stars_4x4.dofs.components())
       clamped.prescribed.push_back({joint, c});
-  const Numbered held(stars(4, 4), 2, 1, clamped);
+  const Numbered held(array_of_stars(4, 4), 2, 1, clamped);
   EXPECT_EQ(held.dofs.unknowns().n_free(), 1080u - 12u);
   EXPECT_EQ(held.dofs.layout().n_global(), 1080u);
 }
@@ -123,8 +118,8 @@ TEST(DofNumbering, StrutsOfDifferentElementsShareJointsOnly)
       for (const DofNumbering::Group &group : dofs.groups())
         for (unsigned int e = group.begin; e < group.end; ++e)
           {
-            const StrutMesh::Interval &interval = dofs.elements()[e].interval;
-            const Strut &strut = tripods.lattice.struts[interval.strut];
+            const StrutInterval &interval = dofs.elements()[e].interval;
+            const Strut         &strut = tripods.lattice.struts[interval.strut];
             EXPECT_EQ(dofs.elements()[e].order, group.order);
             EXPECT_EQ(dofs.divisions()[interval.strut].order, group.order);
             EXPECT_EQ(dofs.n_element_unknowns(e), 3 * (group.order + 1));
@@ -269,7 +264,7 @@ TEST(DofNumbering, KindsTellRotationsAndPrescribedUnknownsApart)
 
 TEST(DofNumbering, NeighbouringUnknownsOfOneRankHaveEveryNumberOnce)
 {
-  const Numbered self(stars(2, 2), 3, 1, {}, MPI_COMM_SELF);
+  const Numbered self(array_of_stars(2, 2), 3, 1, {}, MPI_COMM_SELF);
   EXPECT_EQ(self.dofs.layout().n_owned(), self.dofs.layout().n_global());
   EXPECT_EQ(self.dofs.layout().n_local(), self.dofs.layout().n_global());
   std::set<int> unknowns;
@@ -283,7 +278,7 @@ TEST(DofNumbering, NeighbouringUnknownsOfOneRankHaveEveryNumberOnce)
 
 TEST(DofNumbering, OwnedUnknownsOfAllRanksAreDisjointAndComplete)
 {
-  const Numbered numbered(stars(3, 3), 2);
+  const Numbered numbered(array_of_stars(3, 3), 2);
   const auto    &dofs = numbered.dofs;
   EXPECT_EQ(sum_over_ranks(dofs.layout().n_owned()), dofs.layout().n_global());
   EXPECT_GT(dofs.layout().n_owned(), 0u);
@@ -296,7 +291,7 @@ TEST(DofNumbering, OwnedUnknownsOfAllRanksAreDisjointAndComplete)
 
 TEST(DofNumbering, LocalUnknownsBeginWithTheOwnedOnes)
 {
-  const Numbered numbered(stars(3, 3), 2);
+  const Numbered numbered(array_of_stars(3, 3), 2);
   const auto    &dofs = numbered.dofs;
   ASSERT_GE(dofs.layout().n_local(), dofs.layout().n_owned());
   std::set<int> seen;
@@ -315,7 +310,7 @@ TEST(DofNumbering, LocalUnknownsBeginWithTheOwnedOnes)
 
 TEST(DofNumbering, GhostsReceiveTheValuesOfTheirOwners)
 {
-  const Numbered numbered(stars(3, 3), 2);
+  const Numbered numbered(array_of_stars(3, 3), 2);
   const auto    &dofs   = numbered.dofs;
   const auto    &layout = dofs.layout();
   Vector         local(layout.n_local());
@@ -328,7 +323,7 @@ TEST(DofNumbering, GhostsReceiveTheValuesOfTheirOwners)
 
 TEST(DofNumbering, EveryElementIsOwnedOnceAndKeptWhereItHasARow)
 {
-  const Numbered     numbered(stars(3, 3), 2, 2);
+  const Numbered     numbered(array_of_stars(3, 3), 2, 2);
   const auto        &dofs = numbered.dofs;
   const unsigned int n    = 9;
 
@@ -354,7 +349,7 @@ TEST(DofNumbering, AllElementsAtAnOwnedUnknownAreKept)
 {
   // The number of elements that touch a joint's owned unknown is the number of
   // struts that end there: rows are complete without communication.
-  const Numbered            numbered(stars(3, 3), 1);
+  const Numbered            numbered(array_of_stars(3, 3), 1);
   const auto               &dofs = numbered.dofs;
   std::vector<unsigned int> n_struts(numbered.lattice.joints.size(), 0);
   for (const Strut &strut : numbered.lattice.struts)
@@ -374,7 +369,7 @@ TEST(DofNumbering, AllElementsAtAnOwnedUnknownAreKept)
 
 TEST(DofNumbering, BothEndsOfAConnectorAreKeptWhereOneIsOwned)
 {
-  const Lattice lattice = stars(3, 3);
+  const Lattice lattice = array_of_stars(3, 3);
   // Far apart, so that on several ranks some pairs have two owners.
   const unsigned int last = lattice.joints.size() - 1;
   Ties               ties;
@@ -396,7 +391,7 @@ TEST(DofNumbering, BothEndsOfAConnectorAreKeptWhereOneIsOwned)
 
 TEST(DofNumbering, BothRotationsOfASpringAreKeptWhereOneIsOwned)
 {
-  const Lattice lattice = stars(3, 3);
+  const Lattice lattice = array_of_stars(3, 3);
   Ties          ties;
   ties.released.assign(lattice.struts.size(), {{true, true}});
   // At every joint between the first strut and all others.
@@ -429,8 +424,8 @@ TEST(DofNumbering, BothRotationsOfASpringAreKeptWhereOneIsOwned)
 
 TEST(DofNumbering, WordsForAGhostAreThoseOfItsOwner)
 {
-  const Numbered numbered(stars(3, 3), 1);
-  const Numbered self(stars(3, 3), 1, 1, {}, MPI_COMM_SELF);
+  const Numbered numbered(array_of_stars(3, 3), 1);
+  const Numbered self(array_of_stars(3, 3), 1, 1, {}, MPI_COMM_SELF);
   for (unsigned int joint = 0; joint < numbered.lattice.joints.size(); ++joint)
     for (const unsigned int c : numbered.dofs.components())
       if (const int unknown = numbered.dofs.joint_unknown(joint, c);
@@ -509,7 +504,7 @@ TEST(DofNumbering, AClampedRotationHasAConstraintOfItsOwn)
 TEST(DofNumbering, ARigidPartIsKeptWholeWhereItHasARow)
 {
   // Every second strut of a row of stars as a part of its own.
-  Lattice lattice = stars(3, 3);
+  Lattice lattice = array_of_stars(3, 3);
   for (unsigned int s = 0; s < lattice.struts.size(); s += 2)
     {
       RigidPart part;

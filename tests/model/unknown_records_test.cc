@@ -22,7 +22,7 @@ namespace
   std::pair<unsigned int, double> place_of(const DofNumbering &numbering,
                                            const unsigned int  e)
   {
-    const StrutMesh::Interval &interval = numbering.elements()[e].interval;
+    const StrutInterval &interval = numbering.elements()[e].interval;
     return {interval.strut, interval.begin};
   }
 } // namespace

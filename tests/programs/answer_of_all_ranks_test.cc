@@ -1,5 +1,6 @@
 #include <deal.II/base/mpi.h>
 
+#include <boost/serialization/utility.hpp>
 #include <programs/one_message.h>
 
 namespace

@@ -26,9 +26,8 @@ namespace auxfem
                            .get_unit_support_points();
       for (unsigned int e = 0; e < numbering.elements().size(); ++e)
         {
-          const StrutMesh::Interval &interval =
-            numbering.elements()[e].interval;
-          const int *unknowns = numbering.element_unknowns(e);
+          const StrutInterval &interval = numbering.elements()[e].interval;
+          const int           *unknowns = numbering.element_unknowns(e);
           for (unsigned int a = 0; a < nodes.size(); ++a)
             {
               dealii::Point<3>     position;

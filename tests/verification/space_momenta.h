@@ -40,9 +40,9 @@ namespace auxfem
         for (unsigned int e = 0; e < dofs.elements().size(); ++e)
           for (unsigned int a = 0; a < points.size(); ++a)
             {
-              const StrutMesh::Interval &interval = dofs.elements()[e].interval;
-              dealii::Point<3>           position;
-              SpaceVector                tangent;
+              const StrutInterval &interval = dofs.elements()[e].interval;
+              dealii::Point<3>     position;
+              SpaceVector          tangent;
               lattice.axis(lattice.struts[interval.strut],
                            interval.at(2 * points[a][0] - 1),
                            position,

@@ -44,7 +44,6 @@ namespace auxfem
    *
    * Rigid struts have the stiffness of the stiffest section, and the thickness
    * of their own, if they have one.
-   * Collective.
    * @param stiffness_factor of ContactParameters
    */
   std::vector<ContactAxis> make_contact_axes(const LatticeModel &model,

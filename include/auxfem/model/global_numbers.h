@@ -2,7 +2,8 @@
 #define auxfem_model_global_numbers_h
 
 #include <auxfem/mesh/motion_components.h>
-#include <auxfem/mesh/strut_mesh.h>
+#include <auxfem/mesh/strut_interval.h>
+#include <auxfem/mesh/strut_partition.h>
 #include <auxfem/model/ties.h>
 
 #include <map>
@@ -35,9 +36,9 @@ namespace auxfem
       std::array<int, 2> multipliers;
     };
 
-    /** @param components of motion that nodes have. Collective. */
+    /** @param components of motion that nodes have */
     GlobalNumbers(const Lattice                   &lattice,
-                  const StrutMesh                 &mesh,
+                  const StrutPartition            &partition,
                   const std::vector<unsigned int> &components,
                   const Ties                      &ties,
                   unsigned int                     n_ranks);
@@ -53,10 +54,26 @@ namespace auxfem
      * strut.
      */
     std::vector<std::size_t> first_nodes;
-    /** Of all elements' nodes, in the order of active cells. */
-    std::vector<int> cells;
+    /** Of each elastic strut the first number of its inner nodes, element by
+     * element, each with all its components. */
+    std::vector<int> first_inner;
     /** Numbers owned by rank r: [first_owned[r], first_owned[r + 1]). */
     std::vector<int> first_owned;
+
+    /** Of the rotation of the end of an elastic strut, released or not, as
+     * rotation(). */
+    const OfMotion &end_rotation(const Lattice &lattice,
+                                 unsigned int   strut,
+                                 unsigned int   end) const;
+
+    /**
+     * Adds to @p result those of the nodes of an element of @p order, in the
+     * order of FE_Q, each with all components that nodes have.
+     */
+    void add_element(const Lattice       &lattice,
+                     const StrutInterval &element,
+                     unsigned int         order,
+                     std::vector<int>    &result) const;
 
     /** Of a rotation; components below first_rotation are -1. */
     OfMotion rotation(const RotationOwner &rotation_owner) const;
@@ -78,6 +95,8 @@ namespace auxfem
 
   private:
     void take(const UnknownDistribution &distribution);
+
+    std::vector<unsigned int> components; ///< of motion that nodes have
   };
 } // namespace auxfem
 

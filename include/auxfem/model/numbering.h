@@ -28,8 +28,8 @@ namespace auxfem
     /** An element kept on this rank. */
     struct Element
     {
-      StrutMesh::Interval interval;
-      unsigned int        order; ///< polynomial
+      StrutInterval interval;
+      unsigned int  order; ///< polynomial
       /** Whether this rank counts its energy and writes it to files. */
       bool is_owned;
     };
@@ -43,10 +43,10 @@ namespace auxfem
     };
 
     /** @param lattice must outlive the object. Collective. */
-    DofNumbering(const Lattice   &lattice,
-                 const StrutMesh &mesh,
-                 const Ties      &ties,
-                 MPI_Comm         communicator);
+    DofNumbering(const Lattice        &lattice,
+                 const StrutPartition &partition,
+                 const Ties           &ties,
+                 MPI_Comm              communicator);
 
     DofNumbering(const DofNumbering &)            = delete;
     DofNumbering &operator=(const DofNumbering &) = delete;
@@ -174,15 +174,21 @@ namespace auxfem
     {
       unsigned int     n_owned = 0;
       std::vector<int> ghosts;
-      /** Of each element, where its numbers begin in GlobalNumbers::cells. */
-      std::vector<std::size_t>  cells;
+      /** Of all elements as they are found, and where those of each begin. */
+      std::vector<int>          numbers;
+      std::vector<std::size_t>  elements;
       std::vector<unsigned int> rigid_parts;
     };
 
-    Kept find_kept(const StrutMesh &mesh, const Ties &ties, unsigned int rank);
-    void sort_elements(Kept &kept);
-    void take_elements();
-    void mark_unknowns();
+    Kept find_kept(const StrutPartition &partition,
+                   const Ties           &ties,
+                   unsigned int          rank);
+    /** Elastic struts that may have an unknown of this rank. */
+    std::vector<unsigned int> find_struts(const StrutPartition &partition,
+                                          unsigned int          rank) const;
+    void                      sort_elements(Kept &kept);
+    void                      take_elements();
+    void                      mark_unknowns();
     void mark(int unknown, unsigned int node, unsigned int component);
     void mark_constraints();
     void mark_prescribed(const std::vector<JointMotion> &motions);

@@ -32,16 +32,20 @@ namespace auxfem
      * An end of an elastic strut: the joint's displacement, and its rotation or
      * that of the released end. Claimed by @p rank.
      */
-    const Unknown *assign_end(unsigned int strut,
-                              unsigned int end,
-                              unsigned int component,
-                              int          rank);
+    void assign_end(unsigned int strut,
+                    unsigned int end,
+                    unsigned int component,
+                    int          rank);
 
-    /** An unknown of an inner node, claimed by @p rank if it is new. */
-    const Unknown *assign(Unknown &unknown, int rank);
+    /** First of @p n numbers of @p rank for the inner nodes of a strut. */
+    int assign_inner(unsigned int n, int rank);
 
-    /** The displacements of all joints no elastic strut has claimed. */
-    void assign_joints(const StrutMesh &mesh);
+    /**
+     * The displacements of all joints no elastic strut has claimed.
+     *
+     * @param ranks by strut
+     */
+    void assign_joints(const std::vector<unsigned int> &ranks);
 
     /** Own unknowns and multipliers of rigid parts, on the rank of their first
      * joint. */
@@ -90,6 +94,9 @@ namespace auxfem
     }
 
   private:
+    /** Claimed by @p rank if it is new. */
+    void assign(Unknown &unknown, int rank);
+
     /** The rotation that @p rotation_owner has. */
     Motion       &motion_of(const RotationOwner &rotation_owner);
     const Motion &motion_of(const RotationOwner &rotation_owner) const;

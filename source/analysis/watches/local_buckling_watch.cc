@@ -137,7 +137,7 @@ namespace auxfem
           {
             const DofNumbering::Element &element =
               model.numbering.elements()[e];
-            const StrutMesh::Interval &interval = element.interval;
+            const StrutInterval &interval = element.interval;
             if (!element.is_owned || interval.begin != 0. || interval.end != 1.)
               continue;
             const Strut   &strut   = model.lattice.struts[interval.strut];

@@ -175,10 +175,10 @@ namespace auxfem
       }
 
       /** M_ab of one element more, in the global frame at rest. */
-      void add_rotary_inertia(const Lattice             &lattice,
-                              const StrutMesh::Interval &interval,
-                              const Section             &section,
-                              const double               jacobian)
+      void add_rotary_inertia(const Lattice       &lattice,
+                              const StrutInterval &interval,
+                              const Section       &section,
+                              const double         jacobian)
       {
         // One more point than the mass of a straight strut needs, as the axes
         // turn along an arc.

@@ -74,7 +74,7 @@ namespace auxfem
       return numbering.element_unknowns(group.begin + e);
     }
 
-    const StrutMesh::Interval &interval(const unsigned int e) const
+    const StrutInterval &interval(const unsigned int e) const
     {
       return numbering.elements()[group.begin + e].interval;
     }
@@ -163,8 +163,8 @@ namespace auxfem
     AtRest make_at_rest(const unsigned int e,
                         const bool         shear_flexibility) const
     {
-      const StrutMesh::Interval &part = interval(e);
-      AtRest                     at_rest;
+      const StrutInterval &part = interval(e);
+      AtRest               at_rest;
       at_rest.jacobian  = of_elements[e].length * (part.end - part.begin) / 2;
       at_rest.stiffness = Beam::stiffness(section(e));
       if (!shear_flexibility)

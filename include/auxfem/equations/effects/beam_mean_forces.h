@@ -118,7 +118,7 @@ namespace auxfem
       Beam::is_linear ? n : order * Beam::n_components;
 
     /** The same on any number of ranks. */
-    static unsigned int number_in_lattice(const StrutMesh::Interval &interval)
+    static unsigned int number_in_lattice(const StrutInterval &interval)
     {
       const auto of_strut = std::lround(1 / (interval.end - interval.begin));
       return interval.strut * of_strut + interval.number();
