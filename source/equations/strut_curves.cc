@@ -69,6 +69,7 @@ namespace auxfem
                            const std::vector<ContactAxis> &axes)
     : model(model)
     , axes(axes)
+    , axes_of_struts(model.lattice.struts.size())
   {
     for (unsigned int a = 0; a < axes.size(); ++a)
       {
@@ -77,11 +78,10 @@ namespace auxfem
         if (basis.coefficients.empty())
           basis = make_basis(order);
         basis_of.push_back(&basis);
-        const auto [entry, is_new] =
-          axes_of_struts.emplace(axes[a].strut,
-                                 std::array<unsigned int, 2>{{a, a + 1}});
-        if (!is_new)
-          entry->second[1] = a + 1;
+        std::array<unsigned int, 2> &of_strut = axes_of_struts[axes[a].strut];
+        if (of_strut[0] == of_strut[1])
+          of_strut[0] = a;
+        of_strut[1] = a + 1;
         if (model.lattice.struts[axes[a].strut].sagitta != 0)
           arcs.emplace(a, arc_at_rest(axes[a]));
       }
@@ -254,22 +254,23 @@ namespace auxfem
   void StrutCurves::find_connected()
   {
     const unsigned int dimension = model.lattice.dimension;
-    std::map<int, std::vector<unsigned int>> axes_at; // by first unknown
+    std::vector<std::pair<int, unsigned int>> ends; // first unknown, axis
     for (unsigned int a = 0; a < axes.size(); ++a)
       {
         // A straight element cannot reach itself.
         if (basis_of[a]->degree > 2 && !never_touch(a, a))
           connected_pairs.push_back({{a, a}});
         for (unsigned int end = 0; end < 2; ++end)
-          {
-            std::vector<unsigned int> &others =
-              axes_at[axes[a].unknowns[end * dimension]];
-            for (const unsigned int other : others)
-              if (other != a && !never_touch(other, a))
-                connected_pairs.push_back({{other, a}});
-            others.push_back(a);
-          }
+          ends.emplace_back(axes[a].unknowns[end * dimension], a);
       }
+    std::sort(ends.begin(), ends.end());
+    for (auto end = ends.begin(); end != ends.end(); ++end)
+      for (auto other = end + 1;
+           other != ends.end() && other->first == end->first;
+           ++other)
+        if (other->second != end->second &&
+            !never_touch(end->second, other->second))
+          connected_pairs.push_back({{end->second, other->second}});
     std::sort(connected_pairs.begin(), connected_pairs.end());
     connected_pairs.erase(std::unique(connected_pairs.begin(),
                                       connected_pairs.end()),

@@ -95,7 +95,7 @@ namespace auxfem
     /** Axes of a strut: [begin, end) in the list. */
     std::array<unsigned int, 2> axes_of(const unsigned int strut) const
     {
-      return axes_of_struts.at(strut);
+      return axes_of_struts[strut];
     }
 
     const std::vector<ContactAxis> &list() const
@@ -130,13 +130,13 @@ namespace auxfem
     ParameterRanges find_free_ranges(unsigned int axis,
                                      unsigned int other) const;
 
-    const LatticeModel                                 &model;
-    const std::vector<ContactAxis>                     &axes;
-    std::map<unsigned int, Basis>                       bases; ///< by order
-    std::vector<const Basis *>                          basis_of;
-    std::map<unsigned int, AxisCurve>                   arcs; ///< at rest
-    std::vector<AxisPair>                               connected_pairs;
-    std::map<unsigned int, std::array<unsigned int, 2>> axes_of_struts;
+    const LatticeModel                      &model;
+    const std::vector<ContactAxis>          &axes;
+    std::map<unsigned int, Basis>            bases; ///< by order
+    std::vector<const Basis *>               basis_of;
+    std::map<unsigned int, AxisCurve>        arcs; ///< at rest
+    std::vector<AxisPair>                    connected_pairs;
+    std::vector<std::array<unsigned int, 2>> axes_of_struts; ///< begin, end
     /** By axis and strut, as they are asked for. */
     mutable std::map<std::array<unsigned int, 2>, ParameterRanges> known_ranges;
   };
