@@ -160,8 +160,8 @@ namespace auxfem
     {
     public:
       /**
-       * The first number added between joints @p a and @p b of which
-       * @p is_sought; invalid_index if there is none.
+       * A number added between joints @p a and @p b for which @p is_sought
+       * holds; invalid_index if there is none.
        */
       template <class IsSought>
       unsigned int find(const unsigned int a,

@@ -51,8 +51,7 @@ namespace auxfem
   {
     const auto has_mine = [&](const GlobalNumbers::OfMotion &of_motion) {
       return std::any_of(of_motion.begin(), of_motion.end(), [&](const int g) {
-        return g >= numbers.first_owned[rank] &&
-          g < numbers.first_owned[rank + 1];
+        return numbers.owns(rank, g);
       });
     };
     std::vector<unsigned int> struts;
@@ -71,11 +70,9 @@ namespace auxfem
                                              const Ties           &ties,
                                              const unsigned int    rank)
   {
-    const int begin    = numbers.first_owned[rank],
-              end      = numbers.first_owned[rank + 1];
-    const auto is_mine = [=](const int g) { return g >= begin && g < end; };
+    const auto is_mine = [&](const int g) { return numbers.owns(rank, g); };
     Kept       result;
-    result.n_owned = end - begin;
+    result.n_owned = numbers.first_owned[rank + 1] - numbers.first_owned[rank];
 
     std::vector<bool> is_known(numbers.first_owned.back(), false);
     const auto        keep = [&](const int g) {

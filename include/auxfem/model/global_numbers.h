@@ -60,6 +60,11 @@ namespace auxfem
     /** Numbers owned by rank r: [first_owned[r], first_owned[r + 1]). */
     std::vector<int> first_owned;
 
+    bool owns(const unsigned int rank, const int number) const
+    {
+      return number >= first_owned[rank] && number < first_owned[rank + 1];
+    }
+
     /** Of the rotation of the end of an elastic strut, released or not, as
      * rotation(). */
     const OfMotion &end_rotation(const Lattice &lattice,

@@ -183,12 +183,14 @@ namespace auxfem
     Kept find_kept(const StrutPartition &partition,
                    const Ties           &ties,
                    unsigned int          rank);
+
     /** Elastic struts that may have an unknown of this rank. */
     std::vector<unsigned int> find_struts(const StrutPartition &partition,
                                           unsigned int          rank) const;
-    void                      sort_elements(Kept &kept);
-    void                      take_elements();
-    void                      mark_unknowns();
+
+    void sort_elements(Kept &kept);
+    void take_elements();
+    void mark_unknowns();
     void mark(int unknown, unsigned int node, unsigned int component);
     void mark_constraints();
     void mark_prescribed(const std::vector<JointMotion> &motions);
