@@ -75,8 +75,8 @@ namespace auxfem
       lattice.axis(strut, axis.end, axis.ends[1], tangent);
 
       std::vector<int> unknowns;
-      unknowns.reserve((order + 1) * numbering.n_components());
-      axis.unknowns.reserve((order + 1) * lattice.dimension);
+      unknowns.reserve(std::size_t(order + 1) * numbering.n_components());
+      axis.unknowns.reserve(std::size_t(order + 1) * lattice.dimension);
       numbering.global().add_element(lattice, element, order, unknowns);
       for (std::size_t i = 0; i < unknowns.size(); ++i)
         if (i % numbering.n_components() < lattice.dimension)
