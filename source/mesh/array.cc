@@ -1,159 +1,15 @@
 #include <auxfem/mesh/arc.h>
-#include <auxfem/mesh/cell.h>
+#include <auxfem/mesh/earlier_joints.h>
 #include <auxfem/parameters/errors.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <unordered_map>
 
 namespace auxfem
 {
   namespace
   {
     using Index3 = std::array<unsigned int, 3>;
-
-    /**
-     * Two joints of different cells closer than this part of the cell's size
-     * are one: far above round-off of the cell centres, far below any strut.
-     */
-    constexpr double joint_tolerance = 1e-8;
-
-    /** Lowest and highest coordinate of @p joints along x, y or z (m). */
-    std::pair<double, double>
-    bounds(const std::vector<dealii::Point<3>> &joints, const unsigned int d)
-    {
-      const auto [low, high] =
-        std::minmax_element(joints.begin(),
-                            joints.end(),
-                            [d](const auto &a, const auto &b) {
-                              return a[d] < b[d];
-                            });
-      return {(*low)[d], (*high)[d]};
-    }
-
-    double cell_extent(const UnitCell &cell, const unsigned int d)
-    {
-      const auto [low, high] = bounds(cell.joints, d);
-      return high - low;
-    }
-
-    /** Largest extent of the cell, its period included (m). */
-    double cell_size(const UnitCell &cell)
-    {
-      double size = 0;
-      for (unsigned int d = 0; d < 3; ++d)
-        size = std::max({size, cell_extent(cell, d), cell.period[d]});
-      return size;
-    }
-
-    /** Finds joints of a cell by position, through buckets on a cubic grid. */
-    class JointFinder
-    {
-    public:
-      JointFinder(const std::vector<dealii::Point<3>> &joints,
-                  const double                         size)
-        : joints(joints)
-        , tolerance(joint_tolerance * size)
-        , width(size > 0. ? 1e-3 * size : 1.)
-      {
-        for (unsigned int joint = 0; joint < joints.size(); ++joint)
-          buckets[key_of(joints[joint], 0.)].push_back(joint);
-      }
-
-      /** Indices of all joints at @p position. */
-      std::vector<unsigned int> find(const dealii::Point<3> &position) const
-      {
-        std::vector<unsigned int> found;
-        const Key                 low  = key_of(position, -tolerance);
-        const Key                 high = key_of(position, tolerance);
-        for (auto x = low[0]; x <= high[0]; ++x)
-          for (auto y = low[1]; y <= high[1]; ++y)
-            for (auto z = low[2]; z <= high[2]; ++z)
-              {
-                const auto bucket = buckets.find(Key{{x, y, z}});
-                if (bucket == buckets.end())
-                  continue;
-                for (const unsigned int joint : bucket->second)
-                  if (joints[joint].distance(position) <= tolerance)
-                    found.push_back(joint);
-              }
-        return found;
-      }
-
-    private:
-      using Key = std::array<std::int64_t, 3>;
-
-      struct Hash
-      {
-        std::size_t operator()(const Key &key) const
-        {
-          std::size_t hash = 0;
-          for (const auto part : key)
-            hash = hash * 1000003u ^ std::hash<std::int64_t>()(part);
-          return hash;
-        }
-      };
-
-      Key key_of(const dealii::Point<3> &position, const double shift) const
-      {
-        Key key;
-        for (unsigned int d = 0; d < 3; ++d)
-          key[d] = static_cast<std::int64_t>(
-            std::floor((position[d] + shift) / width));
-        return key;
-      }
-
-      const std::vector<dealii::Point<3>>                     &joints;
-      double                                                   tolerance;
-      double                                                   width;
-      std::unordered_map<Key, std::vector<unsigned int>, Hash> buckets;
-    };
-
-    /** A joint of a cell made before another: where one of the other lies, too.
-     */
-    struct EarlierJoint
-    {
-      std::array<int, 3> offset; ///< from the other cell, in cells
-      unsigned int       joint;  ///< of the cell
-    };
-
-    /**
-     * Of each joint of @p cell all in whose place it lies as cells are made,
-     * those along x first, then y and z.
-     */
-    std::vector<std::vector<EarlierJoint>>
-    find_earlier_joints(const UnitCell &cell, const Index3 &n_cells)
-    {
-      const double       size = cell_size(cell);
-      const JointFinder  finder(cell.joints, size);
-      std::array<int, 3> reach = {{0, 0, 0}};
-      for (unsigned int d = 0; d < 3; ++d)
-        if (n_cells[d] > 1)
-          reach[d] =
-            std::min<int>(n_cells[d] - 1,
-                          (cell_extent(cell, d) + joint_tolerance * size) /
-                            cell.period[d]);
-
-      std::vector<std::vector<EarlierJoint>> earlier(cell.joints.size());
-      std::array<int, 3>                     offset;
-      for (offset[2] = -reach[2]; offset[2] <= 0; ++offset[2])
-        for (offset[1] = -reach[1]; offset[1] <= reach[1]; ++offset[1])
-          for (offset[0] = -reach[0]; offset[0] <= reach[0]; ++offset[0])
-            {
-              if (std::make_tuple(offset[2], offset[1], offset[0]) >=
-                  std::make_tuple(0, 0, 0))
-                continue;
-              dealii::Tensor<1, 3> shift;
-              for (unsigned int d = 0; d < 3; ++d)
-                shift[d] = offset[d] * cell.period[d];
-              for (unsigned int joint = 0; joint < cell.joints.size(); ++joint)
-                for (const unsigned int other :
-                     finder.find(cell.joints[joint] - shift))
-                  earlier[joint].push_back({offset, other});
-            }
-      return earlier;
-    }
 
     /** Numbers of what links two joints, whatever the order of these. */
     class LinkNumbers
@@ -231,7 +87,7 @@ namespace auxfem
       ArrayBuilder(const UnitCell &cell, const Index3 &n_cells)
         : cell(cell)
         , n_cells(n_cells)
-        , tolerance(joint_tolerance * cell_size(cell))
+        , tolerance(joint_tolerance(cell))
         , earlier_joints(find_earlier_joints(cell, n_cells))
       {
         lattice.n_cells = n_cells[0] * n_cells[1] * n_cells[2];
@@ -279,7 +135,7 @@ namespace auxfem
 
       void add_cell(const Index3 &at)
       {
-        number = at[0] + n_cells[0] * (at[1] + n_cells[1] * at[2]);
+        number = number_of(at);
         add_joints(at);
         add_struts();
         add_pairs();
@@ -322,24 +178,24 @@ namespace auxfem
         unsigned int index = invalid_index;
         for (const EarlierJoint &earlier : earlier_joints[j])
           {
-            unsigned int other       = 0;
-            unsigned int stride      = 1;
-            bool         is_in_array = true;
+            // Below zero it wraps round to more than there are.
+            Index3 other = at;
             for (unsigned int d = 0; d < 3; ++d)
-              {
-                const int place = int(at[d]) + earlier.offset[d];
-                is_in_array =
-                  is_in_array && place >= 0 && place < int(n_cells[d]);
-                other += place * stride;
-                stride *= n_cells[d];
-              }
-            if (!is_in_array)
+              other[d] += earlier.offset[d];
+            if (other[0] >= n_cells[0] || other[1] >= n_cells[1] ||
+                other[2] >= n_cells[2])
               continue;
-            const unsigned int found = joint_of_cell(other, earlier.joint);
+            const unsigned int found =
+              joint_of_cell(number_of(other), earlier.joint);
             if (std::find(global.begin(), global.end(), found) == global.end())
               index = std::min(index, found);
           }
         return index;
+      }
+
+      unsigned int number_of(const Index3 &at) const
+      {
+        return at[0] + n_cells[0] * (at[1] + n_cells[1] * at[2]);
       }
 
       unsigned int joint_of_cell(const unsigned int number,
@@ -478,7 +334,7 @@ namespace auxfem
                                    {"back", "front"}};
         for (unsigned int d = 0; d < 3; ++d)
           {
-            const auto [low, high] = bounds(lattice.joints, d);
+            const auto [low, high] = coordinate_range(lattice.joints, d);
             const bool is_planar   = (high - low <= tolerance);
             if (d == 2 && is_planar)
               continue;

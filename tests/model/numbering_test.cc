@@ -474,7 +474,8 @@ TEST(DofNumbering, JointsOfRigidPartsAloneHaveNoRotation)
   EXPECT_TRUE(dofs.joint_has(0, rotation_z));
   EXPECT_EQ(dofs.end_rotation(0, 0), -1);
   EXPECT_EQ(dofs.end_rotation(2, 0), dofs.joint_unknown(0, rotation_z));
-  EXPECT_EQ(dofs.elements().size(), 1u);
+  ASSERT_EQ(dofs.elements().size(), 1u);
+  EXPECT_EQ(dofs.elements()[0].interval.strut, 2u);
   // Multipliers are unknowns of the matrix, but no freedoms.
   EXPECT_EQ(dofs.unknowns().n_free(), dofs.layout().n_global() - 3);
   EXPECT_EQ(dofs.unknowns().kinds[dofs.constraints().multiplier(0, 2)],

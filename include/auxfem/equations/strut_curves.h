@@ -95,7 +95,7 @@ namespace auxfem
     /** Axes of a strut: [begin, end) in the list. */
     std::array<unsigned int, 2> axes_of(const unsigned int strut) const
     {
-      return axes_of_struts[strut];
+      return axes_of_struts.at(strut);
     }
 
     const std::vector<ContactAxis> &list() const
