@@ -8,5 +8,5 @@ __asan_default_options(); // NOLINT(bugprone-reserved-identifier)
 extern "C" const char *
 __asan_default_options() // NOLINT(bugprone-reserved-identifier)
 {
-  return "detect_leaks=0:malloc_context_size=4";
+  return "detect_leaks=0:malloc_context_size=4:quarantine_size_mb=32";
 }
