@@ -1,4 +1,5 @@
 #include <auxfem/algebra/complex_factors.h>
+#include <auxfem/algebra/shared_work.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/numbers.h>
@@ -30,29 +31,6 @@ namespace auxfem
         for (const int *i = pattern.begin(block); i != pattern.end(block); ++i)
           all.push_back(*i >= 0 && kinds[*i] == UnknownKind::prescribed ? -1
                                                                         : *i);
-      return all;
-    }
-
-    /** What the ranks have, one after the other, on all of them. deal.II's
-     * all_gather() would compress it, which takes longer than all else. */
-    template <typename T>
-    std::vector<T> of_all_ranks(const std::vector<T> &mine,
-                                const MPI_Comm        communicator)
-    {
-      const std::vector<int> sizes =
-        dealii::Utilities::MPI::all_gather(communicator, int(mine.size()));
-      std::vector<int> first(1, 0);
-      std::partial_sum(sizes.begin(), sizes.end(), std::back_inserter(first));
-      std::vector<T>     all(first.back());
-      const MPI_Datatype type = dealii::Utilities::MPI::mpi_type_id_for_type<T>;
-      MPI_Allgatherv(mine.data(),
-                     mine.size(),
-                     type,
-                     all.data(),
-                     sizes.data(),
-                     first.data(),
-                     type,
-                     communicator);
       return all;
     }
 

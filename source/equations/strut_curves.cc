@@ -213,6 +213,10 @@ namespace auxfem
           for (unsigned int k = 0; k < n; ++k)
             curve.coefficients[k][c] += basis.coefficients[node * n + k] * u;
         }
+    // Lines, as most are at the start of a run, are quickly dealt with.
+    while (curve.degree > 1 &&
+           curve.coefficients[curve.degree] == AxisCurve::Vector())
+      --curve.degree;
     return curve;
   }
 

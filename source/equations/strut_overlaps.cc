@@ -1,3 +1,4 @@
+#include <auxfem/algebra/shared_work.h>
 #include <auxfem/equations/strut_gap.h>
 #include <auxfem/equations/strut_overlaps.h>
 
@@ -34,11 +35,12 @@ namespace auxfem
   } // namespace
 
   std::vector<AxisPair>
-  pairs_that_meet(const std::vector<dealii::BoundingBox<3>> &boxes)
+  pairs_that_meet(const std::vector<dealii::BoundingBox<3>> &boxes,
+                  const std::array<std::size_t, 2>          &part)
   {
     const auto            tree = dealii::pack_rtree_of_indices(boxes);
     std::vector<AxisPair> pairs;
-    for (unsigned int a = 0; a < boxes.size(); ++a)
+    for (unsigned int a = part[0]; a < part[1]; ++a)
       tree.query(boost::geometry::index::intersects(boxes[a]),
                  boost::make_function_output_iterator([&](const std::size_t b) {
                    if (b > a)
@@ -59,7 +61,8 @@ namespace auxfem
     return box;
   }
 
-  std::vector<StrutOverlap> find_overlaps(const StrutCurves &curves)
+  std::vector<StrutOverlap> find_overlaps(const StrutCurves   &curves,
+                                          const UnknownLayout &layout)
   {
     // By more than this, of half the sum of the thicknesses, they pass.
     constexpr double passing = 0.5, digits = 0.01;
@@ -68,8 +71,10 @@ namespace auxfem
     for (unsigned int a = 0; a < curves.list().size(); ++a)
       boxes.push_back(
         box_around({curves.at_rest(a)}, curves.list()[a].half_thickness));
-    std::map<std::array<unsigned int, 2>, double> least; // over the thickness
-    for (const auto &[a, b] : pairs_that_meet(boxes))
+    std::vector<unsigned int> struts;
+    std::vector<double>       parts; // distances over the thickness
+    for (const auto &[a, b] :
+         pairs_that_meet(boxes, share_of_rank(layout, boxes.size())))
       {
         if (curves.are_neighbours(a, b) || curves.never_touch(a, b))
           continue;
@@ -80,19 +85,24 @@ namespace auxfem
           thickness;
         if (part >= 1 - digits)
           continue;
-        const unsigned int one = curves.list()[a].strut,
-                           two = curves.list()[b].strut;
+        const auto [one, other] =
+          std::minmax(curves.list()[a].strut, curves.list()[b].strut);
+        struts.insert(struts.end(), {one, other});
+        parts.push_back(part);
+      }
+    struts = of_all_ranks(struts, layout.communicator());
+    parts  = of_all_ranks(parts, layout.communicator());
+    std::map<std::array<unsigned int, 2>, double> least;
+    for (std::size_t i = 0; i < parts.size(); ++i)
+      {
         double &known =
-          least
-            .emplace(std::array<unsigned int, 2>{{std::min(one, two),
-                                                  std::max(one, two)}},
-                     part)
+          least.try_emplace({{struts[2 * i], struts[2 * i + 1]}}, parts[i])
             .first->second;
-        known = std::min(known, part);
+        known = std::min(known, parts[i]);
       }
     std::vector<StrutOverlap> overlaps;
-    for (const auto &[struts, part] : least)
-      overlaps.push_back({struts, part < passing});
+    for (const auto &[pair, part] : least)
+      overlaps.push_back({pair, part < passing});
     return overlaps;
   }
 } // namespace auxfem

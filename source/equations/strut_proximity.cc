@@ -1,3 +1,4 @@
+#include <auxfem/algebra/shared_work.h>
 #include <auxfem/equations/strut_proximity.h>
 
 #include <deal.II/base/numbers.h>
@@ -26,7 +27,7 @@ namespace auxfem
     , curves(curves)
     , gap_of(curves)
     , reach(model.mean_strut_length / 4)
-    , overlapping(find_overlaps(curves))
+    , overlapping(find_overlaps(curves, model.numbering.layout()))
     , connected_of_axis(curves.list().size())
     , connected(curves.connected().size())
     , allowed_turning(curves.list().size(), 0.)
@@ -159,10 +160,16 @@ namespace auxfem
         boxes.push_back(
           box_around(ends, curves.list()[a].half_thickness + margin));
       }
-    std::vector<AxisPair> pairs;
-    for (const AxisPair &pair : pairs_that_meet(boxes))
+    const UnknownLayout      &layout = model.numbering.layout();
+    std::vector<unsigned int> axes;
+    for (const AxisPair &pair :
+         pairs_that_meet(boxes, share_of_rank(layout, boxes.size())))
       if (curves.common_nodes(pair[0], pair[1]).empty() && !never_touch(pair))
-        pairs.push_back(pair);
+        axes.insert(axes.end(), pair.begin(), pair.end());
+    axes = of_all_ranks(axes, layout.communicator());
+    std::vector<AxisPair> pairs;
+    for (std::size_t i = 0; i < axes.size(); i += 2)
+      pairs.push_back({{axes[i], axes[i + 1]}});
     return pairs;
   }
 
@@ -273,18 +280,45 @@ namespace auxfem
     return pairs;
   }
 
-  void StrutProximity::look_at_connected(const unsigned int         i,
-                                         const std::vector<double> &u)
+  StrutProximity::Connected
+  StrutProximity::look_at_connected(const AxisPair            &pair,
+                                    const std::vector<double> &u) const
   {
     // More than what axes turn by in a step.
     constexpr double much = 0.1;
-    const AxisPair  &pair = curves.connected()[i];
     const AxisCurve  one = curve(pair[0], u), other = curve(pair[1], u);
     const double     left = gap_of.turning_left(pair, one, other, near_part);
+    Connected        now;
     for (unsigned int k = 0; k < 2; ++k)
-      connected[i].turning_left[k] = left - turning(pair[k], u);
-    connected[i].is_near = left < much &&
+      now.turning_left[k] = left - turning(pair[k], u);
+    now.is_near = left < much &&
       comes_near(pair, gap_of(pair, one, other), u, near_gap(pair));
+    return now;
+  }
+
+  void StrutProximity::look_at_connected(const std::vector<unsigned int> &pairs,
+                                         const std::vector<double>       &u)
+  {
+    // Fewer are looked at sooner than ranks tell each other of them.
+    constexpr std::size_t many   = 1000;
+    const UnknownLayout  &layout = model.numbering.layout();
+    const bool            shared = layout.n_ranks() > 1 && pairs.size() >= many;
+    const auto [begin, end]      = shared
+           ? share_of_rank(layout, pairs.size())
+           : std::array<std::size_t, 2>{{0, pairs.size()}};
+    std::vector<double> values;
+    for (std::size_t k = begin; k < end; ++k)
+      {
+        Connected &pair = connected[pairs[k]];
+        pair            = look_at_connected(curves.connected()[pairs[k]], u);
+        if (shared)
+          add_values(pair, values);
+      }
+    if (!shared)
+      return;
+    values = of_all_ranks(values, layout.communicator());
+    for (std::size_t k = 0; k < pairs.size(); ++k)
+      connected[pairs[k]] = connected_at(values, k);
   }
 
   void StrutProximity::look_at_connected(const std::vector<double> &u)
@@ -293,8 +327,7 @@ namespace auxfem
                                     pairs  = connected_to(turned);
     for (const unsigned int axis : turned)
       remember_turning(axis, u);
-    for (const unsigned int i : pairs)
-      look_at_connected(i, u);
+    look_at_connected(pairs, u);
     for (const unsigned int i : pairs)
       for (const unsigned int axis : curves.connected()[i])
         {

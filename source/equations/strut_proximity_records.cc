@@ -59,6 +59,22 @@ namespace auxfem
     return result;
   }
 
+  void StrutProximity::add_values(const Connected     &pair,
+                                  std::vector<double> &values)
+  {
+    values.insert(values.end(),
+                  {pair.turning_left[0],
+                   pair.turning_left[1],
+                   double(pair.is_near)});
+  }
+
+  StrutProximity::Connected
+  StrutProximity::connected_at(const std::vector<double> &values,
+                               const std::size_t          k)
+  {
+    return {{{values[3 * k], values[3 * k + 1]}}, values[3 * k + 2] != 0};
+  }
+
   void StrutProximity::save(Records &records) const
   {
     std::vector<double> pairs, of_connected;
@@ -69,9 +85,7 @@ namespace auxfem
                                  double(pair.is_near)})
         pairs.push_back(value);
     for (const Connected &pair : connected)
-      for (const double value :
-           {pair.turning_left[0], pair.turning_left[1], double(pair.is_near)})
-        of_connected.push_back(value);
+      add_values(pair, of_connected);
     records.keep(travel_record, {travelled, list_due, double(touches_soon)});
     keep_list(pairs_record, pairs, records);
     keep_list(connected_record, of_connected, records);
@@ -95,8 +109,7 @@ namespace auxfem
     const std::vector<double> of_connected =
       kept_list(connected_record, records);
     for (unsigned int i = 0; i < connected.size(); ++i)
-      connected[i] = {{{of_connected[3 * i], of_connected[3 * i + 1]}},
-                      of_connected[3 * i + 2] != 0};
+      connected[i] = connected_at(of_connected, i);
     turned_at = kept_list(turned_record, records);
     for (unsigned int a = 0; a < allowed_turning.size(); ++a)
       {

@@ -1,7 +1,7 @@
+#include <auxfem/algebra/shared_work.h>
 #include <auxfem/equations/equations.h>
 #include <auxfem/study/recorded_field.h>
 
-#include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
 
 #include <algorithm>
@@ -106,14 +106,10 @@ namespace auxfem
     }
   } // namespace
 
-
-
   unsigned int RecordedField::Element::n_points() const
   {
     return strains.size() / n_strains;
   }
-
-
 
   RecordedField field_of(const Equations &equations,
                          const Solution  &solution,
@@ -142,9 +138,7 @@ namespace auxfem
                           joined_values(motion.velocities)});
         }
     RecordedField field;
-    for (const std::vector<double> &numbers :
-         dealii::Utilities::MPI::all_gather(communicator, flat(mine)))
-      add_elements(numbers, field.elements);
+    add_elements(of_all_ranks(flat(mine), communicator), field.elements);
     std::sort(field.elements.begin(),
               field.elements.end(),
               [](const Element &one, const Element &other) {
@@ -154,14 +148,10 @@ namespace auxfem
     return field;
   }
 
-
-
   Json json_of(const RecordedField &field)
   {
     return flat(field.elements);
   }
-
-
 
   RecordedField recorded_field_of(const Json &json)
   {
@@ -169,8 +159,6 @@ namespace auxfem
     add_elements(json.get<std::vector<double>>(), field.elements);
     return field;
   }
-
-
 
   std::vector<FieldPoint> integration_points(const RecordedField &field)
   {
@@ -189,8 +177,6 @@ namespace auxfem
       }
     return points;
   }
-
-
 
   std::vector<double> energy_roots(const RecordedField           &field,
                                    const std::vector<FieldPoint> &points,

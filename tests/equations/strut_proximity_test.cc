@@ -12,20 +12,24 @@ using namespace auxfem::testing_support;
 
 namespace
 {
-  /** A star lattice of thin struts; on one rank. */
+  /** A star lattice; on one rank, and thin, unless asked for otherwise. */
   struct Stars
   {
-    Stars()
+    explicit Stars(const MPI_Comm     communicator = MPI_COMM_SELF,
+                   const unsigned int n_cells      = 3,
+                   const std::string &angle        = "60 deg",
+                   const std::string &thickness    = "0.05")
       : of_scene(SceneText()
-                   .add("Lattice",
-                        "Cell = star | Cells x = 3 | Cells y = 3 | "
-                        "Strut length = 1 | Opening angle = 60 deg")
-                   .rectangle("strip", "1", "0.05", {"1", 1, 0})
+                   .add("Lattice", "Cell = star | Strut length = 1")
+                   .set("Lattice/Opening angle", angle)
+                   .set("Lattice/Cells x", n_cells)
+                   .set("Lattice/Cells y", n_cells)
+                   .rectangle("strip", "1", thickness, {"1", 1, 0})
                    .set("Lattice/Struts may cross", "true")
                    .mesh(2)
                    .str(),
                  {},
-                 MPI_COMM_SELF)
+                 communicator)
       , axes(make_contact_axes(of_scene.model, 1))
       , curves(of_scene.model, axes)
       , proximity(of_scene.model, curves)
@@ -102,4 +106,39 @@ TEST(StrutProximity, WhatPassesThroughInOneStepIsSeen)
   for (std::size_t i = 0; i < axis.unknowns.size(); i += 2)
     thrown[axis.unknowns[i]] = 50;
   EXPECT_TRUE(stars.proximity.first_too_near(rest, thrown, 0.5));
+}
+
+TEST(StrutProximityOnRanks, SharedLooksFindWhatOneRankFinds)
+{
+  // So flat and thick that struts overlap at rest.
+  Stars shared(MPI_COMM_WORLD, 8, "50 deg", "0.2"),
+    alone(MPI_COMM_SELF, 8, "50 deg", "0.2");
+  ASSERT_GT(alone.curves.connected().size(), 1000u);
+  EXPECT_FALSE(alone.proximity.overlaps().empty());
+  ASSERT_EQ(shared.proximity.overlaps().size(),
+            alone.proximity.overlaps().size());
+  for (std::size_t i = 0; i < alone.proximity.overlaps().size(); ++i)
+    {
+      const StrutOverlap &one = shared.proximity.overlaps()[i],
+                         &two = alone.proximity.overlaps()[i];
+      EXPECT_EQ(one.struts, two.struts);
+      EXPECT_EQ(one.is_passing, two.is_passing);
+    }
+  for (const double size : {0., 0.05, 0.2})
+    {
+      for (Stars *stars : {&shared, &alone})
+        {
+          // The same of each axis on any number of ranks.
+          std::mt19937        generator(5);
+          std::vector<double> u(stars->of_scene.dofs().layout().n_global(), 0.);
+          for (const ContactAxis &axis : stars->axes)
+            for (const int number : axis.unknowns)
+              u[number] =
+                std::uniform_real_distribution<double>(-size, size)(generator);
+          stars->proximity.follow(u);
+        }
+      EXPECT_EQ(shared.proximity.near(), alone.proximity.near());
+      EXPECT_EQ(shared.proximity.may_touch(), alone.proximity.may_touch());
+    }
+  EXPECT_GT(alone.proximity.near().size(), 20u);
 }

@@ -7,10 +7,12 @@
 
 namespace auxfem
 {
-  /** Pairs of boxes that have points in common, from a tree of them (R-tree).
-   */
+  /** Pairs of boxes that have points in common, from a tree of them (R-tree):
+   * those of which the lower number is in a part [begin, end) of them, sorted
+   * by that. */
   std::vector<AxisPair>
-  pairs_that_meet(const std::vector<dealii::BoundingBox<3>> &boxes);
+  pairs_that_meet(const std::vector<dealii::BoundingBox<3>> &boxes,
+                  const std::array<std::size_t, 2>          &part);
 
   /** Box of the axes between some states, the thickness of the strut and a
    * margin (m) around them. */
@@ -28,8 +30,9 @@ namespace auxfem
     bool is_passing;
   };
 
-  /** All of them, by numbers of struts. */
-  std::vector<StrutOverlap> find_overlaps(const StrutCurves &curves);
+  /** All of them, by numbers of struts. Ranks share the work; collective. */
+  std::vector<StrutOverlap> find_overlaps(const StrutCurves   &curves,
+                                          const UnknownLayout &layout);
 } // namespace auxfem
 
 #endif

@@ -17,16 +17,16 @@ namespace auxfem
    * from a tree of boxes (R-tree), made anew when nodes may have moved farther
    * than the boxes are wide.
    *
-   * Displacements are those of all ranks, by global number; each rank looks at
-   * all pairs, and finds the same.
+   * Displacements are those of all ranks, by global number; each rank knows
+   * all pairs. Many that are to be looked at are shared out among the ranks.
    */
   class StrutProximity
   {
   public:
-    /** @param curves must outlive the object. */
+    /** @param curves must outlive the object. Collective. */
     StrutProximity(const LatticeModel &model, const StrutCurves &curves);
 
-    /** Follows an accepted state; whether near() has changed. */
+    /** Follows an accepted state; whether near() has changed. Collective. */
     bool follow(const std::vector<double> &displacements);
 
     /** Pairs that touch or may do so soon, sorted. */
@@ -54,7 +54,7 @@ namespace auxfem
     /**
      * A pair of struts that comes nearer on the straight way between two states
      * than it may; none if there is none. The first state, or one before it,
-     * was followed.
+     * was followed. Collective.
      * @param allowed penetration of near pairs over half their thickness;
      *   others may not touch
      */
@@ -117,7 +117,18 @@ namespace auxfem
     void                  find_pairs_in_reach(const std::vector<double> &u);
     void                  look_at_pairs(const std::vector<double> &u);
     void                  look_at_connected(const std::vector<double> &u);
-    void look_at_connected(unsigned int pair, const std::vector<double> &u);
+    /** Several of them, by number. */
+    void      look_at_connected(const std::vector<unsigned int> &pairs,
+                                const std::vector<double>       &u);
+    Connected look_at_connected(const AxisPair            &pair,
+                                const std::vector<double> &u) const;
+    /** A pair with a common node as three numbers in a list, and the k-th of
+     * one. */
+    ///@{
+    static void add_values(const Connected &pair, std::vector<double> &values);
+    static Connected connected_at(const std::vector<double> &values,
+                                  std::size_t                k);
+    ///@}
     /** Motion of nodes that no pair need be looked at for (m). */
     double unseen_motion() const;
 

@@ -1,3 +1,4 @@
+#include <auxfem/algebra/shared_work.h>
 #include <auxfem/analysis/relative_motion.h>
 #include <auxfem/analysis/watch.h>
 #include <auxfem/mesh/segment.h>
@@ -32,12 +33,6 @@ namespace auxfem
     {
       std::vector<unsigned int> struts;
       std::vector<Points>       points; ///< of each, m
-
-      template <class Archive>
-      void serialize(Archive &archive, const unsigned int /*version*/)
-      {
-        archive &struts &points;
-      }
     };
 
     dealii::BoundingBox<3> box_of(const Points &points, const double margin)
@@ -360,7 +355,9 @@ namespace auxfem
       /** All that touch or cross, of all ranks, each once. Collective. */
       NearPairs pairs(const Axes &mine) const
       {
-        const Axes                          all = of_all_ranks(mine);
+        const bool  is_alone  = model.numbering.layout().n_ranks() == 1;
+        const Axes  of_others = is_alone ? Axes() : axes_of_all_ranks(mine);
+        const Axes &all       = is_alone ? mine : of_others;
         std::vector<dealii::BoundingBox<3>> boxes;
         boxes.reserve(all.struts.size());
         for (std::size_t i = 0; i < all.struts.size(); ++i)
@@ -384,37 +381,48 @@ namespace auxfem
                          box_of(mine.points[i], rule.margin(one))),
                        boost::make_function_output_iterator(look_at));
           }
-        return of_all_ranks(of_mine);
+        return is_alone ? of_mine : pairs_of_all_ranks(of_mine);
       }
 
-      /** Gathers what the ranks have; @p mine is all there is on one. */
-      template <class Part>
-      Part of_all_ranks(const Part &mine) const
+      /** Of all ranks, in their order. Collective. */
+      Axes axes_of_all_ranks(const Axes &mine) const
       {
         const MPI_Comm communicator = model.numbering.layout().communicator();
-        if (dealii::Utilities::MPI::n_mpi_processes(communicator) == 1)
-          return mine;
-        Part all;
-        for (const Part &part :
-             dealii::Utilities::MPI::all_gather(communicator, mine))
-          add(part, all);
+        std::vector<unsigned int> n_points;
+        std::vector<double>       coordinates;
+        for (const Points &points : mine.points)
+          {
+            n_points.push_back(points.size());
+            for (const dealii::Point<3> &point : points)
+              coordinates.insert(coordinates.end(),
+                                 point.begin_raw(),
+                                 point.end_raw());
+          }
+        n_points    = of_all_ranks(n_points, communicator);
+        coordinates = of_all_ranks(coordinates, communicator);
+        Axes          all{of_all_ranks(mine.struts, communicator), {}};
+        const double *next = coordinates.data();
+        for (const unsigned int n : n_points)
+          {
+            Points &points = all.points.emplace_back();
+            for (unsigned int i = 0; i < n; ++i, next += 3)
+              points.emplace_back(next[0], next[1], next[2]);
+          }
         return all;
       }
 
-      static void add(const Axes &part, Axes &all)
+      /** Of all ranks. Collective. */
+      NearPairs pairs_of_all_ranks(const NearPairs &mine) const
       {
-        all.struts.insert(all.struts.end(),
-                          part.struts.begin(),
-                          part.struts.end());
-        all.points.insert(all.points.end(),
-                          part.points.begin(),
-                          part.points.end());
-      }
-
-      static void add(const NearPairs &part, NearPairs &all)
-      {
-        all.touching.insert(part.touching.begin(), part.touching.end());
-        all.crossing.insert(part.crossing.begin(), part.crossing.end());
+        NearPairs all;
+        for (const NearPairs &part : dealii::Utilities::MPI::all_gather(
+               model.numbering.layout().communicator(),
+               mine))
+          {
+            all.touching.insert(part.touching.begin(), part.touching.end());
+            all.crossing.insert(part.crossing.begin(), part.crossing.end());
+          }
+        return all;
       }
 
       const Equations    &equations;
