@@ -1,11 +1,9 @@
 #include <auxfem/algebra/complex_factors.h>
 #include <auxfem/algebra/shared_work.h>
 
-#include <deal.II/base/mpi.h>
 #include <deal.II/base/numbers.h>
 
 #include <cmath>
-#include <iterator>
 #include <numeric>
 
 #include <klu.h>

@@ -1,3 +1,4 @@
+#include <auxfem/algebra/shared_work.h>
 #include <auxfem/equations/equations.h>
 #include <auxfem/model/unknown_names.h>
 
@@ -234,11 +235,9 @@ namespace auxfem
     for (unsigned int i = 0; i < n_internal; ++i)
       effects[i]->add_relaxation_times(unknowns(), mine);
     std::map<double, unsigned int> all;
-    for (const std::vector<double> &times :
-         dealii::Utilities::MPI::all_gather(unknowns().layout.communicator(),
-                                            mine))
-      for (const double time : times)
-        ++all[time];
+    for (const double time :
+         of_all_ranks(mine, unknowns().layout.communicator()))
+      ++all[time];
     return all;
   }
 

@@ -10,10 +10,10 @@
 #include <numeric>
 #include <vector>
 
-/** @name Work on a list that every rank has, of which each does a part. */
-///@{
 namespace auxfem
 {
+  /** @name Work on a list that every rank has, of which each does a part. */
+  ///@{
   /** The part of @p n items that this rank looks at: [begin, end). The parts of
    * the ranks follow each other. */
   inline std::array<std::size_t, 2> share_of_rank(const UnknownLayout &layout,
@@ -48,7 +48,7 @@ namespace auxfem
                    communicator);
     return all;
   }
+  ///@}
 } // namespace auxfem
-///@}
 
 #endif
