@@ -61,9 +61,11 @@ namespace auxfem
         write("start.sh",
               "[ ${OMPI_COMM_WORLD_RANK:-0} = " + std::to_string(n_ranks - 1) +
                 " ] && echo $$ > pid\nexec " + command + "\n");
+        // Open MPI would leave the others two seconds to come to an end.
         const std::string launcher = n_ranks == 1
           ? std::string("sh")
-          : AUXFEM_MPIRUN " -n " + std::to_string(n_ranks) + " sh";
+          : AUXFEM_MPIRUN " --mca odls_base_sigkill_timeout 0 -n " +
+            std::to_string(n_ranks) + " sh";
         return run_program(
           {"sh",
            "-c",
