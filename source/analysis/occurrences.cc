@@ -1,6 +1,5 @@
+#include <auxfem/algebra/shared_work.h>
 #include <auxfem/analysis/occurrences.h>
-
-#include <deal.II/base/mpi.h>
 
 #include <vector>
 
@@ -39,9 +38,10 @@ namespace auxfem
                                      const ComesBefore &comes_before)
     {
       std::optional<Occurrence> best;
-      for (const std::vector<double> &values :
-           dealii::Utilities::MPI::all_gather(communicator, values_of(mine)))
-        if (const auto other = occurrence_of(values);
+      const std::vector<double> all =
+        of_all_ranks(values_of(mine), communicator);
+      for (auto values = all.begin(); values < all.end(); values += n_values)
+        if (const auto other = occurrence_of({values, values + n_values});
             other && (!best || comes_before(*other, *best)))
           best = other;
       return best;

@@ -1,7 +1,6 @@
+#include <auxfem/algebra/shared_work.h>
 #include <auxfem/analysis/relative_motion.h>
 #include <auxfem/model/unknown_records.h>
-
-#include <deal.II/base/mpi.h>
 
 #include <algorithm>
 #include <cmath>
@@ -136,7 +135,6 @@ namespace auxfem
   RelativeMotion::Cells
   RelativeMotion::motions(const Vector &displacement) const
   {
-    using OfRank = std::pair<std::vector<Key>, std::vector<Box>>;
     const DofNumbering &numbering = model.numbering;
     std::vector<Box>    boxes(keys.size());
     for (unsigned int e = 0; e < cell_of_element.size(); ++e)
@@ -155,20 +153,13 @@ namespace auxfem
             unknowns += numbering.n_components();
           }
       }
-    Cells      cells;
-    const auto add = [&cells](const OfRank &part) {
-      for (std::size_t i = 0; i < part.first.size(); ++i)
-        cells[part.first[i]].add(part.second[i]);
-    };
-    const OfRank   mine(keys, std::move(boxes));
-    const MPI_Comm communicator = numbering.layout().communicator();
-    if (dealii::Utilities::MPI::n_mpi_processes(communicator) == 1)
-      add(mine);
-    else
-      // A part of a cell may lie on another rank.
-      for (const OfRank &part :
-           dealii::Utilities::MPI::all_gather(communicator, mine))
-        add(part);
+    // A part of a cell may lie on another rank.
+    const MPI_Comm         communicator = numbering.layout().communicator();
+    const std::vector<Key> all_keys     = of_all_ranks(keys, communicator);
+    const std::vector<Box> all_boxes    = of_all_ranks(boxes, communicator);
+    Cells                  cells;
+    for (std::size_t i = 0; i < all_keys.size(); ++i)
+      cells[all_keys[i]].add(all_boxes[i]);
     return cells;
   }
 } // namespace auxfem

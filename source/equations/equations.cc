@@ -85,7 +85,7 @@ namespace auxfem
         MPI::min(mine.empty() ? layout.n_ranks() : layout.rank(),
                  layout.communicator());
       return who < layout.n_ranks()
-        ? MPI::broadcast(layout.communicator(), mine, who)
+        ? text_of_rank(who, mine, layout.communicator())
         : "";
     }
 

@@ -1,7 +1,6 @@
+#include <auxfem/algebra/shared_work.h>
 #include <auxfem/equations/plate_proximity.h>
 #include <auxfem/parameters/errors.h>
-
-#include <deal.II/base/mpi.h>
 
 #include <algorithm>
 #include <cmath>
@@ -250,10 +249,7 @@ namespace auxfem
     last_search = Search{accepted.displacement, -layout.largest(-clearance)};
     if (layout.n_ranks() == 1)
       return mine;
-    std::vector<PlatePair> all;
-    for (const auto &part :
-         dealii::Utilities::MPI::all_gather(layout.communicator(), mine))
-      all.insert(all.end(), part.begin(), part.end());
+    std::vector<PlatePair> all = of_all_ranks(mine, layout.communicator());
     std::sort(all.begin(), all.end());
     return all;
   }

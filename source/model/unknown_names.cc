@@ -1,3 +1,4 @@
+#include <auxfem/algebra/shared_work.h>
 #include <auxfem/model/rigid_parts.h>
 #include <auxfem/model/unknown_names.h>
 
@@ -152,7 +153,7 @@ namespace auxfem
                layout.communicator());
     const std::string words =
       who == layout.rank() ? describe(numbering, found - size.begin()) : "";
-    return MPI::broadcast(layout.communicator(), words, who);
+    return text_of_rank(who, words, layout.communicator());
   }
 
   std::string why_no_rotation(const DofNumbering &numbering,

@@ -5,7 +5,7 @@
 #include <cerrno>
 #include <filesystem>
 #include <fstream>
-#include <regex>
+#include <string_view>
 #include <system_error>
 
 #include <fcntl.h>
@@ -41,13 +41,27 @@ namespace auxfem
       return found;
     }
 
+    /** As "_12.vtu", "_12.pvtu", or of a rank "_12.3.vtu". */
+    bool is_number_of_file(std::string_view text)
+    {
+      const auto take_number_after = [&text](const char first) {
+        const std::size_t end =
+          std::min(text.find_first_not_of("0123456789", 1), text.size());
+        if (end < 2 || text[0] != first)
+          return false;
+        text.remove_prefix(end);
+        return true;
+      };
+      if (!take_number_after('_'))
+        return false;
+      take_number_after('.');
+      return text == ".vtu" || text == ".pvtu";
+    }
+
     bool is_file_of_series(const std::string &file, const std::string &series)
     {
-      // Modes have hundreds of series: an expression for each would take longer
-      // to be made than small lattices take.
-      static const std::regex after_name("_\\d+(\\.\\d+)?\\.p?vtu");
       return file.compare(0, series.size(), series) == 0 &&
-        std::regex_match(file.begin() + series.size(), file.end(), after_name);
+        is_number_of_file(std::string_view(file).substr(series.size()));
     }
   } // namespace
 

@@ -5,7 +5,6 @@
 
 #include <deal.II/base/utilities.h>
 
-#include <regex>
 #include <sstream>
 
 #include <nlohmann/json.hpp>
@@ -192,9 +191,20 @@ namespace auxfem
     /** Indented lines of a text become items of a list. */
     std::string as_list(const std::string &text)
     {
-      return std::regex_replace(text,
-                                std::regex("(^|\n)  (\\w+): ([^\n]*)"),
-                                "$1- $2: `$3`");
+      std::istringstream lines(text);
+      std::string        result;
+      for (std::string line; std::getline(lines, line);)
+        {
+          const std::size_t colon = line.find(": ");
+          const bool is_item = line.compare(0, 2, "  ") == 0 && colon > 2 &&
+            colon < line.find(' ', 2);
+          result += is_item ? "- " + line.substr(2, colon - 2) + ": `" +
+              line.substr(colon + 2) + '`'
+                            : line;
+          if (!lines.eof())
+            result += '\n';
+        }
+      return result;
     }
 
     std::string code(const std::string &text)

@@ -1,3 +1,4 @@
+#include <auxfem/algebra/shared_work.h>
 #include <auxfem/output/first_rank.h>
 #include <auxfem/study/kept_runs.h>
 #include <auxfem/study/study_runs.h>
@@ -138,7 +139,7 @@ namespace auxfem
           kept.push_back(run && run->has(selection) ? json_of(*run) : Json());
         }
     });
-    kept = Json::parse(mpi::broadcast(communicator, text_of(kept)));
+    kept = Json::parse(text_of_rank(0, text_of(kept), communicator));
     for (std::size_t i = 0; i < tasks.size(); ++i)
       if (!kept[i].is_null())
         tasks[i].result = measured_run_of(kept[i]);
@@ -217,9 +218,10 @@ namespace auxfem
             outcome.wrong_input = error.what();
           }
       }
-    throw_if_any(mpi::all_gather(communicator, outcome.wrong_input),
-                 mpi::all_gather(communicator, outcome.signal));
-    for (const std::string &text : mpi::all_gather(communicator, text_of(mine)))
+    throw_if_any(texts_of_all_ranks(outcome.wrong_input, communicator),
+                 of_all_ranks<int>({outcome.signal}, communicator));
+    for (const std::string &text :
+         texts_of_all_ranks(text_of(mine), communicator))
       {
         const Json of_rank = Json::parse(text);
         for (const auto &[number, run] : of_rank.items())

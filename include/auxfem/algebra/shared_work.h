@@ -3,11 +3,9 @@
 
 #include <auxfem/algebra/unknown_layout.h>
 
-#include <deal.II/base/mpi.h>
-
 #include <array>
-#include <iterator>
-#include <numeric>
+#include <string>
+#include <type_traits>
 #include <vector>
 
 namespace auxfem
@@ -23,31 +21,50 @@ namespace auxfem
              n * (layout.rank() + 1) / layout.n_ranks()}};
   }
 
+  /** How many of all ranks' items each has, and of those of all ranks, one
+   * after the other, each one's first and the end. */
+  class ItemsOfRanks
+  {
+  public:
+    /** Collective. @param n_mine number of items of this rank */
+    ItemsOfRanks(std::size_t n_mine, MPI_Comm communicator);
+
+    std::size_t n() const
+    {
+      return first.back();
+    }
+
+    /** Brings the items of all ranks, @p size bytes each, to all of them.
+     * Collective. */
+    void gather(const void *mine, std::size_t size, void *all) const;
+
+    std::vector<int> sizes, first;
+
+  private:
+    MPI_Comm communicator;
+  };
+
   /** What the ranks have, one after the other, on all of them. Collective.
-   * deal.II's all_gather() would compress it, which takes longer than all else.
-   */
+   * deal.II's all_gather() would compress it, which takes longer than all else,
+   * and longest to compile. */
   template <typename T>
   std::vector<T> of_all_ranks(const std::vector<T> &mine,
                               const MPI_Comm        communicator)
   {
-    if (dealii::Utilities::MPI::n_mpi_processes(communicator) == 1)
-      return mine;
-    const std::vector<int> sizes =
-      dealii::Utilities::MPI::all_gather(communicator, int(mine.size()));
-    std::vector<int> first(1, 0);
-    std::partial_sum(sizes.begin(), sizes.end(), std::back_inserter(first));
-    std::vector<T>     all(first.back());
-    const MPI_Datatype type = dealii::Utilities::MPI::mpi_type_id_for_type<T>;
-    MPI_Allgatherv(mine.data(),
-                   mine.size(),
-                   type,
-                   all.data(),
-                   sizes.data(),
-                   first.data(),
-                   type,
-                   communicator);
+    static_assert(std::is_trivially_copyable_v<T>);
+    const ItemsOfRanks items(mine.size(), communicator);
+    std::vector<T>     all(items.n());
+    items.gather(mine.data(), sizeof(T), all.data());
     return all;
   }
+
+  /** The texts of all ranks on all of them. Collective. */
+  std::vector<std::string> texts_of_all_ranks(const std::string &mine,
+                                              MPI_Comm           communicator);
+
+  /** On every rank, @p text of @p rank. Collective. */
+  std::string
+  text_of_rank(unsigned int rank, std::string text, MPI_Comm communicator);
   ///@}
 } // namespace auxfem
 

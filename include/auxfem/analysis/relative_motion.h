@@ -50,12 +50,6 @@ namespace auxfem
       Box();
       void add(const Box &other);
 
-      template <class Archive>
-      void serialize(Archive &archive, const unsigned int /*version*/)
-      {
-        archive &lower &upper;
-      }
-
       std::array<double, 3> lower, upper;
     };
 

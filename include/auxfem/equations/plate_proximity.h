@@ -25,12 +25,6 @@ namespace auxfem
     {
       return axis == other.axis && plate == other.plate;
     }
-
-    template <class Archive>
-    void serialize(Archive &archive, const unsigned int /*version*/)
-    {
-      archive &axis &plate;
-    }
   };
 
   /**

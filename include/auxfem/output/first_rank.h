@@ -1,6 +1,7 @@
 #ifndef auxfem_output_first_rank_h
 #define auxfem_output_first_rank_h
 
+#include <auxfem/algebra/shared_work.h>
 #include <auxfem/parameters/errors.h>
 #include <auxfem/time/interruption.h>
 
@@ -68,7 +69,7 @@ namespace auxfem
     if (outcome == interrupted)
       throw Interrupted(
         dealii::Utilities::MPI::broadcast(communicator, signal));
-    message = dealii::Utilities::MPI::broadcast(communicator, message);
+    message = text_of_rank(0, message, communicator);
     if (outcome == input_error)
       throw InputError(message);
     throw ComputationError(message);

@@ -1,4 +1,5 @@
 #include <auxfem/algebra/joint_elimination.h>
+#include <auxfem/algebra/shared_work.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -45,9 +46,12 @@ namespace auxfem
                           matrix.getComm())
                           ->getRawMpiComm())
       {
-        const auto rows =
-          dealii::Utilities::MPI::all_gather(communicator, rows_of(matrix));
-        number_rows(rows);
+        const ItemsOfRanks rows_of_ranks(matrix.getNodeNumRows(), communicator);
+        counts          = rows_of_ranks.sizes;
+        begins          = rows_of_ranks.first;
+        const Rows rows = rows_of(matrix);
+        for (const long long global : rows.globals)
+          number.emplace(global, number.size());
         layout   = std::make_unique<UnknownLayout>(MPI_COMM_SELF,
                                                  number.size(),
                                                  std::vector<int>());
@@ -97,12 +101,6 @@ namespace auxfem
         std::vector<long long>   globals, columns;
         std::vector<std::size_t> sizes;
         std::vector<double>      entries;
-
-        template <class Archive>
-        void serialize(Archive &archive, unsigned int)
-        {
-          archive &globals &columns &sizes &entries;
-        }
       };
 
       unsigned int rank() const
@@ -110,7 +108,8 @@ namespace auxfem
         return dealii::Utilities::MPI::this_mpi_process(communicator);
       }
 
-      static Rows rows_of(const TpetraMatrix &matrix)
+      /** Of all ranks. Collective. */
+      Rows rows_of(const TpetraMatrix &matrix) const
       {
         Rows        rows;
         const auto &row_map    = *matrix.getRowMap(),
@@ -128,40 +127,29 @@ namespace auxfem
                 rows.entries.push_back(entries[i]);
               }
           }
+        rows.globals = of_all_ranks(rows.globals, communicator);
+        rows.columns = of_all_ranks(rows.columns, communicator);
+        rows.sizes   = of_all_ranks(rows.sizes, communicator);
+        rows.entries = of_all_ranks(rows.entries, communicator);
         return rows;
       }
 
-      void number_rows(const std::vector<Rows> &rows)
-      {
-        for (const Rows &of_rank : rows)
-          {
-            begins.push_back(number.size());
-            counts.push_back(of_rank.globals.size());
-            for (const long long global : of_rank.globals)
-              number.emplace(global, number.size());
-          }
-      }
-
-      SparseMatrix make_matrix(const std::vector<Rows> &rows) const
+      SparseMatrix make_matrix(const Rows &rows) const
       {
         SparseMatrix matrix(*layout);
-        unsigned int row = 0;
-        for (const Rows &of_rank : rows)
+        unsigned int row  = 0;
+        std::size_t  next = 0;
+        for (const std::size_t size : rows.sizes)
           {
-            std::size_t next = 0;
-            for (const std::size_t size : of_rank.sizes)
+            std::map<int, double> sorted;
+            for (std::size_t i = 0; i < size; ++i, ++next)
+              sorted[number.at(rows.columns[next])] = rows.entries[next];
+            for (const auto &[column, entry] : sorted)
               {
-                std::map<int, double> sorted;
-                for (std::size_t i = 0; i < size; ++i, ++next)
-                  sorted[number.at(of_rank.columns[next])] =
-                    of_rank.entries[next];
-                for (const auto &[column, entry] : sorted)
-                  {
-                    matrix.columns.push_back(column);
-                    matrix.entries.push_back(entry);
-                  }
-                matrix.first[++row] = matrix.columns.size();
+                matrix.columns.push_back(column);
+                matrix.entries.push_back(entry);
               }
+            matrix.first[++row] = matrix.columns.size();
           }
         return matrix;
       }

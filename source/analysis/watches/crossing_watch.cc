@@ -4,12 +4,9 @@
 #include <auxfem/mesh/segment.h>
 #include <auxfem/time/moment_text.h>
 
-#include <deal.II/base/mpi.h>
 #include <deal.II/numerics/rtree.h>
 
 #include <boost/iterator/function_output_iterator.hpp>
-#include <boost/serialization/set.hpp>
-#include <boost/serialization/utility.hpp>
 
 #include <algorithm>
 #include <limits>
@@ -46,12 +43,6 @@ namespace auxfem
     struct NearPairs
     {
       std::set<Pair> touching, crossing;
-
-      template <class Archive>
-      void serialize(Archive &archive, const unsigned int /*version*/)
-      {
-        archive &touching &crossing;
-      }
     };
 
     /** What has happened to some pairs first, and to how many at most. */
@@ -414,14 +405,18 @@ namespace auxfem
       /** Of all ranks. Collective. */
       NearPairs pairs_of_all_ranks(const NearPairs &mine) const
       {
-        NearPairs all;
-        for (const NearPairs &part : dealii::Utilities::MPI::all_gather(
-               model.numbering.layout().communicator(),
-               mine))
-          {
-            all.touching.insert(part.touching.begin(), part.touching.end());
-            all.crossing.insert(part.crossing.begin(), part.crossing.end());
-          }
+        return {of_all(mine.touching), of_all(mine.crossing)};
+      }
+
+      std::set<Pair> of_all(const std::set<Pair> &mine) const
+      {
+        std::vector<unsigned int> ends;
+        for (const auto &[one, other] : mine)
+          ends.insert(ends.end(), {one, other});
+        ends = of_all_ranks(ends, model.numbering.layout().communicator());
+        std::set<Pair> all;
+        for (std::size_t i = 0; i < ends.size(); i += 2)
+          all.emplace(ends[i], ends[i + 1]);
         return all;
       }
 

@@ -1,0 +1,73 @@
+#include <auxfem/algebra/shared_work.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <iterator>
+#include <numeric>
+
+namespace auxfem
+{
+  ItemsOfRanks::ItemsOfRanks(const std::size_t n_mine,
+                             const MPI_Comm    communicator)
+    : sizes(dealii::Utilities::MPI::all_gather(communicator,
+                                               static_cast<int>(n_mine)))
+    , first(1, 0)
+    , communicator(communicator)
+  {
+    std::partial_sum(sizes.begin(), sizes.end(), std::back_inserter(first));
+  }
+
+  void ItemsOfRanks::gather(const void       *mine,
+                            const std::size_t size,
+                            void             *all) const
+  {
+    if (sizes.size() == 1)
+      {
+        std::copy_n(static_cast<const char *>(mine),
+                    size * n(),
+                    static_cast<char *>(all));
+        return;
+      }
+    // As bytes they might be more than MPI counts.
+    MPI_Datatype item;
+    MPI_Type_contiguous(static_cast<int>(size), MPI_BYTE, &item);
+    MPI_Type_commit(&item);
+    MPI_Allgatherv(
+      mine,
+      sizes[dealii::Utilities::MPI::this_mpi_process(communicator)],
+      item,
+      all,
+      sizes.data(),
+      first.data(),
+      item,
+      communicator);
+    MPI_Type_free(&item);
+  }
+
+  std::vector<std::string> texts_of_all_ranks(const std::string &mine,
+                                              const MPI_Comm     communicator)
+  {
+    const ItemsOfRanks letters(mine.size(), communicator);
+    std::string        all(letters.n(), ' ');
+    letters.gather(mine.data(), 1, all.data());
+    std::vector<std::string> texts;
+    for (unsigned int rank = 0; rank < letters.sizes.size(); ++rank)
+      texts.push_back(all.substr(letters.first[rank], letters.sizes[rank]));
+    return texts;
+  }
+
+  std::string text_of_rank(const unsigned int rank,
+                           std::string        text,
+                           const MPI_Comm     communicator)
+  {
+    text.resize(
+      dealii::Utilities::MPI::broadcast(communicator, text.size(), rank));
+    MPI_Bcast(text.data(),
+              static_cast<int>(text.size()),
+              MPI_CHAR,
+              static_cast<int>(rank),
+              communicator);
+    return text;
+  }
+} // namespace auxfem
