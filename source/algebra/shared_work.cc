@@ -18,6 +18,17 @@ namespace auxfem
     std::partial_sum(sizes.begin(), sizes.end(), std::back_inserter(first));
   }
 
+  ItemsOfRanks::ItemsOfRanks(const UnknownLayout &layout)
+    : first(1, 0)
+    , communicator(layout.communicator())
+  {
+    for (unsigned int rank = 0; rank < layout.n_ranks(); ++rank)
+      {
+        first.push_back(layout.first_of(rank + 1));
+        sizes.push_back(first[rank + 1] - first[rank]);
+      }
+  }
+
   void ItemsOfRanks::gather(const void       *mine,
                             const std::size_t size,
                             void             *all) const

@@ -5,6 +5,8 @@
 
 #include <deal.II/base/utilities.h>
 
+#include <algorithm>
+#include <cctype>
 #include <sstream>
 
 #include <nlohmann/json.hpp>
@@ -195,9 +197,16 @@ namespace auxfem
       std::string        result;
       for (std::string line; std::getline(lines, line);)
         {
-          const std::size_t colon = line.find(": ");
+          const std::size_t colon =
+            std::find_if_not(line.begin() +
+                               std::min<std::size_t>(2, line.size()),
+                             line.end(),
+                             [](const unsigned char c) {
+                               return std::isalnum(c) || c == '_';
+                             }) -
+            line.begin();
           const bool is_item = line.compare(0, 2, "  ") == 0 && colon > 2 &&
-            colon < line.find(' ', 2);
+            line.compare(colon, 2, ": ") == 0;
           result += is_item ? "- " + line.substr(2, colon - 2) + ": `" +
               line.substr(colon + 2) + '`'
                             : line;

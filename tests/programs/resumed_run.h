@@ -64,7 +64,7 @@ namespace auxfem
         // Open MPI would leave the others two seconds to come to an end.
         const std::string launcher = n_ranks == 1
           ? std::string("sh")
-          : AUXFEM_MPIRUN " --mca odls_base_sigkill_timeout 0 -n " +
+          : "OMPI_MCA_odls_base_sigkill_timeout=0 " AUXFEM_MPIRUN " -n " +
             std::to_string(n_ranks) + " sh";
         return run_program(
           {"sh",

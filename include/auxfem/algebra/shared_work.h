@@ -29,6 +29,9 @@ namespace auxfem
     /** Collective. @param n_mine number of items of this rank */
     ItemsOfRanks(std::size_t n_mine, MPI_Comm communicator);
 
+    /** Of the unknowns that each rank owns. */
+    explicit ItemsOfRanks(const UnknownLayout &layout);
+
     std::size_t n() const
     {
       return first.back();

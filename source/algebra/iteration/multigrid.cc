@@ -45,10 +45,8 @@ namespace auxfem
         : communicator(*Teuchos::rcp_dynamic_cast<const Teuchos::MpiComm<int>>(
                           matrix.getComm())
                           ->getRawMpiComm())
+        , rows_of_ranks(matrix.getNodeNumRows(), communicator)
       {
-        const ItemsOfRanks rows_of_ranks(matrix.getNodeNumRows(), communicator);
-        counts          = rows_of_ranks.sizes;
-        begins          = rows_of_ranks.first;
         const Rows rows = rows_of(matrix);
         for (const long long global : rows.globals)
           number.emplace(global, number.size());
@@ -75,17 +73,10 @@ namespace auxfem
       {
         const auto          data = right_side.getData(0);
         std::vector<double> all(layout->n_owned());
-        MPI_Allgatherv(data.get(),
-                       data.size(),
-                       MPI_DOUBLE,
-                       all.data(),
-                       counts.data(),
-                       begins.data(),
-                       MPI_DOUBLE,
-                       communicator);
+        rows_of_ranks.gather(data.get(), sizeof(double), all.data());
         elimination->reduce(all.data(), nullptr);
         elimination->expand(nullptr, all.data());
-        std::copy_n(all.begin() + begins[rank()],
+        std::copy_n(all.begin() + rows_of_ranks.first[rank()],
                     data.size(),
                     x.getDataNonConst(0).begin());
       }
@@ -155,8 +146,8 @@ namespace auxfem
       }
 
       MPI_Comm                          communicator;
+      ItemsOfRanks                      rows_of_ranks;
       std::map<long long, int>          number;
-      std::vector<int>                  begins, counts;
       std::unique_ptr<UnknownLayout>    layout;
       std::unique_ptr<Unknowns>         unknowns;
       std::unique_ptr<JointElimination> elimination;

@@ -1,3 +1,4 @@
+#include <auxfem/algebra/shared_work.h>
 #include <auxfem/equations/effects/strut_touch.h>
 #include <auxfem/equations/strut_proximity.h>
 
@@ -305,21 +306,8 @@ namespace auxfem
         const UnknownLayout &layout = model.numbering.layout();
         if (layout.n_ranks() == 1)
           return values;
-        std::vector<int> counts, firsts;
-        for (unsigned int rank = 0; rank < layout.n_ranks(); ++rank)
-          {
-            firsts.push_back(layout.first_of(rank));
-            counts.push_back(layout.first_of(rank + 1) - layout.first_of(rank));
-          }
         room.resize(layout.n_global());
-        MPI_Allgatherv(values.data(),
-                       layout.n_owned(),
-                       MPI_DOUBLE,
-                       room.data(),
-                       counts.data(),
-                       firsts.data(),
-                       MPI_DOUBLE,
-                       layout.communicator());
+        ItemsOfRanks(layout).gather(values.data(), sizeof(double), room.data());
         return room;
       }
 
