@@ -22,6 +22,7 @@ namespace auxfem
       static constexpr bool is_linear    = !large_rotation;
       static constexpr bool is_damped    = damped;
 
+      using Undamped  = PlaneBeam<order, large_rotation, false>;
       using Frame     = Beam2D::Frame;
       using Stiffness = Beam2D::Stiffness;
       template <class Number>

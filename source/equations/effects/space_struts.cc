@@ -8,6 +8,14 @@ namespace auxfem
 {
   namespace
   {
+    /** Of an element. */
+    template <class Number>
+    struct SpaceStiffness
+    {
+      Beam3D::StiffnessOf<Number> elastic;
+      Number                      damping_time; ///< s
+    };
+
     /** Beam3D for BeamForces. */
     template <int p, bool large_rotation, bool damped>
     struct SpaceBeam
@@ -18,18 +26,15 @@ namespace auxfem
       static constexpr bool is_linear    = !large_rotation;
       static constexpr bool is_damped    = damped;
 
-      using Frame = Beam3D::Frame;
+      using Undamped  = SpaceBeam<order, large_rotation, false>;
+      using Frame     = Beam3D::Frame;
+      using Stiffness = SpaceStiffness<double>;
       template <class Number>
-      struct StiffnessOf
-      {
-        Beam3D::StiffnessOf<Number> elastic;
-        Number                      damping_time; ///< s
-      };
-      using Stiffness = StiffnessOf<double>;
-      template <class Number>
-      using AtRestOf =
-        BeamAtRest<order, Beam3D::FrameOf<Number>, StiffnessOf<Number>, Number>;
-      using AtRest = AtRestOf<double>;
+      using AtRestOf = BeamAtRest<order,
+                                  Beam3D::FrameOf<Number>,
+                                  SpaceStiffness<Number>,
+                                  Number>;
+      using AtRest   = AtRestOf<double>;
       template <class Number>
       using MotionOf = std::conditional_t<large_rotation,
                                           RotatingMotion<p, damped, Number>,
@@ -380,7 +385,7 @@ namespace auxfem
 
       /** Section forces times the strains of others (J/m). */
       template <class Number>
-      static Number strain_product(const StiffnessOf<Number>     &stiffness,
+      static Number strain_product(const SpaceStiffness<Number>  &stiffness,
                                    const SectionForcesOf<Number> &forces,
                                    const SectionForcesOf<Number> &others)
       {
@@ -439,7 +444,7 @@ namespace auxfem
 
       template <class Number>
       static SectionForcesOf<Number>
-      forces(const StiffnessOf<Number>       &stiffness,
+      forces(const SpaceStiffness<Number>    &stiffness,
              const Beam3D::StrainsOf<Number> &strains)
       {
         const VectorOf<Number> force = Beam3D::section_force(stiffness.elastic,

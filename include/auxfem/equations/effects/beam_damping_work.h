@@ -15,7 +15,7 @@ namespace auxfem
   struct ViscousForces
   {
     /** @param mean_velocity of the step. */
-    ViscousForces(const BeamElements<Beam>                      &beams,
+    ViscousForces(const BeamElements<typename Beam::Undamped>   &beams,
                   const ElementBatch                            &batch,
                   const typename Beam::template AtRestOf<Lanes> &at_rest,
                   const State                                   &state,
@@ -51,11 +51,11 @@ namespace auxfem
     double of_forces = 0; ///< by the mean of the forces at both ends
   };
 
-  /** That of all beams counted by this rank. */
+  /** That of all beams counted by this rank, each a @p Beam. */
   template <class Beam>
-  DampingWork damping_work(const BeamElements<Beam> &beams,
-                           const Evaluation         &step,
-                           const StepMotion         &motion)
+  DampingWork damping_work(const BeamElements<typename Beam::Undamped> &beams,
+                           const Evaluation                            &step,
+                           const StepMotion                            &motion)
   {
     // Without inertia the rates at the end are those of the first step.
     const bool ends_alike =

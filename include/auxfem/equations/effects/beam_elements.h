@@ -10,7 +10,7 @@ namespace auxfem
 {
   /**
    * Elements of struts as beams of one kind, each by itself and several of them
-   * at a time. @p Beam is as in BeamForces.
+   * at a time. @p Beam is as in BeamForces, without damping.
    */
   template <class Beam>
   class BeamElements
@@ -115,13 +115,6 @@ namespace auxfem
     EachLane<const int *> unknowns(const ElementBatch &batch) const
     {
       return batch.each([&](const unsigned int e) { return unknowns(e); });
-    }
-
-    /** motion() of several elements. */
-    typename Beam::template MotionOf<Lanes> motion(const ElementBatch &batch,
-                                                   const State &state) const
-    {
-      return Beam::motion(numbering, unknowns(batch), state);
     }
 
     /** Adds tangents of the elements of @p batch. */

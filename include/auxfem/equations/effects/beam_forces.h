@@ -25,14 +25,15 @@ namespace auxfem
   /**
    * Internal forces of struts as beams of one kind. What depends on the
    * dimension and on the theory is in @p Beam, a class of static functions:
-   * `order`, `n_components`, `is_linear`, `is_damped`; types `AtRest` and
-   * `Motion` (of an element's nodes) of double, `AtRestOf<Lanes>` and
-   * `MotionOf<Lanes>` of several elements; functions `frame`,
-   * `stiffness`, `hold_shear`, `largest_stiffness` for the element at rest,
-   * `motion`, `internal_force`, `tangent_motion`, `tangent` for its forces,
-   * `geometric_tangent`, `elastic_forces`, `viscous_forces` (of several motions
-   * of the same positions) at its Gauss points, and `rotation`, `axes` for
-   * output, `strain_product` for energies. With large rotations it has a type
+   * `order`, `n_components`, `is_linear`, `is_damped`; types `Undamped`, the
+   * same without damping, `AtRest`, which both have in common, and `Motion` (of
+   * an element's nodes) of double, `AtRestOf<Lanes>` and `MotionOf<Lanes>` of
+   * several elements; functions `frame`, `stiffness`, `hold_shear`,
+   * `largest_stiffness` for the element at rest, `motion`, `internal_force`,
+   * `tangent_motion`, `tangent` for its forces, `geometric_tangent`,
+   * `elastic_forces`, `viscous_forces` (of several motions of the same
+   * positions) at its Gauss points, and `rotation`, `axes` for output,
+   * `strain_product` for energies. With large rotations it has a type
    * `StepStart`, what the iterations of a step have in common of several
    * elements, and functions `end_of_step`, `mean_force` and `mean_tangent`.
    *
@@ -40,16 +41,17 @@ namespace auxfem
    * elements at a time.
    */
   template <class Beam>
-  class BeamForces : public BeamSamples<Beam>
+  class BeamForces : public BeamSamples<typename Beam::Undamped>
   {
+    using Samples = BeamSamples<typename Beam::Undamped>;
+
   public:
     BeamForces(const Lattice              &lattice,
                const DofNumbering         &numbering,
                const DofNumbering::Group  &group,
                const std::vector<Section> &sections,
                const StrutModel           &model)
-      : BeamSamples<Beam>(
-          {lattice, numbering, group, sections, model.shear_flexibility})
+      : Samples({lattice, numbering, group, sections, model.shear_flexibility})
       , mean_forces(beams, model.high_frequency_damping)
     {}
 
@@ -93,11 +95,11 @@ namespace auxfem
       else
         beams.for_each_batch([&](const ElementBatch &batch) {
           Lanes      force[n];
-          const auto energy =
-            Beam::internal_force(beams.shape,
-                                 beams.at_rest(batch),
-                                 beams.motion(batch, evaluation.to),
-                                 force);
+          const auto energy = Beam::internal_force(
+            beams.shape,
+            beams.at_rest(batch),
+            Beam::motion(beams.numbering, beams.unknowns(batch), evaluation.to),
+            force);
           add_forces(batch, energy, force, residual, of_struts);
         });
     }
@@ -137,23 +139,16 @@ namespace auxfem
           SectionForces forces[order], before[order];
           for (unsigned int e = 0; e < beams.size(); ++e)
             {
-              const typename Beam::AtRest at_rest = beams.at_rest(e);
-              Beam::elastic_forces(beams.shape,
-                                   at_rest,
-                                   beams.motion(e, change.to),
-                                   forces);
-              Beam::elastic_forces(beams.shape,
-                                   at_rest,
-                                   beams.motion(e, change.from),
-                                   before);
+              this->elastic_forces(e, change.to, forces);
+              this->elastic_forces(e, change.from, before);
               for (int g = 0; g < order; ++g)
                 for (unsigned int k = 0; k < 6; ++k)
                   forces[g][k] = change.factor * (forces[g][k] - before[g][k]);
-              Beam::geometric_tangent(beams.shape,
-                                      at_rest,
-                                      beams.motion(e, change.state),
-                                      forces,
-                                      block);
+              Beam::Undamped::geometric_tangent(beams.shape,
+                                                beams.at_rest(e),
+                                                beams.motion(e, change.state),
+                                                forces,
+                                                block);
               matrix.add(beams.group.begin + e, block);
             }
         }
@@ -184,7 +179,7 @@ namespace auxfem
               return;
             }
           const DampingWork damping =
-            damping_work(beams, step, account.motion());
+            damping_work<Beam>(beams, step, account.motion());
           account.add_in_step(damping_entry, damping.lost);
           account.add_in_step(numerical_entry,
                               damping.of_forces - damping.lost);
@@ -233,10 +228,10 @@ namespace auxfem
     }
 
   private:
-    using BeamSamples<Beam>::beams;
+    using Samples::beams;
     static constexpr int order        = Beam::order;
     static constexpr int n_components = Beam::n_components;
-    static constexpr int n            = BeamElements<Beam>::n;
+    static constexpr int n            = n_components * (order + 1);
     /** Components of displacements, before those of rotations. */
     static constexpr int n_translations = n_components == 3 ? 2 : 3;
 
@@ -252,6 +247,24 @@ namespace auxfem
     static const BeamEnergy &energy_of(const EffectResults *results)
     {
       return static_cast<const BeamResults &>(*results).energy;
+    }
+
+    void viscous_forces(
+      [[maybe_unused]] const unsigned int e,
+      [[maybe_unused]] const State       &state,
+      [[maybe_unused]] SectionForces (&of_points)[order]) const override
+    {
+      if constexpr (Beam::is_damped)
+        {
+          const typename Beam::Motion motions[] = {
+            Beam::motion(beams.numbering, beams.unknowns(e), state)};
+          SectionForces of_motions[1][order];
+          Beam::viscous_forces(beams.shape,
+                               beams.at_rest(e),
+                               motions,
+                               of_motions);
+          std::copy_n(of_motions[0], order, of_points);
+        }
     }
 
     /** Adds the @p force of several elements, and enters what they do. */

@@ -20,11 +20,11 @@ namespace auxfem
   class BeamMeanForces
   {
   public:
-    using Starts = StepStarts<typename Beam::StepStart>;
+    using Elements = BeamElements<typename Beam::Undamped>;
+    using Starts   = StepStarts<typename Beam::StepStart>;
 
     /** @param high_frequency_damping as in StrutModel */
-    BeamMeanForces(const BeamElements<Beam> &beams,
-                   const double              high_frequency_damping)
+    BeamMeanForces(const Elements &beams, const double high_frequency_damping)
       : beams(beams)
       , high_frequency_damping(high_frequency_damping)
     {}
@@ -112,7 +112,7 @@ namespace auxfem
 
   private:
     static constexpr int order = Beam::order;
-    static constexpr int n     = BeamElements<Beam>::n;
+    static constexpr int n     = Elements::n;
     /** What the damping of high frequencies remembers of an element. */
     static constexpr int n_increments =
       Beam::is_linear ? n : order * Beam::n_components;
@@ -200,12 +200,14 @@ namespace auxfem
                       [[maybe_unused]] const HighFrequencyDamping &damping,
                       Lanes                                       *force) const
     {
-      using Motion              = typename Beam::template MotionOf<Lanes>;
-      const Motion start        = beams.motion(batch, step.from),
-                   end          = beams.motion(batch, step.to);
-      Motion     mean           = end;
-      const auto at_rest        = beams.at_rest(batch);
-      const auto internal_force = [&](const Motion &motion, Lanes *force) {
+      using Motion      = typename Beam::template MotionOf<Lanes>;
+      const auto motion = [&](const State &state) {
+        return Beam::motion(beams.numbering, beams.unknowns(batch), state);
+      };
+      const Motion start = motion(step.from), end = motion(step.to);
+      Motion       mean           = end;
+      const auto   at_rest        = beams.at_rest(batch);
+      const auto   internal_force = [&](const Motion &motion, Lanes *force) {
         return Beam::internal_force(beams.shape, at_rest, motion, force);
       };
       const Lanes strain = internal_force(end, force).strain;
@@ -231,8 +233,8 @@ namespace auxfem
       return {strain, step.dt * internal_force(mean, force).dissipation, taken};
     }
 
-    const BeamElements<Beam> &beams;
-    const double              high_frequency_damping;
+    const Elements &beams;
+    const double    high_frequency_damping;
     /** In State::history: increments of the last step, its length. */
     std::size_t first_increment = 0, length_of_step = 0;
   };

@@ -44,7 +44,7 @@ namespace auxfem
   };
 
   /** What output and watches ask of struts as beams of one kind. @p Beam is as in
-   * BeamForces. */
+   * BeamForces, without damping. */
   template <class Beam>
   class BeamSamples : public StrutForces
   {
@@ -69,13 +69,9 @@ namespace auxfem
       const unsigned int          e       = index(of_numbering);
       const typename Beam::AtRest at_rest = beams.at_rest(e);
       const typename Beam::Motion motion  = beams.motion(e, state);
-      SectionForces               elastic[order], viscous[1][order] = {};
+      SectionForces               elastic[order], viscous[order] = {};
       Beam::elastic_forces(beams.shape, at_rest, motion, elastic);
-      if constexpr (Beam::is_damped)
-        {
-          const typename Beam::Motion motions[] = {motion};
-          Beam::viscous_forces(beams.shape, at_rest, motions, viscous);
-        }
+      viscous_forces(e, state, viscous);
 
       std::vector<StrutPoint> points(n_points);
       for (unsigned int i = 0; i < n_points; ++i)
@@ -98,7 +94,7 @@ namespace auxfem
             for (unsigned int k = 0; k < 6; ++k)
               {
                 E[k] += H[g] * elastic[g][k];
-                V[k] += H[g] * viscous[0][g][k];
+                V[k] += H[g] * viscous[g][k];
               }
           for (unsigned int k = 0; k < 3; ++k)
             {
@@ -213,9 +209,27 @@ namespace auxfem
   protected:
     static constexpr int order = Beam::order;
 
+    /** Section forces without damping at the Gauss points of element @p e. */
+    void elastic_forces(const unsigned int e,
+                        const State       &state,
+                        SectionForces (&of_points)[order]) const
+    {
+      Beam::elastic_forces(beams.shape,
+                           beams.at_rest(e),
+                           beams.motion(e, state),
+                           of_points);
+    }
+
     const BeamElements<Beam> beams;
 
   private:
+    /** Section forces of damping at the Gauss points of element @p e, which are zero
+     * before; none without damping. */
+    virtual void viscous_forces(const unsigned int /*e*/,
+                                const State & /*state*/,
+                                SectionForces (&/*of_points*/)[order]) const
+    {}
+
     /** Number among the beams of an element of the numbering. */
     unsigned int index(const unsigned int of_numbering) const
     {
@@ -247,17 +261,6 @@ namespace auxfem
           result[d] +=
             N[a] * values[unknowns[BeamElements<Beam>::n_components * a + d]];
       return result;
-    }
-
-    /** At the Gauss points of element @p e. */
-    void elastic_forces(const unsigned int e,
-                        const State       &state,
-                        SectionForces (&of_points)[order]) const
-    {
-      Beam::elastic_forces(beams.shape,
-                           beams.at_rest(e),
-                           beams.motion(e, state),
-                           of_points);
     }
 
     /** As in ScaledMotion. */
