@@ -174,12 +174,19 @@ TEST(Checkpoint, APlaneLatticeWithConnectorsGoesOnFromIt)
 TEST(Checkpoint, FactorizationsAreThoseOfTheWholeRun)
 {
   // KLU keeps pivots of another matrix, and the symmetric part of a tangent
-  // may have been factorized in its place.
-  for (const char *solver : {"auto", "klu", "mumps", "gmres"})
+  // may have been factorized in its place. MUMPS on several ranks adds up what
+  // comes in as it comes in: its round-off differs from run to run.
+  std::vector<std::string> solvers = {"auto", "klu", "gmres"};
+  if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1)
+    solvers.emplace_back("mumps");
+  for (const std::string &solver : solvers)
     for (const char *scheme : {"newmark", "energy-momentum"})
-      compare_halves(star_with_everything(2, 2),
-                     {std::string("Time/Scheme=") + scheme,
-                      std::string("Solver/Type=") + solver});
+      {
+        SCOPED_TRACE(solver);
+        compare_halves(star_with_everything(2, 2),
+                       {std::string("Time/Scheme=") + scheme,
+                        "Solver/Type=" + solver});
+      }
 }
 
 TEST(Checkpoint, ALatticeInSpaceWithEverythingGoesOnFromIt)
