@@ -1,13 +1,9 @@
 #include <auxfem/algebra/joint_system.h>
 
-#include <deal.II/base/mpi.h>
-
 #include <algorithm>
 
 namespace auxfem
 {
-  namespace MPI = dealii::Utilities::MPI;
-
   namespace
   {
     /** All but what is eliminated, on whichever rank. Collective. */
@@ -28,11 +24,10 @@ namespace auxfem
     }
 
     /** Numbers of values by rank, a multiple of those of @p messages. */
-    template <class Messages>
-    std::map<unsigned int, std::size_t> sizes(const Messages   &messages,
-                                              const std::size_t factor)
+    SizesByRank sizes(const ListsByRank<int> &messages,
+                      const std::size_t       factor)
     {
-      std::map<unsigned int, std::size_t> n;
+      SizesByRank n;
       for (const auto &[rank, message] : messages)
         n[rank] = message.size() * factor;
       return n;
@@ -93,9 +88,9 @@ namespace auxfem
 
   void JointSystem::share_struts()
   {
-    UnknownLayout                           &layout = selection->layout;
-    std::map<unsigned int, std::vector<int>> unknowns;
-    std::size_t                              n_to_send = 0;
+    UnknownLayout   &layout = selection->layout;
+    ListsByRank<int> unknowns;
+    std::size_t      n_to_send = 0;
     for (const auto &[rank, neighbour] : neighbours)
       for (const std::size_t s : neighbour.struts)
         {
@@ -105,7 +100,7 @@ namespace auxfem
           n_to_send += n_ends * n_ends;
         }
     to_send.resize(n_to_send);
-    const auto of_others = MPI::some_to_some(layout.communicator(), unknowns);
+    const auto of_others = exchange_lists(unknowns, layout.communicator());
     blocks               = NeighbourExchange(layout.communicator(),
                                sizes(unknowns, n_ends),
                                sizes(of_others, n_ends));
@@ -121,12 +116,12 @@ namespace auxfem
 
   void JointSystem::share_ends()
   {
-    const UnknownLayout                     &layout = selection->layout;
-    std::map<unsigned int, std::vector<int>> globals;
+    const UnknownLayout &layout = selection->layout;
+    ListsByRank<int>     globals;
     for (const auto &[rank, neighbour] : neighbours)
       for (const int ghost : neighbour.ghosts)
         globals[rank].push_back(layout.global(ghost));
-    const auto of_others = MPI::some_to_some(layout.communicator(), globals);
+    const auto of_others = exchange_lists(globals, layout.communicator());
     ends_of_others       = NeighbourExchange(layout.communicator(),
                                        sizes(globals, 1),
                                        sizes(of_others, 1));

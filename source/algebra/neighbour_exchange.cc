@@ -2,49 +2,73 @@
 
 namespace auxfem
 {
-  NeighbourExchange::NeighbourExchange(
-    const MPI_Comm                             communicator,
-    const std::map<unsigned int, std::size_t> &sent,
-    const std::map<unsigned int, std::size_t> &received)
+  NeighbourExchange::NeighbourExchange(const MPI_Comm     communicator,
+                                       const SizesByRank &sent,
+                                       const SizesByRank &received)
     : communicator(communicator)
     , sent(sent)
     , received(received)
   {}
 
-  std::vector<double>
-  NeighbourExchange::exchange(const std::vector<double> &values) const
+  void NeighbourExchange::transfer(const void       *values,
+                                   const std::size_t size,
+                                   void             *comes) const
   {
-    constexpr int tag     = 0;
-    std::size_t   n_comes = 0;
-    for (const auto &[rank, n] : received)
-      n_comes += n;
-    std::vector<double>      comes(n_comes);
+    constexpr int tag = 0;
+    // As bytes they might be more than MPI counts.
+    MPI_Datatype item;
+    MPI_Type_contiguous(static_cast<int>(size), MPI_BYTE, &item);
+    MPI_Type_commit(&item);
     std::vector<MPI_Request> requests;
-    double                  *in = comes.data();
+    char                    *in = static_cast<char *>(comes);
     for (const auto &[rank, n] : received)
       {
         MPI_Irecv(in,
-                  n,
-                  MPI_DOUBLE,
-                  rank,
+                  static_cast<int>(n),
+                  item,
+                  static_cast<int>(rank),
                   tag,
                   communicator,
                   &requests.emplace_back());
-        in += n;
+        in += n * size;
       }
-    const double *out = values.data();
+    const char *out = static_cast<const char *>(values);
     for (const auto &[rank, n] : sent)
       {
         MPI_Isend(out,
-                  n,
-                  MPI_DOUBLE,
-                  rank,
+                  static_cast<int>(n),
+                  item,
+                  static_cast<int>(rank),
                   tag,
                   communicator,
                   &requests.emplace_back());
-        out += n;
+        out += n * size;
       }
-    MPI_Waitall(requests.size(), requests.data(), MPI_STATUSES_IGNORE);
-    return comes;
+    MPI_Waitall(static_cast<int>(requests.size()),
+                requests.data(),
+                MPI_STATUSES_IGNORE);
+    MPI_Type_free(&item);
+  }
+
+  SizesByRank sizes_from_others(const SizesByRank &sent,
+                                const MPI_Comm     communicator)
+  {
+    int n_ranks = 0;
+    MPI_Comm_size(communicator, &n_ranks);
+    std::vector<unsigned long> to(n_ranks), from(n_ranks);
+    for (const auto &[rank, n] : sent)
+      to[rank] = n;
+    MPI_Alltoall(to.data(),
+                 1,
+                 MPI_UNSIGNED_LONG,
+                 from.data(),
+                 1,
+                 MPI_UNSIGNED_LONG,
+                 communicator);
+    SizesByRank received;
+    for (int rank = 0; rank < n_ranks; ++rank)
+      if (from[rank] > 0)
+        received[rank] = from[rank];
+    return received;
   }
 } // namespace auxfem

@@ -1,3 +1,4 @@
+#include <auxfem/algebra/neighbour_exchange.h>
 #include <auxfem/algebra/row_migration.h>
 
 #include <algorithm>
@@ -6,8 +7,6 @@
 
 namespace auxfem
 {
-  namespace MPI = dealii::Utilities::MPI;
-
   RowMigration::RowMigration(const SparseMatrix &matrix,
                              const Unknowns     &unknowns)
     : old_layout(*matrix.layout)
@@ -54,14 +53,14 @@ namespace auxfem
 
   void RowMigration::number_rows()
   {
-    const MPI_Comm communicator = old_layout.communicator();
-    Parcels<int>   leaving;
+    const MPI_Comm   communicator = old_layout.communicator();
+    ListsByRank<int> leaving;
     for (unsigned int row = 0; row < target.size(); ++row)
       if (target[row] == old_layout.rank())
         kept.push_back(row);
       else
         leaving[target[row]].push_back(old_layout.global(row));
-    const Parcels<int> coming = MPI::some_to_some(communicator, leaving);
+    const ListsByRank<int> coming = exchange_lists(leaving, communicator);
 
     std::vector<int> of_others;
     for (const auto &[rank, globals] : coming)
@@ -71,8 +70,8 @@ namespace auxfem
                                                of_others);
     const UnknownLayout owned(communicator, kept.size() + of_others.size(), {});
 
-    Parcels<int> answers;
-    int          next = owned.first_of(owned.rank());
+    ListsByRank<int> answers;
+    int              next = owned.first_of(owned.rank());
     new_number.assign(old_layout.n_local(), 0);
     for (const int row : kept)
       new_number[row] = next++;
@@ -80,7 +79,7 @@ namespace auxfem
       for (unsigned int i = 0; i < globals.size(); ++i)
         answers[rank].push_back(next++);
     std::vector<int> departed;
-    for (const auto &[rank, numbers] : MPI::some_to_some(communicator, answers))
+    for (const auto &[rank, numbers] : exchange_lists(answers, communicator))
       for (unsigned int i = 0; i < numbers.size(); ++i)
         {
           new_number[old_layout.local(leaving[rank][i])] = numbers[i];
@@ -97,7 +96,7 @@ namespace auxfem
   void RowMigration::move_pattern(const SparseMatrix &matrix)
   {
     // Every row as its length and the new numbers of its columns.
-    Parcels<int> leaving;
+    ListsByRank<int> leaving;
     for (unsigned int row = 0; row < target.size(); ++row)
       {
         std::vector<int> &parcel = leaving[target[row]];
@@ -108,8 +107,8 @@ namespace auxfem
     std::vector<int> own;
     leaving[old_layout.rank()].swap(own);
     leaving.erase(old_layout.rank());
-    const Parcels<int> coming =
-      MPI::some_to_some(old_layout.communicator(), leaving);
+    const ListsByRank<int> coming =
+      exchange_lists(leaving, old_layout.communicator());
     for (const auto &[rank, parcel] : coming)
       own.insert(own.end(), parcel.begin(), parcel.end());
 
@@ -154,8 +153,8 @@ namespace auxfem
 
   void RowMigration::fill(const SparseMatrix &matrix)
   {
-    Parcels<double> leaving;
-    auto            position = order.begin();
+    ListsByRank<double> leaving;
+    auto                position = order.begin();
     for (unsigned int row = 0; row < target.size(); ++row)
       for (std::size_t i = matrix.first[row]; i < matrix.first[row + 1]; ++i)
         if (target[row] == old_layout.rank())
@@ -163,7 +162,7 @@ namespace auxfem
         else
           leaving[target[row]].push_back(matrix.entries[i]);
     for (const auto &[rank, entries] :
-         MPI::some_to_some(old_layout.communicator(), leaving))
+         exchange_lists(leaving, old_layout.communicator()))
       for (const double entry : entries)
         new_matrix->entries[*position++] = entry;
     new_matrix->is_symmetric = matrix.is_symmetric;

@@ -4,7 +4,6 @@
 #include <auxfem/algebra/sparse_matrix.h>
 #include <auxfem/algebra/unknowns.h>
 
-#include <map>
 #include <memory>
 
 namespace auxfem
@@ -41,10 +40,6 @@ namespace auxfem
     void come_back(const double *now, double *before) const;
 
   private:
-    /** Of a rank, by rank. */
-    template <typename T>
-    using Parcels = std::map<unsigned int, std::vector<T>>;
-
     void find_targets(const SparseMatrix &matrix, const Unknowns &unknowns);
     void number_rows();
     void move_pattern(const SparseMatrix &matrix);
