@@ -106,9 +106,7 @@ namespace auxfem
                                sizes(of_others, n_ends));
 
     // Joints at the far ends may be new to this rank.
-    std::vector<int> globals;
-    for (const auto &[rank, of_rank] : of_others)
-      globals.insert(globals.end(), of_rank.begin(), of_rank.end());
+    const std::vector<int> globals = one_after_the_other(of_others);
     layout.add_ghosts(globals);
     for (const int global : globals)
       received_unknowns.push_back(layout.local(global));
@@ -125,9 +123,8 @@ namespace auxfem
     ends_of_others       = NeighbourExchange(layout.communicator(),
                                        sizes(globals, 1),
                                        sizes(of_others, 1));
-    for (const auto &[rank, of_rank] : of_others)
-      for (const int global : of_rank)
-        received_ends.push_back(layout.local(global));
+    for (const int global : one_after_the_other(of_others))
+      received_ends.push_back(layout.local(global));
   }
 
   void JointSystem::make_unknowns(const Unknowns &all)

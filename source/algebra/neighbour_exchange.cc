@@ -1,5 +1,7 @@
 #include <auxfem/algebra/neighbour_exchange.h>
 
+#include <deal.II/base/mpi.h>
+
 namespace auxfem
 {
   NeighbourExchange::NeighbourExchange(const MPI_Comm     communicator,
@@ -16,16 +18,15 @@ namespace auxfem
   {
     constexpr int tag = 0;
     // As bytes they might be more than MPI counts.
-    MPI_Datatype item;
-    MPI_Type_contiguous(static_cast<int>(size), MPI_BYTE, &item);
-    MPI_Type_commit(&item);
+    const auto item =
+      dealii::Utilities::MPI::create_mpi_data_type_n_bytes(size);
     std::vector<MPI_Request> requests;
     char                    *in = static_cast<char *>(comes);
     for (const auto &[rank, n] : received)
       {
         MPI_Irecv(in,
                   static_cast<int>(n),
-                  item,
+                  *item,
                   static_cast<int>(rank),
                   tag,
                   communicator,
@@ -37,7 +38,7 @@ namespace auxfem
       {
         MPI_Isend(out,
                   static_cast<int>(n),
-                  item,
+                  *item,
                   static_cast<int>(rank),
                   tag,
                   communicator,
@@ -47,7 +48,6 @@ namespace auxfem
     MPI_Waitall(static_cast<int>(requests.size()),
                 requests.data(),
                 MPI_STATUSES_IGNORE);
-    MPI_Type_free(&item);
   }
 
   SizesByRank sizes_from_others(const SizesByRank &sent,

@@ -1,4 +1,3 @@
-#include <auxfem/algebra/neighbour_exchange.h>
 #include <auxfem/algebra/row_migration.h>
 
 #include <algorithm>
@@ -7,6 +6,19 @@
 
 namespace auxfem
 {
+  namespace
+  {
+    /** Of rows, each its length and as many numbers. */
+    SizesByRank n_entries(const ListsByRank<int> &rows)
+    {
+      SizesByRank n;
+      for (const auto &[rank, of_rank] : rows)
+        for (std::size_t i = 0; i < of_rank.size(); i += 1 + of_rank[i])
+          n[rank] += of_rank[i];
+      return n;
+    }
+  } // namespace
+
   RowMigration::RowMigration(const SparseMatrix &matrix,
                              const Unknowns     &unknowns)
     : old_layout(*matrix.layout)
@@ -62,9 +74,7 @@ namespace auxfem
         leaving[target[row]].push_back(old_layout.global(row));
     const ListsByRank<int> coming = exchange_lists(leaving, communicator);
 
-    std::vector<int> of_others;
-    for (const auto &[rank, globals] : coming)
-      of_others.insert(of_others.end(), globals.begin(), globals.end());
+    const std::vector<int> of_others = one_after_the_other(coming);
     arrivals = std::make_unique<UnknownLayout>(communicator,
                                                old_layout.n_owned(),
                                                of_others);
@@ -109,8 +119,11 @@ namespace auxfem
     leaving.erase(old_layout.rank());
     const ListsByRank<int> coming =
       exchange_lists(leaving, old_layout.communicator());
-    for (const auto &[rank, parcel] : coming)
-      own.insert(own.end(), parcel.begin(), parcel.end());
+    entries = NeighbourExchange(old_layout.communicator(),
+                                n_entries(leaving),
+                                n_entries(coming));
+    const std::vector<int> of_others = one_after_the_other(coming);
+    own.insert(own.end(), of_others.begin(), of_others.end());
 
     const int begin = returns->first_of(returns->rank()),
               end   = returns->first_of(returns->rank() + 1);
@@ -161,10 +174,8 @@ namespace auxfem
           new_matrix->entries[*position++] = matrix.entries[i];
         else
           leaving[target[row]].push_back(matrix.entries[i]);
-    for (const auto &[rank, entries] :
-         exchange_lists(leaving, old_layout.communicator()))
-      for (const double entry : entries)
-        new_matrix->entries[*position++] = entry;
+    for (const double entry : entries.exchange(one_after_the_other(leaving)))
+      new_matrix->entries[*position++] = entry;
     new_matrix->is_symmetric = matrix.is_symmetric;
   }
 

@@ -41,19 +41,17 @@ namespace auxfem
         return;
       }
     // As bytes they might be more than MPI counts.
-    MPI_Datatype item;
-    MPI_Type_contiguous(static_cast<int>(size), MPI_BYTE, &item);
-    MPI_Type_commit(&item);
+    const auto item =
+      dealii::Utilities::MPI::create_mpi_data_type_n_bytes(size);
     MPI_Allgatherv(
       mine,
       sizes[dealii::Utilities::MPI::this_mpi_process(communicator)],
-      item,
+      *item,
       all,
       sizes.data(),
       first.data(),
-      item,
+      *item,
       communicator);
-    MPI_Type_free(&item);
   }
 
   std::vector<std::string> texts_of_all_ranks(const std::string &mine,

@@ -64,6 +64,16 @@ namespace auxfem
   template <typename T>
   using ListsByRank = std::map<unsigned int, std::vector<T>>;
 
+  /** Those of all ranks, in the order of these. */
+  template <typename T>
+  std::vector<T> one_after_the_other(const ListsByRank<T> &lists)
+  {
+    std::vector<T> all;
+    for (const auto &[rank, list] : lists)
+      all.insert(all.end(), list.begin(), list.end());
+    return all;
+  }
+
   /** The lists that others have for this rank, of those that each has @p for_others.
    * Collective. deal.II's some_to_some() would compress them, which takes
    * longer than sending them. */
@@ -71,16 +81,12 @@ namespace auxfem
   ListsByRank<T> exchange_lists(const ListsByRank<T> &for_others,
                                 const MPI_Comm        communicator)
   {
-    SizesByRank    sent;
-    std::vector<T> values;
+    SizesByRank sent;
     for (const auto &[rank, list] : for_others)
-      {
-        sent[rank] = list.size();
-        values.insert(values.end(), list.begin(), list.end());
-      }
+      sent[rank] = list.size();
     const SizesByRank    received = sizes_from_others(sent, communicator);
-    const std::vector<T> comes =
-      NeighbourExchange(communicator, sent, received).exchange(values);
+    const std::vector<T> comes = NeighbourExchange(communicator, sent, received)
+                                   .exchange(one_after_the_other(for_others));
     ListsByRank<T> lists;
     auto           next = comes.begin();
     for (const auto &[rank, n] : received)

@@ -1,6 +1,7 @@
 #ifndef auxfem_algebra_row_migration_h
 #define auxfem_algebra_row_migration_h
 
+#include <auxfem/algebra/neighbour_exchange.h>
 #include <auxfem/algebra/sparse_matrix.h>
 #include <auxfem/algebra/unknowns.h>
 
@@ -57,6 +58,7 @@ namespace auxfem
     std::unique_ptr<UnknownLayout> new_layout;
     std::unique_ptr<Unknowns>      new_unknowns;
     std::unique_ptr<SparseMatrix>  new_matrix;
+    NeighbourExchange              entries; ///< of the rows that move
     /** Entry of the new matrix that the next one of all that come goes to. */
     std::vector<std::size_t> order;
   };

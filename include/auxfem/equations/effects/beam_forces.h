@@ -231,7 +231,7 @@ namespace auxfem
     using Samples::beams;
     static constexpr int order        = Beam::order;
     static constexpr int n_components = Beam::n_components;
-    static constexpr int n            = n_components * (order + 1);
+    static constexpr int n            = BeamMeanForces<Beam>::Elements::n;
     /** Components of displacements, before those of rotations. */
     static constexpr int n_translations = n_components == 3 ? 2 : 3;
 
