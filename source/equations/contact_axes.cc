@@ -92,12 +92,18 @@ namespace auxfem
   {
     const std::vector<Strut> &struts = model.lattice.struts;
     const ContactSections     sections(model, stiffness_factor);
-    std::vector<ContactAxis>  axes;
+    const auto                division_of = [&](const unsigned int s) {
+      return struts[s].is_rigid() ? StrutDivision{1, 1}
+                                                 : model.numbering.divisions()[s];
+    };
+    std::size_t n_axes = 0;
+    for (unsigned int s = 0; s < struts.size(); ++s)
+      n_axes += division_of(s).n_elements;
+    std::vector<ContactAxis> axes;
+    axes.reserve(n_axes);
     for (unsigned int s = 0; s < struts.size(); ++s)
       {
-        const StrutDivision division = struts[s].is_rigid()
-          ? StrutDivision{1, 1}
-          : model.numbering.divisions()[s];
+        const StrutDivision division = division_of(s);
         const double        n        = division.n_elements;
         for (unsigned int e = 0; e < division.n_elements; ++e)
           {

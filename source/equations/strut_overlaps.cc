@@ -32,19 +32,40 @@ namespace auxfem
         }
       return away;
     }
+
+    /** Those of a part and behind it that meet the box around the part. */
+    std::vector<unsigned int>
+    boxes_near(const std::vector<dealii::BoundingBox<3>> &boxes,
+               const std::array<std::size_t, 2>          &part)
+    {
+      std::vector<unsigned int> near;
+      if (part[0] == part[1])
+        return near;
+      dealii::BoundingBox<3> around = boxes[part[0]];
+      for (std::size_t a = part[0]; a < part[1]; ++a)
+        around.merge_with(boxes[a]);
+      for (std::size_t b = part[0]; b < boxes.size(); ++b)
+        if (boost::geometry::intersects(around, boxes[b]))
+          near.push_back(b);
+      return near;
+    }
   } // namespace
 
   std::vector<AxisPair>
   pairs_that_meet(const std::vector<dealii::BoundingBox<3>> &boxes,
                   const std::array<std::size_t, 2>          &part)
   {
-    const auto            tree = dealii::pack_rtree_of_indices(boxes);
+    const std::vector<unsigned int>     others = boxes_near(boxes, part);
+    std::vector<dealii::BoundingBox<3>> boxes_of_others;
+    for (const unsigned int b : others)
+      boxes_of_others.push_back(boxes[b]);
+    const auto            tree = dealii::pack_rtree_of_indices(boxes_of_others);
     std::vector<AxisPair> pairs;
     for (unsigned int a = part[0]; a < part[1]; ++a)
       tree.query(boost::geometry::index::intersects(boxes[a]),
-                 boost::make_function_output_iterator([&](const std::size_t b) {
-                   if (b > a)
-                     pairs.push_back({{a, static_cast<unsigned int>(b)}});
+                 boost::make_function_output_iterator([&](const std::size_t i) {
+                   if (others[i] > a)
+                     pairs.push_back({{a, others[i]}});
                  }));
     return pairs;
   }
