@@ -11,21 +11,17 @@ namespace auxfem
   namespace
   {
     /**
-     * Joints with more neighbours stay. With 3 the rest needs more iterations,
-     * with 6 it gets too dense.
+     * Joints with more neighbours stay. In the plane 10 cost no more than 4, as
+     * they leave half of the rows with as many entries (100 x 100 cells of
+     * prm/star-10x10.prm in statics), and what is left depends less on where
+     * elimination begins: 26 and 27 iterations on one and two ranks, 24 and 30
+     * with 4; begun in a random order, 60 x 60 cells take 30, with 4 they take
+     * 83. In space more than 4 cost iterations (16 cells a side on four ranks:
+     * 64 with 6, 49 with 4).
      */
-    constexpr unsigned int most_neighbours = 4;
-
-    /**
-     * The same for joints that were at the boundary between ranks. In the plane
-     * what is left among them has slender members, which multigrid meets with
-     * twice the iterations: prm/star-10x10.prm in statics with 60 x 60 cells on
-     * four ranks takes 50, 32, 26, 26 with 4, 5, 6, 8, on one rank 21. In space
-     * more than 4 cost iterations (16 cells a side on four ranks: 64 with 6).
-     */
-    unsigned int most_neighbours_at_boundary(const Unknowns &unknowns)
+    unsigned int most_neighbours(const Unknowns &unknowns)
     {
-      return unknowns.components.size() == 3 ? 6 : most_neighbours;
+      return unknowns.components.size() == 3 ? 10 : 4;
     }
 
     /** Rows that are eliminated faster than solved by iteration. */
@@ -61,7 +57,7 @@ namespace auxfem
       {
         stages[0].elimination =
           std::make_unique<JointElimination>(unknowns,
-                                             most_neighbours,
+                                             most_neighbours(unknowns),
                                              most_at_once);
       }
 
@@ -82,7 +78,7 @@ namespace auxfem
                       std::make_unique<RowMigration>(before.matrix(), rows);
                     stage.elimination = std::make_unique<JointElimination>(
                       stage.migration->unknowns(),
-                      most_neighbours_at_boundary(rows),
+                      most_neighbours(rows),
                       0);
                     stage.version = 0;
                   }

@@ -80,7 +80,7 @@ namespace auxfem
           {
             preconditioner = parameters.preconditioner == "ilu"
               ? make_incomplete_factorization(matrix)
-              : make_multigrid(matrix, rows);
+              : make_multigrid(matrix, rows, entries.is_symmetric);
           }
         // Belos, Ifpack2 and MueLu throw a break-down as std::logic_error or
         // std::runtime_error.

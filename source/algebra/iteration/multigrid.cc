@@ -1,12 +1,10 @@
-#include <auxfem/algebra/joint_elimination.h>
-#include <auxfem/algebra/shared_work.h>
-
-#include <deal.II/base/mpi.h>
+#include <auxfem/algebra/direct_solvers.h>
+#include <auxfem/algebra/joint_rows.h>
 
 #include <MueLu_CreateTpetraPreconditioner.hpp>
 #include <MueLu_SmootherBase.hpp>
 
-#include <limits>
+#include <algorithm>
 #include <map>
 #include <stdexcept>
 
@@ -30,55 +28,105 @@ namespace auxfem
                                              Map::local_ordinal_type,
                                              Map::global_ordinal_type,
                                              Map::node_type>;
-    using Smoother     = MueLu::SmootherBase<double>;
     using Utilities    = MueLu::Utilities<double>;
 
     /**
-     * Exact solution on the coarsest level, the same on all ranks: it is so
-     * small that all of them can have all of it. Amesos2, which MueLu would
-     * use, returns wrong solutions on several ranks (Trilinos 13.2, KLU2).
+     * The coarsest level, factorized by a direct solver of ours: Amesos2, which
+     * MueLu would use, returns wrong solutions on several ranks (Trilinos 13.2,
+     * KLU2).
      */
-    class CoarseSolver : public Smoother
+    class CoarsestLevel
     {
     public:
-      CoarseSolver(const TpetraMatrix &matrix, const unsigned int block_size)
-        : communicator(*Teuchos::rcp_dynamic_cast<const Teuchos::MpiComm<int>>(
-                          matrix.getComm())
-                          ->getRawMpiComm())
-        , rows_of_ranks(matrix.getNodeNumRows(), communicator)
+      /** Throws std::runtime_error if @p matrix is singular. Collective. */
+      CoarsestLevel(const TpetraMatrix &matrix, const bool is_symmetric)
+        : layout(make_layout(matrix))
       {
-        const Rows rows = rows_of(matrix);
-        for (const long long global : rows.globals)
-          number.emplace(global, number.size());
-        layout   = std::make_unique<UnknownLayout>(MPI_COMM_SELF,
-                                                 number.size(),
-                                                 std::vector<int>());
-        unknowns = std::make_unique<Unknowns>(*layout);
-        unknowns->positions =
-          std::make_shared<const std::vector<dealii::Point<3>>>();
-        unknowns->components.resize(block_size);
-        for (unsigned int row = 0; row < number.size(); ++row)
-          unknowns->joint[row] = row / block_size;
-        elimination = std::make_unique<JointElimination>(
-          *unknowns,
-          std::numeric_limits<unsigned int>::max(),
-          std::numeric_limits<std::size_t>::max());
-        if (!elimination->factorize(make_matrix(rows)))
-          throw std::runtime_error("the coarsest level is singular");
+        const SparseMatrix rows = take_rows(matrix, is_symmetric);
+        if (is_symmetric)
+          factors = make_cholmod(EliminationOrder::minimum_degree);
+        // CHOLMOD does not take every indefinite matrix.
+        if (!is_symmetric || !factorize(rows))
+          {
+            factors = make_klu(EliminationOrder::minimum_degree);
+            if (!factorize(rows))
+              throw std::runtime_error("the coarsest level is singular");
+          }
       }
+
+      /** Replaces the right-hand side @p x by the solution. Collective. */
+      void solve(double *x) const
+      {
+        factors->solve(x);
+      }
+
+    private:
+      /** MueLu numbers the rows of coarse levels rank by rank, as we do. */
+      static UnknownLayout make_layout(const TpetraMatrix &matrix)
+      {
+        const Map       &rows = *matrix.getRowMap();
+        std::vector<int> ghosts;
+        for (const auto global : matrix.getColMap()->getNodeElementList())
+          if (!rows.isNodeGlobalElement(global))
+            ghosts.push_back(global);
+        return UnknownLayout(
+          *Teuchos::rcp_dynamic_cast<const Teuchos::MpiComm<int>>(
+             matrix.getComm())
+             ->getRawMpiComm(),
+          matrix.getNodeNumRows(),
+          ghosts);
+      }
+
+      SparseMatrix take_rows(const TpetraMatrix &matrix,
+                             const bool          is_symmetric) const
+      {
+        const Map   &columns_of_ranks = *matrix.getColMap();
+        SparseMatrix rows(layout);
+        rows.is_symmetric = is_symmetric;
+        for (unsigned int row = 0; row < layout.n_owned(); ++row)
+          {
+            TpetraMatrix::local_inds_host_view_type columns;
+            TpetraMatrix::values_host_view_type     entries;
+            matrix.getLocalRowView(row, columns, entries);
+            std::map<int, double> sorted;
+            for (std::size_t i = 0; i < columns.extent(0); ++i)
+              sorted[layout.local(
+                columns_of_ranks.getGlobalElement(columns[i]))] = entries[i];
+            for (const auto &[column, entry] : sorted)
+              {
+                rows.columns.push_back(column);
+                rows.entries.push_back(entry);
+              }
+            rows.first[row + 1] = rows.columns.size();
+          }
+        return rows;
+      }
+
+      bool factorize(const SparseMatrix &rows)
+      {
+        return factors->analyse(rows) == FactorizationOutcome::done &&
+          factors->factorize(rows) == FactorizationOutcome::done;
+      }
+
+      const UnknownLayout           layout;
+      std::unique_ptr<DirectSolver> factors;
+    };
+
+    class CoarseSolver : public MueLu::SmootherBase<double>
+    {
+    public:
+      CoarseSolver(const TpetraMatrix &matrix, const bool is_symmetric)
+        : level(matrix, is_symmetric)
+      {}
 
       void Apply(XMultiVector       &x,
                  const XMultiVector &right_side,
                  const bool /*starts_at_zero*/) const override
       {
-        const auto          data = right_side.getData(0);
-        std::vector<double> all(layout->n_owned());
-        rows_of_ranks.gather(data.get(), sizeof(double), all.data());
-        elimination->reduce(all.data(), nullptr);
-        elimination->expand(nullptr, all.data());
-        std::copy_n(all.begin() + rows_of_ranks.first[rank()],
-                    data.size(),
-                    x.getDataNonConst(0).begin());
+        const auto data   = right_side.getData(0);
+        const auto values = x.getDataNonConst(0);
+        std::copy(data.begin(), data.end(), values.begin());
+        level.solve(values.getRawPtr());
       }
 
       std::size_t getNodeSmootherComplexity() const override
@@ -87,70 +135,7 @@ namespace auxfem
       }
 
     private:
-      struct Rows
-      {
-        std::vector<long long>   globals, columns;
-        std::vector<std::size_t> sizes;
-        std::vector<double>      entries;
-      };
-
-      unsigned int rank() const
-      {
-        return dealii::Utilities::MPI::this_mpi_process(communicator);
-      }
-
-      /** Of all ranks. Collective. */
-      Rows rows_of(const TpetraMatrix &matrix) const
-      {
-        Rows        rows;
-        const auto &row_map    = *matrix.getRowMap(),
-                   &column_map = *matrix.getColMap();
-        for (unsigned int row = 0; row < matrix.getNodeNumRows(); ++row)
-          {
-            TpetraMatrix::local_inds_host_view_type columns;
-            TpetraMatrix::values_host_view_type     entries;
-            matrix.getLocalRowView(row, columns, entries);
-            rows.globals.push_back(row_map.getGlobalElement(row));
-            rows.sizes.push_back(columns.extent(0));
-            for (std::size_t i = 0; i < columns.extent(0); ++i)
-              {
-                rows.columns.push_back(column_map.getGlobalElement(columns[i]));
-                rows.entries.push_back(entries[i]);
-              }
-          }
-        rows.globals = of_all_ranks(rows.globals, communicator);
-        rows.columns = of_all_ranks(rows.columns, communicator);
-        rows.sizes   = of_all_ranks(rows.sizes, communicator);
-        rows.entries = of_all_ranks(rows.entries, communicator);
-        return rows;
-      }
-
-      SparseMatrix make_matrix(const Rows &rows) const
-      {
-        SparseMatrix matrix(*layout);
-        unsigned int row  = 0;
-        std::size_t  next = 0;
-        for (const std::size_t size : rows.sizes)
-          {
-            std::map<int, double> sorted;
-            for (std::size_t i = 0; i < size; ++i, ++next)
-              sorted[number.at(rows.columns[next])] = rows.entries[next];
-            for (const auto &[column, entry] : sorted)
-              {
-                matrix.columns.push_back(column);
-                matrix.entries.push_back(entry);
-              }
-            matrix.first[++row] = matrix.columns.size();
-          }
-        return matrix;
-      }
-
-      MPI_Comm                          communicator;
-      ItemsOfRanks                      rows_of_ranks;
-      std::map<long long, int>          number;
-      std::unique_ptr<UnknownLayout>    layout;
-      std::unique_ptr<Unknowns>         unknowns;
-      std::unique_ptr<JointElimination> elimination;
+      const CoarsestLevel level;
     };
 
     RCP<TpetraVectors> make_near_null_space(const JointRows    &rows,
@@ -180,7 +165,7 @@ namespace auxfem
       list.set("verbosity", "none");
       list.set("multigrid algorithm", "sa");
       list.set("number of equations", static_cast<int>(block_size));
-      list.set("coarse: max size", 1000);
+      list.set("coarse: max size", block_size == 3 ? 3500 : 1000);
       list.set("coarse: type", "none");
       list.set("aggregation: max agg size", block_size == 3 ? 6 : 4);
       list.set("smoother: type", "CHEBYSHEV");
@@ -194,7 +179,8 @@ namespace auxfem
   } // namespace
 
   RCP<TpetraOperator> make_multigrid(const RCP<TpetraMatrix> &matrix,
-                                     const JointRows         &rows)
+                                     const JointRows         &rows,
+                                     const bool               is_symmetric)
   {
     ParameterList list = settings(rows.block_size());
     list.sublist("user data")
@@ -203,10 +189,10 @@ namespace auxfem
       MueLu::CreateTpetraPreconditioner(RCP<TpetraOperator>(matrix), list);
     auto  &hierarchy = *multigrid->GetHierarchy();
     Level &coarsest  = *hierarchy.GetLevel(hierarchy.GetNumLevels() - 1);
-    const RCP<Smoother> solver =
+    const RCP<MueLu::SmootherBase<double>> solver =
       rcp(new CoarseSolver(*Utilities::Op2NonConstTpetraCrs(
                              coarsest.Get<RCP<XMatrix>>("A")),
-                           rows.block_size()));
+                           is_symmetric));
     coarsest.Set("PreSmoother", solver, MueLu::NoFactory::get());
     return multigrid;
   }

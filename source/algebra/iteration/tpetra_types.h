@@ -21,12 +21,13 @@ namespace auxfem
 
   /**
    * Smoothed aggregation (MueLu) with the rigid-body motions of @p rows as near
-   * null space and an exact solution on the coarsest level. Throws if that is
-   * singular.
+   * null space and a direct solver on the coarsest level. Throws if that is
+   * singular. Collective.
    */
   Teuchos::RCP<TpetraOperator>
   make_multigrid(const Teuchos::RCP<TpetraMatrix> &matrix,
-                 const JointRows                  &rows);
+                 const JointRows                  &rows,
+                 bool                              is_symmetric);
 
   /**
    * ILU(1) (Ifpack2), on several ranks with one layer of overlap. Throws if it
