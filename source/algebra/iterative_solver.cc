@@ -15,10 +15,9 @@ namespace auxfem
      * they leave half of the rows with as many entries (100 x 100 cells of
      * prm/star-10x10.prm in statics), and what is left depends less on where
      * elimination begins: 26 and 27 iterations on one and two ranks, 24 and 30
-     * with 4 (the coarsest level of 1000 rows at most); begun in a random
-     * order, 60 x 60 cells take 30, with 4 they take
-     * 83. In space more than 4 cost iterations (16 cells a side on four ranks:
-     * 64 with 6, 49 with 4).
+     * with 4 (1000 rows at most on the coarsest level); begun in a random
+     * order, 60 x 60 cells take 30, with 4 they take 83. In space more than 4
+     * cost iterations (16 cells a side on four ranks: 64 with 6, 49 with 4).
      */
     unsigned int most_neighbours(const Unknowns &unknowns)
     {

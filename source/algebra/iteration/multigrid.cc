@@ -19,15 +19,14 @@ namespace auxfem
     using Teuchos::rcp;
 
     using Level        = MueLu::Level;
-    using Map          = TpetraMatrix::map_type;
     using XMatrix      = Xpetra::Matrix<double,
-                                   Map::local_ordinal_type,
-                                   Map::global_ordinal_type,
-                                   Map::node_type>;
+                                   TpetraMap::local_ordinal_type,
+                                   TpetraMap::global_ordinal_type,
+                                   TpetraMap::node_type>;
     using XMultiVector = Xpetra::MultiVector<double,
-                                             Map::local_ordinal_type,
-                                             Map::global_ordinal_type,
-                                             Map::node_type>;
+                                             TpetraMap::local_ordinal_type,
+                                             TpetraMap::global_ordinal_type,
+                                             TpetraMap::node_type>;
     using Utilities    = MueLu::Utilities<double>;
 
     /**
@@ -64,7 +63,7 @@ namespace auxfem
       /** MueLu numbers the rows of coarse levels rank by rank, as we do. */
       static UnknownLayout make_layout(const TpetraMatrix &matrix)
       {
-        const Map       &rows = *matrix.getRowMap();
+        const TpetraMap &rows = *matrix.getRowMap();
         std::vector<int> ghosts;
         for (const auto global : matrix.getColMap()->getNodeElementList())
           if (!rows.isNodeGlobalElement(global))
@@ -80,8 +79,8 @@ namespace auxfem
       SparseMatrix take_rows(const TpetraMatrix &matrix,
                              const bool          is_symmetric) const
       {
-        const Map   &columns_of_ranks = *matrix.getColMap();
-        SparseMatrix rows(layout);
+        const TpetraMap &columns_of_ranks = *matrix.getColMap();
+        SparseMatrix     rows(layout);
         rows.is_symmetric = is_symmetric;
         for (unsigned int row = 0; row < layout.n_owned(); ++row)
           {
@@ -154,10 +153,14 @@ namespace auxfem
      * Chebyshev smoothing does the same on any number of ranks. With MueLu's
      * own bounds of eigenvalues conjugate gradients break down. Aggregates of
      * at most 6 joints instead of 4 cost a quarter less a solution in the plane
-     * (60 x 60 cells of prm/star-10x10.prm in statics: 21 iterations either
-     * way), in space a seventh more iterations (prm/lattice-3d.prm, 6 cells a
-     * side, four ranks: 38 and 34). Keeping the hierarchy's structure for the
-     * next matrix was measured and saves a tenth of a factorization at most.
+     * (60 x 60 cells of prm/star-10x10.prm in statics, joints with up to 4
+     * neighbours eliminated: 21 iterations either way), in space a seventh more
+     * iterations (prm/lattice-3d.prm, 6 cells a side, four ranks: 38 and 34). A
+     * larger coarsest level in the plane saves a level that costs iterations
+     * (200 x 200 cells on one and two ranks: 27 and 28 with 4000 rows at most,
+     * 32 and 34 with 1000); in space its factors would be dense. Keeping the
+     * hierarchy's structure for the next matrix was measured and saves a tenth
+     * of a factorization at most.
      */
     ParameterList settings(const unsigned int block_size)
     {
