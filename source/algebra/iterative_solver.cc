@@ -30,9 +30,21 @@ namespace auxfem
     /**
      * Eliminations one after the other on several ranks, rows moving between
      * ranks before each: the second has the joints that were at the boundary,
-     * the third those where more than two ranks meet.
+     * the third those where more than two ranks meet. Further ones follow only
+     * while multipliers are left, with which no matrix is definite.
      */
-    constexpr unsigned int most_stages = 3;
+    constexpr unsigned int usual_stages = 3;
+
+    /** On any rank. Collective. */
+    bool has_multipliers(const Unknowns &unknowns)
+    {
+      const auto first = unknowns.kinds.begin();
+      const bool mine =
+        std::find(first,
+                  first + unknowns.layout.n_owned(),
+                  UnknownKind::multiplier) != first + unknowns.layout.n_owned();
+      return unknowns.layout.largest(mine ? 1. : 0.) > 0;
+    }
 
     /** Rows that come from elsewhere, and what elimination makes of them. */
     struct Stage
@@ -52,7 +64,7 @@ namespace auxfem
     {
       Parts(const SolverParameters &parameters, const Unknowns &unknowns)
         : layout(unknowns.layout)
-        , stages(std::min(layout.n_ranks(), most_stages))
+        , stages(std::min(layout.n_ranks(), usual_stages))
         , krylov(load_krylov_solver(parameters))
       {
         stages[0].elimination =
@@ -89,6 +101,9 @@ namespace auxfem
               return false;
             is_new = is_new || stage.version != stage.elimination->version();
             stage.version = stage.elimination->version();
+            if (is_new && s + 1 == stages.size() && s + 1 < layout.n_ranks() &&
+                has_multipliers(stage.rows().as_unknowns()))
+              stages.emplace_back();
           }
         has_new_pattern = has_new_pattern || is_new;
         return true;
@@ -164,13 +179,14 @@ namespace auxfem
           return FactorizationOutcome::not_finite;
         if (!parts->eliminate(matrix))
           return FactorizationOutcome::singular;
+        n_negative_eliminated        = count_negative(matrix);
         const JointElimination &left = parts->last();
         if (left.rows().layout().n_global() == 0)
           return FactorizationOutcome::done;
         const bool is_made     = parts->krylov->factorize(left.matrix(),
                                                       left.rows(),
                                                       parts->has_new_pattern,
-                                                      may_be_definite(matrix));
+                                                      may_be_definite());
         parts->has_new_pattern = !is_made;
         return is_made ? FactorizationOutcome::done
                        : FactorizationOutcome::singular;
@@ -206,29 +222,48 @@ namespace auxfem
         return std::nullopt;
       }
 
+      std::optional<unsigned long> n_negative_at_least() override
+      {
+        // Multipliers that are not eliminated have theirs in what is left.
+        if (!n_negative_eliminated || *n_negative_eliminated < 0)
+          return std::nullopt;
+        if (*n_negative_eliminated > 0 ||
+            parts->last().rows().layout().n_global() == 0)
+          return *n_negative_eliminated;
+        return parts->krylov->n_negative();
+      }
+
       std::optional<int> determinant_sign() const override
       {
         return std::nullopt;
       }
 
     private:
-      /** Whether all that is eliminated allows conjugate gradients. */
-      bool may_be_definite(const SparseMatrix &matrix) const
+      /** Negative pivots of all that is eliminated beyond one a multiplier;
+       * nothing if @p matrix is not symmetric. */
+      std::optional<long> count_negative(const SparseMatrix &matrix) const
       {
-        // Every multiplier makes one negative eigenvalue.
         double surplus = 0, n_unsymmetric = matrix.is_symmetric ? 0 : 1;
         for (const Stage &stage : parts->stages)
           surplus += stage.elimination->n_negative();
         surplus -= n_multipliers;
         const std::vector<double> sums =
           parts->layout.sum(std::vector<double>{surplus, n_unsymmetric});
-        return sums[0] <= 0 && sums[1] == 0;
+        return sums[1] == 0 ? std::optional(std::lround(sums[0]))
+                            : std::nullopt;
+      }
+
+      /** Whether all that is eliminated allows conjugate gradients. */
+      bool may_be_definite() const
+      {
+        return n_negative_eliminated && *n_negative_eliminated <= 0;
       }
 
       const SolverParameters parameters;
       std::unique_ptr<Parts> parts;
-      double                 n_multipliers = 0; ///< of this rank
-      unsigned long          n_before      = 0;
+      double                 n_multipliers = 0;     ///< of this rank
+      std::optional<long>    n_negative_eliminated; ///< see count_negative()
+      unsigned long          n_before = 0;
     };
   } // namespace
 

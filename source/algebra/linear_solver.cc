@@ -179,6 +179,22 @@ namespace auxfem
     return sum;
   }
 
+  std::optional<NegativeModes> LinearSolver::negative_modes()
+  {
+    const std::optional<Inertia> inner = condensation.inner_inertia();
+    if (current == nullptr || !why_failed.empty() || !inner)
+      return std::nullopt;
+    if (const std::optional<Inertia> all = inertia())
+      return NegativeModes{all->negative -
+                             std::min(all->negative, n_multipliers),
+                           false};
+    const std::optional<unsigned long> at_joints =
+      current->n_negative_at_least();
+    if (!at_joints)
+      return std::nullopt;
+    return NegativeModes{inner->negative + *at_joints, true};
+  }
+
   std::optional<int> LinearSolver::determinant_sign() const
   {
     if (current == nullptr || !why_failed.empty() || !serves_matrix)

@@ -27,7 +27,8 @@ namespace auxfem
                     const Vector                            &weight,
                     const std::function<bool(unsigned int)> &takes_part,
                     const unsigned int                       n_iterations,
-                    Vector                                  &mode)
+                    Vector                                  &mode,
+                    const std::function<bool(unsigned int)> &is_enough)
   {
     const UnknownLayout &layout        = solver.equations().unknowns().layout;
     const auto           restrict_mode = [&]() {
@@ -48,6 +49,8 @@ namespace auxfem
         restrict_mode();
         growth = layout.largest(largest_size(mode));
         solved = solved && std::isfinite(growth) && growth > 0;
+        if (solved && is_enough && is_enough(k + 1))
+          break;
       }
     if (!solved)
       return std::nullopt;

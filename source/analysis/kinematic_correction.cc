@@ -194,8 +194,8 @@ namespace auxfem
       watch->step(evaluation, results, solver);
     if (!factorize(evaluation, results))
       return;
-    if (const std::optional<Inertia> signs = solver.new_inertia())
-      unstable = unstable || signs->negative > 0;
+    if (const auto modes = solver.new_negative_modes())
+      unstable = unstable || modes->n > 0;
   }
 
   Vector KinematicCorrection::right_side(const State  &exact,

@@ -65,11 +65,14 @@ namespace auxfem
     refuse_overconstrained(stepper.solver(), solution.state);
     if (model.simulated.inertia && !scene.time.static_start)
       return;
-    refuse_mechanism(stepper.solver(),
-                     solution.state,
-                     scene.time.static_start
-                       ? std::nullopt
-                       : std::optional<double>(scene.time.step));
+    const bool is_tangent =
+      refuse_mechanism(stepper.solver(),
+                       solution.state,
+                       scene.time.static_start
+                         ? std::nullopt
+                         : std::optional<double>(scene.time.step));
+    if (is_tangent)
+      stepper.begin_with_factorization(solution.state);
   }
 
   void LatticeRun::prepare()

@@ -19,6 +19,17 @@ namespace auxfem
     /** The softest mode is found far sooner when it is that of a mechanism. */
     constexpr unsigned int n_mechanism_iterations = 6;
 
+    /**
+     * Of the softness after @p n iterations over that of the softest mode, at
+     * most: each takes the squares of what others have in a random start of
+     * @p n_unknowns, a millionth of their sum left to that mode, down by their
+     * softness squared.
+     */
+    double most_above_softest(const unsigned int n, const double n_unknowns)
+    {
+      return 2 * std::pow(1e6 * n_unknowns, 1. / (2 * n));
+    }
+
     [[noreturn]] void tell_mechanism(const LatticeModel &model,
                                      const Vector       &mode)
     {
@@ -45,16 +56,82 @@ namespace auxfem
              "held: move them, or use a scheme with inertia."
            : ""));
     }
+
+    /** Stiffness of each owned row's motion alone, for which that of a motion
+     * is soft or not; multipliers have none. */
+    Vector stiffness_by_rows(TangentSolver &solver)
+    {
+      const LatticeModel  &model     = solver.model();
+      const DofNumbering  &numbering = model.numbering;
+      const UnknownLayout &layout    = numbering.layout();
+      const Vector         diagonal  = solver.matrix().diagonal();
+      // A rank of a small lattice may have no unknown.
+      const double stiffest = layout.largest(
+        diagonal.empty() ? 0.
+                         : *std::max_element(diagonal.begin(), diagonal.end()));
+      const double length = model.mean_strut_length;
+      Vector       weight(diagonal);
+      for (unsigned int i = 0; i < layout.n_owned(); ++i)
+        // Multipliers carry no energy; G^T and G hold the mode to what rigid
+        // parts allow.
+        if (numbering.unknowns().kinds[i] == UnknownKind::multiplier)
+          weight[i] = 0;
+        // A row without any stiffness counts as the stiffest: its motion is
+        // then the softest of all.
+        else if (weight[i] <= 0)
+          weight[i] = (stiffest > 0 ? stiffest : 1.) *
+            (numbering.unknowns().is_rotation[i] ? length * length : 1.);
+      return weight;
+    }
+
+    /**
+     * Looks for the softest motion with a factorization of the matrix as it is;
+     * false if that is none, or one of a mechanism.
+     * @param shift that the matrix has beside the stiffness, on owned rows
+     */
+    bool resists_all_motions(TangentSolver &solver,
+                             const Vector  &weight,
+                             const Vector  &shift,
+                             Vector        &mode)
+    {
+      const DofNumbering  &numbering = solver.model().numbering;
+      const UnknownLayout &layout    = numbering.layout();
+      double               softness  = 0;
+      const auto           measure   = [&]() {
+        Vector image(layout.n_owned());
+        solver.matrix().multiply(mode.data(), image.data());
+        std::vector<double> sums(2, 0.);
+        for (unsigned int i = 0; i < layout.n_owned(); ++i)
+          {
+            sums[0] += mode[i] * (image[i] - shift[i] * mode[i]);
+            sums[1] += mode[i] * weight[i] * mode[i];
+          }
+        sums     = layout.sum(sums);
+        softness = sums[0] / sums[1];
+      };
+      const auto growth = inverse_iteration(
+        solver,
+        weight,
+        [&numbering](const unsigned int i) {
+          return numbering.unknowns().kinds[i] != UnknownKind::multiplier &&
+            numbering.unknowns().kinds[i] != UnknownKind::prescribed;
+        },
+        n_mechanism_iterations,
+        mode,
+        [&](const unsigned int n) {
+          measure();
+          return softness > softest * most_above_softest(n, layout.n_global());
+        });
+      return growth && softness > softest;
+    }
   } // namespace
 
-  void refuse_mechanism(TangentSolver              &solver,
+  bool refuse_mechanism(TangentSolver              &solver,
                         const State                &state,
                         const std::optional<double> first_step)
   {
-    const LatticeModel &model     = solver.model();
-    const DofNumbering &numbering = model.numbering;
-    if (numbering.unknowns().n_free() == 0)
-      return;
+    if (solver.model().numbering.unknowns().n_free() == 0)
+      return false;
     State             now        = state;
     EvaluationResults results    = solver.equations().make_results();
     const Evaluation  evaluation = first_step
@@ -64,53 +141,16 @@ namespace auxfem
     solver.assemble(evaluation,
                     results,
                     {1., first_step ? 1 / *first_step : 0., 0.});
-
-    const UnknownLayout &layout   = numbering.layout();
-    TangentMatrix       &matrix   = solver.matrix();
-    const Vector         diagonal = matrix.diagonal();
-    // A rank of a small lattice may have no unknown.
-    const double stiffest = layout.largest(
-      diagonal.empty() ? 0.
-                       : *std::max_element(diagonal.begin(), diagonal.end()));
-    const double length = model.mean_strut_length;
-    Vector       weight(diagonal), shift(diagonal.size(), 0.);
-    for (unsigned int i = 0; i < layout.n_owned(); ++i)
-      {
-        // Multipliers carry no energy; G^T and G hold the mode to what rigid
-        // parts allow.
-        if (numbering.unknowns().kinds[i] == UnknownKind::multiplier)
-          {
-            weight[i] = 0;
-            continue;
-          }
-        // A row without any stiffness counts as the stiffest: its motion is
-        // then the softest of all.
-        if (weight[i] <= 0)
-          weight[i] = (stiffest > 0 ? stiffest : 1.) *
-            (numbering.unknowns().is_rotation[i] ? length * length : 1.);
-        shift[i] = softest * weight[i];
-      }
-    matrix.add_to_diagonal(shift);
-
-    Vector     mode;
-    const auto growth = inverse_iteration(
-      solver,
-      weight,
-      [&](const unsigned int i) {
-        return numbering.unknowns().kinds[i] != UnknownKind::multiplier &&
-          numbering.unknowns().kinds[i] != UnknownKind::prescribed;
-      },
-      n_mechanism_iterations,
-      mode);
-    Vector image(layout.n_owned());
-    matrix.multiply(mode.data(), image.data());
-    double energy = 0, scale = 0;
-    for (unsigned int i = 0; i < layout.n_owned(); ++i)
-      {
-        energy += mode[i] * (image[i] - shift[i] * mode[i]);
-        scale += mode[i] * weight[i] * mode[i];
-      }
-    if (!growth || !(layout.sum(energy) > softest * layout.sum(scale)))
-      tell_mechanism(model, mode);
+    const Vector weight = stiffness_by_rows(solver);
+    Vector       mode, shift(weight.size(), 0.);
+    if (resists_all_motions(solver, weight, shift, mode))
+      return true;
+    // A singular matrix may have no factors, or any.
+    for (unsigned int i = 0; i < shift.size(); ++i)
+      shift[i] = softest * weight[i];
+    solver.matrix().add_to_diagonal(shift);
+    if (!resists_all_motions(solver, weight, shift, mode))
+      tell_mechanism(solver.model(), mode);
+    return false;
   }
 } // namespace auxfem

@@ -217,6 +217,13 @@ namespace auxfem
     if (!(again ? solver.factorize_again(exactness)
                 : solver.factorize(exactness)))
       return false;
+    take_factorization(evaluation, factors);
+    return true;
+  }
+
+  void Newton::take_factorization(const Evaluation     &evaluation,
+                                  const TangentFactors &factors)
+  {
     kept = Kept{evaluation.kind,
                 evaluation.dt,
                 factors,
@@ -228,7 +235,6 @@ namespace auxfem
     if (is_linear)
       solver.matrix().release();
 #endif
-    return true;
   }
 
   std::string Newton::iterate(const ImplicitScheme &scheme,

@@ -4,6 +4,8 @@
 #include <auxfem/parameters/errors.h>
 #include <auxfem/time/stopwatch.h>
 
+#include <utility>
+
 namespace auxfem
 {
   namespace
@@ -46,8 +48,8 @@ namespace auxfem
         outcome == FactorizationOutcome::too_large)
       throw ComputationError("No solution could be computed: " + solver.why() +
                              '.');
-    has_new_inertia = outcome == FactorizationOutcome::done;
-    return has_new_inertia;
+    is_new_factorization = outcome == FactorizationOutcome::done;
+    return is_new_factorization;
   }
 
   bool TangentSolver::solve(Vector &values)
@@ -70,17 +72,26 @@ namespace auxfem
   std::optional<Inertia> TangentSolver::new_inertia()
   {
     const Stopwatch watch(work.wall.factorize);
-    if (!has_new_inertia)
+    return std::exchange(is_new_factorization, false) ? solver.inertia()
+                                                      : std::nullopt;
+  }
+
+  std::optional<NegativeModes> TangentSolver::new_negative_modes()
+  {
+    const Stopwatch watch(work.wall.factorize);
+    if (!std::exchange(is_new_factorization, false))
       return std::nullopt;
-    has_new_inertia = false;
-    return solver.inertia();
+    const unsigned long                before = solver.n_iterations();
+    const std::optional<NegativeModes> modes  = solver.negative_modes();
+    work.linear_iterations += solver.n_iterations() - before;
+    return modes;
   }
 
   bool TangentSolver::factorize_again(const Exactness exactness)
   {
     const bool done = factorize(exactness);
     --work.factorizations;
-    has_new_inertia = false;
+    is_new_factorization = false;
     return done;
   }
 
@@ -97,7 +108,7 @@ namespace auxfem
       return;
     save_matrix(name, tangent, model().numbering, records);
     records.keep(name + factorization_record,
-                 {solver.is_exact() ? 1. : 0., has_new_inertia ? 1. : 0.});
+                 {solver.is_exact() ? 1. : 0., is_new_factorization ? 1. : 0.});
   }
 
   bool TangentSolver::resume(const std::string &name, const Records &records)
@@ -120,9 +131,9 @@ namespace auxfem
     resume_matrix(name, model().numbering, records, tangent);
     const std::vector<double> flags =
       records.values(name + factorization_record, 2);
-    const bool done = factorize_again(flags[0] != 0 ? Exactness::exact
+    const bool done      = factorize_again(flags[0] != 0 ? Exactness::exact
                                                     : Exactness::approximate);
-    has_new_inertia = flags[1] != 0;
+    is_new_factorization = flags[1] != 0;
     return done;
   }
 } // namespace auxfem

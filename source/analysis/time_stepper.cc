@@ -123,6 +123,17 @@ namespace auxfem
     solvers->newton.drop_factorization();
   }
 
+  void TimeStepper::begin_with_factorization(const State &rest)
+  {
+    State now = rest;
+    if (parameters.static_start)
+      solvers->newton.take_factorization(Evaluation::equilibrium(rest, now),
+                                         Equilibrium().factors(rest, 0.));
+    else
+      solvers->newton.take_factorization(evaluation_of(rest, parameters.step),
+                                         scheme.factors(rest, parameters.step));
+  }
+
   void TimeStepper::account_for_rates(Solution              &solution,
                                       const State           &before,
                                       const ConsistentRates *rates,

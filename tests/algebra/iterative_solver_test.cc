@@ -52,6 +52,20 @@ namespace
     return owned;
   }
 
+  /** Negative eigenvalues beyond one a multiplier. */
+  unsigned long n_negative_by_mumps(const BeamSystem &system)
+  {
+    const std::unique_ptr<DirectSolver> mumps = make_mumps();
+    EXPECT_EQ(mumps->analyse(*system.matrix), FactorizationOutcome::done);
+    EXPECT_EQ(mumps->factorize(*system.matrix), FactorizationOutcome::done);
+    const auto   first = system.unknowns->kinds.begin();
+    const double n_multipliers =
+      system.layout->sum(double(std::count(first,
+                                           first + system.layout->n_owned(),
+                                           UnknownKind::multiplier)));
+    return mumps->inertia()->negative - n_multipliers;
+  }
+
   /** Solves as often as a matrix changes; expects success. */
   std::vector<double> solve(LinearSolverMethod        &solver,
                             const BeamSystem          &system,
@@ -210,6 +224,64 @@ TEST(IterativeSolver, IndefiniteMatrices)
   solver->analyse(*system.matrix, *system.unknowns);
   const std::vector<double> b = system.loads(), x = solve(*solver, system, b);
   EXPECT_LT(system.residual(x, b), 1e-9);
+}
+
+TEST(IterativeSolver, TellsStableFromUnstable)
+{
+  struct Loads
+  {
+    unsigned int dimension, n_cells;
+    bool         has_rigid_struts;
+    /** Tensions of struts a little below and above the buckling load. */
+    double before, after;
+  };
+  for (const Loads &loads : {Loads{2, n_for_two_levels, true, -.421, -.4235},
+                             Loads{3, 5, false, -.0952, -.0957}})
+    for (const double tension : {loads.before, loads.after})
+      {
+        SCOPED_TRACE(tension);
+        const unsigned int n       = loads.n_cells;
+        const BeamLattice  lattice = star_lattice(loads.dimension, {{n, n, n}});
+        BeamOptions        options;
+        options.tension = tension;
+        for (unsigned int strut = 0;
+             loads.has_rigid_struts && strut < lattice.struts.size();
+             strut += 9)
+          options.rigid_struts.push_back(strut);
+        const BeamSystem    system(loads.dimension, lattice, options);
+        const unsigned long n_negative = n_negative_by_mumps(system);
+        EXPECT_EQ(n_negative > 0, tension == loads.after);
+
+        const std::unique_ptr<LinearSolverMethod> solver =
+          make_iterative_solver({});
+        solver->analyse(*system.matrix, *system.unknowns);
+        ASSERT_EQ(solver->factorize(*system.matrix),
+                  FactorizationOutcome::done);
+        const auto at_least = solver->n_negative_at_least();
+        ASSERT_TRUE(at_least);
+        EXPECT_EQ(*at_least > 0, n_negative > 0);
+        EXPECT_LE(*at_least, n_negative);
+      }
+}
+
+TEST(IterativeSolver, StabilityThatCannotBeTold)
+{
+  BeamOptions options;
+  options.follower = 3.;
+  const BeamSystem unsymmetric(2, plane, options);
+  const BeamSystem symmetric(2, star_lattice(2, {{24, 24, 1}}));
+  SolverParameters incomplete;
+  incomplete.preconditioner = "ilu";
+  for (const auto &[system, parameters] :
+       {std::make_pair(&unsymmetric, SolverParameters()),
+        {&symmetric, incomplete}})
+    {
+      const std::unique_ptr<LinearSolverMethod> solver =
+        make_iterative_solver(parameters);
+      solver->analyse(*system->matrix, *system->unknowns);
+      ASSERT_EQ(solver->factorize(*system->matrix), FactorizationOutcome::done);
+      EXPECT_FALSE(solver->n_negative_at_least());
+    }
 }
 
 TEST(IterativeSolver, OneOrderServesChangingEntries)

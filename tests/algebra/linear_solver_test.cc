@@ -173,7 +173,7 @@ TEST(LinearSolver, TypesThatKnowOneKindOfMatrixKeepToIt)
 
 TEST(LinearSolver, CountsEigenvaluesOfAllFreeUnknowns)
 {
-  for (const std::string type : {"auto", "mumps"})
+  for (const std::string type : {"auto", "mumps", "gmres"})
     for (const double shift : {0., 1., 1.2})
       for (NetworkShape shape : shapes(2, 0.))
         {
@@ -191,6 +191,14 @@ TEST(LinearSolver, CountsEigenvaluesOfAllFreeUnknowns)
           const unsigned long n_negative = n_negative_eigenvalues(free);
           // One for each constraint, if the rest is definite.
           EXPECT_EQ(n_negative == 2, shift == 0);
+          const std::optional<NegativeModes> modes = solver.negative_modes();
+          ASSERT_TRUE(modes);
+          EXPECT_EQ(modes->n > 0, n_negative > 2);
+          EXPECT_LE(modes->n, n_negative - 2);
+          if (type == "gmres")
+            continue;
+          EXPECT_EQ(modes->n, n_negative - 2);
+          EXPECT_FALSE(modes->is_least);
           const std::optional<Inertia> inertia = solver.inertia();
           ASSERT_TRUE(inertia);
           EXPECT_EQ(inertia->negative, n_negative);

@@ -129,6 +129,27 @@ TEST(StabilityWatch, SaysWhenAColumnBucklesInMotion)
   EXPECT_TRUE(below.empty()) << verdict_text(below);
 }
 
+TEST(StabilityWatch, LooksAtWhatIsSolvedByIterationToo)
+{
+  const std::vector<std::string> motion = {
+    "Time/Scheme=newmark",
+    "Time/Time step=2 ms",
+    "Time/End time=2",
+    "Loads/press/Force x=-40 * min(1, 10 * t)"};
+  for (const auto &overrides : {std::vector<std::string>(), motion})
+    {
+      const auto direct       = findings_of(column, overrides);
+      auto       by_iteration = overrides;
+      by_iteration.push_back("Solver/Type=gmres");
+      const auto found = findings_of(column, by_iteration);
+      ASSERT_EQ(direct.size(), 1u);
+      ASSERT_EQ(found.size(), 1u) << verdict_text(found);
+      EXPECT_EQ(found[0].verdict, Verdict::doubtful);
+      EXPECT_EQ(found[0].location, direct[0].location);
+      EXPECT_EQ(found[0].time, direct[0].time);
+    }
+}
+
 TEST(Watches, FindTheSameInRunsThatAreResumed)
 {
   const auto findings = [](const std::string              &text,

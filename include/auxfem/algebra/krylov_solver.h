@@ -6,6 +6,7 @@
 #include <auxfem/algebra/sparse_matrix.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace auxfem
@@ -41,6 +42,16 @@ namespace auxfem
      * equations were not solved; @p z is then the best that was found.
      */
     virtual std::string solve(const double *g, double *z) = 0;
+
+    /**
+     * Negative eigenvalues of a matrix that may be positive definite, see
+     * factorize(), at least: those of the coarsest level of multigrid, else 1
+     * if conjugate gradients find that it is not positive definite. They do, as
+     * they come to the solution for a random right-hand side, with a
+     * preconditioner that is positive definite. None if they do not come to it,
+     * or with another preconditioner.
+     */
+    virtual std::optional<unsigned long> n_negative() = 0;
 
     /** Of all solutions so far. */
     virtual unsigned long n_iterations() const = 0;

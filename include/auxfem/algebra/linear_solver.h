@@ -20,6 +20,14 @@ namespace auxfem
     approximate
   };
 
+  /** How many modes have a negative stiffness. */
+  struct NegativeModes
+  {
+    unsigned long n = 0;
+    /** There may be more, if there are any: iteration does not count all. */
+    bool is_least = false;
+  };
+
   /**
    * Solution of the linear equations A x = b of a TangentMatrix: what lies
    * inside struts is condensed, what is left at the joints solved directly or
@@ -57,6 +65,13 @@ namespace auxfem
      * does not tell: then one factorization by MUMPS.
      */
     std::optional<Inertia> inertia();
+
+    /**
+     * Negative eigenvalues beyond one a multiplier, of what inertia() is of:
+     * modes in which an equilibrium is unstable. None where the matrix is
+     * unsymmetric, or solved with ILU. Of multigrid it costs a solution.
+     */
+    std::optional<NegativeModes> negative_modes();
 
     /**
      * 1 or -1: sign of the determinant of the matrix of all free unknowns and

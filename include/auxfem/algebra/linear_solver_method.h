@@ -88,6 +88,16 @@ namespace auxfem
     /** Of the whole matrix; none where it is not known. */
     virtual std::optional<Inertia> inertia() const = 0;
 
+    /**
+     * Of a symmetric matrix whose inertia() is not known: negative eigenvalues
+     * beyond one a multiplier, at least so many, and none at all if 0; nothing
+     * where that cannot be told. Costs a solution. Collective.
+     */
+    virtual std::optional<unsigned long> n_negative_at_least()
+    {
+      return std::nullopt;
+    }
+
     /** Of the whole matrix, 1 or -1; none where it is not known. */
     virtual std::optional<int> determinant_sign() const = 0;
 

@@ -16,6 +16,7 @@ namespace auxfem
    * @param takes_part whether a local unknown is part of the mode; the others
    *   are zero
    * @param mode receives the last iterate, on local unknowns
+   * @param is_enough whether @p mode will do after so many iterations
    * @return by how much the last iteration has made the largest entry grow;
    *   nothing if A is singular
    */
@@ -24,7 +25,8 @@ namespace auxfem
                     const Vector                            &weight,
                     const std::function<bool(unsigned int)> &takes_part,
                     unsigned int                             n_iterations,
-                    Vector                                  &mode);
+                    Vector                                  &mode,
+                    const std::function<bool(unsigned int)> &is_enough = {});
 
   /**
    * Refuses a structure that can move without resistance, where equilibrium
@@ -34,8 +36,10 @@ namespace auxfem
    *
    * @param first_step length of the step (s) that viscosity resists in; none:
    *   it does not resist.
+   * @return whether the solver's factorization now is that of this stiffness,
+   *   as it is.
    */
-  void refuse_mechanism(TangentSolver        &solver,
+  bool refuse_mechanism(TangentSolver        &solver,
                         const State          &state,
                         std::optional<double> first_step);
 

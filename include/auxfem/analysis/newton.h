@@ -73,6 +73,11 @@ namespace auxfem
                  EvaluationResults    &results,
                  AddedEquation        *added = nullptr);
 
+    /** The solver has factorized the tangent of @p evaluation with @p factors.
+     */
+    void take_factorization(const Evaluation     &evaluation,
+                            const TangentFactors &factors);
+
     /** Forgets the factorization (the state jumped). */
     void drop_factorization()
     {

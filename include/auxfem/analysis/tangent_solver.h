@@ -75,11 +75,12 @@ namespace auxfem
       return solver.why();
     }
 
-    /**
-     * Inertia of the last factorization, as LinearSolver::inertia(); none if it
-     * has been asked for already. Collective.
-     */
-    std::optional<Inertia> new_inertia();
+    /** @name Of the last factorization, as LinearSolver has them; none if either
+     * has been asked for already. Collective. */
+    ///@{
+    std::optional<Inertia>       new_inertia();
+    std::optional<NegativeModes> new_negative_modes();
+    ///@}
 
     /** Which linear solver, its factorization. */
     const LinearSolver &linear_solver() const
@@ -119,7 +120,7 @@ namespace auxfem
     LinearSolver     solver;
     Work            &work;
     /** Whether new_inertia() has an answer. */
-    bool has_new_inertia = false;
+    bool is_new_factorization = false;
   };
 } // namespace auxfem
 

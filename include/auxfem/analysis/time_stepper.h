@@ -57,6 +57,12 @@ namespace auxfem
       return solvers->tangent;
     }
 
+    /**
+     * solver() has factorized the stiffness at rest, from which start() or the
+     * first step of the scene takes its first tangent.
+     */
+    void begin_with_factorization(const State &rest);
+
     /** Estimated error of all steps so far, relative, where steps follow it. */
     std::optional<double> estimated_error() const
     {

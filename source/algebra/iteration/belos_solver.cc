@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
 #include <sstream>
 
 #include <BelosBlockGmresSolMgr.hpp>
@@ -21,7 +22,6 @@ namespace auxfem
     using Global = Map::global_ordinal_type;
     using LinearProblem =
       Belos::LinearProblem<double, TpetraVectors, TpetraOperator>;
-    using Method = Belos::SolverManager<double, TpetraVectors, TpetraOperator>;
     using Gradients =
       Belos::PseudoBlockCGSolMgr<double, TpetraVectors, TpetraOperator>;
     using Gmres =
@@ -64,6 +64,7 @@ namespace auxfem
       {
         is_definite = may_be_definite;
         preconditioner.reset();
+        n_negative_in_it.reset();
         if (is_new_pattern)
           {
             row_map    = make_map(*entries.layout, entries.layout->n_owned());
@@ -78,9 +79,15 @@ namespace auxfem
         bool is_made = true;
         try
           {
-            preconditioner = parameters.preconditioner == "ilu"
-              ? make_incomplete_factorization(matrix)
-              : make_multigrid(matrix, rows, entries.is_symmetric);
+            if (parameters.preconditioner == "ilu")
+              preconditioner = make_incomplete_factorization(matrix);
+            else
+              {
+                const Multigrid multigrid =
+                  make_multigrid(matrix, rows, entries.is_symmetric);
+                preconditioner   = multigrid.cycle;
+                n_negative_in_it = multigrid.n_negative;
+              }
           }
         // Belos, Ifpack2 and MueLu throw a break-down as std::logic_error or
         // std::runtime_error.
@@ -109,12 +116,74 @@ namespace auxfem
         return failure;
       }
 
+      std::optional<unsigned long> n_negative() override
+      {
+        if (n_negative_in_it != 0)
+          return n_negative_in_it;
+        const bool has_converged = is_definite && solve_at_random();
+        if (!is_definite)
+          return 1;
+        return has_converged ? std::optional(0ul) : std::nullopt;
+      }
+
       unsigned long n_iterations() const override
       {
         return n_done;
       }
 
     private:
+      static RCP<ParameterList> settings(const unsigned int most,
+                                         const double       tolerance)
+      {
+        const auto list = rcp(new ParameterList);
+        list->set("Maximum Iterations", static_cast<int>(most));
+        list->set("Convergence Tolerance", tolerance);
+        return list;
+      }
+
+      /** Returns whether conjugate gradients get to @p tolerance of the
+       * right-hand side; that they find the matrix indefinite is noted. */
+      bool run_gradients(const RCP<LinearProblem> &problem,
+                         const unsigned int        most,
+                         const double              tolerance)
+      {
+        const auto list = settings(most, tolerance);
+        list->set("Residual Scaling", "Norm of RHS");
+        Gradients gradients(problem, list);
+        try
+          {
+            const bool has_converged = gradients.solve() == Belos::Converged;
+            n_done += gradients.getNumIters();
+            return has_converged;
+          }
+        // Belos::CGIterateFailure, where the matrix is not positive definite.
+        catch (const std::exception &)
+          {
+            is_definite = false;
+            return false;
+          }
+      }
+
+      /** Solves for some right-hand side of which no mode is missing; returns
+       * as run_gradients(). */
+      bool solve_at_random()
+      {
+        const auto right_side = rcp(new TpetraVectors(row_map, 1)),
+                   solution   = rcp(new TpetraVectors(row_map, 1));
+        {
+          std::mt19937 generator(1 + row_map->getMinGlobalIndex());
+          for (double &entry : right_side->getDataNonConst(0))
+            entry = 2. * generator() / generator.max() - 1;
+        }
+        const auto problem =
+          rcp(new LinearProblem(matrix, solution, right_side));
+        problem->setLeftPrec(preconditioner);
+        problem->setProblem();
+        // A mode has a thousandth of the right-hand side of a million unknowns.
+        constexpr double tolerance = 1e-8;
+        return run_gradients(problem, parameters.maximum_iterations, tolerance);
+      }
+
       std::string iterate(const RCP<TpetraVectors> &right_side,
                           const RCP<TpetraVectors> &solution,
                           const double              size)
@@ -132,7 +201,9 @@ namespace auxfem
         for (unsigned int i = 0; i <= n_refinements; ++i)
           {
             problem->setProblem();
-            n += run_method(problem, parameters.maximum_iterations - n);
+            const unsigned long before = n_done;
+            run_method(problem, parameters.maximum_iterations - n);
+            n += n_done - before;
             matrix->apply(*solution, residual);
             residual.update(1., *right_side, -1.);
             error = norm(residual);
@@ -145,46 +216,29 @@ namespace auxfem
         return failure_message(error / size, n);
       }
 
-      /** Returns the number of iterations, at most @p most. */
-      unsigned int run_method(const RCP<LinearProblem> &problem,
-                              const unsigned int        most)
+      /** Iterates @p most times at most. */
+      void run_method(const RCP<LinearProblem> &problem,
+                      const unsigned int        most)
       {
-        const auto list = rcp(new ParameterList);
-        list->set("Maximum Iterations", static_cast<int>(most));
-        list->set("Convergence Tolerance", parameters.tolerance);
-        RCP<Method> method;
         if (is_definite)
           {
-            list->set("Residual Scaling", "Norm of RHS");
-            method = rcp(new Gradients(problem, list));
-          }
-        else
-          {
-            list->set("Implicit Residual Scaling", "Norm of RHS");
-            list->set("Explicit Residual Scaling", "Norm of RHS");
-            list->set("Num Blocks",
-                      static_cast<int>(
-                        std::min(n_directions, parameters.maximum_iterations)));
-            list->set("Maximum Restarts", static_cast<int>(most));
-            method = rcp(new Gmres(problem, list));
-          }
-        try
-          {
-            method->solve();
-          }
-        // Conjugate gradients throw where the matrix is not positive definite.
-        catch (const std::exception &)
-          {
-            if (!is_definite)
-              throw;
-            is_definite = false;
+            run_gradients(problem, most, parameters.tolerance);
+            if (is_definite)
+              return;
             problem->setLeftPrec(Teuchos::null);
             problem->setRightPrec(preconditioner);
             problem->setProblem();
-            return run_method(problem, most);
           }
-        n_done += method->getNumIters();
-        return method->getNumIters();
+        const auto list = settings(most, parameters.tolerance);
+        list->set("Implicit Residual Scaling", "Norm of RHS");
+        list->set("Explicit Residual Scaling", "Norm of RHS");
+        list->set("Num Blocks",
+                  static_cast<int>(
+                    std::min(n_directions, parameters.maximum_iterations)));
+        list->set("Maximum Restarts", static_cast<int>(most));
+        Gmres gmres(problem, list);
+        gmres.solve();
+        n_done += gmres.getNumIters();
       }
 
       /** Residual that rounding leaves of any solution. */
@@ -214,7 +268,9 @@ namespace auxfem
       RCP<const Map>      row_map, column_map;
       RCP<TpetraMatrix>   matrix;
       RCP<TpetraOperator> preconditioner;
-      unsigned long       n_done = 0;
+      /** Negative eigenvalues of the preconditioner, where known. */
+      std::optional<unsigned long> n_negative_in_it;
+      unsigned long                n_done = 0;
     };
   } // namespace
 

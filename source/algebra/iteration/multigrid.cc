@@ -42,21 +42,30 @@ namespace auxfem
         : layout(make_layout(matrix))
       {
         const SparseMatrix rows = take_rows(matrix, is_symmetric);
-        if (is_symmetric)
-          factors = make_cholmod(EliminationOrder::minimum_degree);
+        factors = is_symmetric ? make_cholmod(EliminationOrder::minimum_degree)
+                               : make_klu(EliminationOrder::minimum_degree);
+        bool is_done = factorize(rows);
         // CHOLMOD does not take every indefinite matrix.
-        if (!is_symmetric || !factorize(rows))
+        if (!is_done && is_symmetric)
           {
-            factors = make_klu(EliminationOrder::minimum_degree);
-            if (!factorize(rows))
-              throw std::runtime_error("the coarsest level is singular");
+            factors = make_mumps();
+            is_done = factorize(rows);
           }
+        if (!is_done)
+          throw std::runtime_error("the coarsest level is singular");
       }
 
       /** Replaces the right-hand side @p x by the solution. Collective. */
       void solve(double *x) const
       {
         factors->solve(x);
+      }
+
+      /** Negative eigenvalues; KLU does not know them. */
+      std::optional<unsigned long> n_negative() const
+      {
+        const std::optional<Inertia> inertia = factors->inertia();
+        return inertia ? std::optional(inertia->negative) : std::nullopt;
       }
 
     private:
@@ -133,7 +142,6 @@ namespace auxfem
         return Teuchos::OrdinalTraits<std::size_t>::invalid();
       }
 
-    private:
       const CoarsestLevel level;
     };
 
@@ -181,22 +189,23 @@ namespace auxfem
     }
   } // namespace
 
-  RCP<TpetraOperator> make_multigrid(const RCP<TpetraMatrix> &matrix,
-                                     const JointRows         &rows,
-                                     const bool               is_symmetric)
+  Multigrid make_multigrid(const RCP<TpetraMatrix> &matrix,
+                           const JointRows         &rows,
+                           const bool               is_symmetric)
   {
     ParameterList list = settings(rows.block_size());
     list.sublist("user data")
       .set("Nullspace", make_near_null_space(rows, *matrix));
     const auto multigrid =
       MueLu::CreateTpetraPreconditioner(RCP<TpetraOperator>(matrix), list);
-    auto  &hierarchy = *multigrid->GetHierarchy();
-    Level &coarsest  = *hierarchy.GetLevel(hierarchy.GetNumLevels() - 1);
-    const RCP<MueLu::SmootherBase<double>> solver =
-      rcp(new CoarseSolver(*Utilities::Op2NonConstTpetraCrs(
-                             coarsest.Get<RCP<XMatrix>>("A")),
-                           is_symmetric));
-    coarsest.Set("PreSmoother", solver, MueLu::NoFactory::get());
-    return multigrid;
+    auto      &hierarchy = *multigrid->GetHierarchy();
+    Level     &coarsest  = *hierarchy.GetLevel(hierarchy.GetNumLevels() - 1);
+    const auto solver = rcp(new CoarseSolver(*Utilities::Op2NonConstTpetraCrs(
+                                               coarsest.Get<RCP<XMatrix>>("A")),
+                                             is_symmetric));
+    coarsest.Set("PreSmoother",
+                 RCP<MueLu::SmootherBase<double>>(solver),
+                 MueLu::NoFactory::get());
+    return {multigrid, solver->level.n_negative()};
   }
 } // namespace auxfem

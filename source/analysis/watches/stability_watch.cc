@@ -26,17 +26,6 @@ namespace auxfem
         , work(work)
       {}
 
-      /** How many negative eigenvalues there are beside those of constraints.
-       */
-      unsigned long beyond_constraints(const Inertia &inertia) const
-      {
-        const unsigned long n_constraints =
-          equations.model().numbering.constraints().n_multipliers();
-        return inertia.negative > n_constraints
-          ? inertia.negative - n_constraints
-          : 0;
-      }
-
       /** Of what the next tangents are. */
       void evaluate(const Evaluation &evaluation)
       {
@@ -48,18 +37,16 @@ namespace auxfem
         solver->residual(evaluation, results);
       }
 
-      /** That number of the tangent with @p factors; 0 if it cannot be told. */
-      unsigned long n_unstable(const Evaluation     &evaluation,
-                               const TangentFactors &factors)
+      /** Of the tangent with @p factors; none if they cannot be told. */
+      NegativeModes negative_modes(const Evaluation     &evaluation,
+                                   const TangentFactors &factors)
       {
         const std::string of_run = work.linear_solver;
         solver->assemble(evaluation, results, factors);
         const bool is_done = solver->factorize();
         work.linear_solver = of_run;
-        if (!is_done)
-          return 0;
-        const std::optional<Inertia> inertia = solver->new_inertia();
-        return inertia ? beyond_constraints(*inertia) : 0;
+        return is_done ? solver->new_negative_modes().value_or(NegativeModes{})
+                       : NegativeModes{};
       }
 
       /** Joint and component that move most in the softest mode of the tangent
@@ -157,8 +144,8 @@ namespace auxfem
     };
 
     /**
-     * Of equilibria: the negative eigenvalues of their stiffness are those of
-     * constraints while they are stable. Newton's factorization is of a state
+     * Of equilibria: no mode of their stiffness is negative while they are
+     * stable. Newton's factorization is of a state
      * on the way to the equilibrium; where it tells nothing new or nothing
      * good, the stiffness of the equilibrium itself is factorized.
      */
@@ -176,10 +163,9 @@ namespace auxfem
                 const EvaluationResults & /*results*/,
                 TangentSolver &newtons) override
       {
-        const std::optional<Inertia> on_the_way = newtons.new_inertia();
-        last = on_the_way && aside.beyond_constraints(*on_the_way) == 0
-          ? 0
-          : look_at(step);
+        const std::optional<NegativeModes> on_the_way =
+          newtons.new_negative_modes();
+        last = on_the_way && on_the_way->n == 0 ? 0 : look_at(step);
         most = std::max(most, last);
       }
 
@@ -189,8 +175,9 @@ namespace auxfem
           return {};
         std::ostringstream text;
         first.write(text);
-        text << "from there on up to " << most
-             << " modes of the stiffness are negative"
+        text << "from there on " << (is_least ? "at least " : "up to ") << most
+             << (most == 1 ? " mode of the stiffness is negative"
+                           : " modes of the stiffness are negative")
              << (last == 0 ? ", though not in the end" : "")
              << ". A real structure leaves such equilibria. Give a small "
                 "disturbance (a lateral load, an uneven shape) or compute with "
@@ -201,15 +188,17 @@ namespace auxfem
       void save(Records &records) const override
       {
         first.save(records);
-        records.keep(stability_record, {double(most), double(last)});
+        records.keep(stability_record,
+                     {double(most), double(last), is_least ? 1. : 0.});
       }
 
       void resume(const Records &records) override
       {
         first.resume(records);
-        const std::vector<double> values = records.values(stability_record, 2);
+        const std::vector<double> values = records.values(stability_record, 3);
         most                             = values[0];
         last                             = values[1];
+        is_least                         = values[2] != 0;
       }
 
     private:
@@ -221,16 +210,18 @@ namespace auxfem
         const Evaluation         again =
           Evaluation::static_step(step.from, end, step.dt);
         aside.evaluate(again);
-        const unsigned long n = aside.n_unstable(again, stiffness);
-        if (n > 0 && !first)
+        const NegativeModes modes = aside.negative_modes(again, stiffness);
+        is_least                  = is_least || modes.is_least;
+        if (modes.n > 0 && !first)
           first.note(end.time,
                      aside.location_of_softest_mode(again, stiffness));
-        return n;
+        return modes.n;
       }
 
       TangentAside  aside;
       FirstLoss     first;
       unsigned long most = 0, last = 0;
+      bool          is_least = false; ///< as NegativeModes
     };
 
     /**
@@ -322,7 +313,7 @@ namespace auxfem
         constexpr double       factor  = 2;
         constexpr unsigned int n_rates = 24;
         for (unsigned int i = 0;
-             i < n_rates && aside.n_unstable(instant, shifted(rate)) > 0;
+             i < n_rates && aside.negative_modes(instant, shifted(rate)).n > 0;
              ++i, rate *= factor)
           found = rate;
         if (found > 0 && !first)
