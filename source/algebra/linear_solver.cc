@@ -181,18 +181,21 @@ namespace auxfem
 
   std::optional<NegativeModes> LinearSolver::negative_modes()
   {
-    const std::optional<Inertia> inner = condensation.inner_inertia();
-    if (current == nullptr || !why_failed.empty() || !inner)
-      return std::nullopt;
     if (const std::optional<Inertia> all = inertia())
       return NegativeModes{all->negative -
                              std::min(all->negative, n_multipliers),
                            false};
+    if (const std::optional<int> sign = determinant_sign())
+      return NegativeModes{(*sign < 0) != (n_multipliers % 2 != 0) ? 1ul : 0ul,
+                           true};
+    const std::optional<Inertia> inner = condensation.inner_inertia();
+    if (current == nullptr || !why_failed.empty() || !inner)
+      return std::nullopt;
     const std::optional<unsigned long> at_joints =
       current->n_negative_at_least();
-    if (!at_joints)
-      return std::nullopt;
-    return NegativeModes{inner->negative + *at_joints, true};
+    return at_joints
+      ? std::optional(NegativeModes{inner->negative + *at_joints, true})
+      : std::nullopt;
   }
 
   std::optional<int> LinearSolver::determinant_sign() const

@@ -129,6 +129,28 @@ TEST(StabilityWatch, SaysWhenAColumnBucklesInMotion)
   EXPECT_TRUE(below.empty()) << verdict_text(below);
 }
 
+TEST(StabilityWatch, LooksAtLoadsThatFollowTheJointToo)
+{
+  // Of a load of which the part n turns with the tip: cos(k l) = -n / (1 - n)
+  // (Ziegler, Principles of Structural Stability); of n = 1/4 7.3 N.
+  const std::vector<std::string> partly_following = {
+    "Loads/press/Force x=-30 * t",
+    "Loads/press along the tip/Joints=1",
+    "Loads/press along the tip/Direction=follows the joint",
+    "Loads/press along the tip/Force x=-10 * t",
+    "Time/End time=0.25"};
+  const auto found = findings_of(column, partly_following);
+  ASSERT_EQ(found.size(), 1u) << verdict_text(found);
+  EXPECT_GE(found[0].time, 0.1825);
+  EXPECT_LE(found[0].time, 0.2);
+  EXPECT_NE(found[0].text.find("at least 1 mode"), std::string::npos)
+    << found[0].text;
+
+  auto below = partly_following;
+  below.push_back("Time/End time=0.18");
+  EXPECT_TRUE(findings_of(column, below).empty());
+}
+
 TEST(StabilityWatch, LooksAtWhatIsSolvedByIterationToo)
 {
   const std::vector<std::string> motion = {
