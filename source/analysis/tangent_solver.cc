@@ -84,6 +84,8 @@ namespace auxfem
     const unsigned long                before = solver.n_iterations();
     const std::optional<NegativeModes> modes  = solver.negative_modes();
     work.linear_iterations += solver.n_iterations() - before;
+    if (solver.n_iterations() > before)
+      ++work.linear_solutions;
     return modes;
   }
 
