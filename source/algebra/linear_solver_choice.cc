@@ -158,7 +158,7 @@ namespace auxfem
       return asked_for(parameters, equations);
 
     const std::string size = size_text(equations);
-    if (is_in_space(equations) &&
+    if (is_in_space(equations) && !parameters.needs_inertia &&
         equations.n_unknowns > iteration_limit * equations.n_ranks)
       return {LinearSolverType::iterative,
               "in space, " + size + ", the factors of which need more memory"};

@@ -30,6 +30,7 @@ namespace auxfem
       scene.time.relative_tolerance = std::nullopt;
       // Few iterations a point are what lets steps be long.
       scene.newton.keep_factorization = false;
+      scene.solver.needs_inertia      = true;
       scene.effects.inertia           = Switch::automatic;
       scene.effects.large_rotation    = Switch::on;
       scene.initial_velocities.clear();

@@ -245,6 +245,13 @@ namespace auxfem
                              "Effects/Large rotation = off: what buckles "
                              "turns. Set it to auto for Analysis = ",
                              name_of(scene.analysis)));
+      if (scene.analysis == Analysis::static_path &&
+          scene.solver.type == "gmres")
+        mistakes.add(
+          message(scene,
+                  "Solver/Type = gmres: the bifurcations of Analysis = static "
+                  "path are found by signs of eigenvalues, which iteration "
+                  "does not count. Set it to auto, mumps, klu or cholmod"));
       if (scene.analysis != Analysis::buckling || scene.context.dimension != 3)
         return;
       for (const JointDefinition &joint : scene.joints)

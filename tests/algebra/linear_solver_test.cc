@@ -327,6 +327,13 @@ TEST(LinearSolverChoice, DependsOnTheEquations)
   EXPECT_EQ(in_space(none, 5000), LinearSolverType::klu);
   EXPECT_EQ(in_space(none, 20000), LinearSolverType::mumps);
   EXPECT_EQ(in_space(given, 5000000), LinearSolverType::iterative);
+
+  SolverParameters with_inertia;
+  with_inertia.needs_inertia = true;
+  EquationsAtJoints many     = equations(given, 5000000, 0, 1);
+  many.n_components          = 6;
+  EXPECT_EQ(choose_linear_solver(with_inertia, many).type,
+            LinearSolverType::mumps);
 }
 
 TEST(LinearSolverChoice, FollowsTheUser)

@@ -201,6 +201,32 @@ TEST(StaticPath, WhatCannotBeFollowedIsRefused)
                               {"Discretization/Order=auto"});
                }),
                {"Discretization/Order = auto", "static path"});
+  expect_parts(input_error_of([] {
+                 FollowedPath(pressed_truss().str(), {"Solver/Type=gmres"});
+               }),
+               {"Solver/Type = gmres", "static path", "mumps"});
+}
+
+TEST(StaticPath, NoBifurcationIsMissedInSilence)
+{
+  // The load turns with the tip, and CHOLMOD has the symmetric part.
+  SceneText scene = static_frame("0 0; 0 1", "0 1");
+  scene.section({1e4, 1e4, 1})
+    .support("clamp", "0", "clamp")
+    .mesh(2, 2)
+    .load("turning", "1", {"0", "-5 * t", "0"})
+    .set("Loads/turning/Direction", "follows the joint")
+    .set("Solver/Type", "cholmod")
+    .time(1, 1);
+  try
+    {
+      FollowedPath path(scene.str());
+      ADD_FAILURE() << "The path was followed.";
+    }
+  catch (const ComputationError &error)
+    {
+      expect_parts(error.what(), {"not symmetric", "Solver/Type", "klu"});
+    }
 }
 
 TEST(StaticPath, ViscousProcessesHaveComeToRest)

@@ -16,6 +16,9 @@ namespace auxfem
     /** Of an iterative solution, relative to the right-hand side. */
     double       tolerance          = 1e-8;
     unsigned int maximum_iterations = 1000;
+    /** Of the analysis: `auto` takes no method that does not know
+     * LinearSolver::inertia() of symmetric matrices. */
+    bool needs_inertia = false;
   };
 
   /** `Solver`. */

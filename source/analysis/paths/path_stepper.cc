@@ -130,7 +130,15 @@ namespace auxfem
       return std::nullopt;
     evaluation.to.path->n_negative       = space.n_negative();
     evaluation.to.path->determinant_sign = space.determinant_sign();
-    auto response                        = load_response(solver, evaluation);
+    if (!evaluation.to.path->n_negative &&
+        !evaluation.to.path->determinant_sign)
+      throw ComputationError(
+        "The path of equilibria comes to loads under which the tangent is not "
+        "symmetric, and " +
+        solver.linear_solver().method() +
+        " takes its symmetric part: bifurcations would be missed. Set "
+        "Solver/Type to auto, klu or mumps.");
+    auto response = load_response(solver, evaluation);
     if (!response)
       return std::nullopt;
     double rate = 1 / of_path.length(*response);

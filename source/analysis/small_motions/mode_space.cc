@@ -60,7 +60,7 @@ namespace auxfem
   std::optional<unsigned long> ModeSpace::n_negative()
   {
     const std::optional<Inertia> inertia = solver.new_inertia();
-    if (!inertia)
+    if (!inertia || !solver.linear_solver().is_exact())
       return std::nullopt;
     const unsigned long of_constraints =
       solver.model().numbering.constraints().n_multipliers();
