@@ -181,16 +181,13 @@ namespace auxfem
 
   std::optional<NegativeModes> LinearSolver::negative_modes()
   {
+    const std::optional<Inertia> inner = condensation.inner_inertia();
+    if (current == nullptr || !why_failed.empty() || !inner)
+      return std::nullopt;
     if (const std::optional<Inertia> all = inertia())
       return NegativeModes{all->negative -
                              std::min(all->negative, n_multipliers),
                            false};
-    if (const std::optional<int> sign = determinant_sign())
-      return NegativeModes{(*sign < 0) != (n_multipliers % 2 != 0) ? 1ul : 0ul,
-                           true};
-    const std::optional<Inertia> inner = condensation.inner_inertia();
-    if (current == nullptr || !why_failed.empty() || !inner)
-      return std::nullopt;
     const std::optional<unsigned long> at_joints =
       current->n_negative_at_least();
     return at_joints

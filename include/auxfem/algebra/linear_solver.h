@@ -20,12 +20,11 @@ namespace auxfem
     approximate
   };
 
-  /** How many modes have a negative stiffness: real eigenvalues below zero. */
+  /** How many modes have a negative stiffness. */
   struct NegativeModes
   {
     unsigned long n = 0;
-    /** There may be more: of an unsymmetric matrix any even number, where it is
-     * solved by iteration if there are any. */
+    /** There may be more, if there are any: iteration does not count all. */
     bool is_least = false;
   };
 
@@ -69,10 +68,8 @@ namespace auxfem
 
     /**
      * Negative eigenvalues beyond one a multiplier, of what inertia() is of:
-     * modes in which an equilibrium is unstable. Of an unsymmetric matrix the
-     * sign of the determinant tells whether their number is odd. None where
-     * that is solved by iteration, or any with ILU. Of multigrid it costs a
-     * solution.
+     * modes in which an equilibrium is unstable. None where the matrix is
+     * unsymmetric, or solved with ILU. Of multigrid it costs a solution.
      */
     std::optional<NegativeModes> negative_modes();
 

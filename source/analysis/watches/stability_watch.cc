@@ -1,4 +1,5 @@
 #include <auxfem/analysis/inverse_iteration.h>
+#include <auxfem/analysis/small_motions/mode_space.h>
 #include <auxfem/analysis/watch.h>
 #include <auxfem/model/unknown_names.h>
 #include <auxfem/scene/time_function_notes.h>
@@ -37,16 +38,22 @@ namespace auxfem
         solver->residual(evaluation, results);
       }
 
-      /** Of the tangent with @p factors; none if they cannot be told. */
-      NegativeModes negative_modes(const Evaluation     &evaluation,
-                                   const TangentFactors &factors)
+      /** Of the tangent with @p factors, if they can be told. */
+      std::optional<NegativeModes> negative_modes(const Evaluation &evaluation,
+                                                  const TangentFactors &factors)
       {
         const std::string of_run = work.linear_solver;
         solver->assemble(evaluation, results, factors);
         const bool is_done = solver->factorize();
         work.linear_solver = of_run;
-        return is_done ? solver->new_negative_modes().value_or(NegativeModes{})
-                       : NegativeModes{};
+        return is_done ? solver->new_negative_modes() : std::nullopt;
+      }
+
+      /** One at least, if the determinant of that tangent tells it. */
+      NegativeModes negative_modes_by_determinant()
+      {
+        const std::optional<int> sign = ModeSpace(*solver).determinant_sign();
+        return {sign && *sign < 0 ? 1ul : 0ul, /*is_least=*/true};
       }
 
       /** Joint and component that move most in the softest mode of the tangent
@@ -210,12 +217,16 @@ namespace auxfem
         const Evaluation         again =
           Evaluation::static_step(step.from, end, step.dt);
         aside.evaluate(again);
-        const NegativeModes modes = aside.negative_modes(again, stiffness);
-        is_least                  = is_least || modes.is_least;
-        if (modes.n > 0 && !first)
+        auto modes = aside.negative_modes(again, stiffness);
+        // At an equilibrium the stiffness is not symmetric only where loads do
+        // not keep their direction.
+        if (!modes)
+          modes = aside.negative_modes_by_determinant();
+        is_least = is_least || modes->is_least;
+        if (modes->n > 0 && !first)
           first.note(end.time,
                      aside.location_of_softest_mode(again, stiffness));
-        return modes.n;
+        return modes->n;
       }
 
       TangentAside  aside;
@@ -313,13 +324,19 @@ namespace auxfem
         constexpr double       factor  = 2;
         constexpr unsigned int n_rates = 24;
         for (unsigned int i = 0;
-             i < n_rates && aside.negative_modes(instant, shifted(rate)).n > 0;
+             i < n_rates && is_unstable(instant, shifted(rate));
              ++i, rate *= factor)
           found = rate;
         if (found > 0 && !first)
           first.note(at_rest.time,
                      aside.location_of_softest_mode(instant, shifted(found)));
         return found;
+      }
+
+      bool is_unstable(const Evaluation &instant, const TangentFactors &factors)
+      {
+        const auto modes = aside.negative_modes(instant, factors);
+        return modes && modes->n > 0;
       }
 
       TangentAside  aside;
