@@ -30,6 +30,10 @@ namespace auxfem
      * serves. */
     constexpr double kept_reduction = 0.3;
 
+    /** Of the error, by which it may still change for its stiffness to tell
+     * whether a state is stable. */
+    constexpr double near = 0.5;
+
     /** Looks are for motions that are larger than all before by a quarter,
      * unless little is missing. */
     constexpr double larger = 1.25, little = 0.3;
@@ -148,11 +152,13 @@ namespace auxfem
                                  const EvaluationOf &evaluation_of,
                                  const Vector       &left)
   {
-    const LatticeModel &model   = solver.model();
-    const double        size    = size_of(model, motion.displacement);
-    double              before  = std::numeric_limits<double>::infinity();
-    EvaluationResults   results = solver.equations().make_results();
-    largest_motion              = std::max(largest_motion, size);
+    const LatticeModel &model  = solver.model();
+    const double        size   = size_of(model, motion.displacement);
+    double              before = std::numeric_limits<double>::infinity();
+    // Since the factorization; that of a state at rest is far away.
+    double            way_of_error = before;
+    EvaluationResults results      = solver.equations().make_results();
+    largest_motion                 = std::max(largest_motion, size);
     largest_rotation =
       std::max(largest_rotation,
                auxfem::largest_motion(model, motion.displacement).second);
@@ -165,18 +171,24 @@ namespace auxfem
         const Evaluation evaluation = evaluation_of(start, exact);
         solver.residual(evaluation, results);
         Vector change = right_side(exact, left);
-        if ((!is_factorized && !factorize(evaluation, results)) ||
-            !solver.solve(change))
+        if (!is_factorized)
+          {
+            way_of_error = 0;
+            if (!factorize(evaluation, results))
+              break;
+          }
+        if (!solver.solve(change))
           break;
         add_multiple(1., change, error);
         const double size_of_change = size_of(model, change),
                      size_of_error  = size_of(model, error);
+        way_of_error += size_of_change;
         if (size_of_change <=
             std::max(accuracy * size_of_error,
                      accuracy_of_tolerance * scene.effects.tolerance * size))
           {
             largest_error = std::max(largest_error, size_of_error);
-            judge(evaluation, results);
+            judge(evaluation, results, way_of_error <= near * size_of_error);
             return;
           }
         if (!(size_of_change <= kept_reduction * before))
@@ -188,11 +200,14 @@ namespace auxfem
   }
 
   void KinematicCorrection::judge(const Evaluation        &evaluation,
-                                  const EvaluationResults &results)
+                                  const EvaluationResults &results,
+                                  const bool               is_factorized_near)
   {
     for (const auto &watch : watches)
       watch->step(evaluation, results, solver);
-    if (!factorize(evaluation, results))
+    const auto on_the_way =
+      is_factorized_near ? solver.new_negative_modes() : std::nullopt;
+    if ((on_the_way && on_the_way->n == 0) || !factorize(evaluation, results))
       return;
     if (const auto modes = solver.new_negative_modes())
       unstable = unstable || modes->n > 0;

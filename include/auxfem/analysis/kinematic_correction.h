@@ -79,8 +79,12 @@ namespace auxfem
     void find(const State        &motion,
               const EvaluationOf &evaluation_of,
               const Vector       &left);
-    /** What else the exact state at the end of that tells. */
-    void judge(const Evaluation &evaluation, const EvaluationResults &results);
+    /** What else the exact state at the end of that tells.
+     * @param is_factorized_near whether the factorization is of a stiffness not
+     * far from there */
+    void judge(const Evaluation        &evaluation,
+               const EvaluationResults &results,
+               bool                     is_factorized_near);
     /** Of its increments. */
     Vector right_side(const State &exact, const Vector &left) const;
     /** Of the exact stiffness; returns whether that succeeds. */
