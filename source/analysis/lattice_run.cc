@@ -178,11 +178,13 @@ namespace auxfem
 
   RunResult LatticeRun::result(const std::string &exit_state) const
   {
-    return {exit_state,
-            solution.state.time,
-            work_done,
-            stepper.findings(),
-            stepper.estimated_error()};
+    RunResult result           = {exit_state,
+                                  solution.state.time,
+                                  work_done,
+                                  stepper.findings(),
+                                  stepper.estimated_error()};
+    result.largest_penetration = stepper.watches().largest_penetration();
+    return result;
   }
 
   RunResult LatticeRun::run(Recorder &recorder)

@@ -107,6 +107,14 @@ namespace auxfem
     return all;
   }
 
+  std::optional<double> Watches::largest_penetration() const
+  {
+    for (const auto &watch : watches)
+      if (const auto largest = watch->largest_penetration())
+        return largest;
+    return std::nullopt;
+  }
+
   void Watches::save(Records &records) const
   {
     for (const auto &watch : watches)

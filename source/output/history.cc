@@ -14,8 +14,7 @@ namespace auxfem
 {
   namespace
   {
-    const std::string rotation_record    = "history: largest rotation",
-                      penetration_record = "history: largest penetration";
+    const std::string rotation_record = "history: largest rotation";
 
     const std::vector<Column> path_columns = {
       {"arc_length",
@@ -291,18 +290,8 @@ namespace auxfem
         for (unsigned int c = 0; c < dimension; ++c)
           row[column++] = report.force[c];
         row[column++] = report.largest_penetration;
-        penetration_so_far =
-          std::max(penetration_so_far, report.largest_penetration);
       }
     return column;
-  }
-
-  void History::note_penetration(const Solution &solution)
-  {
-    if (const StrutContact *struts = equations.reporting().strut_contact)
-      if (const auto deepest =
-            struts->deepest(equations.strut_contact_results(solution.results)))
-        penetration_so_far = std::max(penetration_so_far, deepest->part);
   }
 
   unsigned int History::add_strains(const State &state, unsigned int column)
@@ -362,7 +351,6 @@ namespace auxfem
                         strains->axes(),
                         &row[column - strains->axes().size()]);
     column = add_plates(solution, column);
-    note_penetration(solution);
     for (const double energy : energy_values(record))
       row[column++] = energy;
     AssertDimension(column, row.size());
@@ -418,9 +406,6 @@ namespace auxfem
     strain_so_far.save(records);
     records.keep(rotation_record,
                  {dealii::Utilities::MPI::max(rotation_so_far, communicator)});
-    records.keep(penetration_record,
-                 {dealii::Utilities::MPI::max(penetration_so_far,
-                                              communicator)});
   }
 
   void History::resume(const State &state, const Records &records)
@@ -429,15 +414,7 @@ namespace auxfem
     part_rotations.resume(records);
     rotation_vectors.resume(state, records);
     strain_so_far.resume(records);
-    rotation_so_far    = records.values(rotation_record, 1)[0];
-    penetration_so_far = records.values(penetration_record, 1)[0];
-  }
-
-  std::optional<double> History::largest_penetration() const
-  {
-    return equations.reporting().plates || equations.reporting().strut_contact
-      ? std::optional(penetration_so_far)
-      : std::nullopt;
+    rotation_so_far = records.values(rotation_record, 1)[0];
   }
 
   void refuse_columns_of_nothing(const Scene &scene, const Lattice &lattice)

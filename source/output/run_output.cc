@@ -290,9 +290,7 @@ namespace auxfem
         summary.largest_rotation =
           dealii::Utilities::MPI::max(history->largest_rotation(),
                                       communicator);
-        if (const auto penetration = history->largest_penetration())
-          summary.largest_penetration =
-            dealii::Utilities::MPI::max(*penetration, communicator);
+        summary.largest_penetration      = result.largest_penetration;
         summary.time                     = result.time;
         summary.path                     = last.state.path;
         summary.time_error               = result.time_error;

@@ -68,3 +68,19 @@ TEST(ContactWatch, TellsWhereStrutsGoDeepIntoPlates)
             std::string::npos)
     << texts[0];
 }
+
+TEST(ContactWatch, LargestPenetrationIsThatOfPartsOfStepsToo)
+{
+  // In one step down by 3.5 mm, at the kink, and up again.
+  SceneText scene = pressed_struts(0);
+  scene.set("Supports/above/Displacement y", "-0.0035 * min(2 * t, 2 - 2 * t)")
+    .set("Effects/Large rotation", "on")
+    .time(1, 1, "static");
+  const RunResult result = result_of(scene.str());
+  ASSERT_TRUE(result.completed());
+  ASSERT_TRUE(result.largest_penetration);
+  EXPECT_NEAR(*result.largest_penetration, 0.15, 0.005);
+
+  scene.set("Effects/Contact", "off");
+  EXPECT_FALSE(result_of(scene.str()).largest_penetration);
+}

@@ -75,6 +75,11 @@ namespace auxfem
       return watches_of_scene;
     }
 
+    const Watches &watches() const
+    {
+      return watches_of_scene;
+    }
+
     /** What the watches have found so far. */
     std::vector<Finding> findings() const;
 

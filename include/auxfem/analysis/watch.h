@@ -6,6 +6,7 @@
 #include <auxfem/scene/scene.h>
 
 #include <memory>
+#include <optional>
 
 namespace auxfem
 {
@@ -34,6 +35,13 @@ namespace auxfem
 
     /** What it makes of the run so far; the same on all ranks. */
     virtual std::vector<Finding> findings() const = 0;
+
+    /** How deep struts have gone into plates or other struts so far, over their
+     * thickness; none if it does not look at that. */
+    virtual std::optional<double> largest_penetration() const
+    {
+      return std::nullopt;
+    }
 
     /** @name For runs that are resumed. */
     ///@{
@@ -67,6 +75,9 @@ namespace auxfem
 
     /** Of all, the worst first. */
     std::vector<Finding> findings() const;
+
+    /** Of the one that looks at that. */
+    std::optional<double> largest_penetration() const;
 
     void save(Records &records) const;
     void resume(const Records &records);

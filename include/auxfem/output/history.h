@@ -93,10 +93,6 @@ namespace auxfem
       return rotation_so_far;
     }
 
-    /** Largest penetration in all rows so far, over the thickness of the strut,
-     * on this rank; none without contact. */
-    std::optional<double> largest_penetration() const;
-
     /** Effective strains in all rows so far; none unless they are wanted. */
     const LargestStrain &largest_strain() const
     {
@@ -137,8 +133,6 @@ namespace auxfem
     unsigned int add_rigid_part_values(const State &state, unsigned int column);
     unsigned int add_connector_sums(const Solution &solution,
                                     unsigned int    column);
-    /** Of contacts between struts. */
-    void note_penetration(const Solution &solution);
     /** Of all ranks already. */
     unsigned int add_plates(const Solution &solution, unsigned int column);
     unsigned int add_strains(const State &state, unsigned int column);
@@ -158,8 +152,7 @@ namespace auxfem
     LargestStrain                   strain_so_far;
     std::vector<double>             row;
     EnergyRecord                    record;
-    double                          rotation_so_far    = 0;
-    double                          penetration_so_far = 0;
+    double                          rotation_so_far = 0;
   };
 
   /**

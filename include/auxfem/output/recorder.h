@@ -34,6 +34,10 @@ namespace auxfem
     /** With Discretization/Order = auto. */
     std::optional<OrderReport> orders = {};
 
+    /** Largest penetration after a step or a part of one, over the thickness of
+     * the strut; with contact. */
+    std::optional<double> largest_penetration = {};
+
     /** Estimated error of small displacements that the run chose, relative to
      * the largest ones. */
     std::optional<double> small_displacement_error = {};

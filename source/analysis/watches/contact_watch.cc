@@ -2,6 +2,7 @@
 #include <auxfem/analysis/watch.h>
 #include <auxfem/equations/effects/contact.h>
 
+#include <algorithm>
 #include <sstream>
 
 namespace auxfem
@@ -43,18 +44,29 @@ namespace auxfem
       std::vector<Finding> findings() const override
       {
         std::vector<Finding> all;
-        if (const auto largest = into_plates.largest_of_all(communicator))
+        if (const auto largest = into_plates.largest_of_all(communicator);
+            is_doubtful(largest))
           all.push_back(
             finding(*largest,
                     "the plate \"" +
                       equations.reporting().plates->name(largest->group) +
                       '"'));
-        if (const auto largest = into_struts.largest_of_all(communicator))
+        if (const auto largest = into_struts.largest_of_all(communicator);
+            is_doubtful(largest))
           all.push_back(finding(*largest,
                                 largest->group == largest->number
                                   ? "itself"
                                   : "strut " + std::to_string(largest->group)));
         return all;
+      }
+
+      std::optional<double> largest_penetration() const override
+      {
+        double largest = 0;
+        for (const Occurrences *occurrences : {&into_plates, &into_struts})
+          if (const auto found = occurrences->largest_of_all(communicator))
+            largest = std::max(largest, found->size);
+        return largest;
       }
 
       void save(Records &records) const override
@@ -74,9 +86,14 @@ namespace auxfem
                        const double                      time,
                        Occurrences                      &occurrences)
       {
-        if (deepest && deepest->part > doubtful_penetration)
+        if (deepest && deepest->part > 0)
           occurrences.add(
             {deepest->part, time, deepest->strut, deepest->other});
+      }
+
+      static bool is_doubtful(const std::optional<Occurrence> &largest)
+      {
+        return largest && largest->size > doubtful_penetration;
       }
 
       /** @param other what the strut goes into, in the user's words */
