@@ -35,17 +35,6 @@ namespace auxfem
      */
     constexpr unsigned int usual_stages = 3;
 
-    /** On any rank. Collective. */
-    bool has_multipliers(const Unknowns &unknowns)
-    {
-      const auto first = unknowns.kinds.begin();
-      const bool mine =
-        std::find(first,
-                  first + unknowns.layout.n_owned(),
-                  UnknownKind::multiplier) != first + unknowns.layout.n_owned();
-      return unknowns.layout.largest(mine ? 1. : 0.) > 0;
-    }
-
     /** Rows that come from elsewhere, and what elimination makes of them. */
     struct Stage
     {
@@ -102,7 +91,7 @@ namespace auxfem
             is_new = is_new || stage.version != stage.elimination->version();
             stage.version = stage.elimination->version();
             if (is_new && s + 1 == stages.size() && s + 1 < layout.n_ranks() &&
-                has_multipliers(stage.rows().as_unknowns()))
+                stage.rows().as_unknowns().n_of(UnknownKind::multiplier) > 0)
               stages.emplace_back();
           }
         has_new_pattern = has_new_pattern || is_new;
@@ -160,12 +149,9 @@ namespace auxfem
       FactorizationOutcome analyse(const SparseMatrix & /*matrix*/,
                                    const Unknowns &unknowns) override
       {
-        n_multipliers =
-          std::count(unknowns.kinds.begin(),
-                     unknowns.kinds.begin() + unknowns.layout.n_owned(),
-                     UnknownKind::multiplier);
-        n_before = n_iterations();
-        parts    = std::make_unique<Parts>(parameters, unknowns);
+        n_multipliers = unknowns.n_of(UnknownKind::multiplier);
+        n_before      = n_iterations();
+        parts         = std::make_unique<Parts>(parameters, unknowns);
         return FactorizationOutcome::done;
       }
 
@@ -243,14 +229,14 @@ namespace auxfem
        * nothing if @p matrix is not symmetric. */
       std::optional<long> count_negative(const SparseMatrix &matrix) const
       {
-        double surplus = 0, n_unsymmetric = matrix.is_symmetric ? 0 : 1;
+        double negative = 0, n_unsymmetric = matrix.is_symmetric ? 0 : 1;
         for (const Stage &stage : parts->stages)
-          surplus += stage.elimination->n_negative();
-        surplus -= n_multipliers;
+          negative += stage.elimination->n_negative();
         const std::vector<double> sums =
-          parts->layout.sum(std::vector<double>{surplus, n_unsymmetric});
-        return sums[1] == 0 ? std::optional(std::lround(sums[0]))
-                            : std::nullopt;
+          parts->layout.sum(std::vector<double>{negative, n_unsymmetric});
+        return sums[1] == 0
+          ? std::optional(std::lround(sums[0]) - n_multipliers)
+          : std::nullopt;
       }
 
       /** Whether all that is eliminated allows conjugate gradients. */
@@ -261,7 +247,7 @@ namespace auxfem
 
       const SolverParameters parameters;
       std::unique_ptr<Parts> parts;
-      double                 n_multipliers = 0;     ///< of this rank
+      long                   n_multipliers = 0;
       std::optional<long>    n_negative_eliminated; ///< see count_negative()
       unsigned long          n_before = 0;
     };

@@ -15,23 +15,14 @@ namespace auxfem
   {
     const LinearSolverChoice with_pivoting =
       {LinearSolverType::mumps, "indefinite matrix that needs pivoting"};
-
-    /** Over all ranks. Collective. */
-    unsigned long count(const Unknowns &unknowns, const UnknownKind kind)
-    {
-      return static_cast<unsigned long>(unknowns.layout.sum(
-        double(std::count(unknowns.kinds.begin(),
-                          unknowns.kinds.begin() + unknowns.layout.n_owned(),
-                          kind))));
-    }
   } // namespace
 
   LinearSolver::LinearSolver(const SolverParameters &parameters,
                              const TangentMatrix    &matrix)
     : parameters(parameters)
     , matrix(matrix)
-    , n_prescribed(count(matrix.pattern().unknowns(), UnknownKind::prescribed))
-    , n_multipliers(count(matrix.pattern().unknowns(), UnknownKind::multiplier))
+    , n_prescribed(matrix.pattern().unknowns().n_of(UnknownKind::prescribed))
+    , n_multipliers(matrix.pattern().unknowns().n_of(UnknownKind::multiplier))
     , condensation(matrix)
   {}
 

@@ -1,5 +1,6 @@
 #include <auxfem/algebra/unknowns.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace auxfem
@@ -78,5 +79,12 @@ namespace auxfem
       mine += (kinds[i] == UnknownKind::translation ||
                kinds[i] == UnknownKind::rotation);
     return std::lround(layout.sum(mine));
+  }
+
+  unsigned long Unknowns::n_of(const UnknownKind kind) const
+  {
+    const auto first = kinds.begin();
+    return std::lround(
+      layout.sum(double(std::count(first, first + layout.n_owned(), kind))));
   }
 } // namespace auxfem

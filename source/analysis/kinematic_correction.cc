@@ -156,7 +156,7 @@ namespace auxfem
     const double        size   = size_of(model, motion.displacement);
     double              before = std::numeric_limits<double>::infinity();
     // Since the factorization; that of a state at rest is far away.
-    double            way_of_error = before;
+    double            way_of_error = std::numeric_limits<double>::infinity();
     EvaluationResults results      = solver.equations().make_results();
     largest_motion                 = std::max(largest_motion, size);
     largest_rotation =

@@ -82,6 +82,9 @@ namespace auxfem
      * ranks. Collective.
      */
     unsigned int n_free() const;
+
+    /** Number of unknowns of a kind, over all ranks. Collective. */
+    unsigned long n_of(UnknownKind kind) const;
   };
 } // namespace auxfem
 

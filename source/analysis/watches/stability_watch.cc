@@ -152,9 +152,9 @@ namespace auxfem
 
     /**
      * Of equilibria: no mode of their stiffness is negative while they are
-     * stable. Newton's factorization is of a state
-     * on the way to the equilibrium; where it tells nothing new or nothing
-     * good, the stiffness of the equilibrium itself is factorized.
+     * stable. Newton's factorization is of a state on the way to the
+     * equilibrium; where it tells nothing new or nothing good, the stiffness of
+     * the equilibrium itself is factorized.
      */
     class EquilibriumWatch : public Watch
     {
