@@ -1,5 +1,6 @@
 #include <auxfem/analysis/kinematic_correction.h>
 #include <auxfem/analysis/kinematics_choice.h>
+#include <auxfem/analysis/touch_watch.h>
 #include <auxfem/equations/effects/contact.h>
 #include <auxfem/model/effect_definition.h>
 
@@ -94,26 +95,37 @@ namespace auxfem
       const LatticeRun &exact;
     };
 
+    /** Told of struts that touch in @p small, which knows no contact; nothing
+     * where they cannot. @p exact must outlive it. */
+    const TouchWatch *watch_touches(LatticeRun &small, const LatticeRun &exact)
+    {
+      const StrutContact *const contact =
+        exact.equations.reporting().strut_contact;
+      if (contact == nullptr)
+        return nullptr;
+      auto watch = std::make_unique<TouchWatch>(contact->lookout());
+      const TouchWatch *watching = watch.get();
+      small.watches().add(std::move(watch));
+      return watching;
+    }
+
     /** Ends a run of small displacements as soon as they are no longer good
      * enough. */
     class SmallDisplacementRecorder : public DecisionRecorder
     {
     public:
-      SmallDisplacementRecorder(LatticeRun &exact, Recorder &recorder)
+      /** @param touches in the run of small displacements; may be none */
+      SmallDisplacementRecorder(LatticeRun       &exact,
+                                const TouchWatch *touches,
+                                Recorder         &recorder)
         : DecisionRecorder(exact, recorder)
         , scene(exact.scene)
         , exact(exact)
         , error(exact.scene, exact.solver())
         , distance(
             std::max<unsigned long>(scene.time.n_steps() / n_error_looks, 1))
-        , rest(exact.equations.initial_state())
-      {
-        if (exact.equations.reporting().strut_contact == nullptr)
-          return;
-        contact = make_strut_contact(scene, exact.model);
-        std::vector<int> wanted;
-        contact->update_couplings(rest, wanted);
-      }
+        , touches(touches)
+      {}
 
       /** Why the run has to be done again; empty: it has not. */
       const std::string &reason() const
@@ -129,7 +141,9 @@ namespace auxfem
 
       void step(const Solution &solution, const StepReport &report) override
       {
-        if (solution.state.step % distance == 0)
+        if (touches != nullptr && touches->first_touch())
+          why = touch_text(*touches->first_touch());
+        else if (solution.state.step % distance == 0)
           look(solution.state);
         if (why.empty())
           ForwardingRecorder::step(solution, report);
@@ -178,36 +192,31 @@ namespace auxfem
       {
         error.look_at(state, *small);
         why = error.why_exact(scene.effects.tolerance);
-        if (why.empty())
-          why = why_in_contact(state);
         if (!why.empty())
-          {
-            std::ostringstream time;
-            time << " (t = " << state.time << " s)";
-            why += time.str();
-          }
+          why += time_text(state.time);
       }
 
       /** Struts that move far without turning may touch all the same. */
-      std::string why_in_contact(const State &state) const
+      static std::string touch_text(const FirstTouch &touch)
       {
-        if (!contact)
-          return "";
-        const auto struts = contact->first_to_touch(rest, state);
-        return struts ? "struts " + std::to_string((*struts)[0]) + " and " +
-            std::to_string((*struts)[1]) + " touch"
-                      : "";
+        return "struts " + std::to_string(touch.struts[0]) + " and " +
+          std::to_string(touch.struts[1]) + " touch" + time_text(touch.time);
       }
 
-      const Scene        &scene;
-      LatticeRun         &exact;
-      KinematicCorrection error;
-      const unsigned long distance; ///< of looks, steps
-      const State         rest;
-      /** What small displacements leave out. */
-      std::unique_ptr<StrutContact> contact;
-      const Equations              *small = nullptr; ///< from begin() on
-      std::string                   why;
+      static std::string time_text(const double time)
+      {
+        std::ostringstream text;
+        text << " (t = " << time << " s)";
+        return text.str();
+      }
+
+      const Scene            &scene;
+      LatticeRun             &exact;
+      KinematicCorrection     error;
+      const unsigned long     distance; ///< of looks, steps
+      const TouchWatch *const touches;
+      const Equations        *small = nullptr; ///< from begin() on
+      std::string             why;
     };
 
     /** What users are told if small displacements are tried. */
@@ -273,7 +282,9 @@ namespace auxfem
         LatticeRun  small(small_scene, communicator);
         for (const EffectDecision &decision : exact.model.simulated.decisions)
           small.model.explain(decision);
-        SmallDisplacementRecorder watching(exact, recorder);
+        SmallDisplacementRecorder watching(exact,
+                                           watch_touches(small, exact),
+                                           recorder);
         const RunResult           result = small.run(watching);
         if (watching.reason().empty())
           return result;

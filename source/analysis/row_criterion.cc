@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace auxfem
 {
@@ -12,6 +13,11 @@ namespace auxfem
      * rows of sound scenes hardly ever ask for an iteration of their own.
      */
     constexpr double allowed_in_a_row = 300;
+
+    /** Forces below have fewer digits than others (N, N m): those of a load
+     * that begins or ends as a Gaussian, say. */
+    constexpr double too_small_for_digits = std::numeric_limits<double>::min() /
+      std::numeric_limits<double>::epsilon();
   } // namespace
 
   RowCriterion::RowCriterion(const Equations &equations, const double tolerance)
@@ -50,7 +56,7 @@ namespace auxfem
         {
           const double size    = std::abs(state.residual[row]);
           const double allowed = tolerance * state.largest_forces[row] +
-            (round_off ? round_off[row] : 0.);
+            (round_off ? round_off[row] : 0.) + too_small_for_digits;
           if (!(size <= worst * allowed))
             worst = size / allowed;
         }

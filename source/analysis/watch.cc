@@ -73,10 +73,11 @@ namespace auxfem
       {
         watches.push_back(make_strain_watch(equations));
         watches.push_back(make_local_buckling_watch(scene, equations));
-        if (!scene.lattice.struts_may_cross &&
-            equations.reporting().strut_contact == nullptr)
-          watches.push_back(make_crossing_watch(scene, equations));
       }
+    if (has_struts && !scene.lattice.struts_may_cross &&
+        equations.reporting().strut_contact == nullptr &&
+        !scene.effects.small_displacements_are_judged)
+      watches.push_back(make_crossing_watch(scene, equations));
   }
 
   void Watches::start(const State &state)

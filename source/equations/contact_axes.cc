@@ -57,10 +57,12 @@ namespace auxfem
     };
 
     /** Of an element, or of a rigid strut as a whole; without what its section
-     * is to contact. */
+     * is to contact.
+     * @param unknowns room for those of its nodes */
     ContactAxis axis_of(const DofNumbering  &numbering,
                         const StrutInterval &element,
-                        const unsigned int   order)
+                        const unsigned int   order,
+                        std::vector<int>    &unknowns)
     {
       const Lattice &lattice = numbering.lattice();
       const Strut   &strut   = lattice.struts[element.strut];
@@ -74,8 +76,7 @@ namespace auxfem
       lattice.axis(strut, axis.begin, axis.ends[0], tangent);
       lattice.axis(strut, axis.end, axis.ends[1], tangent);
 
-      std::vector<int> unknowns;
-      unknowns.reserve(std::size_t(order + 1) * numbering.n_components());
+      unknowns.clear();
       axis.unknowns.reserve(std::size_t(order + 1) * lattice.dimension);
       numbering.global().add_element(lattice, element, order, unknowns);
       for (std::size_t i = 0; i < unknowns.size(); ++i)
@@ -99,6 +100,7 @@ namespace auxfem
     std::size_t n_axes = 0;
     for (unsigned int s = 0; s < struts.size(); ++s)
       n_axes += division_of(s).n_elements;
+    std::vector<int>         unknowns;
     std::vector<ContactAxis> axes;
     axes.reserve(n_axes);
     for (unsigned int s = 0; s < struts.size(); ++s)
@@ -109,7 +111,8 @@ namespace auxfem
           {
             axes.push_back(axis_of(model.numbering,
                                    {s, e / n, (e + 1) / n},
-                                   division.order));
+                                   division.order,
+                                   unknowns));
             sections.set(axes.back());
           }
       }

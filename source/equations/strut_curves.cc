@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <numeric>
 
 namespace auxfem
 {
@@ -63,6 +65,58 @@ namespace auxfem
         }
       return free;
     }
+
+    /** Which axes end at a node. */
+    class AxesAtNodes
+    {
+    public:
+      AxesAtNodes(const std::vector<ContactAxis> &axes,
+                  const unsigned int              dimension,
+                  const std::size_t               n_unknowns)
+        : axes(axes)
+        , dimension(dimension)
+        , first(n_unknowns + 2, 0)
+        , at_nodes(2 * axes.size())
+      {
+        // Counted one place ahead, so that places are the first ones when all
+        // are filled.
+        for (const ContactAxis &axis : axes)
+          for (unsigned int end = 0; end < 2; ++end)
+            ++first[node(axis, end) + 2];
+        std::partial_sum(first.begin(), first.end(), first.begin());
+        for (unsigned int a = 0; a < axes.size(); ++a)
+          for (unsigned int end = 0; end < 2; ++end)
+            at_nodes[first[node(axes[a], end) + 1]++] = a;
+      }
+
+      /** Adds those after @p axis in the list with an end in common. */
+      void add_after(const unsigned int         axis,
+                     std::vector<unsigned int> &others) const
+      {
+        for (unsigned int end = 0; end < 2; ++end)
+          {
+            const std::size_t at = node(axes[axis], end);
+            std::copy_if(at_nodes.begin() + first[at],
+                         at_nodes.begin() + first[at + 1],
+                         std::back_inserter(others),
+                         [axis](const unsigned int other) {
+                           return other > axis;
+                         });
+          }
+      }
+
+    private:
+      /** Its first unknown. */
+      std::size_t node(const ContactAxis &axis, const unsigned int end) const
+      {
+        return axis.unknowns[end * dimension];
+      }
+
+      const std::vector<ContactAxis> &axes;
+      const unsigned int              dimension;
+      std::vector<unsigned int>       first;    ///< of a node, by first unknown
+      std::vector<unsigned int>       at_nodes; ///< node after node
+    };
   } // namespace
 
   StrutCurves::StrutCurves(const LatticeModel             &model,
@@ -257,28 +311,23 @@ namespace auxfem
 
   void StrutCurves::find_connected()
   {
-    const unsigned int dimension = model.lattice.dimension;
-    std::vector<std::pair<int, unsigned int>> ends; // first unknown, axis
+    const AxesAtNodes         at_nodes(axes,
+                               model.lattice.dimension,
+                               model.numbering.layout().n_global());
+    std::vector<unsigned int> others;
     for (unsigned int a = 0; a < axes.size(); ++a)
       {
+        others.clear();
+        at_nodes.add_after(a, others);
+        std::sort(others.begin(), others.end());
+        others.erase(std::unique(others.begin(), others.end()), others.end());
         // A straight element cannot reach itself.
-        if (basis_of[a]->degree > 2 && !never_touch(a, a))
-          connected_pairs.push_back({{a, a}});
-        for (unsigned int end = 0; end < 2; ++end)
-          ends.emplace_back(axes[a].unknowns[end * dimension], a);
+        if (basis_of[a]->degree > 2)
+          others.insert(others.begin(), a);
+        for (const unsigned int other : others)
+          if (!never_touch(a, other))
+            connected_pairs.push_back({{a, other}});
       }
-    std::sort(ends.begin(), ends.end());
-    for (auto end = ends.begin(); end != ends.end(); ++end)
-      for (auto other = end + 1;
-           other != ends.end() && other->first == end->first;
-           ++other)
-        if (other->second != end->second &&
-            !never_touch(end->second, other->second))
-          connected_pairs.push_back({{end->second, other->second}});
-    std::sort(connected_pairs.begin(), connected_pairs.end());
-    connected_pairs.erase(std::unique(connected_pairs.begin(),
-                                      connected_pairs.end()),
-                          connected_pairs.end());
   }
 
   const ParameterRanges &

@@ -21,13 +21,13 @@ namespace auxfem
     constexpr double safety_of_motion = 2;
   } // namespace
 
-  StrutProximity::StrutProximity(const LatticeModel &model,
-                                 const StrutCurves  &curves)
+  StrutProximity::StrutProximity(const LatticeModel              &model,
+                                 const StrutCurves               &curves,
+                                 const std::vector<StrutOverlap> &overlaps)
     : model(model)
     , curves(curves)
     , gap_of(curves)
     , reach(model.mean_strut_length / 4)
-    , overlapping(find_overlaps(curves, model.numbering.layout()))
     , connected_of_axis(curves.list().size())
     , connected(curves.connected().size())
     , allowed_turning(curves.list().size(), 0.)
@@ -43,11 +43,8 @@ namespace auxfem
         first_of_axis.push_back(turned_at.size());
         turned_at.resize(turned_at.size() + curves.list()[a].unknowns.size(),
                          0.);
-        add_nodes(curves.list()[a]);
       }
-    std::sort(nodes.begin(), nodes.end());
-    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-    nodes.shrink_to_fit();
+    find_nodes();
     turned_at.shrink_to_fit();
     for (unsigned int i = 0; i < curves.connected().size(); ++i)
       for (const unsigned int axis : curves.connected()[i])
@@ -55,20 +52,27 @@ namespace auxfem
           connected_of_axis[axis].push_back(i);
           turning_due[axis] = 0;
         }
-    for (const StrutOverlap &overlap : overlapping)
+    for (const StrutOverlap &overlap : overlaps)
       if (overlap.is_passing)
         passing.insert(overlap.struts);
   }
 
-  void StrutProximity::add_nodes(const ContactAxis &axis)
+  void StrutProximity::find_nodes()
   {
     const unsigned int dimension = model.lattice.dimension;
-    for (std::size_t i = 0; i < axis.unknowns.size(); i += dimension)
-      {
-        std::array<int, 3> node{};
-        std::copy_n(axis.unknowns.begin() + i, dimension, node.begin());
-        nodes.push_back(node);
-      }
+    std::vector<bool>  is_known(model.numbering.layout().n_global(), false);
+    for (const ContactAxis &axis : curves.list())
+      for (std::size_t i = 0; i < axis.unknowns.size(); i += dimension)
+        {
+          const auto first = axis.unknowns.begin() + i;
+          if (is_known[*first])
+            continue;
+          is_known[*first] = true;
+          std::array<int, 3> node{};
+          std::copy_n(first, dimension, node.begin());
+          nodes.push_back(node);
+        }
+    nodes.shrink_to_fit();
   }
 
   double StrutProximity::relative_motion(const AxisPair            &pair,

@@ -34,11 +34,22 @@ namespace auxfem
     initial = std::abs(energies.total());
   }
 
-  void EnergyJudgement::add(const Energies &energies, const double time)
+  bool EnergyJudgement::is_off(const Energies &energies) const
+  {
+    const double moved =
+      initial + std::max(work, std::abs(energies.external()));
+    return !(std::abs(energies.balance(zero)) <= doubtful_error * moved);
+  }
+
+  void EnergyJudgement::add(const Energies &energies,
+                            const double    time,
+                            const double    round_off)
   {
     // What is moved is what came in; energies grow with the error itself.
     work = std::max(work, std::abs(energies.external()));
-    error.add(std::abs(energies.balance(zero)), time);
+    if (const double size = std::abs(energies.balance(zero));
+        !(size <= round_off))
+      error.add(size, time);
     given.add(-energies.numerical(), time);
     taken.add(energies.numerical(), time);
   }

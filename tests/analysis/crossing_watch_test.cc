@@ -66,6 +66,30 @@ TEST(CrossingWatch, SaysWhichStrutsCrossAndWhen)
   EXPECT_TRUE(short_of.empty()) << verdict_text(short_of);
 }
 
+TEST(CrossingWatch, LooksAtSmallDisplacementsByHandToo)
+{
+  // A bar that is led through another, without turning: all energies are
+  // round-off.
+  const auto led = [](const std::string &way) {
+    return findings_of(SceneText()
+                         .frame("0 0; 1 0; 0.3 0.1; 0.7 0.1", "0 1; 2 3")
+                         .circle("s", "10 mm", {"1 GPa", 1000})
+                         .support("held", "2, 3", "clamp")
+                         .prescribe("led", "0, 1", {"0", way, "0"})
+                         .set("Effects/Large rotation", "off")
+                         .time(1, 0.01, "static"));
+  };
+  const auto found = led("0.15 * t");
+  ASSERT_EQ(found.size(), 1u) << verdict_text(found);
+  // From 80 mm to 120 mm on, and looked at every 20 mm.
+  EXPECT_GE(found[0].time, 0.08 / 0.15);
+  EXPECT_LE(found[0].time, 0.101 / 0.15);
+  EXPECT_NE(found[0].text.find("leave Effects/Large rotation"),
+            std::string::npos)
+    << found[0].text;
+  EXPECT_TRUE(led("0.075 * t").empty());
+}
+
 TEST(CrossingWatch, WhatCrossesAtRestMay)
 {
   const auto found = findings_of(bars(2,

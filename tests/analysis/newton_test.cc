@@ -204,6 +204,18 @@ TEST(Newton, NoLoadNeedsNoForceScale)
   EXPECT_EQ(unloaded.tip(1), 0.);
 }
 
+TEST(Newton, LoadsOfWhichNoDigitsAreLeftAreSolved)
+{
+  // As a Gaussian has them far from its middle; below 2e-308 numbers lose
+  // digits.
+  for (int exponent = -315; exponent <= -295; ++exponent)
+    {
+      const std::string force = "1e" + std::to_string(exponent);
+      StaticStep        step(cantilever(force, in_statics), NewtonParameters());
+      EXPECT_TRUE(step.solve().converged) << force;
+    }
+}
+
 TEST(Newton, PrescribedUnknownsMoveToTheirPlaceInOneIteration)
 {
   StaticStep moved(

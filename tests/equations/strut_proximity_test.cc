@@ -32,7 +32,8 @@ namespace
                  communicator)
       , axes(make_contact_axes(of_scene.model, 1))
       , curves(of_scene.model, axes)
-      , proximity(of_scene.model, curves)
+      , overlaps(find_overlaps(curves, of_scene.model.numbering.layout()))
+      , proximity(of_scene.model, curves, overlaps)
     {}
 
     AxisCurve curve(const unsigned int axis, const std::vector<double> &u) const
@@ -51,10 +52,11 @@ namespace
                               thickness) < thickness;
     }
 
-    EquationsOnRanks         of_scene;
-    std::vector<ContactAxis> axes;
-    StrutCurves              curves;
-    StrutProximity           proximity;
+    EquationsOnRanks                of_scene;
+    std::vector<ContactAxis>        axes;
+    StrutCurves                     curves;
+    const std::vector<StrutOverlap> overlaps;
+    StrutProximity                  proximity;
   };
 } // namespace
 
@@ -114,13 +116,11 @@ TEST(StrutProximityOnRanks, SharedLooksFindWhatOneRankFinds)
   Stars shared(MPI_COMM_WORLD, 8, "50 deg", "0.2"),
     alone(MPI_COMM_SELF, 8, "50 deg", "0.2");
   ASSERT_GT(alone.curves.connected().size(), 1000u);
-  EXPECT_FALSE(alone.proximity.overlaps().empty());
-  ASSERT_EQ(shared.proximity.overlaps().size(),
-            alone.proximity.overlaps().size());
-  for (std::size_t i = 0; i < alone.proximity.overlaps().size(); ++i)
+  EXPECT_FALSE(alone.overlaps.empty());
+  ASSERT_EQ(shared.overlaps.size(), alone.overlaps.size());
+  for (std::size_t i = 0; i < alone.overlaps.size(); ++i)
     {
-      const StrutOverlap &one = shared.proximity.overlaps()[i],
-                         &two = alone.proximity.overlaps()[i];
+      const StrutOverlap &one = shared.overlaps[i], &two = alone.overlaps[i];
       EXPECT_EQ(one.struts, two.struts);
       EXPECT_EQ(one.is_passing, two.is_passing);
     }

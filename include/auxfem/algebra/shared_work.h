@@ -61,6 +61,20 @@ namespace auxfem
     return all;
   }
 
+  /** Values of all ranks' unknowns by global number: @p mine on one rank, else
+   * brought into @p room. Collective. */
+  inline const std::vector<double> &
+  by_global_number(const std::vector<double> &mine,
+                   const UnknownLayout       &layout,
+                   std::vector<double>       &room)
+  {
+    if (layout.n_ranks() == 1)
+      return mine;
+    room.resize(layout.n_global());
+    ItemsOfRanks(layout).gather(mine.data(), sizeof(double), room.data());
+    return room;
+  }
+
   /** The texts of all ranks on all of them. Collective. */
   std::vector<std::string> texts_of_all_ranks(const std::string &mine,
                                               MPI_Comm           communicator);

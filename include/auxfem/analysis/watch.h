@@ -68,6 +68,12 @@ namespace auxfem
      * what they do. */
     Watches(const Scene &scene, const Equations &equations, Work &work);
 
+    /** One more, which looks at what the others do not. Before start(). */
+    void add(std::unique_ptr<Watch> watch)
+    {
+      watches.push_back(std::move(watch));
+    }
+
     void start(const State &state);
     void step(const Evaluation        &step,
               const EvaluationResults &results,

@@ -23,8 +23,13 @@ namespace auxfem
   class StrutProximity
   {
   public:
-    /** @param curves must outlive the object. Collective. */
-    StrutProximity(const LatticeModel &model, const StrutCurves &curves);
+    /**
+     * @param model, curves must outlive the object
+     * @param overlaps at rest
+     */
+    StrutProximity(const LatticeModel              &model,
+                   const StrutCurves               &curves,
+                   const std::vector<StrutOverlap> &overlaps);
 
     /** Follows an accepted state; whether near() has changed. Collective. */
     bool follow(const std::vector<double> &displacements);
@@ -39,12 +44,6 @@ namespace auxfem
     bool may_touch() const
     {
       return touches_soon;
-    }
-
-    /** Struts that overlap at rest. */
-    const std::vector<StrutOverlap> &overlaps() const
-    {
-      return overlapping;
     }
 
     /** Keeps all that near() and its next change follow from. */
@@ -87,7 +86,7 @@ namespace auxfem
       return curves.curve(axis, curves.list()[axis].unknowns.data(), u.data());
     }
 
-    void add_nodes(const ContactAxis &axis);
+    void find_nodes();
     /** How far the nodes of a pair move against each other at most: the
      * diagonal of the box of all their motions (m). */
     double relative_motion(const AxisPair            &pair,
@@ -179,9 +178,9 @@ namespace auxfem
     const StrutCurves  &curves;
     const StrutGap      gap_of;
     const double        reach; ///< between axes that are kept in the list (m)
-    const std::vector<StrutOverlap>       overlapping;
-    std::set<std::array<unsigned int, 2>> passing; ///< struts of these
-    double thickest = 0, thinnest = 0;             ///< half (m)
+    /** Struts that pass each other at rest. */
+    std::set<std::array<unsigned int, 2>> passing;
+    double thickest = 0, thinnest = 0; ///< half (m)
 
     std::vector<Reach>    in_reach;
     std::vector<AxisPair> near_pairs;

@@ -30,8 +30,15 @@ namespace auxfem
     /** Of t = 0. */
     void start(const Energies &energies);
 
-    /** Of an accepted state at @p time (s). */
-    void add(const Energies &energies, double time);
+    /** Whether the balance at a state that is to be added asks for a finding,
+     * unless it is round-off. */
+    bool is_off(const Energies &energies) const;
+
+    /**
+     * Of an accepted state at @p time (s).
+     * @param round_off of the balance (J)
+     */
+    void add(const Energies &energies, double time, double round_off = 0);
 
     std::vector<Finding> findings() const;
 

@@ -111,11 +111,13 @@ namespace auxfem
       /** How far struts may move against each other between two looks (m). */
       double motion_between_looks(const double mean_strut_length) const
       {
-        double motion = mean_strut_length / 10;
-        if (lattice.dimension == 3)
-          for (unsigned int s = 0; s < lattice.struts.size(); ++s)
-            if (!lattice.struts[s].is_rigid() && half_thickness(s) > 0)
-              motion = std::min(motion, half_thickness(s));
+        // Struts that pass each other side by side touch for two thicknesses of
+        // the way; in space not all are as near as that.
+        const double of_half_thickness = lattice.dimension == 2 ? 2 : 1;
+        double       motion            = mean_strut_length / 10;
+        for (unsigned int s = 0; s < lattice.struts.size(); ++s)
+          if (!lattice.struts[s].is_rigid() && half_thickness(s) > 0)
+            motion = std::min(motion, of_half_thickness * half_thickness(s));
         return motion;
       }
 
@@ -267,10 +269,7 @@ namespace auxfem
           }
         text << ": contact is left out. What the lattice does from there on "
                 "holds only if its struts can pass each other; if they cannot, "
-             << (equations.layout().path
-                   ? "load it in steps with Analysis = simulation and Scheme = "
-                     "static."
-                   : "leave Effects/Contact at auto.");
+             << advice();
         const FirstPair &first = is_told_by_touch ? touched : crossed;
         return {{Verdict::doubtful,
                  text.str(),
@@ -295,6 +294,17 @@ namespace auxfem
       }
 
     private:
+      /** What to do for struts that touch. */
+      const char *advice() const
+      {
+        if (equations.layout().path)
+          return "load it in steps with Analysis = simulation and Scheme = "
+                 "static.";
+        return model.simulated.large_rotation
+          ? "leave Effects/Contact at auto."
+          : "leave Effects/Large rotation and Effects/Contact at auto.";
+      }
+
       void look(const State &state)
       {
         motion.start(state.displacement);

@@ -1,6 +1,5 @@
 #include <auxfem/algebra/shared_work.h>
 #include <auxfem/equations/effects/strut_touch.h>
-#include <auxfem/equations/strut_proximity.h>
 
 #include <set>
 #include <sstream>
@@ -18,7 +17,8 @@ namespace auxfem
         : ContactEffect(scene, model)
         , curves(model, axes)
         , points_of_axes(curves, dimension)
-        , proximity(model, curves)
+        , overlapping(find_overlaps(curves, model.numbering.layout()))
+        , proximity(model, curves, overlapping)
       {}
 
       void register_in(StateLayout &layout) override
@@ -54,7 +54,9 @@ namespace auxfem
                             std::vector<int> &wanted) override
       {
         std::vector<double> room;
-        if (!proximity.follow(of_all_ranks(accepted.displacement, room)))
+        if (!proximity.follow(by_global_number(accepted.displacement,
+                                               model.numbering.layout(),
+                                               room)))
           return false;
         want_unknowns(wanted);
         return true;
@@ -165,27 +167,31 @@ namespace auxfem
 
       std::string why_not_acceptable(const Evaluation &step) const override
       {
-        const auto found =
-          first_too_near(step.from, step.to, parameters.largest_penetration);
+        const UnknownLayout &layout = model.numbering.layout();
+        std::vector<double>  before, after;
+        const auto           found = proximity.first_too_near(
+          by_global_number(step.from.displacement, layout, before),
+          by_global_number(step.to.displacement, layout, after),
+          parameters.largest_penetration);
         if (!found)
           return "";
         std::ostringstream why;
         why
-          << "strut " << (*found)[0] << " and strut " << (*found)[1]
+          << "strut " << axes[(*found)[0]].strut << " and strut "
+          << axes[(*found)[1]].strut
           << " would go into each other deeper than Contact/Largest penetration "
              "allows";
         return why.str();
       }
 
-      std::optional<std::array<unsigned int, 2>>
-      first_to_touch(const State &from, const State &to) const override
+      std::unique_ptr<StrutLookout> lookout() const override
       {
-        return first_too_near(from, to, /*allowed=*/0);
+        return std::make_unique<StrutLookout>(model, curves, overlapping);
       }
 
       const std::vector<StrutOverlap> &overlaps() const override
       {
-        return proximity.overlaps();
+        return overlapping;
       }
 
       std::vector<ContactReport> contacts(const EffectResults &results,
@@ -279,36 +285,6 @@ namespace auxfem
                              const Vector     &values) const override
       {
         return motion_of(touch).difference(values);
-      }
-
-      /** As first_to_touch(), of struts that go into each other by more than
-       * the
-       * part @p allowed of half their thickness. */
-      std::optional<std::array<unsigned int, 2>>
-      first_too_near(const State &from,
-                     const State &to,
-                     const double allowed) const
-      {
-        std::vector<double> before, after;
-        const auto          found =
-          proximity.first_too_near(of_all_ranks(from.displacement, before),
-                                   of_all_ranks(to.displacement, after),
-                                   allowed);
-        if (!found)
-          return {};
-        return {{{axes[(*found)[0]].strut, axes[(*found)[1]].strut}}};
-      }
-
-      /** Values by global number: those given, or in @p room. Collective. */
-      const std::vector<double> &of_all_ranks(const Vector        &values,
-                                              std::vector<double> &room) const
-      {
-        const UnknownLayout &layout = model.numbering.layout();
-        if (layout.n_ranks() == 1)
-          return values;
-        room.resize(layout.n_global());
-        ItemsOfRanks(layout).gather(values.data(), sizeof(double), room.data());
-        return room;
       }
 
       NearCurves curves_at(const State &state) const
@@ -436,10 +412,11 @@ namespace auxfem
                          touch.force);
       }
 
-      const StrutCurves        curves;
-      const StrutContactPoints points_of_axes;
-      StrutProximity           proximity;
-      std::vector<FacingStrut> facing;
+      const StrutCurves               curves;
+      const StrutContactPoints        points_of_axes;
+      const std::vector<StrutOverlap> overlapping;
+      StrutProximity                  proximity;
+      std::vector<FacingStrut>        facing;
       /** Local unknowns of the axes among `coupled`. */
       std::map<unsigned int, std::vector<int>> local_unknowns;
       unsigned int                             numerical_entry = 0;

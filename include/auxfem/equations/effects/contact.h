@@ -2,7 +2,7 @@
 #define auxfem_equations_effects_contact_h
 
 #include <auxfem/equations/effect.h>
-#include <auxfem/equations/strut_overlaps.h>
+#include <auxfem/equations/strut_lookout.h>
 #include <auxfem/scene/scene.h>
 
 #include <optional>
@@ -95,13 +95,9 @@ namespace auxfem
   class StrutContact : public Contact
   {
   public:
-    /**
-     * Two struts that come to touch, or pass each other, on the straight way
-     * between two states; none if there are none. The first state was given to
-     * update_couplings(). Collective.
-     */
-    virtual std::optional<std::array<unsigned int, 2>>
-    first_to_touch(const State &from, const State &to) const = 0;
+    /** Tells of struts that come to touch in a motion without contact. The
+     * object must outlive it. Collective. */
+    virtual std::unique_ptr<StrutLookout> lookout() const = 0;
 
     /** Struts that overlap at rest. */
     virtual const std::vector<StrutOverlap> &overlaps() const = 0;
