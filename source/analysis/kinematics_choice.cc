@@ -279,7 +279,7 @@ namespace auxfem
     if (!exact.model.decision(large_rotation).on)
       {
         const Scene small_scene = with_small_displacements(exact);
-        LatticeRun  small(small_scene, communicator);
+        LatticeRun  small(small_scene, exact);
         for (const EffectDecision &decision : exact.model.simulated.decisions)
           small.model.explain(decision);
         SmallDisplacementRecorder watching(exact,

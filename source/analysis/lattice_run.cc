@@ -50,9 +50,24 @@ namespace auxfem
 
   LatticeRun::LatticeRun(const Scene &scene, const MPI_Comm communicator)
     : set_up_watch(std::in_place, work_done.wall.setup)
+    , shared_lattice(
+        std::make_shared<const Lattice>(imperfect_lattice(scene, communicator)))
     , scene(scene)
-    , lattice(imperfect_lattice(scene, communicator))
+    , lattice(*shared_lattice)
     , model(scene, lattice, communicator)
+    , equations(scene, model)
+    , solution(equations.initial_solution())
+    , stepper(equations, scene, work_done)
+  {
+    set_up_watch.reset();
+  }
+
+  LatticeRun::LatticeRun(const Scene &scene, const LatticeRun &other)
+    : set_up_watch(std::in_place, work_done.wall.setup)
+    , shared_lattice(other.shared_lattice)
+    , scene(scene)
+    , lattice(*shared_lattice)
+    , model(scene, other.model)
     , equations(scene, model)
     , solution(equations.initial_solution())
     , stepper(equations, scene, work_done)

@@ -113,16 +113,31 @@ namespace auxfem
     , releases(simulated.hinges ? joint_releases(scene, lattice)
                                 : std::vector<JointRelease>())
     , connector_pairs(pairs_of(scene, lattice))
-    , numbering(lattice,
-                StrutPartition(lattice,
-                               divisions_of(scene, lattice),
-                               communicator),
-                all_ties(scene, lattice, releases, connector_pairs),
-                communicator)
+    , shared_numbering(std::make_shared<const DofNumbering>(
+        lattice,
+        StrutPartition(lattice, divisions_of(scene, lattice), communicator),
+        all_ties(scene, lattice, releases, connector_pairs),
+        communicator))
+    , numbering(*shared_numbering)
     , rows(numbering.unknowns().owned_rows())
     , supports(
         make_supports(scene, lattice, numbering, simulated.large_rotation))
     , bodies(rigid_bodies(lattice, numbering))
+  {}
+
+  LatticeModel::LatticeModel(const Scene &scene, const LatticeModel &other)
+    : lattice(other.lattice)
+    , simulated(decide_effects(scene, lattice))
+    , sections(other.sections)
+    , mean_strut_length(other.mean_strut_length)
+    , releases(other.releases)
+    , connector_pairs(other.connector_pairs)
+    , shared_numbering(other.shared_numbering)
+    , numbering(*shared_numbering)
+    , rows(other.rows)
+    , supports(
+        make_supports(scene, lattice, numbering, simulated.large_rotation))
+    , bodies(other.bodies)
   {}
 
   namespace

@@ -19,9 +19,11 @@ namespace auxfem
     /** Of the constructor: what follows is made while it runs. */
     std::optional<Stopwatch> set_up_watch;
 
+    const std::shared_ptr<const Lattice> shared_lattice;
+
   public:
-    const Scene  &scene;
-    const Lattice lattice;
+    const Scene   &scene;
+    const Lattice &lattice;
     /** Constant but for what LatticeModel::explain() says. */
     LatticeModel model;
     Equations    equations;
@@ -34,6 +36,13 @@ namespace auxfem
      * Throws InputError for what the lattice shows to be wrong with the scene.
      */
     LatticeRun(const Scene &scene, MPI_Comm communicator);
+
+    /**
+     * The same lattice as that of @p other, which it shares, in a scene of which
+     * kinematics and materials alone may differ. @param scene, other must
+     * outlive the object.
+     */
+    LatticeRun(const Scene &scene, const LatticeRun &other);
 
     LatticeRun(const LatticeRun &)            = delete;
     LatticeRun &operator=(const LatticeRun &) = delete;

@@ -6,6 +6,8 @@
 #include <auxfem/model/rigid_bodies.h>
 #include <auxfem/model/supports.h>
 
+#include <memory>
+
 namespace auxfem
 {
   /**
@@ -27,6 +29,13 @@ namespace auxfem
                  const Lattice &lattice,
                  MPI_Comm       communicator);
 
+    /**
+     * The structure of @p other with what another scene makes of it, whose
+     * kinematics and materials alone may differ; shares the numbering.
+     * @param scene must outlive the model, as the lattice of @p other.
+     */
+    LatticeModel(const Scene &scene, const LatticeModel &other);
+
     LatticeModel(const LatticeModel &)            = delete;
     LatticeModel &operator=(const LatticeModel &) = delete;
 
@@ -39,7 +48,12 @@ namespace auxfem
     const std::vector<JointRelease> releases;
     /** Of the whole lattice, by the scene's groups of connectors. */
     const std::vector<std::vector<JointPair>> connector_pairs;
-    const DofNumbering                        numbering;
+
+  private:
+    const std::shared_ptr<const DofNumbering> shared_numbering;
+
+  public:
+    const DofNumbering &numbering;
     /** Owned rows by what is measured in them. */
     const OwnedRows            rows;
     const std::vector<Support> supports;
