@@ -82,6 +82,7 @@ namespace auxfem
       std::transform(unknowns.begin(), unknowns.end(), numbers.begin(), global);
       return numbers;
     };
+    joints.reserve(distribution.n_joints());
     for (unsigned int joint = 0; joint < distribution.n_joints(); ++joint)
       joints.push_back(all_global(distribution.joint(joint)));
     for (const auto &[end, rotation] : distribution.released_ends())
