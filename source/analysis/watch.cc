@@ -63,7 +63,11 @@ namespace auxfem
       watches.push_back(make_connector_watch(equations));
     if (equations.reporting().plates != nullptr ||
         equations.reporting().strut_contact != nullptr)
-      watches.push_back(make_contact_watch(equations));
+      {
+        watches.push_back(make_contact_watch(equations));
+        if (has_inertia)
+          watches.push_back(make_impact_watch(scene, equations));
+      }
     if (has_struts && has_inertia)
       watches.push_back(make_wave_watch(scene, equations));
     if (has_struts && has_yield_strain(scene))

@@ -127,6 +127,11 @@ namespace auxfem
   /** Of struts that go deep into plates; the scene has some. */
   std::unique_ptr<Watch> make_contact_watch(const Equations &equations);
 
+  /** Of impacts that steps do not resolve. With inertia; the scene has contact.
+   */
+  std::unique_ptr<Watch> make_impact_watch(const Scene     &scene,
+                                           const Equations &equations);
+
   /** Of loads that are too fast to leave inertia out, where time has a meaning.
    */
   std::unique_ptr<Watch> make_load_speed_watch(const Scene     &scene,

@@ -204,7 +204,8 @@ namespace auxfem
       {
         std::vector<ContactReport> all;
         for (const PlateTouch &touch : points_of(&results))
-          if (is_owned(touch) && touch.depth > 0)
+          if (is_owned(touch) &&
+              (touch.depth > 0 || touch.whole_force().norm() > 0))
             all.push_back(
               {axes[touch.axis].strut,
                touch.plate,

@@ -200,7 +200,7 @@ namespace auxfem
         std::vector<ContactReport> all;
         for (const StrutTouch &touch : points_of(&results))
           {
-            if (!is_owned(touch) || touch.depth <= 0)
+            if (!is_owned(touch) || (touch.depth <= 0 && touch.force == 0))
               continue;
             SpaceVector force = touch.friction.force;
             for (const StrutTouch::Opposite &opposite : touch.opposites)

@@ -38,7 +38,7 @@ namespace auxfem
     virtual std::optional<Penetration>
     deepest(const EffectResults &results) const = 0;
 
-    /** All points that touch, of this rank. */
+    /** All points of this rank that touch, or have in the last step. */
     virtual std::vector<ContactReport> contacts(const EffectResults &results,
                                                 const State &state) const = 0;
   };

@@ -1,0 +1,276 @@
+#include <auxfem/algebra/shared_work.h>
+#include <auxfem/analysis/node_masses.h>
+#include <auxfem/analysis/watch.h>
+#include <auxfem/equations/effects/contact.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <sstream>
+
+namespace auxfem
+{
+  namespace
+  {
+    const std::string impact_record = "watch: impacts";
+
+    /**
+     * What contact of few steps may pass on of the largest momentum, and of the
+     * impulse of all contact: both, as little is passed on by struts that brush
+     * each other, and contact that lasts says what comes after it.
+     */
+    constexpr double doubtful_momentum = 2e-4, doubtful_share = 0.1;
+
+    /** Of momentum and all impulses, whatever else lasts. */
+    constexpr double doubtful_anyway = 0.02;
+
+    /** A strut, what it touches, and whether that is a plate. */
+    using TouchingPair = std::array<unsigned int, 3>;
+
+    /** Contact of a pair, as long as it lasts. */
+    struct Impact
+    {
+      double       impulse = 0; ///< N s
+      unsigned int n_steps = 0;
+      double       begin   = 0; ///< end of its first step (s)
+
+      /** What the steps leave open of the impulse: contact that is there in a
+       * single one gets a force for as long as that is, others are found to
+       * second order. */
+      double unresolved() const
+      {
+        return impulse / (double(n_steps) * n_steps);
+      }
+    };
+
+    /** Momentum a body would have that is as heavy as all and has the largest
+     * kinetic energy of the run. */
+    class LargestMomentum
+    {
+    public:
+      LargestMomentum(const Scene &scene, const Equations &equations)
+      {
+        double mine = 0;
+        for (const NodeMass &node : all_masses(scene, equations))
+          mine += node.mass;
+        // A mass for each component.
+        mass = equations.unknowns().layout.sum(mine) /
+          equations.model().lattice.dimension;
+        for (const PlateDefinition &plate : scene.plates)
+          if (plate.mass)
+            mass += plate.mass->mass;
+      }
+
+      void add(const Energies &energies)
+      {
+        kinetic = std::max(kinetic, energies.kinetic());
+      }
+
+      /** N s */
+      double value() const
+      {
+        return std::sqrt(2 * mass * kinetic);
+      }
+
+      double kinetic = 0; ///< J
+
+    private:
+      double mass; ///< kg
+    };
+
+    /**
+     * Of contact that begins and ends within few steps. Its impulse, and so the
+     * motion after it, depends on the length of these.
+     */
+    class ImpactWatch : public Watch
+    {
+    public:
+      ImpactWatch(const Scene &scene, const Equations &equations)
+        : time(scene.time)
+        , equations(equations)
+        , momentum(scene, equations)
+      {}
+
+      void step(const Evaluation        &step,
+                const EvaluationResults &results,
+                TangentSolver & /*solver*/) override
+      {
+        momentum.add(step.to.energies);
+        std::map<TouchingPair, Impact> now;
+        for (const ContactForce &force : forces_of_all(step.to, results))
+          {
+            Impact &impact = now.try_emplace(force.pair).first->second;
+            impact.impulse += force.size * step.dt;
+            impact.n_steps = 1;
+            impact.begin   = step.to.time;
+          }
+        for (const auto &[pair, before] : going_on)
+          if (const auto same = now.find(pair); same != now.end())
+            same->second = {before.impulse + same->second.impulse,
+                            before.n_steps + 1,
+                            before.begin};
+          else
+            end(pair, before);
+        going_on.swap(now);
+      }
+
+      std::vector<Finding> findings() const override
+      {
+        const double largest = momentum.value();
+        const bool   counts  = unresolved > doubtful_momentum * largest &&
+          unresolved > doubtful_share * impulse;
+        if (!counts && unresolved <= doubtful_anyway * (largest + impulse))
+          return {};
+        std::ostringstream text;
+        text.precision(3);
+        text
+          << "At t = " << worst.begin << " s strut " << worst_pair[0]
+          << " hits " << name_of_other() << " for " << worst.n_steps
+          << (worst.n_steps == 1 ? " step" : " steps")
+          << " only: the impulse, and what comes after it, depend on how long "
+             "steps are. Contact as short as that leaves open ";
+        text.precision(2);
+        text << 100 * unresolved / largest
+             << " % of the largest momentum; answers may err by ten times as "
+                "much. "
+             << advice();
+        return {{Verdict::doubtful,
+                 text.str(),
+                 worst.begin,
+                 "strut " + std::to_string(worst_pair[0])}};
+      }
+
+      void save(Records &records) const override
+      {
+        std::vector<double> values = {unresolved, impulse, momentum.kinetic};
+        add_values(worst_pair, worst, values);
+        for (const auto &[pair, impact] : going_on)
+          add_values(pair, impact, values);
+        records.keep(impact_record, values);
+      }
+
+      void resume(const Records &records) override
+      {
+        const std::vector<double> values =
+          records.values(impact_record, records.values_per_item(impact_record));
+        unresolved       = values[0];
+        impulse          = values[1];
+        momentum.kinetic = values[2];
+        going_on.clear();
+        for (std::size_t i = 3; i < values.size(); i += 6)
+          {
+            const TouchingPair pair = {
+              {static_cast<unsigned int>(values[i]),
+               static_cast<unsigned int>(values[i + 1]),
+               static_cast<unsigned int>(values[i + 2])}};
+            const Impact impact = {values[i + 3],
+                                   static_cast<unsigned int>(values[i + 4]),
+                                   values[i + 5]};
+            if (i == 3)
+              {
+                worst_pair = pair;
+                worst      = impact;
+              }
+            else
+              going_on.emplace(pair, impact);
+          }
+      }
+
+    private:
+      struct ContactForce
+      {
+        TouchingPair pair;
+        double       size; ///< N
+      };
+
+      static void add(const std::vector<ContactReport> &points,
+                      const bool                        is_plate,
+                      std::vector<ContactForce>        &forces)
+      {
+        for (const ContactReport &point : points)
+          forces.push_back(
+            {{{point.strut, point.other, is_plate}}, point.force.norm()});
+      }
+
+      /** At all points that touch. Collective. */
+      std::vector<ContactForce>
+      forces_of_all(const State &state, const EvaluationResults &results) const
+      {
+        const ReportingEffects   &effects = equations.reporting();
+        std::vector<ContactForce> mine;
+        if (effects.plates != nullptr)
+          add(effects.plates->contacts(equations.plate_results(results), state),
+              true,
+              mine);
+        if (effects.strut_contact != nullptr)
+          add(effects.strut_contact->contacts(equations.strut_contact_results(
+                                                results),
+                                              state),
+              false,
+              mine);
+        return of_all_ranks(mine, equations.unknowns().layout.communicator());
+      }
+
+      void end(const TouchingPair &pair, const Impact &impact)
+      {
+        unresolved += impact.unresolved();
+        impulse += impact.impulse;
+        if (worst.n_steps == 0 || impact.unresolved() > worst.unresolved())
+          {
+            worst_pair = pair;
+            worst      = impact;
+          }
+      }
+
+      static void add_values(const TouchingPair  &pair,
+                             const Impact        &impact,
+                             std::vector<double> &values)
+      {
+        values.insert(values.end(), pair.begin(), pair.end());
+        values.insert(values.end(),
+                      {impact.impulse, double(impact.n_steps), impact.begin});
+      }
+
+      std::string name_of_other() const
+      {
+        if (worst_pair[2] != 0)
+          return "the plate \"" +
+            equations.reporting().plates->name(worst_pair[1]) + '"';
+        return worst_pair[1] == worst_pair[0]
+          ? "itself"
+          : "strut " + std::to_string(worst_pair[1]);
+      }
+
+      std::string advice() const
+      {
+        std::ostringstream text;
+        if (time.relative_tolerance)
+          text << "Reduce Time/Relative tolerance.";
+        else if (time.implicit_scheme().error_constant())
+          text
+            << "Set Time/Relative tolerance = 5e-3: steps become as short as "
+               "the contact asks for, there alone.";
+        else
+          text << "Shorten Time/Time step = " << time.step << " s.";
+        return text.str();
+      }
+
+      const TimeParameters          &time;
+      const Equations               &equations;
+      LargestMomentum                momentum;
+      std::map<TouchingPair, Impact> going_on; ///< the same on all ranks
+      /** Of contact that has ended (N s). */
+      double unresolved = 0, impulse = 0;
+      /** That which leaves most open. */
+      TouchingPair worst_pair{};
+      Impact       worst;
+    };
+  } // namespace
+
+  std::unique_ptr<Watch> make_impact_watch(const Scene     &scene,
+                                           const Equations &equations)
+  {
+    return std::make_unique<ImpactWatch>(scene, equations);
+  }
+} // namespace auxfem
