@@ -38,6 +38,13 @@ namespace auxfem
      * unless little is missing. */
     constexpr double larger = 1.25, little = 0.3;
 
+    /** Part of what is allowed that an error is taken for at least. */
+    constexpr double least_known = 0.01;
+
+    /** Steps between two estimates with inertia, where one costs about as much
+     * as a tenth of a step, and motions take many steps. */
+    constexpr unsigned int steps_between_estimates = 10;
+
     /** A vibration goes four amplitudes while it turns by 2 pi. */
     constexpr double radians_of_way = dealii::numbers::PI / 2;
 
@@ -279,7 +286,27 @@ namespace auxfem
     return motion;
   }
 
-  void KinematicCorrection::look_at(const State &state, const Equations &small)
+  void KinematicCorrection::begin(const Equations &small)
+  {
+    this->small = &small;
+    estimate.emplace(scene, small);
+  }
+
+  bool KinematicCorrection::asks_for_look(const State &state)
+  {
+    if (++n_steps < steps_between_estimates && state.velocity)
+      return false;
+    n_steps              = 0;
+    const double allowed = little * scene.effects.tolerance,
+                 now     = estimate->at(state).total();
+    if (estimated == 0)
+      return now > allowed;
+    return now > larger * estimated &&
+      std::max(relative(), least_known * scene.effects.tolerance) * now >
+      allowed * estimated;
+  }
+
+  void KinematicCorrection::look_at(const State &state)
   {
     const auto evaluation_of = [](const State &before, State &now) {
       return now.velocity ? Evaluation::rates(before, now)
@@ -288,15 +315,17 @@ namespace auxfem
     if (state.velocity)
       way += (state.time - time) * size_of(solver.model(), *state.velocity);
     time              = state.time;
-    const double size = size_of(solver.model(), state.displacement);
-    if (size <= larger * size_of_motion &&
+    const double size = size_of(solver.model(), state.displacement),
+                 now  = estimate->at(state).total();
+    if (size <= larger * size_of_motion && now <= larger * estimated &&
         relative() <= little * scene.effects.tolerance)
       return;
+    estimated = std::max(estimated, now);
     Vector left;
     {
       State             linear  = state;
-      EvaluationResults results = small.make_results();
-      small.residual(evaluation_of(state, linear), results);
+      EvaluationResults results = small->make_results();
+      small->residual(evaluation_of(state, linear), results);
       left = std::move(linear.residual);
     }
     grow_error(size);
@@ -359,7 +388,9 @@ namespace auxfem
                   size_of_motion,
                   way,
                   time,
-                  unstable ? 1. : 0.});
+                  unstable ? 1. : 0.,
+                  estimated,
+                  double(n_steps)});
     UnknownRecords(solver.model().numbering).keep(error_record, error, records);
     solver.save(stiffness_record, /*with_factorization=*/false, records);
     Records of_watches;
@@ -370,7 +401,7 @@ namespace auxfem
 
   void KinematicCorrection::resume(const Records &records)
   {
-    const std::vector<double> values = records.values(correction_record, 7);
+    const std::vector<double> values = records.values(correction_record, 9);
     largest_error                    = values[0];
     largest_motion                   = values[1];
     largest_rotation                 = values[2];
@@ -378,6 +409,8 @@ namespace auxfem
     way                              = values[4];
     time                             = values[5];
     unstable                         = values[6] != 0;
+    estimated                        = values[7];
+    n_steps                          = values[8];
     error =
       UnknownRecords(solver.model().numbering).values(error_record, records);
     solver.resume(stiffness_record, records);

@@ -135,7 +135,7 @@ namespace auxfem
 
       void begin(const Equations &equations) override
       {
-        small = &equations;
+        error.begin(equations);
         ForwardingRecorder::begin(equations);
       }
 
@@ -143,7 +143,8 @@ namespace auxfem
       {
         if (touches != nullptr && touches->first_touch())
           why = touch_text(*touches->first_touch());
-        else if (solution.state.step % distance == 0)
+        else if (error.asks_for_look(solution.state) ||
+                 solution.state.step % distance == 0)
           look(solution.state);
         if (why.empty())
           ForwardingRecorder::step(solution, report);
@@ -190,7 +191,7 @@ namespace auxfem
     private:
       void look(const State &state)
       {
-        error.look_at(state, *small);
+        error.look_at(state);
         why = error.why_exact(scene.effects.tolerance);
         if (!why.empty())
           why += time_text(state.time);
@@ -215,7 +216,6 @@ namespace auxfem
       KinematicCorrection     error;
       const unsigned long     distance; ///< of looks, steps
       const TouchWatch *const touches;
-      const Equations        *small = nullptr; ///< from begin() on
       std::string             why;
     };
 

@@ -7,6 +7,8 @@
 
 #include <cmath>
 
+#include <support/pi.h>
+
 using namespace auxfem;
 using namespace auxfem::testing_support;
 
@@ -140,6 +142,44 @@ TEST(KinematicsChoice, ALoadThatGrowsMakesTheRunStartAnew)
       << chosen.history.reason;
   EXPECT_GT(chosen.result.work.iterations, exact.result.work.iterations);
   EXPECT_EQ(chosen.result.work.steps, exact.result.work.steps);
+}
+
+TEST(KinematicsChoice, LoadsThatPressWithoutMovingAreSeen)
+{
+  // A column that a load across it has bent at half the time, by small
+  // displacements most of all; then twice its buckling load comes on it.
+  const auto pressed = [](const double part) {
+    SceneText    scene    = statics(cantilever(2, {0, 0}));
+    const double critical = std::pow(pi, 3) / 4 * 70e9 * std::pow(0.005, 4) / 4;
+    scene.set("Loads/push/Force x",
+              text(-part * critical) + " * max(0, t / 0.1 - 1)");
+    scene.set("Loads/push/Force y",
+              "0.1 * min(t / 0.1, 1) * (1 - 0.01 * max(0, t / 0.1 - 1))");
+    return scene.set("Time/Time step", 0.001);
+  };
+  const Decided relieved(pressed(0), "auto"), chosen(pressed(2), "auto"),
+    exact(pressed(2), "on");
+  EXPECT_FALSE(relieved.history.is_exact);
+  EXPECT_TRUE(chosen.history.is_exact);
+  EXPECT_EQ(chosen.history.n_beginnings, 2u);
+  EXPECT_EQ(chosen.history.rows(), exact.history.rows());
+}
+
+TEST(KinematicsChoice, APulseBetweenTwoLooksIsSeen)
+{
+  // A tenth of the way from one look to the next long; loads are known at
+  // quarters of the time.
+  const auto pulse = [](const double force) {
+    return statics(cantilever(2, {0, 0}))
+      .set("Loads/push/Force y",
+           text(force) + " * exp(-((t - 0.105) / 0.001)^2)")
+      .set("Time/Time step", 0.0002);
+  };
+  const Decided small(pulse(0.01), "auto"), chosen(pulse(10), "auto"),
+    exact(pulse(10), "on");
+  EXPECT_FALSE(small.history.is_exact);
+  EXPECT_TRUE(chosen.history.is_exact);
+  EXPECT_EQ(chosen.history.rows(), exact.history.rows());
 }
 
 TEST(KinematicsChoice, StrutsMayTouchOnlyWhereTheyMoveFar)

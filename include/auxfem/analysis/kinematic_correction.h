@@ -1,6 +1,7 @@
 #ifndef auxfem_analysis_kinematic_correction_h
 #define auxfem_analysis_kinematic_correction_h
 
+#include <auxfem/analysis/small_displacement_error.h>
 #include <auxfem/analysis/watch.h>
 #include <auxfem/equations/node_rotations.h>
 #include <auxfem/scene/scene.h>
@@ -37,11 +38,24 @@ namespace auxfem
      */
     void look_at_loads();
 
+    /** Before states are looked at. @param small their equations, which must
+     * outlive the object */
+    void begin(const Equations &small);
+
     /**
-     * Of a state of small displacements.
-     * @param small its equations
+     * Of a state of small displacements, which has its energies. Does nothing
+     * where less than a quarter has been added to the motion and to the first
+     * estimate of its error since the last look, and little error was found.
      */
-    void look_at(const State &state, const Equations &small);
+    void look_at(const State &state);
+
+    /**
+     * Whether @p state, of any step, has to be looked at: the first estimate of
+     * its error (SmallDisplacementEstimate) has grown so much since the last
+     * look that the error may be near what is allowed. With inertia it is taken
+     * in every tenth step.
+     */
+    bool asks_for_look(const State &state);
 
     /**
      * Largest so far, over the largest displacements so far; not finite if
@@ -112,6 +126,10 @@ namespace auxfem
     double              size_of_motion   = 0; ///< at the last look (m)
     double              way              = 0; ///< so far (m)
     double              time             = 0; ///< of the last look (s)
+    const Equations    *small = nullptr; ///< from begin() on, with `estimate`
+    std::optional<SmallDisplacementEstimate> estimate;
+    double       estimated = 0; ///< at the last look
+    unsigned int n_steps   = 0; ///< since the last estimate
     std::vector<std::unique_ptr<Watch>> watches;
     bool                                unstable = false, is_factorized = false;
   };
