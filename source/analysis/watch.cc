@@ -68,6 +68,8 @@ namespace auxfem
         if (has_inertia)
           watches.push_back(make_impact_watch(scene, equations));
       }
+    if (!scene.plates.empty() && equations.reporting().plates == nullptr)
+      watches.push_back(make_plate_crossing_watch(scene, equations));
     if (has_struts && has_inertia)
       watches.push_back(make_wave_watch(scene, equations));
     if (has_struts && has_yield_strain(scene))

@@ -63,6 +63,10 @@ namespace auxfem
     std::sort(displacements.begin(), displacements.end());
     displacements.erase(std::unique(displacements.begin(), displacements.end()),
                         displacements.end());
+  }
+
+  void PlateProximity::refuse_bad_plates() const
+  {
     refuse_struts_without_thickness();
     refuse_plates_in_struts();
   }
@@ -291,13 +295,14 @@ namespace auxfem
                             static_cast<unsigned int>(pairs[i + 1])});
   }
 
-  std::string PlateProximity::why_too_deep(const Evaluation &step) const
+  std::optional<PlateProximity::Depth>
+  PlateProximity::first_too_deep(const Evaluation &step) const
   {
     if (are_clear(step.to.displacement,
                   largest_displacement(step.to.displacement,
                                        step.from.displacement),
                   0))
-      return "";
+      return {};
     Vector increment = step.to.displacement;
     add_multiple(-1, step.from.displacement, increment);
     const std::vector<Vector3> places  = plate_values(step.to.displacement),
@@ -308,17 +313,17 @@ namespace auxfem
           // Between its nodes an axis may move by more than they.
           if (least_gap({a, p}, step.to.displacement, places[p]) <
               2 * largest_motion(a, increment, motions[p]))
-            if (const std::string why =
-                  why_too_deep({a, p}, step, places[p] - motions[p], places[p]);
-                !why.empty())
-              return why;
-    return "";
+            if (const auto found =
+                  too_deep({a, p}, step, places[p] - motions[p], places[p]))
+              return found;
+    return {};
   }
 
-  std::string PlateProximity::why_too_deep(const PlatePair  &pair,
-                                           const Evaluation &step,
-                                           const Vector3    &before,
-                                           const Vector3    &now) const
+  std::optional<PlateProximity::Depth>
+  PlateProximity::too_deep(const PlatePair  &pair,
+                           const Evaluation &step,
+                           const Vector3    &before,
+                           const Vector3    &now) const
   {
     const ContactAxis     &axis  = axes[pair.axis];
     const PlateDefinition &plate = *all_plates[pair.plate].definition;
@@ -336,16 +341,10 @@ namespace auxfem
         const double depth = axis.half_thickness -
           plate.surface->least_distance(at(i, step.from, before),
                                         at(i, step.to, now));
-        if (depth <= allowed)
-          continue;
-        std::ostringstream why;
-        why << "strut " << axis.strut << " would go " << depth
-            << " m into the plate \"" << plate.name << '"';
-        if (is_coupled)
-          why << ", more than Contact/Largest penetration allows";
-        return why.str();
+        if (depth > allowed)
+          return Depth{axis.strut, pair.plate, depth, is_coupled};
       }
-    return "";
+    return {};
   }
 
   dealii::Tensor<1, 3> PlateProximity::displacement(const unsigned int axis,

@@ -84,3 +84,24 @@ TEST(ContactWatch, LargestPenetrationIsThatOfPartsOfStepsToo)
   scene.set("Effects/Contact", "off");
   EXPECT_FALSE(result_of(scene.str()).largest_penetration);
 }
+
+TEST(ContactWatch, TellsOfPlatesThatGoThroughStrutsWithoutContact)
+{
+  const auto told = [](const double way) {
+    std::vector<Finding> found;
+    for (const Finding &finding :
+         findings_of(pressed_by_plate(way).set("Effects/Contact", "off")))
+      if (finding.text.find("into the plate \"press\": contact is left out") !=
+          std::string::npos)
+        found.push_back(finding);
+    return found;
+  };
+  // The lower face is 1 cm from the plate, which moves in ten steps.
+  const auto found = told(0.0122);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].verdict, Verdict::doubtful);
+  EXPECT_EQ(found[0].location, "strut 0");
+  EXPECT_NEAR(found[0].time, 0.9, 1e-12);
+  EXPECT_TRUE(told(0.0095).empty());
+  EXPECT_TRUE(told(-0.0122).empty());
+}

@@ -142,6 +142,11 @@ namespace auxfem
   std::unique_ptr<Watch> make_crossing_watch(const Scene     &scene,
                                              const Equations &equations);
 
+  /** Of struts that go through plates where contact is left out; the scene has
+   * plates. @p scene must outlive it. */
+  std::unique_ptr<Watch> make_plate_crossing_watch(const Scene     &scene,
+                                                   const Equations &equations);
+
   /** Of displacements too large for the small-displacement form, in linear
    * scenes. */
   std::unique_ptr<Watch>

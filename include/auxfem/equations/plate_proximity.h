@@ -44,13 +44,16 @@ namespace auxfem
 
     /**
      * @param scene, model, axes, points must outlive the object; @p points are
-     * those of each axis. Throws InputError for struts without thickness, and
-     * for such as lie in a plate at rest.
+     * those of each axis
      */
     PlateProximity(const Scene                      &scene,
                    const LatticeModel               &model,
                    const std::vector<ContactAxis>   &axes,
                    const std::vector<ContactPoints> &points);
+
+    /** Throws InputError for struts without thickness, and for such as lie in a
+     * plate at rest. */
+    void refuse_bad_plates() const;
 
     /** Follows an accepted state; whether near() has changed. Collective. */
     bool follow(const State &accepted);
@@ -65,10 +68,18 @@ namespace auxfem
     void save(Records &records) const;
     void resume(const Records &records);
 
-    /** Why struts of this rank go too deep into a plate on the straight way
-     * between the states of a step, in words for users; empty: they do not.
-     * Collective. */
-    std::string why_too_deep(const Evaluation &step) const;
+    /** A strut that goes into a plate. */
+    struct Depth
+    {
+      unsigned int strut, plate;
+      double       depth; ///< m
+      bool         is_near;
+    };
+
+    /** A strut of this rank that goes too deep into a plate on the straight way
+     * between the states of a step: one that is near() deeper than it may,
+     * another that touches it. Collective. */
+    std::optional<Depth> first_too_deep(const Evaluation &step) const;
 
     /** All, in the order of the scene. */
     const std::vector<Plate> &plates() const
@@ -137,12 +148,12 @@ namespace auxfem
       return 4 * thickest;
     }
 
-    /** As why_too_deep(), of a pair whose plate has gone from one place to
+    /** As first_too_deep(), of a pair whose plate has gone from one place to
      * another. */
-    std::string why_too_deep(const PlatePair   &pair,
-                             const Evaluation  &step,
-                             const SpaceVector &before,
-                             const SpaceVector &now) const;
+    std::optional<Depth> too_deep(const PlatePair   &pair,
+                                  const Evaluation  &step,
+                                  const SpaceVector &before,
+                                  const SpaceVector &now) const;
 
     const LatticeModel               &model;
     const std::vector<ContactAxis>   &axes;

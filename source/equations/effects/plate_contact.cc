@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
 
 namespace auxfem
 {
@@ -40,7 +41,9 @@ namespace auxfem
         : ContactEffect(scene, model)
         , points_of_axes(make_contact_points(model.lattice, axes))
         , proximity(scene, model, axes, points_of_axes)
-      {}
+      {
+        proximity.refuse_bad_plates();
+      }
 
       bool update_couplings(const State      &accepted,
                             std::vector<int> &wanted) override
@@ -164,7 +167,15 @@ namespace auxfem
 
       std::string why_not_acceptable(const Evaluation &step) const override
       {
-        return proximity.why_too_deep(step);
+        const auto found = proximity.first_too_deep(step);
+        if (!found)
+          return "";
+        std::ostringstream why;
+        why << "strut " << found->strut << " would go " << found->depth
+            << " m into the plate \"" << name(found->plate) << '"';
+        if (found->is_near)
+          why << ", more than Contact/Largest penetration allows";
+        return why.str();
       }
 
       unsigned int n_plates() const override
