@@ -41,10 +41,6 @@ namespace auxfem
     /** Part of what is allowed that an error is taken for at least. */
     constexpr double least_known = 0.01;
 
-    /** Steps between two estimates with inertia, where one costs about as much
-     * as a tenth of a step, and motions take many steps. */
-    constexpr unsigned int steps_between_estimates = 10;
-
     /** A vibration goes four amplitudes while it turns by 2 pi. */
     constexpr double radians_of_way = dealii::numbers::PI / 2;
 
@@ -294,7 +290,8 @@ namespace auxfem
 
   bool KinematicCorrection::asks_for_look(const State &state)
   {
-    if (++n_steps < steps_between_estimates && state.velocity)
+    if (++n_steps < SmallDisplacementEstimate::distance_in_motion &&
+        state.velocity)
       return false;
     n_steps              = 0;
     const double allowed = little * scene.effects.tolerance,

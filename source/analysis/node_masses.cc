@@ -7,6 +7,15 @@ namespace auxfem
 {
   namespace
   {
+    /** kg */
+    double element_mass(const LatticeModel &model, const unsigned int e)
+    {
+      const StrutInterval &interval = model.numbering.elements()[e].interval;
+      const Strut         &strut    = model.lattice.struts[interval.strut];
+      return model.sections[strut.section].mass_per_length() *
+        model.lattice.length(strut) * (interval.end - interval.begin);
+    }
+
     void add_struts(const Equations &equations, std::vector<NodeMass> &masses)
     {
       const LatticeModel &model     = equations.model();
@@ -65,15 +74,12 @@ namespace auxfem
   std::vector<double> node_masses(const LatticeModel &model,
                                   const unsigned int  e)
   {
-    const DofNumbering::Element &element = model.numbering.elements()[e];
-    const Strut &strut = model.lattice.struts[element.interval.strut];
-    const double mass  = model.sections[strut.section].mass_per_length() *
-      model.lattice.length(strut) *
-      (element.interval.end - element.interval.begin);
-    const dealii::QGaussLobatto<1> lobatto(element.order + 1);
+    const unsigned int             order = model.numbering.elements()[e].order;
+    const double                   mass  = element_mass(model, e);
+    const dealii::QGaussLobatto<1> lobatto(order + 1);
     std::vector<double>            masses;
-    for (unsigned int a = 0; a <= element.order; ++a)
-      masses.push_back(mass * lobatto.weight(place_along(a, element.order)));
+    for (unsigned int a = 0; a <= order; ++a)
+      masses.push_back(mass * lobatto.weight(place_along(a, order)));
     return masses;
   }
 
@@ -85,5 +91,24 @@ namespace auxfem
     add_point_masses(scene, equations.model(), masses);
     add_rigid_parts(equations.model(), masses);
     return masses;
+  }
+
+  double total_mass(const Scene &scene, const Equations &equations)
+  {
+    const LatticeModel   &model = equations.model();
+    std::vector<NodeMass> of_components;
+    add_point_masses(scene, model, of_components);
+    add_rigid_parts(model, of_components);
+    double mine = 0;
+    for (const NodeMass &node : of_components)
+      mine += node.mass / model.lattice.dimension;
+    for (unsigned int e = 0; e < model.numbering.elements().size(); ++e)
+      if (model.numbering.elements()[e].is_owned)
+        mine += element_mass(model, e);
+    double mass = model.numbering.layout().sum(mine);
+    for (const PlateDefinition &plate : scene.plates)
+      if (plate.mass)
+        mass += plate.mass->mass;
+    return mass;
   }
 } // namespace auxfem

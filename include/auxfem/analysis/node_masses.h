@@ -28,6 +28,9 @@ namespace auxfem
    */
   std::vector<NodeMass> all_masses(const Scene     &scene,
                                    const Equations &equations);
+
+  /** Of struts, point masses, rigid parts and plates (kg). Collective. */
+  double total_mass(const Scene &scene, const Equations &equations);
 } // namespace auxfem
 
 #endif

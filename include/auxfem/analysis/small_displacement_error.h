@@ -45,6 +45,10 @@ namespace auxfem
   class SmallDisplacementEstimate
   {
   public:
+    /** Steps from one estimate to the next with inertia, where one costs about
+     * as much as a tenth of a step, and motions take many steps. */
+    static constexpr unsigned int distance_in_motion = 10;
+
     /** @param scene, equations must outlive the object. */
     SmallDisplacementEstimate(const Scene &scene, const Equations &equations);
 

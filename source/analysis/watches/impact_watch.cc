@@ -44,41 +44,6 @@ namespace auxfem
       }
     };
 
-    /** Momentum a body would have that is as heavy as all and has the largest
-     * kinetic energy of the run. */
-    class LargestMomentum
-    {
-    public:
-      LargestMomentum(const Scene &scene, const Equations &equations)
-      {
-        double mine = 0;
-        for (const NodeMass &node : all_masses(scene, equations))
-          mine += node.mass;
-        // A mass for each component.
-        mass = equations.unknowns().layout.sum(mine) /
-          equations.model().lattice.dimension;
-        for (const PlateDefinition &plate : scene.plates)
-          if (plate.mass)
-            mass += plate.mass->mass;
-      }
-
-      void add(const Energies &energies)
-      {
-        kinetic = std::max(kinetic, energies.kinetic());
-      }
-
-      /** N s */
-      double value() const
-      {
-        return std::sqrt(2 * mass * kinetic);
-      }
-
-      double kinetic = 0; ///< J
-
-    private:
-      double mass; ///< kg
-    };
-
     /**
      * Of contact that begins and ends within few steps. Its impulse, and so the
      * motion after it, depends on the length of these.
@@ -89,14 +54,14 @@ namespace auxfem
       ImpactWatch(const Scene &scene, const Equations &equations)
         : time(scene.time)
         , equations(equations)
-        , momentum(scene, equations)
+        , mass(total_mass(scene, equations))
       {}
 
       void step(const Evaluation        &step,
                 const EvaluationResults &results,
                 TangentSolver & /*solver*/) override
       {
-        momentum.add(step.to.energies);
+        kinetic = std::max(kinetic, step.to.energies.kinetic());
         std::map<TouchingPair, Impact> now;
         for (const ContactForce &force : forces_of_all(step.to, results))
           {
@@ -117,7 +82,8 @@ namespace auxfem
 
       std::vector<Finding> findings() const override
       {
-        const double largest = momentum.value();
+        // Of a body as heavy as all, with the largest kinetic energy.
+        const double largest = std::sqrt(2 * mass * kinetic);
         const bool   counts  = unresolved > doubtful_momentum * largest &&
           unresolved > doubtful_share * impulse;
         if (!counts && unresolved <= doubtful_anyway * (largest + impulse))
@@ -143,7 +109,7 @@ namespace auxfem
 
       void save(Records &records) const override
       {
-        std::vector<double> values = {unresolved, impulse, momentum.kinetic};
+        std::vector<double> values = {unresolved, impulse, kinetic};
         add_values(worst_pair, worst, values);
         for (const auto &[pair, impact] : going_on)
           add_values(pair, impact, values);
@@ -154,9 +120,9 @@ namespace auxfem
       {
         const std::vector<double> values =
           records.values(impact_record, records.values_per_item(impact_record));
-        unresolved       = values[0];
-        impulse          = values[1];
-        momentum.kinetic = values[2];
+        unresolved = values[0];
+        impulse    = values[1];
+        kinetic    = values[2];
         going_on.clear();
         for (std::size_t i = 3; i < values.size(); i += 6)
           {
@@ -258,8 +224,9 @@ namespace auxfem
 
       const TimeParameters          &time;
       const Equations               &equations;
-      LargestMomentum                momentum;
-      std::map<TouchingPair, Impact> going_on; ///< the same on all ranks
+      const double                   mass;        ///< kg
+      double                         kinetic = 0; ///< the largest (J)
+      std::map<TouchingPair, Impact> going_on;    ///< the same on all ranks
       /** Of contact that has ended (N s). */
       double unresolved = 0, impulse = 0;
       /** That which leaves most open. */

@@ -12,10 +12,6 @@ namespace auxfem
     constexpr double doubtful_displacement_error = 0.05,
                      ruinous_displacement_error  = 0.25;
 
-    /** Steps between two looks with inertia, where a look costs about as much
-     * as a tenth of a step, and motions take many steps. */
-    constexpr unsigned int steps_between_displacement_looks = 10;
-
     /** Of linear scenes. */
     class SmallDisplacementWatch : public Watch
     {
@@ -24,7 +20,7 @@ namespace auxfem
         : estimate(scene, equations)
         , end_time(scene.time.end_time)
         , steps_between_looks(equations.model().simulated.inertia
-                                ? steps_between_displacement_looks
+                                ? SmallDisplacementEstimate::distance_in_motion
                                 : 1)
       {}
 
