@@ -5,6 +5,7 @@
 #include <deal.II/base/exceptions.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <new>
 #include <utility>
@@ -228,12 +229,16 @@ namespace auxfem
     // Far above round-off, also where stiffness stands beside constraints; far
     // below what a wrong factor would leave.
     constexpr double largest_error = 1e-3;
-    const bool       is_finite =
-      std::all_of(right_side.begin(), right_side.end(), [](const double value) {
-        return std::isfinite(value);
-      });
+    double           largest       = 0; // infinite if a value is no number
+    for (const double value : right_side)
+      largest = std::isfinite(value) ? std::max(largest, std::abs(value))
+                                     : std::numeric_limits<double>::infinity();
+    largest = matrix.pattern().unknowns().layout.largest(largest);
+    // Below, solutions have no digits.
+    constexpr double smallest = std::numeric_limits<double>::min() /
+      std::numeric_limits<double>::epsilon();
     if (current->n_iterations() == 0 && matrix.has_entries() &&
-        matrix.pattern().unknowns().layout.largest(is_finite ? 0. : 1.) == 0)
+        std::isfinite(largest) && largest >= smallest)
       {
         const double error =
           backward_error(matrix, values, right_side, symmetry);
