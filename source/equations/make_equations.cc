@@ -72,7 +72,7 @@ namespace auxfem
         !reporting_effects.constraints.empty())
       throw InputError(
         "Time/Relative tolerance: the error of Time/Scheme = " + scheme.name() +
-        " is not known where parts are rigid or hinges revolute. Remove it, or "
+        " is not known where parts are rigid or hinges revolute. Set it to none, or "
         "choose newmark, hht or generalized-alpha.");
   }
 

@@ -77,14 +77,14 @@ namespace auxfem
         dynamic_cast<const ImplicitScheme *>(scene.time.scheme.get());
       if (scene.context.model == Model::reduced_cell || scheme == nullptr ||
           !scheme->error_constant())
-        mistakes.add(
-          message(scene,
-                  "Time/Relative tolerance: there is no estimate of "
-                  "the error of Time/Scheme = ",
-                  scene.time.scheme->name(),
-                  " here. Remove it, or choose newmark of second order, hht, "
-                  "generalized-alpha or esdirk of order 3 or 4, with a "
-                  "lattice"));
+        mistakes.add(message(
+          scene,
+          "Time/Relative tolerance: there is no estimate of "
+          "the error of Time/Scheme = ",
+          scene.time.scheme->name(),
+          " here. Set it to none, or choose newmark of second order, hht, "
+          "generalized-alpha or esdirk of order 3 or 4, with a "
+          "lattice"));
     }
 
     void check_inertia(const Scene &scene, Mistakes &mistakes)
