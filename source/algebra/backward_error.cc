@@ -1,4 +1,5 @@
 #include <auxfem/algebra/backward_error.h>
+#include <auxfem/algebra/full_precision.h>
 
 #include <algorithm>
 #include <cmath>
@@ -63,7 +64,7 @@ namespace auxfem
         const double difference = std::abs(image[i] - b[i]);
         if (difference == 0)
           continue;
-        const double error = difference / size;
+        const double error = difference / (size + least_of_full_precision);
         if (!std::isfinite(error))
           largest = std::numeric_limits<double>::infinity();
         largest = std::max(largest, error);

@@ -229,16 +229,12 @@ namespace auxfem
     // Far above round-off, also where stiffness stands beside constraints; far
     // below what a wrong factor would leave.
     constexpr double largest_error = 1e-3;
-    double           largest       = 0; // infinite if a value is no number
-    for (const double value : right_side)
-      largest = std::isfinite(value) ? std::max(largest, std::abs(value))
-                                     : std::numeric_limits<double>::infinity();
-    largest = matrix.pattern().unknowns().layout.largest(largest);
-    // Below, solutions have no digits.
-    constexpr double smallest = std::numeric_limits<double>::min() /
-      std::numeric_limits<double>::epsilon();
+    const bool       is_finite =
+      std::all_of(right_side.begin(), right_side.end(), [](const double value) {
+        return std::isfinite(value);
+      });
     if (current->n_iterations() == 0 && matrix.has_entries() &&
-        std::isfinite(largest) && largest >= smallest)
+        matrix.pattern().unknowns().layout.largest(is_finite ? 0. : 1.) == 0)
       {
         const double error =
           backward_error(matrix, values, right_side, symmetry);

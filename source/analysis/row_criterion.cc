@@ -1,8 +1,8 @@
+#include <auxfem/algebra/full_precision.h>
 #include <auxfem/analysis/row_criterion.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace auxfem
 {
@@ -13,11 +13,6 @@ namespace auxfem
      * rows of sound scenes hardly ever ask for an iteration of their own.
      */
     constexpr double allowed_in_a_row = 300;
-
-    /** Forces below have fewer digits than others (N, N m): those of a load
-     * that begins or ends as a Gaussian, say. */
-    constexpr double too_small_for_digits = std::numeric_limits<double>::min() /
-      std::numeric_limits<double>::epsilon();
   } // namespace
 
   RowCriterion::RowCriterion(const Equations &equations, const double tolerance)
@@ -56,7 +51,7 @@ namespace auxfem
         {
           const double size    = std::abs(state.residual[row]);
           const double allowed = tolerance * state.largest_forces[row] +
-            (round_off ? round_off[row] : 0.) + too_small_for_digits;
+            (round_off ? round_off[row] : 0.) + least_of_full_precision;
           if (!(size <= worst * allowed))
             worst = size / allowed;
         }

@@ -46,17 +46,13 @@ namespace auxfem
         std::vector<Finding> all;
         if (const auto largest = into_plates.largest_of_all(communicator);
             is_doubtful(largest))
-          all.push_back(
-            finding(*largest,
-                    "the plate \"" +
-                      equations.reporting().plates->name(largest->group) +
-                      '"'));
+          all.push_back(finding(
+            *largest,
+            touched_plate(equations.reporting().plates->name(largest->group))));
         if (const auto largest = into_struts.largest_of_all(communicator);
             is_doubtful(largest))
-          all.push_back(finding(*largest,
-                                largest->group == largest->number
-                                  ? "itself"
-                                  : "strut " + std::to_string(largest->group)));
+          all.push_back(
+            finding(*largest, touched_strut(largest->number, largest->group)));
         return all;
       }
 

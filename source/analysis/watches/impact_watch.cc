@@ -200,12 +200,9 @@ namespace auxfem
 
       std::string name_of_other() const
       {
-        if (worst_pair[2] != 0)
-          return "the plate \"" +
-            equations.reporting().plates->name(worst_pair[1]) + '"';
-        return worst_pair[1] == worst_pair[0]
-          ? "itself"
-          : "strut " + std::to_string(worst_pair[1]);
+        return worst_pair[2] != 0
+          ? touched_plate(equations.reporting().plates->name(worst_pair[1]))
+          : touched_strut(worst_pair[0], worst_pair[1]);
       }
 
       std::string advice() const

@@ -1,5 +1,6 @@
 #include <auxfem/analysis/occurrences.h>
 #include <auxfem/analysis/watch.h>
+#include <auxfem/equations/effects/contact.h>
 #include <auxfem/equations/plate_proximity.h>
 #include <auxfem/time/moment_text.h>
 
@@ -40,9 +41,9 @@ namespace auxfem
         const std::string  location = "strut " + std::to_string(first->number);
         std::ostringstream text;
         text << "At about " << moment_text(/*on_path=*/false, first->time, 4)
-             << ' ' << location << " goes into the plate \""
-             << scene.plates[first->group].name
-             << "\": contact is left out, and struts and plates pass through "
+             << ' ' << location << " goes into "
+             << touched_plate(scene.plates[first->group].name)
+             << ": contact is left out, and struts and plates pass through "
                 "each other. Leave Effects/Contact at auto.";
         return {{Verdict::doubtful, text.str(), first->time, location}};
       }

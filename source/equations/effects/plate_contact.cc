@@ -172,7 +172,7 @@ namespace auxfem
           return "";
         std::ostringstream why;
         why << "strut " << found->strut << " would go " << found->depth
-            << " m into the plate \"" << name(found->plate) << '"';
+            << " m into " << touched_plate(name(found->plate));
         if (found->is_near)
           why << ", more than Contact/Largest penetration allows";
         return why.str();

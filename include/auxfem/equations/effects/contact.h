@@ -6,6 +6,7 @@
 #include <auxfem/scene/scene.h>
 
 #include <optional>
+#include <string>
 
 namespace auxfem
 {
@@ -29,6 +30,21 @@ namespace auxfem
     dealii::Tensor<1, 3> force; ///< on the strut (N)
     double               depth; ///< of penetration (m)
   };
+
+  /** @name What a strut touches, in the user's words: `the plate "table"`, `strut
+   * 3`, `itself`. */
+  ///@{
+  inline std::string touched_plate(const std::string &name)
+  {
+    return "the plate \"" + name + '"';
+  }
+
+  inline std::string touched_strut(const unsigned int strut,
+                                   const unsigned int other)
+  {
+    return other == strut ? "itself" : "strut " + std::to_string(other);
+  }
+  ///@}
 
   /** Contact of struts, whatever they touch, as output sees it. */
   class Contact : public Effect
