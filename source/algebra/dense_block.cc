@@ -110,6 +110,16 @@ namespace auxfem
             target[i * m2 + j] -= a[i * n + k] * b[k * m2 + j];
   }
 
+  void invert_root(double *a, const unsigned int n)
+  {
+    dealii::FullMatrix<double> root(n);
+    root.cholesky(dealii::FullMatrix<double>(n, n, a));
+    root.gauss_jordan();
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int j = 0; j < n; ++j)
+        a[i * n + j] = root(i, j);
+  }
+
   unsigned int n_negative_eigenvalues(const double *a, const unsigned int n)
   {
     dealii::LAPACKFullMatrix<double> matrix(n);

@@ -93,7 +93,9 @@ namespace
         .set("Effects/Shear flexibility", "off")
         .mesh(3, 2)
         .add("Time", "Spectral radius = 0.6")
-        .time(0.05, 0.0005, "generalized-alpha");
+        // Of longer steps some are tried again in parts, and which hangs on
+        // round-off.
+        .time(0.05, 0.0002, "generalized-alpha");
       // The lower one lies below the joint that is held.
       scene.add("Plates/lower",
                 "Shape = plane | Normal = " + turned(0, 1, 0) +

@@ -3,9 +3,9 @@
 
 /**
  * @file
- * Factors of small dense blocks, stored row by row, as pivots of a block
- * elimination. For three or six rows they are done before LAPACK has looked at
- * its arguments.
+ * Small dense blocks, stored row by row. Factors of three or six rows, as
+ * pivots of a block elimination, are done before LAPACK has looked at its
+ * arguments.
  */
 namespace auxfem
 {
@@ -44,6 +44,10 @@ namespace auxfem
                         unsigned int  m1,
                         unsigned int  n,
                         unsigned int  m2);
+
+  /** Puts L^-1, with L L^T = a and L a lower triangle, in place of the positive
+   * definite block @p a. */
+  void invert_root(double *a, unsigned int n);
 
   /** Number of negative eigenvalues of the symmetric block @p a. */
   unsigned int n_negative_eigenvalues(const double *a, unsigned int n);

@@ -84,7 +84,7 @@ namespace auxfem
         {
           d.ux += shape.derivative[g][a] * u[3 * a];
           d.uy += shape.derivative[g][a] * u[3 * a + 1];
-          d.kappa += shape.derivative[g][a] * u[3 * a + 2];
+          d.kappa += shape.rotation_derivative[g][a] * u[3 * a + 2];
           d.phi += shape.value[g][a] * u[3 * a + 2];
         }
       d.ux *= inverse_jacobian;
@@ -209,8 +209,8 @@ namespace auxfem
             {
               sum[3 * a] += shape.derivative[g][a] * fx;
               sum[3 * a + 1] += shape.derivative[g][a] * fy;
-              sum[3 * a + 2] +=
-                shape.derivative[g][a] * bending + shape.value[g][a] * m;
+              sum[3 * a + 2] += shape.rotation_derivative[g][a] * bending +
+                shape.value[g][a] * m;
             }
         }
       std::copy_n(sum, 3 * (order + 1), force);
@@ -319,7 +319,9 @@ namespace auxfem
                          dv = w * shape.derivative[g][a] * shape.value[g][b],
                          vd = w * shape.value[g][a] * shape.derivative[g][b],
                          vv =
-                           w * jacobian * shape.value[g][a] * shape.value[g][b];
+                           w * jacobian * shape.value[g][a] * shape.value[g][b],
+                         kk = w * inverse_jacobian *
+              shape.rotation_derivative[g][a] * shape.rotation_derivative[g][b];
             Number *block = matrix + 3 * a * n + 3 * b;
             block[0] += dd * xx;
             block[1] += dd * xy;
@@ -329,7 +331,7 @@ namespace auxfem
             block[n + 2] += dv * T[1][2];
             block[2 * n] += vd * zx;
             block[2 * n + 1] += vd * zy;
-            block[2 * n + 2] += vv * G[2][2] + dd * bending;
+            block[2 * n + 2] += vv * G[2][2] + kk * bending;
           }
     }
 

@@ -132,7 +132,7 @@ namespace auxfem
           {
             x += shape.derivative[g][a] * nodes.x[a];
             y += shape.derivative[g][a] * nodes.y[a];
-            kappa += shape.derivative[g][a] * nodes.half[a];
+            kappa += shape.rotation_derivative[g][a] * nodes.half[a];
             half += shape.value[g][a] * nodes.half[a];
           }
         x *= inverse_jacobian;
@@ -225,7 +225,7 @@ namespace auxfem
         for (int a = 0; a <= order; ++a)
           {
             value[a]      = shape.value[g][a] * increments.c[a] * scale;
-            derivative[a] = shape.derivative[g][a] * increments.c[a];
+            derivative[a] = shape.rotation_derivative[g][a] * increments.c[a];
             sum += value[a];
             slope += derivative[a];
           }
@@ -366,7 +366,7 @@ namespace auxfem
             {
               force[3 * a] += shape.derivative[g][a] * fx;
               force[3 * a + 1] += shape.derivative[g][a] * fy;
-              by_rotations[a] += shape.derivative[g][a] * by_bending +
+              by_rotations[a] += shape.rotation_derivative[g][a] * by_bending +
                 shape.value[g][a] * by_value;
             }
           by_all += m;
@@ -484,7 +484,8 @@ namespace auxfem
                     block[2 * n + i] += vd * G[2][i];
                   }
                 block[2 * n + 2] += vv * G[2][2] +
-                  bending * rotation.derivative[a] * shape.derivative[g][b];
+                  bending * rotation.derivative[a] *
+                    shape.rotation_derivative[g][b];
               }
         }
     }

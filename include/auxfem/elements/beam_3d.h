@@ -143,10 +143,10 @@ namespace auxfem
         const Number weight = shape.weight[g] * jacobian;
         for (int a = 0; a <= order; ++a)
           {
-            const double derivative = shape.weight[g] * shape.derivative[g][a];
-            force[a] += derivative * d.force;
+            const double w = shape.weight[g];
+            force[a] += w * shape.derivative[g][a] * d.force;
             by_psi[a] += weight * shape.value[g][a] * d.by_psi +
-              derivative * d.by_gradient;
+              w * shape.rotation_derivative[g][a] * d.by_gradient;
           }
         couple += weight * d.couple;
       }
@@ -220,11 +220,11 @@ namespace auxfem
       for (int a = 0; a <= order; ++a)
         for (int i = 0; i < 3; ++i)
           {
-            const Number *node       = u + n_components * a;
-            const Number  derivative = shape.derivative[g][a] / jacobian;
-            slope[i] += derivative * node[i];
+            const Number *node = u + n_components * a;
+            slope[i] += shape.derivative[g][a] / jacobian * node[i];
             rotation[i] += shape.value[g][a] * node[3 + i];
-            curvature[i] += derivative * node[3 + i];
+            curvature[i] +=
+              shape.rotation_derivative[g][a] / jacobian * node[3 + i];
           }
       const FrameOf<Number> &frame = frames[g];
       return {(slope + dealii::cross_product_3d(frame.slope, rotation)) *
@@ -259,10 +259,11 @@ namespace auxfem
           for (int a = 0; a <= order; ++a)
             for (int i = 0; i < 3; ++i)
               {
-                const double derivative =
-                  shape.weight[g] * shape.derivative[g][a];
-                force[n_components * a + i] += derivative * section[i];
-                force[n_components * a + 3 + i] += derivative * moment[i] +
+                const double w = shape.weight[g];
+                force[n_components * a + i] +=
+                  w * shape.derivative[g][a] * section[i];
+                force[n_components * a + 3 + i] +=
+                  w * shape.rotation_derivative[g][a] * moment[i] +
                   weight * shape.value[g][a] * lever[i];
               }
         }

@@ -50,10 +50,11 @@ namespace auxfem
       RatesOf<Number> r;
       for (int a = 0; a <= order; ++a)
         {
-          const Number derivative = shape.derivative[g][a] * inverse_jacobian;
-          r.gamma += derivative * velocities[a].linear;
+          r.gamma +=
+            shape.derivative[g][a] * inverse_jacobian * velocities[a].linear;
           r.angular += shape.value[g][a] * velocities[a].angular;
-          r.kappa += derivative * velocities[a].angular;
+          r.kappa += shape.rotation_derivative[g][a] * inverse_jacobian *
+            velocities[a].angular;
         }
       r.gamma += dealii::cross_product_3d(point.slope, r.angular);
       return r;
@@ -131,10 +132,11 @@ namespace auxfem
           for (int a = 0; a <= order; ++a)
             for (int i = 0; i < 3; ++i)
               {
-                const double derivative =
-                  shape.weight[g] * shape.derivative[g][a];
-                force[n_components * a + i] += derivative * s.force[i];
-                force[n_components * a + 3 + i] += derivative * s.moment[i] +
+                const double w = shape.weight[g];
+                force[n_components * a + i] +=
+                  w * shape.derivative[g][a] * s.force[i];
+                force[n_components * a + 3 + i] +=
+                  w * shape.rotation_derivative[g][a] * s.moment[i] +
                   weight * shape.value[g][a] * couple[i];
               }
         }
@@ -227,25 +229,28 @@ namespace auxfem
           const Number weight = shape.weight[g] * jacobian;
           for (int b = 0; b <= order; ++b)
             {
-              const double            Nb    = shape.value[g][b];
-              const Number            Db    = shape.derivative[g][b] / jacobian;
+              const double Nb = shape.value[g][b];
+              const Number Db = shape.derivative[g][b] / jacobian,
+                           Rb = shape.rotation_derivative[g][b] / jacobian;
               const TensorOf<Number> &omega = angular_velocity_by_spin[b];
               const TensorOf<Number>  force =
                                        force_by_rotation * spin.by_spin[b] +
                 Nb * force_by_omega * omega,
                                      moment =
                                        moment_by_rotation * spin.by_spin[b] +
-                Db * by_rates.by_kappa * omega,
+                Rb * by_rates.by_kappa * omega,
                                      couple = -1. * slope_cross * force;
               for (int a = 0; a <= order; ++a)
                 {
-                  const Number Na    = weight * shape.value[g][a];
-                  const double Da    = shape.weight[g] * shape.derivative[g][a];
-                  Number      *block = matrix + n_components * (a * n + b);
+                  const Number Na = weight * shape.value[g][a];
+                  const double Da = shape.weight[g] * shape.derivative[g][a],
+                               Ra = shape.weight[g] *
+                    shape.rotation_derivative[g][a];
+                  Number *block = matrix + n_components * (a * n + b);
                   add_block(Da * Db * force_by_slope, n, block);
                   add_block(Da * force, n, block + 3);
                   add_block(Na * Db * couple_by_slope, n, block + 3 * n);
-                  add_block(Da * moment + Na * couple, n, block + 3 * n + 3);
+                  add_block(Ra * moment + Na * couple, n, block + 3 * n + 3);
                 }
             }
         }

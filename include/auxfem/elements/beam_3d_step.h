@@ -208,8 +208,8 @@ namespace auxfem
         for (int a = 0; a <= order; ++a)
           {
             sum += shape.value[g][a] * element.relative_turns[a];
-            sum_of_slopes += shape.derivative[g][a] * inverse_jacobian *
-              element.relative_turns[a];
+            sum_of_slopes += shape.rotation_derivative[g][a] *
+              inverse_jacobian * element.relative_turns[a];
           }
         // exp(psi) T = T^T.
         missing_turn  = beyond(least,
@@ -259,7 +259,8 @@ namespace auxfem
                          slope_by_middle;
         for (int a = 0; a <= order; ++a)
           {
-            const Number derivative = shape.derivative[g][a] * inverse_jacobian;
+            const Number derivative =
+              shape.rotation_derivative[g][a] * inverse_jacobian;
             value[a] = shape.value[g][a] * by_psi * nodes.psi_by_spin[a];
             slope[a] =
               (shape.value[g][a] * slope_by_psi + derivative * by_gradient) *

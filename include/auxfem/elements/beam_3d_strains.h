@@ -139,7 +139,7 @@ namespace auxfem
           {
             point.psi += shape.value[g][a] * psi[a];
             point.gradient +=
-              shape.derivative[g][a] * inverse_jacobian * psi[a];
+              shape.rotation_derivative[g][a] * inverse_jacobian * psi[a];
           }
         return point;
       }

@@ -96,7 +96,8 @@ namespace auxfem
         middle_middle += weight * couple_by_slope * slope_cross;
         for (int a = 0; a < n; ++a)
           {
-            const Number Da = shape.derivative[g][a] / jacobian;
+            const Number Da = shape.derivative[g][a] / jacobian,
+                         Ra = shape.rotation_derivative[g][a] / jacobian;
             const double Na = shape.value[g][a];
             force_middle[a] += weight * Da * slope_by_middle;
             psi_middle[a] += weight * Na * psi_by_middle;
@@ -104,16 +105,17 @@ namespace auxfem
             middle_psi[a] += weight * Na * couple_by_psi;
             for (int b = 0; b < n; ++b)
               {
-                const Number Db = shape.derivative[g][b] / jacobian;
+                const Number Db = shape.derivative[g][b] / jacobian,
+                             Rb = shape.rotation_derivative[g][b] / jacobian;
                 const double Nb = shape.value[g][b];
                 force_force[a][b] += weight * Da * Db * h.slope_slope;
                 force_psi[a][b] += weight * Da * Nb * h.slope_psi;
                 // The upper half; the other is its transpose.
                 if (b >= a)
                   psi_psi[a][b] += weight *
-                    (Na * Nb * h.psi_psi + Na * Db * h.psi_gradient +
-                     Da * Nb * transpose(h.psi_gradient) +
-                     Da * Db * h.gradient_gradient);
+                    (Na * Nb * h.psi_psi + Na * Rb * h.psi_gradient +
+                     Ra * Nb * transpose(h.psi_gradient) +
+                     Ra * Rb * h.gradient_gradient);
               }
           }
       }

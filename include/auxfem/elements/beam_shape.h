@@ -9,9 +9,9 @@ namespace auxfem
    * Internal forces use p Gauss points (no locking), inertia is integrated
    * exactly.
    *
-   * Without shear flexibility the points lie a little further out, which makes
-   * an element stiffer in bending by what its shear is left to give
-   * (doc/theory.md, Sections).
+   * Without shear flexibility curvatures are larger than the derivatives of
+   * rotations, which makes an element stiffer in bending by what its shear is
+   * left to give (doc/theory.md, Sections).
    */
   template <int order>
   struct BeamShape
@@ -23,15 +23,21 @@ namespace auxfem
      * 12 EI / (kGA L^2) of an element of length L that is to bend as if it did
      * not shear. Linear elements are too stiff in bending by just as much.
      */
-    static constexpr double shear_made_up_for = order == 1 ? 1. : 5e-4;
+    static constexpr double shear_made_up_for = order == 1 ? 1. : 5e-3;
 
     double value[order][order + 1];      ///< N_a at the Gauss points
     double derivative[order][order + 1]; ///< dN_a/dxi at the Gauss points
-    double weight[order];                ///< Gauss weights
-    double point[order];                 ///< Gauss points in [-1, 1]
-    double mass[order + 1][order + 1];   ///< integral of N_a N_b over [-1, 1]
-    double integral[order + 1];          ///< integral of N_a over [-1, 1]
-    double node[order + 1];              ///< nodes in [-1, 1]
+    /** By which curvatures at the Gauss points follow rotations of nodes:
+     * derivative if the struts shear. */
+    double rotation_derivative[order][order + 1];
+    /** The section's moments at the Gauss points by those that do work on these
+     * curvatures: one if the struts shear. */
+    double moment[order][order];
+    double weight[order];              ///< Gauss weights
+    double point[order];               ///< Gauss points in [-1, 1]
+    double mass[order + 1][order + 1]; ///< integral of N_a N_b over [-1, 1]
+    double integral[order + 1];        ///< integral of N_a over [-1, 1]
+    double node[order + 1];            ///< nodes in [-1, 1]
 
     /** @param makes_up_for_shear whether bending is to be stiffer by
      * shear_made_up_for. */

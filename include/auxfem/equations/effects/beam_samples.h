@@ -72,6 +72,8 @@ namespace auxfem
       SectionForces               elastic[order], viscous[order] = {};
       Beam::elastic_forces(beams.shape, at_rest, motion, elastic);
       viscous_forces(e, state, viscous);
+      find_moments(elastic);
+      find_moments(viscous);
 
       std::vector<StrutPoint> points(n_points);
       for (unsigned int i = 0; i < n_points; ++i)
@@ -140,7 +142,7 @@ namespace auxfem
     {
       const unsigned int e = index(of_numbering);
       SectionForces      elastic[order];
-      elastic_forces(e, state, elastic);
+      section_forces(e, state, elastic);
       ScaledMotion motion;
       for (const SectionForces &forces : elastic)
         motion.strains.push_back(
@@ -209,7 +211,8 @@ namespace auxfem
   protected:
     static constexpr int order = Beam::order;
 
-    /** Section forces without damping at the Gauss points of element @p e. */
+    /** Section forces without damping at the Gauss points of element @p e,
+     * moments such that they do work on its curvatures. */
     void elastic_forces(const unsigned int e,
                         const State       &state,
                         SectionForces (&of_points)[order]) const
@@ -223,6 +226,32 @@ namespace auxfem
     const BeamElements<Beam> beams;
 
   private:
+    /** The same with the moments that the sections have. */
+    void section_forces(const unsigned int e,
+                        const State       &state,
+                        SectionForces (&of_points)[order]) const
+    {
+      elastic_forces(e, state, of_points);
+      find_moments(of_points);
+    }
+
+    /** Makes of moments that do work on curvatures those of the sections. */
+    void find_moments(SectionForces (&of_points)[order]) const
+    {
+      for (unsigned int k = 3; k < 6; ++k)
+        {
+          double on_curvatures[order];
+          for (int g = 0; g < order; ++g)
+            on_curvatures[g] = of_points[g][k];
+          for (int g = 0; g < order; ++g)
+            {
+              of_points[g][k] = 0;
+              for (int h = 0; h < order; ++h)
+                of_points[g][k] += beams.shape.moment[g][h] * on_curvatures[h];
+            }
+        }
+    }
+
     /** Section forces of damping at the Gauss points of element @p e, which are zero
      * before; none without damping. */
     virtual void viscous_forces(const unsigned int /*e*/,
