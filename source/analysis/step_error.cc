@@ -26,6 +26,11 @@ namespace auxfem
      * estimated is the first; its mean is so much less than the amplitude. */
     constexpr double of_oscillation = dealii::numbers::PI / 2;
 
+    /** Of schemes with stages: where slow and fast oscillations err together,
+     * those in between are taken for less than they are (measured on lattices).
+     */
+    constexpr double of_several_oscillations = 1.6;
+
     /** What is left of the tolerance is never taken for less than this part of
      * all, so that steps do not become short for nothing. */
     constexpr double least_left = 0.1;
@@ -48,7 +53,6 @@ namespace auxfem
     , scheme(parameters.implicit_scheme())
     , tolerance(*parameters.relative_tolerance)
     , end_time(parameters.end_time)
-    , constant(*scheme.error_constant())
     , all{Motions{"displacements",
                   "Time/Absolute tolerance",
                   "m",
@@ -82,12 +86,12 @@ namespace auxfem
 
   void StepError::estimate(Motions          &motions,
                            const Evaluation &step,
-                           const double      difference,
+                           const double      error,
                            const double      damping)
   {
     Motions::Estimate &latest = motions.latest;
     latest.damping            = damping;
-    latest.error = of_oscillation * std::abs(constant) * difference;
+    latest.error              = of_oscillation * error;
     latest.largest =
       std::max(motions.largest, mean(motions, step.to.displacement));
     latest.allowed =
@@ -112,7 +116,10 @@ namespace auxfem
         double difference = step.dt * step.dt * mean(motions, change);
         if (third)
           difference = std::min(difference, mean(motions, *third));
-        estimate(motions, step, difference, /*damping=*/0);
+        estimate(motions,
+                 step,
+                 std::abs(*scheme.error_constant()) * difference,
+                 /*damping=*/0);
       }
     return worst();
   }
@@ -127,7 +134,8 @@ namespace auxfem
         const double angle       = of_motion > 0 ? of_velocity / of_motion : 0;
         estimate(motions,
                  step,
-                 std::min(of_motion, of_velocity),
+                 of_several_oscillations * scheme.error_by_difference(angle) *
+                   of_motion,
                  1 - std::min(1., scheme.amplification(angle)));
       }
     return worst();

@@ -76,7 +76,7 @@ namespace auxfem
       const auto *scheme =
         dynamic_cast<const ImplicitScheme *>(scene.time.scheme.get());
       if (scene.context.model == Model::reduced_cell || scheme == nullptr ||
-          !scheme->error_constant())
+          !scheme->estimates_errors())
         mistakes.add(message(
           scene,
           "Time/Relative tolerance: there is no estimate of "

@@ -6,28 +6,26 @@
 
 namespace auxfem
 {
-  namespace
-  {
-    /** @p vector becomes A times it. */
-    std::vector<double> product(const ButcherTableau      &tableau,
-                                const std::vector<double> &vector)
-    {
-      std::vector<double> result(vector.size());
-      for (std::size_t i = 0; i < vector.size(); ++i)
-        result[i] = std::inner_product(tableau.factors[i].begin(),
-                                       tableau.factors[i].end(),
-                                       vector.begin(),
-                                       0.);
-      return result;
-    }
-  } // namespace
-
   double ButcherTableau::missed_growth(const unsigned int i,
                                        const unsigned int j) const
   {
     const double below = j <= i ? weights[i] * factors[i][j] : 0,
                  above = i <= j ? weights[j] * factors[j][i] : 0;
     return below + above - weights[i] * weights[j];
+  }
+
+  std::vector<std::complex<double>>
+  ButcherTableau::oscillation(const double angle) const
+  {
+    const std::complex<double>        lambda(0, angle);
+    std::vector<std::complex<double>> values(n_stages(), 1.);
+    for (unsigned int i = 1; i < n_stages(); ++i)
+      {
+        for (unsigned int j = 0; j < i; ++j)
+          values[i] += factors[i][j] * lambda * values[j];
+        values[i] /= 1. - diagonal * lambda;
+      }
+    return values;
   }
 
   RungeKutta::RungeKutta(const std::string &name, const ButcherTableau &tableau)
@@ -69,23 +67,26 @@ namespace auxfem
            "as accurate for the same time.";
   }
 
-  std::complex<double> RungeKutta::response(const double angle) const
-  {
-    // y' = i angle y over a step of length one, y_0 = 1.
-    const std::complex<double>        lambda(0, angle);
-    std::vector<std::complex<double>> values(tableau.n_stages(), 1.);
-    for (unsigned int i = 1; i < tableau.n_stages(); ++i)
-      {
-        for (unsigned int j = 0; j < i; ++j)
-          values[i] += tableau.factors[i][j] * lambda * values[j];
-        values[i] /= 1. - tableau.diagonal * lambda;
-      }
-    return values.back();
-  }
-
   double RungeKutta::amplification(const double angle) const
   {
-    return std::abs(response(angle));
+    return std::abs(tableau.oscillation(angle).back());
+  }
+
+  double RungeKutta::error_by_difference(const double angle) const
+  {
+    // Error and difference of smaller angles have few digits; their ratio goes
+    // by the angle.
+    constexpr double smallest = 0.1;
+    if (angle < smallest)
+      return error_by_difference(smallest) * angle / smallest;
+    const std::vector<std::complex<double>> stages = tableau.oscillation(angle);
+    const std::complex<double>              difference =
+      std::inner_product(stages.begin(),
+                         stages.end(),
+                         tableau.embedded_difference.begin(),
+                         std::complex<double>());
+    return std::abs(stages.back() - std::exp(std::complex<double>(0, angle))) /
+      std::abs(angle * difference);
   }
 
   double RungeKutta::missed_way(const double by_trapezoidal_rule) const
@@ -94,33 +95,15 @@ namespace auxfem
       2 * std::asin(std::min(1., std::sqrt(12 * by_trapezoidal_rule) / 2));
     if (angle == 0)
       return 0;
-    return std::abs(response(angle) -
+    return std::abs(tableau.oscillation(angle).back() -
                     std::exp(std::complex<double>(0, angle))) /
       angle;
   }
 
-  std::optional<double> RungeKutta::error_constant() const
+  bool RungeKutta::estimates_errors() const
   {
     // Where stiff damping lowers the order, that of order 5 differs too little
     // from its embedded scheme: errors were 30 times the estimate.
-    if (tableau.order > 4)
-      return {};
-    std::vector<double> powers(tableau.n_stages(), 1.); // A^k 1
-    double              exact = 1;                      // 1 / (k + 1)!
-    for (unsigned int k = 1; k < tableau.order; ++k)
-      {
-        powers = product(tableau, powers);
-        exact /= k + 1;
-      }
-    const auto along = [&powers](const std::vector<double> &weights) {
-      return std::inner_product(weights.begin(),
-                                weights.end(),
-                                powers.begin(),
-                                0.);
-    };
-    const double embedded = along(tableau.embedded_difference);
-    powers                = product(tableau, powers);
-    exact /= tableau.order + 1;
-    return (along(tableau.weights) - exact) / embedded;
+    return tableau.order <= 4;
   }
 } // namespace auxfem

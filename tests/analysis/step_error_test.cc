@@ -125,6 +125,21 @@ TEST(StepError, TolerancesAreMetByAnUndampedOscillator)
       }
 }
 
+TEST(StepError, TolerancesAreMetByLongStepsOfAnUndampedOscillator)
+{
+  // Steps begin with half an oscillation.
+  for (const char *const order : {"3", "4"})
+    for (const double tolerance : {1e-1, 3e-2, 1e-2, 1e-3, 1e-4, 1e-5})
+      {
+        const Outcome outcome =
+          run(oscillator("esdirk").set("Time/Order of esdirk", order),
+              {"Time/Relative tolerance=" + text(tolerance),
+               "Time/Smallest time step=2e-6"});
+        EXPECT_LT(outcome.error, 2.2 * tolerance) << order << ' ' << tolerance;
+        EXPECT_GT(outcome.error, tolerance / 25) << order << ' ' << tolerance;
+      }
+}
+
 TEST(StepError, EstimateIsThatOfTheErrorThatIsMade)
 {
   for (const char *const scheme : {"newmark", "hht", "generalized-alpha"})

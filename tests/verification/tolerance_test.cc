@@ -77,7 +77,7 @@ namespace
                    formatted("%.1e", std::stod(errors[i])),
                    iterations[i]});
         EXPECT_LT(std::stod(errors[i]), std::stod(tolerances[i])) << name;
-        EXPECT_GT(std::stod(errors[i]), std::stod(tolerances[i]) / 1000)
+        EXPECT_GT(std::stod(errors[i]), std::stod(tolerances[i]) / 2000)
           << name;
       }
     EXPECT_EQ(errors.size(), tightest - 1);
@@ -214,8 +214,9 @@ namespace
                      formatted("%.1e", errors[1])});
           const double error = std::max(errors[0], errors[1]);
           EXPECT_LT(error, 3 * tolerance) << name << ' ' << scheme << order;
-          // Long steps of high order err less than anyone would ask for.
-          EXPECT_GT(error, tolerance / (order == 2 ? 12 : 250))
+          // Long steps of high order err less than anyone would ask for, and
+          // damping of struts takes errors away, which is not known.
+          EXPECT_GT(error, tolerance / (order == 2 ? 12 : 1000))
             << name << ' ' << scheme << order;
         }
   }
@@ -295,4 +296,14 @@ TEST(Tolerance, IsMetByAllMotionsTogether)
                             star_lattice(),
                             4,
                             5);
+  // Under four fifths of its buckling load, in steps that turn oscillations by
+  // radians.
+  SceneText larger = star_lattice();
+  larger.set("Lattice/Cells x", 4)
+    .set("Lattice/Cells y", 4)
+    .set("Connectors/damper/Law", "kelvin-voigt")
+    .set("Loads/push/Force y", "-min(t / 10e-3, 1)")
+    .set("Time/Smallest time step", 1e-8)
+    .time("20 ms", "2 ms");
+  expect_met_by_all_motions("star lattice under a large load", larger, 3, 4);
 }

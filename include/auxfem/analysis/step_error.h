@@ -23,13 +23,16 @@ namespace auxfem
    *
    * @code
    * e = pi / 2 c min(dt^2 |v'_{n+1} - v'_n|, |dt^3 u_ttt|)
-   * e = pi / 2 c min(dt |v - v_embedded|, |u - u_embedded|)
+   * e = 1.6 pi / 2 r(z) |u - u_embedded|
+   * z = dt |v - v_embedded| / |u - u_embedded|
    * @endcode
    *
-   * with ImplicitScheme::error_constant(); pi / 2 stands for the error of the
-   * velocity, which an oscillation turns into one of the displacement.
-   * Displacements and rotations are measured apart, by root mean squares of all
-   * free ones; the worse of the two counts.
+   * with c = ImplicitScheme::error_constant() and r =
+   * ImplicitScheme::error_by_difference(), z being the angle by which what errs
+   * most turns in the step; pi / 2 stands for the error of the velocity, which
+   * an oscillation turns into one of the displacement, 1.6 for oscillations that
+   * slower and faster ones hide. Displacements and rotations are measured apart,
+   * by root mean squares of all free ones; the worse of the two counts.
    *
    * In free oscillation the errors of all steps add up, so each may take, of
    * what the steps before it have left of the tolerance, the part that its
@@ -39,9 +42,8 @@ namespace auxfem
    * the largest accelerations; in the third difference (ThirdDifference) they
    * count by their displacements. After a jump of accelerations it is the
    * change of these that is right, and the smaller. What a Runge-Kutta scheme
-   * damps of such oscillations is known: the ratio of the two differences above
-   * is the angle by which what errs most turns in the step, of which
-   * ImplicitScheme::amplification() is left.
+   * damps of such oscillations is known: ImplicitScheme::amplification() of z
+   * is left.
    */
   class StepError
   {
@@ -117,12 +119,12 @@ namespace auxfem
     /**
      * Of displacements first, as that of rotations may depend on them.
      * Collective.
-     * @param difference from which the error follows (m, rad)
+     * @param error that the step adds to displacements (m, rad)
      * @param damping part of errors that the step takes away
      */
     void estimate(Motions          &motions,
                   const Evaluation &step,
-                  double            difference,
+                  double            error,
                   double            damping);
     /** Largest motions (m, rad) that all errors are a part of. */
     double largest_of_all(const Motions &motions) const;
@@ -131,7 +133,7 @@ namespace auxfem
 
     const Equations      &equations;
     const ImplicitScheme &scheme;
-    const double          tolerance, end_time, constant;
+    const double          tolerance, end_time;
     /** Displacements, rotations. */
     std::array<Motions, 2> all;
     ThirdDifference        displacements;

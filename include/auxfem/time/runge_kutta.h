@@ -44,6 +44,11 @@ namespace auxfem
      * @endcode
      */
     double missed_growth(unsigned int i, unsigned int j) const;
+
+    /** An oscillation y' = i y of amplitude 1 at the stages of a step in which
+     * it
+     * turns by @p angle (rad). */
+    std::vector<std::complex<double>> oscillation(double angle) const;
   };
 
   /**
@@ -106,19 +111,12 @@ namespace auxfem
      */
     double missed_way(double by_trapezoidal_rule) const override;
 
-    /**
-     * For y' = lambda y the error of a step of order p, in which y grows by
-     * R(z), z = lambda dt, is C z^(p+1), and the difference to the embedded
-     * scheme D z^p: so C / D dt times the difference in velocity, which is dt
-     * times that of accelerations, is the error of displacement. For orders up
-     * to 4.
-     */
-    std::optional<double> error_constant() const override;
+    double error_by_difference(double angle) const override;
+
+    /** Of orders up to 4. */
+    bool estimates_errors() const override;
 
   private:
-    /** R(iz): what becomes in a step of an oscillation that turns by @p angle. */
-    std::complex<double> response(double angle) const;
-
     const ButcherTableau tableau;
   };
 } // namespace auxfem

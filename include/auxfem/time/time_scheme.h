@@ -136,22 +136,36 @@ namespace auxfem
     }
 
     /**
-     * The number c with which c dt^2 times a change of acceleration is the
-     * error of displacement that a step adds: the change in the step, or, of a
-     * scheme with stages, what these differ by from its embedded scheme.
-     * Nothing if there is no such estimate.
+     * The number c with which c dt^2 times the change of acceleration in a step
+     * is the error of displacement that it adds. Nothing if that is not how the
+     * error is estimated.
      */
     virtual std::optional<double> error_constant() const
     {
       return {};
     }
 
+    /** Whether the error of a step is estimated: by error_constant(), or of a
+     * scheme with stages by these. */
+    virtual bool estimates_errors() const
+    {
+      return error_constant().has_value();
+    }
+
     /**
      * What is left after a step of the amplitude of an oscillation that turns
-     * by
-     * @p angle (rad) in it, of a scheme with stages.
+     * by @p angle (rad) in it, of a scheme with stages.
      */
     virtual double amplification(const double /*angle*/) const
+    {
+      return 1;
+    }
+
+    /**
+     * The error that a step of a scheme with stages adds to such an
+     * oscillation, over what it differs by from that of the embedded scheme.
+     */
+    virtual double error_by_difference(const double /*angle*/) const
     {
       return 1;
     }

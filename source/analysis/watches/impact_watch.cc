@@ -210,7 +210,7 @@ namespace auxfem
         std::ostringstream text;
         if (time.relative_tolerance)
           text << "Reduce Time/Relative tolerance.";
-        else if (time.implicit_scheme().error_constant())
+        else if (time.implicit_scheme().estimates_errors())
           text
             << "Set Time/Relative tolerance = 5e-3: steps become as short as "
                "the contact asks for, there alone.";
