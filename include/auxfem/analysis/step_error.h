@@ -30,9 +30,9 @@ namespace auxfem
    * with c = ImplicitScheme::error_constant() and r =
    * ImplicitScheme::error_by_difference(), z being the angle by which what errs
    * most turns in the step; pi / 2 stands for the error of the velocity, which
-   * an oscillation turns into one of the displacement, 1.6 for oscillations that
-   * slower and faster ones hide. Displacements and rotations are measured apart,
-   * by root mean squares of all free ones; the worse of the two counts.
+   * an oscillation turns into one of the displacement, 1.6 for oscillations
+   * that slower and faster ones hide. Displacements and rotations are measured
+   * apart, by root mean squares of all free ones; the worse of the two counts.
    *
    * In free oscillation the errors of all steps add up, so each may take, of
    * what the steps before it have left of the tolerance, the part that its
