@@ -18,9 +18,9 @@ namespace auxfem
 
     /**
      * Curvatures at the Gauss points by the derivatives of rotations there: in
-     * terms of orthonormal polynomials L^-1 with L L^T = I - X, X the
-     * compliance
-     * of the @p shear that is made up for over that of bending.
+     * terms of orthonormal polynomials L^-1 with L L^T = I - X, where X is the
+     * compliance of the @p shear that is made up for over that of bending
+     * (doc/theory.md, Sections).
      */
     template <int order>
     PointMatrix<order> curvatures_by_derivatives(const double shear)
